@@ -1,0 +1,13 @@
+//! Poses, twists, wrenches and motion patterns; nothing here knows of a robot.
+
+mod pattern;
+mod pose;
+
+pub use pattern::{MotionPattern, PatternError, Plane};
+pub use pose::Pose;
+
+/// Six numbers [v; ω] (m/s, rad/s) or a small displacement [δr; δφ] (m, rad): world axes, rotation acting from the left.
+pub type Twist = nalgebra::Vector6<f64>;
+
+/// Force and moment about the platform origin, world axes (N, N·m); acts *on* the platform: Aᵀ f + w = 0.
+pub type Wrench = nalgebra::Vector6<f64>;

@@ -1,0 +1,76 @@
+//! A data set in memory.
+
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::Pose;
+
+/// Measurements of one robot, row by row; every per-cable row has m entries in the robot's cable order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Samples {
+    /// Measured platform poses.
+    pub poses: Vec<Pose>,
+    /// Recorded cable lengths, sample by sample (m), `poses.len()` × m, row-major.
+    pub lengths: Vec<f64>,
+    /// Recorded tensions, laid out as `lengths` (N).
+    pub tensions: Option<Vec<f64>>,
+    /// Number of cables m.
+    pub cable_count: usize,
+    /// Name of the subset each sample belongs to (column `set`).
+    pub set: Option<Vec<String>>,
+    /// Time of each sample (s), increasing order not required.
+    pub time: Option<Vec<f64>>,
+    /// How accurate the sensors are, where known.
+    pub sigmas: SensorSigmas,
+}
+
+/// Standard deviations of the sensors PER AXIS; `None` when unknown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SensorSigmas {
+    /// Position of the platform, per axis (m).
+    #[serde(rename = "position_m", skip_serializing_if = "Option::is_none")]
+    pub position: Option<f64>,
+    /// Orientation of the platform, per axis (rad).
+    #[serde(rename = "rotation_rad", skip_serializing_if = "Option::is_none")]
+    pub rotation: Option<f64>,
+    /// Cable length (m).
+    #[serde(rename = "length_m", skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// Tension (N).
+    #[serde(rename = "tension_N", skip_serializing_if = "Option::is_none")]
+    pub tension: Option<f64>,
+}
+
+impl Samples {
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.poses.len()
+    }
+
+    /// True when there is no sample.
+    pub fn is_empty(&self) -> bool {
+        self.poses.is_empty()
+    }
+
+    /// Recorded lengths of one sample (m), m entries.
+    pub fn lengths_of(&self, sample: usize) -> &[f64] {
+        &self.lengths[sample * self.cable_count..][..self.cable_count]
+    }
+
+    /// The samples with these indices, in this order.
+    #[must_use]
+    pub fn subset(&self, indices: &[usize]) -> Self {
+        let rows = |data: &[f64]| -> Vec<f64> {
+            indices.iter().flat_map(|&i| data[i * self.cable_count..][..self.cable_count].to_vec()).collect()
+        };
+        Self {
+            poses: indices.iter().map(|&i| self.poses[i]).collect(),
+            lengths: rows(&self.lengths),
+            tensions: self.tensions.as_deref().map(rows),
+            cable_count: self.cable_count,
+            set: self.set.as_ref().map(|set| indices.iter().map(|&i| set[i].clone()).collect()),
+            time: self.time.as_ref().map(|time| indices.iter().map(|&i| time[i]).collect()),
+            sigmas: self.sigmas,
+        }
+    }
+}

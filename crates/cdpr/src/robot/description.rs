@@ -1,0 +1,214 @@
+//! The description of a robot, in SI units and spatial vectors whatever its motion pattern.
+
+use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
+
+/// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Robot {
+    /// Short name, without spaces.
+    pub name: String,
+    /// One line for people.
+    pub title: Option<String>,
+    /// Degrees of freedom of the platform.
+    pub motion_pattern: MotionPattern,
+    /// The file's own word for the type, e.g. `spatial-suspended`.
+    pub kind: Option<String>,
+    /// World plane of a planar robot; xy when the pattern is spatial.
+    pub plane: Plane,
+    /// Gravity (world, m/s²).
+    pub gravity: Option<Vector3<f64>>,
+    /// Remarks, one paragraph each.
+    pub notes: Vec<String>,
+    /// Where the numbers come from.
+    pub source: Option<Source>,
+    /// Mass properties.
+    pub platform: Platform,
+    /// A pose inside the workspace to start from.
+    pub home: Option<Pose>,
+    /// What acts on the platform besides the cables.
+    pub external_wrench: Option<ExternalWrench>,
+    /// Box of platform positions for plotting and sampling; not a proven workspace.
+    pub travel: Option<TravelBox>,
+    /// The cables, in the order of every per-cable list.
+    pub cables: Vec<Cable>,
+    /// Published numbers that the robot reproduces.
+    pub reference_checks: Vec<ReferenceCheck>,
+}
+
+/// Where a robot's numbers come from.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Source {
+    /// Publication or owner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub citation: Option<String>,
+    /// Equations or tables of the publication.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equations: Option<String>,
+    /// Repository the numbers were read from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub repository: Option<String>,
+    /// Commit of that repository.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub commit: Option<String>,
+    /// Licence of the numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub licence: Option<String>,
+    /// File in that repository.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+}
+
+/// Mass properties of the platform.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Platform {
+    /// Mass (kg).
+    pub mass: Option<f64>,
+    /// Centre of mass (platform frame, m).
+    pub center_of_mass: Option<Vector3<f64>>,
+    /// Inertia about the centre of mass (platform axes, kg·m²).
+    pub inertia: Option<Matrix3<f64>>,
+}
+
+/// A constant wrench on the platform.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExternalWrench {
+    /// Force and moment about the platform origin (world axes; N, N·m).
+    pub wrench: Wrench,
+    /// True when the weight is part of it and must not be added again.
+    pub includes_gravity: bool,
+}
+
+/// An axis-parallel box of platform positions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TravelBox {
+    /// Lower corner (world, m).
+    pub min: Vector3<f64>,
+    /// Upper corner (world, m).
+    pub max: Vector3<f64>,
+    /// Where the box comes from.
+    pub note: Option<String>,
+}
+
+/// One cable, from its frame anchor to its platform anchor.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cable {
+    /// Name, unique in the robot.
+    pub name: String,
+    /// Frame anchor a (world, m); with the effect `pulley` the point D where the cable enters the swivelling pulley.
+    pub frame_anchor: Vector3<f64>,
+    /// Platform anchor b (platform frame, m).
+    pub platform_anchor: Vector3<f64>,
+    /// Pulley radius r_p (m).
+    pub pulley_radius: Option<f64>,
+    /// Unit vector along the swivel axis, from the winch into the pulley (world).
+    pub pulley_swivel_axis: Option<Vector3<f64>>,
+    /// Least tension allowed (N).
+    pub tension_min: Option<f64>,
+    /// Largest tension allowed (N).
+    pub tension_max: Option<f64>,
+    /// Specific stiffness k_F = E·A (N).
+    pub axial_stiffness: Option<f64>,
+    /// 1/(E·A) (1/N); 0 is a rigid cable.
+    pub axial_compliance: Option<f64>,
+    /// Length-independent spring constant (N/m).
+    pub spring_constant: Option<f64>,
+    /// Which length the specific stiffness is divided by.
+    pub stiffness_by: Option<StiffnessBasis>,
+    /// Strained length between winch and outlet that the geometry does not see (m).
+    pub hidden_length: Option<f64>,
+    /// Further compliance in series (m/N).
+    pub series_compliance: Option<f64>,
+    /// q_recorded = length_scale · q_θ + length_offset; 1 when unknown.
+    pub length_scale: Option<f64>,
+    /// See `length_scale` (m); 0 when unknown.
+    pub length_offset: Option<f64>,
+    /// f_recorded = tension_scale · f + tension_offset; 1 when unknown.
+    pub tension_scale: Option<f64>,
+    /// See `tension_scale` (N); 0 when unknown.
+    pub tension_offset: Option<f64>,
+}
+
+/// Which length divides the specific stiffness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum StiffnessBasis {
+    /// k = EA/q, the dissertation's law.
+    Actual,
+    /// k = EA/q_θ.
+    Unstrained,
+}
+
+/// A published number with the pose and load it belongs to, as the file states it (numbers in the file's components).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
+pub struct ReferenceCheck {
+    /// What is compared.
+    pub what: String,
+    /// Platform position (m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position_m: Option<Vec<f64>>,
+    /// External force (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_N: Option<Vec<f64>>,
+    /// External moment (N·m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment_Nm: Option<Vec<f64>>,
+    /// Tensions applied (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension_N: Option<Vec<f64>>,
+    /// Least tension allowed (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension_min_N: Option<f64>,
+    /// Largest tension allowed (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tension_max_N: Option<f64>,
+    /// Tensions published (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_tension_N: Option<Vec<f64>>,
+    /// Wrench published (N, N·m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_wrench: Option<Vec<f64>>,
+    /// Wrench of the upper cables published (N, N·m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_upper_wrench: Option<Vec<f64>>,
+    /// Wrench of the lower cables published (N, N·m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_lower_wrench: Option<Vec<f64>>,
+    /// Winch offsets published (m).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_offset_m: Option<Vec<f64>>,
+    /// Allowed deviation in the unit of the number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
+    /// Allowed deviation of tensions (N).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance_N: Option<f64>,
+    /// Equation or figure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+}
+
+impl Robot {
+    /// Number of cables m.
+    pub fn cable_count(&self) -> usize {
+        self.cables.len()
+    }
+
+    /// Number of degrees of freedom n.
+    pub fn dof(&self) -> usize {
+        self.motion_pattern.dof()
+    }
+
+    /// The home pose, or the middle of the frame anchors with the platform unturned when the file gives none.
+    pub fn home_or_middle(&self) -> Pose {
+        self.home.unwrap_or_else(|| {
+            let sum: Vector3<f64> = self.cables.iter().map(|cable| cable.frame_anchor).sum();
+            Pose { position: sum / self.cables.len().max(1) as f64, ..Pose::identity() }
+        })
+    }
+}

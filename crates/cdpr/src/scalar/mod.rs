@@ -1,0 +1,99 @@
+//! The number types that one formula serves: plain numbers, lanes of poses or cables, dual numbers.
+//!
+//! Per-cable geometry is written once over [`Real`]. `f64` gives the answer for one pose, [`Lanes`]
+//! types the answer for eight at once, and the dual numbers of the tests check every analytic derivative.
+
+mod portable;
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+pub use portable::Portable;
+
+/// A number that cable geometry can be computed with.
+///
+/// There is no fused multiply-add on purpose: every width then gives the same bits.
+pub trait Real:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// The constant `x` in the number type (and vector unit) of `self`, whose value does not matter.
+    fn constant(self, x: f64) -> Self;
+
+    /// Square root; NaN below zero.
+    fn sqrt(self) -> Self;
+
+    /// Angle of the vector (`x`, `self`), counted from the first axis, in [0, 2π) (rad).
+    fn full_angle(self, x: Self) -> Self;
+}
+
+/// Eight numbers that are computed at once, on the widest vector unit of the machine.
+pub trait Lanes: Real {
+    /// The first eight entries of `source`; panics when it has fewer.
+    fn load(self, source: &[f64]) -> Self;
+
+    /// The eight numbers.
+    fn to_array(self) -> [f64; LANES];
+
+    /// Sum of the eight numbers, in an order that is the same on every vector unit.
+    #[inline(always)]
+    fn sum(self) -> f64 {
+        let a = self.to_array();
+        ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]))
+    }
+}
+
+/// How many numbers a [`Lanes`] type holds, on every machine.
+pub const LANES: usize = 8;
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn full_angle(self, x: Self) -> Self {
+        let angle = self.atan2(x);
+        if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
+    }
+}
+
+/// `a − b`.
+#[inline(always)]
+pub(crate) fn sub<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// `a + b`.
+#[inline(always)]
+pub(crate) fn add<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// `a · b`.
+#[inline(always)]
+pub(crate) fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a × b`.
+#[inline(always)]
+pub(crate) fn cross<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// `s a`.
+#[inline(always)]
+pub(crate) fn scale<T: Real>(s: T, a: [T; 3]) -> [T; 3] {
+    [s * a[0], s * a[1], s * a[2]]
+}
+
+/// `M a` for a matrix given by its rows.
+#[inline(always)]
+pub(crate) fn rotate<T: Real>(rows: &[[T; 3]; 3], a: [T; 3]) -> [T; 3] {
+    [dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)]
+}
