@@ -3,11 +3,24 @@
 //! Per-cable geometry is written once over [`Real`]. `f64` gives the answer for one pose, [`Lanes`]
 //! types the answer for eight at once, and the dual numbers of the tests check every analytic derivative.
 
+mod angle;
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+mod dispatch;
 mod portable;
+mod select;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(target_arch = "x86_64")]
+pub use avx2::Avx2;
+#[cfg(target_arch = "x86_64")]
+pub use avx512::Avx512;
+pub use dispatch::{Kernel, Unit, dispatch, dispatch_narrow, dispatch_on};
 pub use portable::Portable;
+pub use select::Select;
 
 /// A number that cable geometry can be computed with.
 ///
@@ -26,12 +39,20 @@ pub trait Real:
 }
 
 /// Eight numbers that are computed at once, on the widest vector unit of the machine.
-pub trait Lanes: Real {
+///
+/// The types differ in the unit only: each operation gives the same bits on all of them and on `f64`.
+pub trait Lanes: Select {
     /// The first eight entries of `source`; panics when it has fewer.
     fn load(self, source: &[f64]) -> Self;
 
     /// The eight numbers.
     fn to_array(self) -> [f64; LANES];
+
+    /// Writes the eight numbers to the front of `target`; panics when it is shorter.
+    #[inline(always)]
+    fn store(self, target: &mut [f64]) {
+        target[..LANES].copy_from_slice(&self.to_array());
+    }
 
     /// Sum of the eight numbers, in an order that is the same on every vector unit.
     #[inline(always)]
@@ -57,8 +78,7 @@ impl Real for f64 {
 
     #[inline(always)]
     fn full_angle(self, x: Self) -> Self {
-        let angle = self.atan2(x);
-        if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
+        angle::full_angle(self, x)
     }
 }
 

@@ -2,7 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{LANES, Lanes, Real};
+use super::angle::full_angle;
+use super::{LANES, Lanes, Real, Select};
 
 /// Eight numbers in an array.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +54,42 @@ impl Real for Portable {
     }
 
     #[inline(always)]
-    fn full_angle(mut self, x: Self) -> Self {
+    fn full_angle(self, x: Self) -> Self {
+        full_angle(self, x)
+    }
+}
+
+impl Select for Portable {
+    /// All bits set where the statement holds, none elsewhere: the shape that compilers turn into vector code.
+    type Mask = [u64; LANES];
+
+    #[inline(always)]
+    fn is_less(self, other: Self) -> Self::Mask {
+        let mut mask = [0; LANES];
         for lane in 0..LANES {
-            self.0[lane] = self.0[lane].full_angle(x.0[lane]);
+            mask[lane] = if self.0[lane] < other.0[lane] { u64::MAX } else { 0 };
+        }
+        mask
+    }
+
+    #[inline(always)]
+    fn select(mut self, mask: Self::Mask, otherwise: Self) -> Self {
+        for lane in 0..LANES {
+            let bits = (self.0[lane].to_bits() & mask[lane]) | (otherwise.0[lane].to_bits() & !mask[lane]);
+            self.0[lane] = f64::from_bits(bits);
+        }
+        self
+    }
+
+    #[inline(always)]
+    fn any(self, mask: Self::Mask) -> bool {
+        mask.iter().fold(0, |either, lane| either | lane) != 0
+    }
+
+    #[inline(always)]
+    fn abs(mut self) -> Self {
+        for lane in &mut self.0 {
+            *lane = lane.abs();
         }
         self
     }

@@ -1,0 +1,111 @@
+//! Eight lanes in two AVX2 registers.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use pulp::x86::V3;
+use pulp::{f64x4, m64x4};
+
+use super::angle::full_angle;
+use super::{LANES, Lanes, Real, Select};
+
+/// Eight numbers in two AVX2 registers; exists only on machines that have the unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx2 {
+    token: V3,
+    halves: [f64x4; 2],
+}
+
+impl Avx2 {
+    /// Zeros; the token proves that the machine has the unit.
+    #[inline(always)]
+    pub(super) fn new(token: V3) -> Self {
+        Self { token, halves: [token.splat_f64x4(0.0); 2] }
+    }
+}
+
+macro_rules! on_halves {
+    ($trait:ident, $method:ident, $operation:ident) => {
+        impl $trait for Avx2 {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                let (token, [a, b], [c, d]) = (self.token, self.halves, other.halves);
+                Self { token, halves: [token.$operation(a, c), token.$operation(b, d)] }
+            }
+        }
+    };
+}
+on_halves!(Add, add, add_f64x4);
+on_halves!(Sub, sub, sub_f64x4);
+on_halves!(Mul, mul, mul_f64x4);
+on_halves!(Div, div, div_f64x4);
+
+impl Neg for Avx2 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        let (token, [a, b]) = (self.token, self.halves);
+        let sign = token.splat_f64x4(-0.0);
+        Self { token, halves: [token.xor_f64x4(a, sign), token.xor_f64x4(b, sign)] }
+    }
+}
+
+impl Real for Avx2 {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self { token: self.token, halves: [self.token.splat_f64x4(x); 2] }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let (token, [a, b]) = (self.token, self.halves);
+        Self { token, halves: [token.sqrt_f64x4(a), token.sqrt_f64x4(b)] }
+    }
+
+    #[inline(always)]
+    fn full_angle(self, x: Self) -> Self {
+        full_angle(self, x)
+    }
+}
+
+impl Select for Avx2 {
+    type Mask = [m64x4; 2];
+
+    #[inline(always)]
+    fn is_less(self, other: Self) -> Self::Mask {
+        let ([a, b], [c, d]) = (self.halves, other.halves);
+        [self.token.cmp_lt_f64x4(a, c), self.token.cmp_lt_f64x4(b, d)]
+    }
+
+    #[inline(always)]
+    fn select(self, mask: Self::Mask, otherwise: Self) -> Self {
+        let (token, [a, b], [c, d]) = (self.token, self.halves, otherwise.halves);
+        Self { token, halves: [token.select_f64x4(mask[0], a, c), token.select_f64x4(mask[1], b, d)] }
+    }
+
+    #[inline(always)]
+    fn any(self, mask: Self::Mask) -> bool {
+        let either = self.token.or_m64x4(mask[0], mask[1]);
+        self.token.avx._mm256_movemask_pd(pulp::cast(either)) != 0
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let (token, [a, b]) = (self.token, self.halves);
+        Self { token, halves: [token.abs_f64x4(a), token.abs_f64x4(b)] }
+    }
+}
+
+impl Lanes for Avx2 {
+    #[inline(always)]
+    fn load(self, source: &[f64]) -> Self {
+        let mut lanes = [0.0; LANES];
+        lanes.copy_from_slice(&source[..LANES]);
+        Self { token: self.token, halves: pulp::cast(lanes) }
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f64; LANES] {
+        pulp::cast(self.halves)
+    }
+}

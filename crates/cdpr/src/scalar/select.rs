@@ -1,0 +1,57 @@
+//! Cases without branches: a formula with cases chooses lane by lane, so that it serves every width with the same bits.
+
+use super::Real;
+
+/// A [`Real`] that can choose between two values lane by lane.
+pub trait Select: Real {
+    /// Which lanes a statement holds in.
+    type Mask: Copy;
+
+    /// Where `self < other`; nowhere that either is NaN.
+    fn is_less(self, other: Self) -> Self::Mask;
+
+    /// `self` where the mask holds, `otherwise` elsewhere.
+    fn select(self, mask: Self::Mask, otherwise: Self) -> Self;
+
+    /// Whether the mask holds in any lane (the value of `self` does not matter).
+    fn any(self, mask: Self::Mask) -> bool;
+
+    /// Absolute value.
+    fn abs(self) -> Self;
+
+    /// The smaller of both; `other` where either is NaN.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.select(self.is_less(other), other)
+    }
+
+    /// The larger of both; `other` where either is NaN.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.select(other.is_less(self), other)
+    }
+}
+
+impl Select for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn is_less(self, other: Self) -> bool {
+        self < other
+    }
+
+    #[inline(always)]
+    fn select(self, mask: bool, otherwise: Self) -> Self {
+        if mask { self } else { otherwise }
+    }
+
+    #[inline(always)]
+    fn any(self, mask: bool) -> bool {
+        mask
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+}
