@@ -4,5 +4,6 @@ pub use nalgebra;
 
 pub mod geometry;
 pub mod measurement;
+pub mod reading;
 pub mod robot;
 pub mod scalar;

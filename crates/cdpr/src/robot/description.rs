@@ -80,6 +80,8 @@ pub struct ExternalWrench {
     pub wrench: Wrench,
     /// True when the weight is part of it and must not be added again.
     pub includes_gravity: bool,
+    /// Where it comes from.
+    pub note: Option<String>,
 }
 
 /// An axis-parallel box of platform positions.

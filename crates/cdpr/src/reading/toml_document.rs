@@ -1,0 +1,208 @@
+//! A parsed TOML file that remembers where everything stands.
+
+use std::ops::Range;
+
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{Place, ReadError, check_size, help_for_unknown};
+
+/// Numbers beyond this are refused: squares and cubes of what is accepted stay finite.
+const MAGNITUDE_LIMIT: f64 = 1e30;
+
+/// One step on the way to a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step<'a> {
+    /// Into a table.
+    Key(&'a str),
+    /// Into an array, from 0.
+    Index(usize),
+}
+
+/// A TOML file: it becomes any type by serde, and mistakes found afterwards are placed by the path of their key.
+#[derive(Clone, Debug)]
+pub struct TomlDocument<'a> {
+    text: &'a str,
+    file_name: &'a str,
+    root: Spanned<DeTable<'a>>,
+}
+
+impl<'a> TomlDocument<'a> {
+    /// Parses a file that says something, with numbers that can be calculated with.
+    pub fn parse(text: &'a str, file_name: &'a str) -> Result<Self, ReadError> {
+        check_size(text.len(), file_name)?;
+        let root = DeTable::parse(text).map_err(|error| {
+            let span = error.span().unwrap_or(text.len()..text.len());
+            ReadError::new(file_name, "toml::syntax", format!("this is not TOML: {}", error.message()))
+                .at(Place::of_span(text, span))
+        })?;
+        if root.get_ref().is_empty() {
+            return Err(ReadError::new(file_name, "toml::empty", "the file says nothing")
+                .at(Place::of_span(text, 0..0))
+                .with_help("is the path right, and was the file written completely?"));
+        }
+        let document = Self { text, file_name, root };
+        document.root.get_ref().iter().try_for_each(|(_, value)| document.check_numbers(value))?;
+        Ok(document)
+    }
+
+    /// The file as a value of `T`; unknown keys, missing keys and wrong types are errors with their place.
+    pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, ReadError> {
+        let deserializer = toml::de::Deserializer::from(self.root.clone());
+        T::deserialize(deserializer).map_err(|error| self.explain(&error))
+    }
+
+    /// The value at a path, where there is one.
+    pub fn value(&self, path: &[Step<'_>]) -> Option<&DeValue<'a>> {
+        let (first, rest) = path.split_first()?;
+        let Step::Key(name) = first else { return None };
+        let mut value = self.root.get_ref().get(*name)?;
+        for step in rest {
+            value = child(value, step)?;
+        }
+        Some(value.get_ref())
+    }
+
+    /// An error at the value of a path, or at the innermost part of the path that exists.
+    pub fn error_at(&self, path: &[Step<'_>], code: &'static str, message: impl Into<String>) -> ReadError {
+        ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, self.span(path)))
+    }
+
+    /// Where the innermost existing part of a path stands; the value of a key, the header of a table.
+    fn span(&self, path: &[Step<'_>]) -> Range<usize> {
+        let mut steps = path.iter();
+        let Some(Step::Key(name)) = steps.next() else { return 0..0 };
+        let Some(mut value) = self.root.get_ref().get(*name) else { return 0..0 };
+        for step in steps {
+            let Some(inner) = child(value, step) else { break };
+            value = inner;
+        }
+        value.span()
+    }
+
+    /// Refuses NaN, infinities and numbers that overflow when squared.
+    fn check_numbers(&self, value: &Spanned<DeValue<'a>>) -> Result<(), ReadError> {
+        let at_value = |code, message: String| {
+            ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, value.span()))
+        };
+        match value.get_ref() {
+            DeValue::Float(float) => {
+                let number: f64 = float.as_str().parse().unwrap_or(f64::NAN);
+                if number.abs() <= MAGNITUDE_LIMIT {
+                    return Ok(());
+                }
+                Err(if number.is_nan() || float.as_str().contains("inf") {
+                    at_value("toml::not-finite", format!("{} is not a number to calculate with", float.as_str()))
+                        .with_help("leave the key out when its value is unknown")
+                } else {
+                    at_value("toml::too-large-number", format!("{} is beyond ±{MAGNITUDE_LIMIT:e}", float.as_str()))
+                        .with_help("numbers are in SI units; is the exponent right?")
+                })
+            }
+            DeValue::Array(array) => array.iter().try_for_each(|item| self.check_numbers(item)),
+            DeValue::Table(table) => table.iter().try_for_each(|(_, item)| self.check_numbers(item)),
+            _ => Ok(()),
+        }
+    }
+
+    /// A serde error in the words of a user.
+    fn explain(&self, error: &toml::de::Error) -> ReadError {
+        let span = error.span().unwrap_or(0..0);
+        let (message, quoted) = (error.message(), quoted_words(error.message()));
+        let at_span = |code, message: String| {
+            ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, span.clone()))
+        };
+        match quoted.split_first() {
+            Some((wrong, known)) if message.starts_with("unknown field") => {
+                at_span("toml::unknown-key", format!("unknown key `{wrong}`")).with_help(help_for_unknown(wrong, known))
+            }
+            Some((wrong, known)) if message.starts_with("unknown variant") => {
+                at_span("toml::unknown-value", format!("unknown value `{wrong}`"))
+                    .with_help(help_for_unknown(wrong, known))
+            }
+            Some((missing, _)) if message.starts_with("missing field") => {
+                at_span("toml::missing-key", format!("the key `{missing}` is missing here"))
+            }
+            _ => at_span("toml::wrong-type", in_plain_words(message)),
+        }
+    }
+}
+
+/// What a step leads to.
+fn child<'t, 'a>(value: &'t Spanned<DeValue<'a>>, step: &Step<'_>) -> Option<&'t Spanned<DeValue<'a>>> {
+    match (step, value.get_ref()) {
+        (Step::Key(name), DeValue::Table(table)) => table.get(*name),
+        (Step::Index(index), DeValue::Array(array)) => array.get(*index),
+        _ => None,
+    }
+}
+
+/// The words between backticks: serde quotes the name it met and then the names it knows.
+fn quoted_words(message: &str) -> Vec<&str> {
+    message.split('`').skip(1).step_by(2).collect()
+}
+
+/// Names of Rust types replaced by words.
+fn in_plain_words(message: &str) -> String {
+    [("f64", "a number"), ("u32", "a whole number ≥ 0"), ("u64", "a whole number ≥ 0"), ("usize", "a whole number ≥ 0")]
+        .iter()
+        .fold(message.to_owned(), |text, (rust, words)| {
+            text.replace(&format!("expected {rust}"), &format!("expected {words}"))
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Section {
+        #[serde(rename = "length_m")]
+        _length: f64,
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct File {
+        #[serde(rename = "section")]
+        _sections: Vec<Section>,
+    }
+
+    fn error_of(text: &str) -> ReadError {
+        TomlDocument::parse(text, "a.toml").and_then(|document| document.deserialize::<File>()).unwrap_err()
+    }
+
+    #[test]
+    fn mistakes_are_placed_and_named() {
+        for (text, place, code) in [
+            ("", (1, 1), "toml::empty"),
+            ("[section]\nlength_m = ", (2, 12), "toml::syntax"),
+            ("[[section]]\nlength_m = 1\n[[section]]\nlenght_m = 1", (4, 1), "toml::unknown-key"),
+            ("[[section]]\nlength_m = \"1\"", (2, 12), "toml::wrong-type"),
+            ("[[section]]\nlength_m = nan", (2, 12), "toml::not-finite"),
+            ("[[section]]\nlength_m = -inf", (2, 12), "toml::not-finite"),
+            ("[[section]]\nlength_m = 1e400", (2, 12), "toml::too-large-number"),
+            ("[[section]]\n", (1, 1), "toml::missing-key"),
+        ] {
+            let error = error_of(text);
+            assert_eq!((error.line().unwrap(), error.column().unwrap()), place, "{error}");
+            assert_eq!(error.code, code, "{error}");
+        }
+    }
+
+    #[test]
+    fn a_misspelt_key_is_answered_by_the_one_meant() {
+        let help = error_of("[[section]]\nlenght_m = 1").help.unwrap();
+        assert_eq!(help, "did you mean `length_m`? allowed: length_m");
+    }
+
+    #[test]
+    fn deep_nesting_is_an_error_not_an_overflow() {
+        assert_eq!(error_of(&format!("a = {}", "[".repeat(1_000_000))).code, "toml::syntax");
+        assert_eq!(error_of(&format!("{}a = 1", "a.".repeat(1_000_000))).code, "toml::syntax");
+        assert_eq!(error_of(&format!("[{}a]", "a.".repeat(1_000_000))).code, "toml::syntax");
+        assert_eq!(error_of(&"a = {".repeat(1_000_000)).code, "toml::syntax");
+    }
+}
