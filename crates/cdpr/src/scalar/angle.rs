@@ -30,7 +30,7 @@ const ATAN: [f64; 12] = [
 /// are not served: their sum overflows.
 #[inline(always)]
 pub(super) fn full_angle<T: Select>(y: T, x: T) -> T {
-    let [zero, one, two] = [0.0, 1.0, 2.0].map(|value| y.constant(value));
+    let (zero, one, two) = (y.constant(0.0), y.constant(1.0), y.constant(2.0));
     // Fold into the first eighth of the turn: 0 ≤ low ≤ high. A NaN ends up in one of the two.
     let (width, height) = (x.abs(), y.abs());
     let steep = width.is_less(height);

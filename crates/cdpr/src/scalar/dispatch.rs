@@ -12,7 +12,8 @@ use super::{avx2::Avx2, avx512::Avx512};
 /// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
 ///
 /// `run` and everything below it must be `#[inline(always)]`, otherwise every operation becomes a call (thirty
-/// times slower).
+/// times slower). Closures cannot be marked so: write loops, and keep operations on lanes out of `map`,
+/// `array::from_fn` and the like.
 pub trait Kernel {
     /// What the computation returns.
     type Output;
