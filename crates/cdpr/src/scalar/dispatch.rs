@@ -14,6 +14,33 @@ use super::{avx2::Avx2, avx512::Avx512};
 /// `run` and everything below it must be `#[inline(always)]`, otherwise every operation becomes a call (thirty
 /// times slower). Closures cannot be marked so: write loops, and keep operations on lanes out of `map`,
 /// `array::from_fn` and the like.
+///
+/// ```
+/// use cdpr::scalar::{Kernel, LANES, Lanes, Real, dispatch};
+///
+/// /// Distances from the origin to points in the plane (m); whole eights of points.
+/// struct Distances<'a> {
+///     x: &'a [f64],
+///     y: &'a [f64],
+///     distances: &'a mut [f64],
+/// }
+///
+/// impl Kernel for Distances<'_> {
+///     type Output = ();
+///
+///     #[inline(always)]
+///     fn run<L: Lanes>(self, lanes: L) {
+///         for start in (0..self.distances.len()).step_by(LANES) {
+///             let (x, y) = (lanes.load(&self.x[start..]), lanes.load(&self.y[start..]));
+///             (x * x + y * y).sqrt().store(&mut self.distances[start..]);
+///         }
+///     }
+/// }
+///
+/// let mut distances = [0.0; 16];
+/// dispatch(Distances { x: &[3.0; 16], y: &[4.0; 16], distances: &mut distances });
+/// assert_eq!(distances, [5.0; 16]);
+/// ```
 pub trait Kernel {
     /// What the computation returns.
     type Output;
