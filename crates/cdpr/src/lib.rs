@@ -2,8 +2,11 @@
 
 pub use nalgebra;
 
+pub mod cable;
+pub mod equilibrium;
 pub mod geometry;
 pub mod measurement;
 pub mod reading;
+pub mod model;
 pub mod robot;
 pub mod scalar;

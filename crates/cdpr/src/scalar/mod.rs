@@ -9,6 +9,7 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod dispatch;
+pub(crate) mod ldl;
 mod portable;
 mod select;
 
@@ -79,6 +80,29 @@ impl Real for f64 {
     #[inline(always)]
     fn full_angle(self, x: Self) -> Self {
         angle::full_angle(self, x)
+    }
+}
+
+#[cfg(test)]
+impl<D: nalgebra::Dim> Real for num_dual::DualVec<f64, D>
+where
+    nalgebra::DefaultAllocator: nalgebra::allocator::Allocator<D>,
+    Self: Copy,
+{
+    fn constant(self, x: f64) -> Self {
+        x.into()
+    }
+
+    fn sqrt(self) -> Self {
+        num_dual::DualNum::sqrt(&self)
+    }
+
+    fn full_angle(self, x: Self) -> Self {
+        let mut angle = num_dual::DualNum::atan2(&self, x);
+        if angle.re < 0.0 {
+            angle.re += std::f64::consts::TAU;
+        }
+        angle
     }
 }
 

@@ -1,0 +1,91 @@
+//! The course of one cable from its outlet to the platform anchor.
+
+use thiserror::Error;
+
+use crate::scalar::{Real, dot};
+
+/// Length and pull of one rigid, straight cable, with what its derivatives need.
+///
+/// Laws that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
+/// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property of maths.md §2), ∂u/∂p_B = −∂u/∂a.
+#[derive(Clone, Copy, Debug)]
+pub struct Course<T> {
+    /// Geometric length q from the frame anchor, wrapped part included (m).
+    pub length: T,
+    /// Length of the straight part q_f (m).
+    pub free_length: T,
+    /// Unit pull u on the platform, from the platform anchor towards the outlet (world).
+    pub direction: [T; 3],
+    /// Wrap angle β on the pulley, in [0, 2π) (rad); 0 at a point outlet.
+    pub wrap_angle: T,
+    /// ∂q/∂r_p by the pulley radius: β − sin β.
+    pub length_by_radius: T,
+    /// ∂u/∂r_p by the pulley radius (1/m).
+    pub direction_by_radius: [T; 3],
+    /// ∂u/∂p_B by rows (1/m), symmetric.
+    pub direction_gradient: [[T; 3]; 3],
+}
+
+/// Why a cable has no unique course.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DegenerateCourse {
+    /// The two anchors coincide, so the cable has no direction.
+    #[error("cable {cable}: its platform anchor lies on its outlet, so the cable has no direction")]
+    ZeroLength {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// The platform anchor lies inside the pulley.
+    #[error(
+        "cable {cable}: its platform anchor lies inside its pulley (radius {radius} m), so no cable can leave it tangentially"
+    )]
+    InsidePulley {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Pulley radius (m).
+        radius: f64,
+    },
+    /// The platform anchor lies on the swivel axis, so the pulley has no unique plane.
+    #[error("cable {cable}: its platform anchor lies on the pulley's swivel axis, so the swivel angle is not unique")]
+    OnSwivelAxis {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// A number of the pose or the cable is so large or so small that the length overflows.
+    #[error("cable {cable}: its length is not a finite number; check the units of pose and anchors (m)")]
+    NotFinite {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+}
+
+impl<T: Real> Course<T> {
+    /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the lever b = R b_P.
+    ///
+    /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (maths.md §2).
+    pub fn by_pose(&self, lever: [T; 3]) -> ([T; 6], [[T; 6]; 3]) {
+        let stacked = |row: [T; 3]| {
+            let moment = crate::scalar::cross(lever, row);
+            [row[0], row[1], row[2], moment[0], moment[1], moment[2]]
+        };
+        (stacked(self.direction).map(|x| -x), self.direction_gradient.map(stacked))
+    }
+
+    /// Derivatives of length and direction by the platform anchor in the platform frame, R given by rows.
+    ///
+    /// ∂q/∂b_P = −Rᵀ u, ∂u/∂b_P = ∂u/∂p_B R.
+    pub fn by_platform_anchor(&self, rotation: &[[T; 3]; 3]) -> ([T; 3], [[T; 3]; 3]) {
+        let times_rotation = |row: [T; 3]| {
+            [0, 1, 2].map(|k| row[0] * rotation[0][k] + row[1] * rotation[1][k] + row[2] * rotation[2][k])
+        };
+        (times_rotation(self.direction).map(|x| -x), self.direction_gradient.map(times_rotation))
+    }
+}
+
+/// Unit vector and length of `v`.
+#[inline(always)]
+pub(crate) fn normalized<T: Real>(v: [T; 3]) -> ([T; 3], T) {
+    let length = dot(v, v).sqrt();
+    (v.map(|x| x / length), length)
+}

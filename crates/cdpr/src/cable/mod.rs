@@ -1,0 +1,6 @@
+//! What one cable does, one file per effect, written once over [`crate::scalar::Real`].
+
+mod course;
+pub mod outlet;
+
+pub use course::{Course, DegenerateCourse};

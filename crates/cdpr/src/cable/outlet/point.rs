@@ -1,0 +1,22 @@
+//! Point outlet: the cable runs straight from the frame anchor (standard model, eq. 2.5–2.8).
+
+use crate::cable::course::{Course, normalized};
+use crate::scalar::{Real, sub};
+
+/// Course from the frame anchor a to the platform anchor p_B (both world, m).
+#[inline(always)]
+pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<T> {
+    let (u, q) = normalized(sub(frame_anchor, platform_anchor));
+    let zero = q.constant(0.0);
+    let one = q.constant(1.0);
+    let entry = |row: usize, column: usize| (u[row] * u[column] - if row == column { one } else { zero }) / q;
+    Course {
+        length: q,
+        free_length: q,
+        direction: u,
+        wrap_angle: zero,
+        length_by_radius: zero,
+        direction_by_radius: [zero; 3],
+        direction_gradient: [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column))),
+    }
+}

@@ -1,0 +1,84 @@
+//! Swivelling pulley: the cable enters at D on the swivel axis, wraps and leaves tangentially (eq. 2.16–2.29, maths.md §2).
+
+use thiserror::Error;
+
+use crate::cable::course::Course;
+use crate::scalar::{Real, add, cross, dot, scale, sub};
+
+/// Added under the root of the distance from the swivel axis: too small to change any bit of a distance above 1e-142 m,
+/// it keeps r_p = 0 free of 0/0 when the platform anchor lies on the axis.
+const AXIS_GUARD: f64 = 1e-300;
+
+/// Course over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
+///
+/// With the anchor's components b_xy (from the axis) and b_z (along it) from D and h = b_xy − r_p:
+/// q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β and
+/// −u = cos β z_A + sin β x_A. Inside the pulley (h² + b_z² < r_p²) the result is NaN.
+#[inline(always)]
+pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Course<T> {
+    let d = sub(platform_anchor, entry);
+    let b_z = dot(d, swivel_axis);
+    let across = sub(d, scale(b_z, swivel_axis));
+    let b_xy = (dot(across, across) + radius.constant(AXIS_GUARD)).sqrt();
+    let radial = across.map(|x| x / b_xy); // x_A
+    let h = b_xy - radius;
+    let center_distance_squared = h * h + b_z * b_z; // b_M²
+    let free_length = (center_distance_squared - radius * radius).sqrt();
+    let cosine = (free_length * b_z - radius * h) / center_distance_squared;
+    let sine = (free_length * h + radius * b_z) / center_distance_squared;
+    let wrap_angle = sine.full_angle(cosine);
+    let one = radius.constant(1.0);
+
+    // The free part swings about C in the pulley's plane (along `bend`) and turns with the swivel (along `side`).
+    let bend = sub(scale(cosine, radial), scale(sine, swivel_axis));
+    let side = cross(swivel_axis, radial);
+    let swing = -(one / free_length);
+    let swivel = -(sine / b_xy);
+    Course {
+        length: free_length + radius * wrap_angle,
+        free_length,
+        direction: add(scale(cosine, swivel_axis), scale(sine, radial)).map(|x| -x),
+        wrap_angle,
+        length_by_radius: wrap_angle - sine,
+        direction_by_radius: scale((cosine - one) / free_length, bend),
+        direction_gradient: [0, 1, 2]
+            .map(|row| [0, 1, 2].map(|column| swing * bend[row] * bend[column] + swivel * side[row] * side[column])),
+    }
+}
+
+/// Why a pulley cannot be placed.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum PlacementError {
+    /// The cable runs back along the swivel axis, so every swivel angle fits.
+    #[error("the cable runs against the swivel axis at this pose, so the pulley's swivel angle is not determined")]
+    AlongAxis,
+    /// Outlet and platform anchor coincide.
+    #[error("outlet and platform anchor coincide at this pose")]
+    ZeroLength,
+}
+
+/// Entry point D of a pulley whose contact point lies on `outlet` when the cable runs to `platform_anchor` (world, m).
+///
+/// Anchors published for the point model are contact points, not D (sec. 3.8): D = C − r_p (1 − cos β) x_A − r_p sin β z_A
+/// with β in [0, π] from the cable's direction alone.
+pub fn place(
+    outlet: [f64; 3],
+    swivel_axis: [f64; 3],
+    radius: f64,
+    platform_anchor: [f64; 3],
+) -> Result<[f64; 3], PlacementError> {
+    let away = sub(platform_anchor, outlet);
+    let length = dot(away, away).sqrt();
+    if length == 0.0 {
+        return Err(PlacementError::ZeroLength);
+    }
+    let cosine = dot(away, swivel_axis) / length;
+    let across = sub(scale(1.0 / length, away), scale(cosine, swivel_axis));
+    let sine = dot(across, across).sqrt();
+    if sine < 1e-12 {
+        // along the axis the pulley is not touched; against it the cable turns by π in an unknown plane
+        return if cosine > 0.0 || radius == 0.0 { Ok(outlet) } else { Err(PlacementError::AlongAxis) };
+    }
+    let radial = scale(1.0 / sine, across);
+    Ok(sub(sub(outlet, scale(radius * (1.0 - cosine), radial)), scale(radius * sine, swivel_axis)))
+}

@@ -1,0 +1,192 @@
+//! Kinematic forward problem: the pose whose cable lengths fit given ones best (eq. 2.10–2.15).
+//!
+//! min over x of ½ ‖q(x) − q_θ‖², by a damped Gauss–Newton iteration on the manifold of poses. With more cables than
+//! degrees of freedom (m > n) there is no exact solution in general and the least-squares pose is the answer; with
+//! m = n only a vanishing residual is; with m < n lengths do not determine the pose. When the first descent ends
+//! far from the lengths, the search starts again from other poses before it gives up.
+
+mod descent;
+
+use descent::Descent;
+use thiserror::Error;
+
+use crate::geometry::Pose;
+use crate::model::Model;
+
+/// When forward kinematics stops, and what it accepts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Stop once the pose is this near to the solution, judged by the last steps (m; angles times the platform radius).
+    pub pose_tolerance: f64,
+    /// Residual that counts as an exact solution for m = n: rms of the lengths (m), relative to their mean above 1 m.
+    pub length_tolerance: f64,
+    /// Steps allowed for each start.
+    pub max_iterations: u32,
+    /// Other starts that may be tried when the first one ends far from the lengths; 0 searches only from the guess.
+    pub max_restarts: u32,
+    /// For m > n: a larger rms residual, relative to the mean length, means that the lengths do not belong to the robot.
+    pub plausible_residual: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            pose_tolerance: 1e-10,
+            length_tolerance: 1e-9,
+            max_iterations: 100,
+            max_restarts: 24,
+            plausible_residual: 0.1,
+        }
+    }
+}
+
+/// Why the search stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose is the solution: exact for m = n, least squares for m > n.
+    Converged,
+    /// No start led to a solution; the pose is the best one found and `reason` says what stands in the way.
+    NotConverged,
+    /// The lengths do not determine the pose there, or (m < n) anywhere.
+    Singular,
+}
+
+/// Outcome of forward kinematics; `pose` is the best one found even when it did not converge.
+#[must_use = "check `status` before using the pose"]
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Platform pose.
+    pub pose: Pose,
+    /// Why the search stopped.
+    pub status: Status,
+    /// Residual per cable at `pose`, modelled minus given (m).
+    pub residuals: Vec<f64>,
+    /// Root mean square of `residuals` (m).
+    pub residual_rms: f64,
+    /// Steps of all starts, accepted and rejected.
+    pub iterations: u32,
+    /// Starts tried beyond the guess.
+    pub restarts: u32,
+    /// The reason in words unless converged; also set where a converged answer needs a remark.
+    pub reason: Option<String>,
+}
+
+/// Input that no forward problem can accept.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum InputError {
+    /// Not one length per cable.
+    #[error("expected {expected} cable lengths, one per cable, got {found}")]
+    LengthCount {
+        /// Number of cables.
+        expected: usize,
+        /// Number of lengths.
+        found: usize,
+    },
+    /// A length that no cable has.
+    #[error("cable {cable}: a length must be a finite number above 0 m, got {length}")]
+    Length {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// The length given (m).
+        length: f64,
+    },
+    /// A guess with NaN or infinity in it.
+    #[error("the guess of the pose contains a number that is not finite")]
+    Guess,
+    /// A tolerance that cannot be met or means nothing.
+    #[error("the setting `{name}` is {value}; it must be a number above 0")]
+    Setting {
+        /// Field of [`Settings`].
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl Settings {
+    /// Refuses tolerances that are not positive numbers.
+    pub fn validate(&self) -> Result<(), InputError> {
+        for (name, value) in [
+            ("pose_tolerance", self.pose_tolerance),
+            ("length_tolerance", self.length_tolerance),
+            ("plausible_residual", self.plausible_residual),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(InputError::Setting { name, value });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Finds the pose for controlled lengths q_θ (m, one per cable) from a guess.
+///
+/// Lengths are those of the model, without the recorded scale and offset ([`Model::controlled_length`] removes them).
+/// The motion pattern holds: what the pattern cannot move keeps the guess's value.
+pub fn solve(model: &Model, lengths: &[f64], guess: &Pose, settings: &Settings) -> Result<Solution, InputError> {
+    settings.validate()?;
+    check_input(model, lengths, guess)?;
+    if model.cable_count() < model.dof() {
+        return Ok(underdetermined(model, lengths, guess));
+    }
+    let descent = Descent::new(model, lengths, settings);
+    let mut best = descent.run(guess);
+    let mut iterations = best.iterations;
+    let mut restarts = 0;
+    if !descent.is_good(&best) {
+        for start in descent.restart_poses(guess).take(settings.max_restarts as usize) {
+            let other = descent.run(&start);
+            iterations += other.iterations;
+            restarts += 1;
+            if other.rms < best.rms || (best.rms.is_nan() && other.rms.is_finite()) {
+                best = other;
+            }
+            if descent.is_good(&best) {
+                break;
+            }
+        }
+    }
+    let (status, reason) = descent.judge(&best, restarts);
+    Ok(Solution {
+        pose: best.pose,
+        status,
+        residuals: descent.residuals(&best.pose),
+        residual_rms: best.rms,
+        iterations,
+        restarts,
+        reason,
+    })
+}
+
+fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Result<(), InputError> {
+    let (expected, found) = (model.cable_count(), lengths.len());
+    if expected != found {
+        return Err(InputError::LengthCount { expected, found });
+    }
+    for (index, &length) in lengths.iter().enumerate() {
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(InputError::Length { cable: index + 1, length });
+        }
+    }
+    if guess.is_finite() { Ok(()) } else { Err(InputError::Guess) }
+}
+
+fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
+    let residuals = descent::residuals(model, lengths, guess);
+    let reason = format!(
+        "{} cables cannot determine {} degrees of freedom by their lengths alone; the pose also depends on the load",
+        model.cable_count(),
+        model.dof()
+    );
+    Solution {
+        pose: *guess,
+        status: Status::Singular,
+        residual_rms: descent::root_mean_square(&residuals),
+        residuals,
+        iterations: 0,
+        restarts: 0,
+        reason: Some(reason),
+    }
+}

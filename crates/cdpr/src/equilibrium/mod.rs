@@ -1,0 +1,3 @@
+//! Forward problems: which pose follows from the cables.
+
+pub mod forward_kinematics;

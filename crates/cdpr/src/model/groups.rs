@@ -1,0 +1,35 @@
+//! Cables packed eight at a time into lanes, for single poses.
+
+use crate::cable::{Course, outlet};
+use crate::scalar::{LANES, Lanes, add, rotate};
+
+/// Eight cables, or fewer with copies of the last one that weigh nothing.
+#[derive(Clone, Debug)]
+pub(crate) struct CableGroup {
+    pub(crate) frame_anchor: [[f64; LANES]; 3],
+    pub(crate) platform_anchor: [[f64; LANES]; 3],
+    pub(crate) swivel_axis: [[f64; LANES]; 3],
+    pub(crate) radius: [f64; LANES],
+    /// 1 for a cable, 0 for a copy that fills the group.
+    pub(crate) weight: [f64; LANES],
+    pub(crate) has_pulley: bool,
+}
+
+impl CableGroup {
+    /// Courses and levers (b = R b_P) of the group at a pose given by position and rotation rows.
+    #[inline(always)]
+    pub(crate) fn courses<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (Course<L>, [L; 3]) {
+        let load = |vectors: &[[f64; LANES]; 3]| [l.load(&vectors[0]), l.load(&vectors[1]), l.load(&vectors[2])];
+        let constants = |v: [f64; 3]| [l.constant(v[0]), l.constant(v[1]), l.constant(v[2])];
+        let rows = [constants(rotation[0]), constants(rotation[1]), constants(rotation[2])];
+        let lever = rotate(&rows, load(&self.platform_anchor));
+        let anchor = add(constants(position), lever);
+        let course = match self.has_pulley {
+            true => {
+                outlet::pulley::course(load(&self.frame_anchor), load(&self.swivel_axis), l.load(&self.radius), anchor)
+            }
+            false => outlet::point::course(load(&self.frame_anchor), anchor),
+        };
+        (course, lever)
+    }
+}

@@ -1,0 +1,240 @@
+//! The model type and what it answers at one pose.
+
+use nalgebra::{DMatrix, Vector3};
+use thiserror::Error;
+
+use super::CableGroup;
+use super::composition::Composition;
+use crate::cable::{Course, DegenerateCourse, outlet};
+use crate::geometry::{Pose, Twist};
+use crate::robot::{Cable, Robot};
+use crate::scalar::{LANES, add, cross, rotate};
+
+/// A robot with chosen effects. Immutable: a changed parameter makes a new model.
+#[derive(Clone, Debug)]
+pub struct Model {
+    robot: Robot,
+    composition: Composition,
+    twist_basis: Vec<Twist>,
+    axes: Vec<Vector3<f64>>,
+    groups: Vec<CableGroup>,
+}
+
+/// A robot that cannot carry the effects asked for.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ModelError {
+    /// An effect needs a key that the file lacks.
+    #[error(
+        "the effect `{effect}` needs `{key}`, which cable {cable} (\"{name}\") does not have; add the key to its [[cable]] table{hint}"
+    )]
+    MissingKey {
+        /// The effect.
+        effect: &'static str,
+        /// The key of the robot file.
+        key: &'static str,
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+        /// A command that helps.
+        hint: &'static str,
+    },
+    /// A robot without cables.
+    #[error("robot \"{robot}\" has no cables")]
+    NoCables {
+        /// Name of the robot.
+        robot: String,
+    },
+}
+
+/// Derivatives of one recorded length by the parameters of its own cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CableGradient {
+    /// By the frame anchor (world): s u.
+    pub frame_anchor: Vector3<f64>,
+    /// By the platform anchor (platform frame): −s Rᵀ u.
+    pub platform_anchor: Vector3<f64>,
+    /// By the length offset: 1.
+    pub length_offset: f64,
+    /// By the length scale: q.
+    pub length_scale: f64,
+    /// By the pulley radius: s (β − sin β); 0 in a model without pulleys.
+    pub pulley_radius: f64,
+}
+
+impl Model {
+    /// A model of this robot with these effects.
+    pub fn new(robot: Robot, composition: Composition) -> Result<Self, ModelError> {
+        if robot.cables.is_empty() {
+            return Err(ModelError::NoCables { robot: robot.name });
+        }
+        if composition.pulley {
+            for (index, cable) in robot.cables.iter().enumerate() {
+                require(cable.pulley_swivel_axis.is_some(), "pulley_swivel_axis", index, cable)?;
+                require(cable.pulley_radius.is_some(), "pulley_radius_m", index, cable)?;
+            }
+        }
+        let twist_basis = robot.motion_pattern.twist_basis(robot.plane);
+        let axes =
+            twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
+        let groups = robot.cables.chunks(LANES).map(|cables| group(cables, composition)).collect();
+        Ok(Self { robot, composition, twist_basis, axes, groups })
+    }
+
+    /// The robot.
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// The effects.
+    pub fn composition(&self) -> Composition {
+        self.composition
+    }
+
+    /// Number of cables m.
+    pub fn cable_count(&self) -> usize {
+        self.robot.cables.len()
+    }
+
+    /// Number of degrees of freedom n.
+    pub fn dof(&self) -> usize {
+        self.twist_basis.len()
+    }
+
+    /// The n directions a pose can move in (columns of twists).
+    pub fn twist_basis(&self) -> &[Twist] {
+        &self.twist_basis
+    }
+
+    /// World directions in which an anchor of this pattern can lie: e₁, e₂ of a planar robot, else x, y, z.
+    pub fn axes(&self) -> &[Vector3<f64>] {
+        &self.axes
+    }
+
+    pub(crate) fn groups(&self) -> &[CableGroup] {
+        &self.groups
+    }
+
+    /// Course and lever b = R b_P of one cable (0-based) at a pose, or why it has none.
+    pub fn course(&self, cable: usize, pose: &Pose) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
+        let (course, lever) = self.course_or_nan(cable, pose);
+        match self.degeneracy(cable, pose, &course) {
+            Some(reason) => Err(reason),
+            None => Ok((course, lever)),
+        }
+    }
+
+    fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
+        let data = &self.robot.cables[cable];
+        let lever = rotate(&pose.rotation_rows(), data.platform_anchor.into());
+        let anchor = add(pose.position.into(), lever);
+        let course = match (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius) {
+            (true, Some(axis), Some(radius)) => {
+                outlet::pulley::course(data.frame_anchor.into(), axis.into(), radius, anchor)
+            }
+            _ => outlet::point::course(data.frame_anchor.into(), anchor),
+        };
+        (course, lever.into())
+    }
+
+    fn degeneracy(&self, index: usize, pose: &Pose, course: &Course<f64>) -> Option<DegenerateCourse> {
+        let cable = index + 1;
+        let data = &self.robot.cables[index];
+        let d = pose.transform(&data.platform_anchor) - data.frame_anchor;
+        if !d.norm().is_finite() {
+            return Some(DegenerateCourse::NotFinite { cable });
+        }
+        let (true, Some(axis), Some(radius)) = (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius)
+        else {
+            return (d.norm() == 0.0).then_some(DegenerateCourse::ZeroLength { cable });
+        };
+        let from_axis = d - axis * axis.dot(&d);
+        // nearer than rounding can tell a side of the axis
+        if radius > 0.0 && from_axis.norm() <= 1e-12 * (d.norm() + radius) {
+            return Some(DegenerateCourse::OnSwivelAxis { cable });
+        }
+        match course.length.is_finite() && course.free_length > 0.0 {
+            true => None,
+            false if radius == 0.0 => Some(DegenerateCourse::ZeroLength { cable }),
+            false => Some(DegenerateCourse::InsidePulley { cable, radius }),
+        }
+    }
+
+    /// Geometric cable lengths q at a pose (m).
+    pub fn cable_lengths(&self, pose: &Pose) -> Result<Vec<f64>, DegenerateCourse> {
+        (0..self.cable_count()).map(|cable| Ok(self.course(cable, pose)?.0.length)).collect()
+    }
+
+    /// Structure matrix Aᵀ in the robot's degrees of freedom, n × m: columns \[uᵢ; bᵢ × uᵢ\] in the twist basis.
+    ///
+    /// Aᵀ f + w = 0 and δq = −A δx (maths.md §1).
+    pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
+        let mut matrix = DMatrix::zeros(self.dof(), self.cable_count());
+        for cable in 0..self.cable_count() {
+            let (course, lever) = self.course(cable, pose)?;
+            let u = course.direction;
+            let moment = cross(lever.into(), u);
+            let column = Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]);
+            for (row, basis) in self.twist_basis.iter().enumerate() {
+                matrix[(row, cable)] = basis.dot(&column);
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
+    pub fn recorded_length(&self, cable: usize, length: f64) -> f64 {
+        let data = &self.robot.cables[cable];
+        data.length_scale.unwrap_or(1.0) * length + data.length_offset.unwrap_or(0.0)
+    }
+
+    /// Controlled length q_θ behind a recorded one: the inverse of [`Model::recorded_length`] (m).
+    pub fn controlled_length(&self, cable: usize, recorded: f64) -> f64 {
+        let data = &self.robot.cables[cable];
+        (recorded - data.length_offset.unwrap_or(0.0)) / data.length_scale.unwrap_or(1.0)
+    }
+
+    /// Derivatives of the recorded length of a cable by that cable's parameters.
+    pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, DegenerateCourse> {
+        let (course, _) = self.course(cable, pose)?;
+        let scale = self.robot.cables[cable].length_scale.unwrap_or(1.0);
+        let (by_platform_anchor, _) = course.by_platform_anchor(&pose.rotation_rows());
+        Ok(CableGradient {
+            frame_anchor: Vector3::from(course.direction) * scale,
+            platform_anchor: Vector3::from(by_platform_anchor) * scale,
+            length_offset: 1.0,
+            length_scale: course.length,
+            pulley_radius: scale * course.length_by_radius,
+        })
+    }
+
+    /// Mean distance of the platform anchors from the platform origin (m): what makes an angle a length.
+    ///
+    /// 1 for a platform without extent.
+    pub fn platform_radius(&self) -> f64 {
+        let sum: f64 = self.robot.cables.iter().map(|cable| cable.platform_anchor.norm()).sum();
+        let mean = sum / self.cable_count() as f64;
+        if mean > 0.0 { mean } else { 1.0 }
+    }
+}
+
+fn require(present: bool, key: &'static str, index: usize, cable: &Cable) -> Result<(), ModelError> {
+    let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
+    let (effect, name) = ("pulley", cable.name.clone());
+    if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
+}
+
+/// Packs up to eight cables; the last one fills the rest with weight 0.
+fn group(cables: &[Cable], composition: Composition) -> CableGroup {
+    let at = |lane: usize| &cables[lane.min(cables.len() - 1)];
+    let vectors =
+        |of: &dyn Fn(&Cable) -> Vector3<f64>| [0, 1, 2].map(|axis| std::array::from_fn(|lane| of(at(lane))[axis]));
+    CableGroup {
+        frame_anchor: vectors(&|cable| cable.frame_anchor),
+        platform_anchor: vectors(&|cable| cable.platform_anchor),
+        swivel_axis: vectors(&|cable| cable.pulley_swivel_axis.unwrap_or_else(Vector3::z)),
+        radius: std::array::from_fn(|lane| at(lane).pulley_radius.unwrap_or(0.0)),
+        weight: std::array::from_fn(|lane| if lane < cables.len() { 1.0 } else { 0.0 }),
+        has_pulley: composition.pulley,
+    }
+}

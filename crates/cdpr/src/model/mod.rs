@@ -1,0 +1,15 @@
+//! A robot with chosen effects: lengths, directions, structure matrix, and their derivatives by pose and by parameter.
+
+mod composition;
+mod groups;
+mod kinematics;
+mod parameter;
+mod placement;
+#[cfg(test)]
+mod tests;
+
+pub use composition::{Composition, CompositionError};
+pub(crate) use groups::CableGroup;
+pub use kinematics::{CableGradient, Model, ModelError};
+pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};
+pub use placement::{PlacePulleysError, place_pulleys};

@@ -1,0 +1,261 @@
+//! Derivatives against dual numbers, and the laws that every model obeys.
+
+use nalgebra::{Const, SVector, Vector3};
+use num_dual::DualVec;
+
+use super::*;
+use crate::cable::{Course, outlet};
+use crate::geometry::{MotionPattern, Plane, Pose, Twist};
+use crate::robot::{Cable, Platform, Robot};
+use crate::scalar::{add, rotate};
+
+/// Derivatives by [δr; δφ], frame anchor, platform anchor, radius.
+type Dual = DualVec<f64, Const<13>>;
+
+fn variable(value: f64, index: usize) -> Dual {
+    Dual::new(value, num_dual::Derivative::some(SVector::<f64, 13>::ith(index, 1.0)))
+}
+
+fn gradient(value: &Dual) -> SVector<f64, 13> {
+    value.eps.unwrap_generic(Const, Const::<1>)
+}
+
+/// A cable that comes down from a pulley at an odd angle.
+fn tilted_pulley_cable() -> Cable {
+    Cable {
+        name: "1".to_owned(),
+        frame_anchor: Vector3::new(-2.0, 1.5, 3.0),
+        platform_anchor: Vector3::new(0.3, -0.2, 0.1),
+        pulley_radius: Some(0.12),
+        pulley_swivel_axis: Some(Vector3::new(0.2, -0.3, 0.9).normalize()),
+        length_scale: Some(1.03),
+        length_offset: Some(-0.2),
+        ..Cable::default()
+    }
+}
+
+fn robot_of(cables: Vec<Cable>) -> Robot {
+    Robot {
+        name: "test".to_owned(),
+        title: None,
+        motion_pattern: MotionPattern::Spatial,
+        kind: None,
+        plane: Plane::default(),
+        gravity: None,
+        notes: vec![],
+        source: None,
+        platform: Platform::default(),
+        home: None,
+        external_wrench: None,
+        travel: None,
+        cables,
+        reference_checks: vec![],
+    }
+}
+
+fn tilted_pose() -> Pose {
+    Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.4), [0.2, -0.3, 0.4])
+}
+
+/// Course of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is all a dual number sees.
+fn dual_course(cable: &Cable, pose: &Pose, with_pulley: bool) -> Course<Dual> {
+    let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
+    let lever = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 9));
+    let turn = numbers(Vector3::zeros(), 3);
+    let anchor = add(numbers(pose.position, 0), add(lever, crate::scalar::cross(turn, lever)));
+    let frame_anchor = numbers(cable.frame_anchor, 6);
+    match (with_pulley, cable.pulley_swivel_axis) {
+        (true, Some(axis)) => {
+            let radius = variable(cable.pulley_radius.unwrap(), 12);
+            outlet::pulley::course(frame_anchor, [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor)
+        }
+        _ => outlet::point::course(frame_anchor, anchor),
+    }
+}
+
+/// Analytic and dual derivatives of length and direction agree; both are exact, so only rounding separates them.
+fn check_derivatives(cable: &Cable, pose: &Pose, with_pulley: bool) {
+    let composition = if with_pulley { Composition::PULLEY } else { Composition::STANDARD };
+    let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
+    let (course, lever) = model.course(0, pose).unwrap();
+    // indices 9.. are the platform anchor, 12 the radius; the layout needs 13 variables
+    let dual = dual_course(cable, pose, with_pulley);
+    let (by_pose, directions_by_pose) = course.by_pose(lever.into());
+    let (by_anchor, directions_by_anchor) = course.by_platform_anchor(&pose.rotation_rows());
+    let tolerance = 1e-12;
+    let analytic = |pose: [f64; 6], frame: [f64; 3], platform: [f64; 3], radius: f64| {
+        let mut all = pose.to_vec();
+        all.extend(frame);
+        all.extend(platform);
+        all.push(radius);
+        SVector::<f64, 13>::from_vec(all)
+    };
+    let expected = analytic(by_pose, course.direction, by_anchor, course.length_by_radius);
+    assert!((gradient(&dual.length) - expected).amax() < tolerance, "{} {expected}", gradient(&dual.length));
+    for k in 0..3 {
+        let frame = course.direction_gradient[k].map(|x| -x);
+        let expected = analytic(directions_by_pose[k], frame, directions_by_anchor[k], course.direction_by_radius[k]);
+        assert!((gradient(&dual.direction[k]) - expected).amax() < tolerance, "row {k}");
+    }
+}
+
+#[test]
+fn derivatives_of_both_outlets_agree_with_dual_numbers() {
+    let mut cable = tilted_pulley_cable();
+    for pose in [tilted_pose(), Pose::identity(), Pose::from_xyz_angles(Vector3::new(-1.7, 1.4, 5.0), [1.0, 0.5, -2.0])]
+    {
+        check_derivatives(&cable, &pose, false);
+        check_derivatives(&cable, &pose, true);
+    }
+    // nearer to the axis than the radius, below and above: where eq. 2.19 and principal values go wrong
+    cable.pulley_swivel_axis = Some(Vector3::z());
+    for z in [-1.0, 1.0] {
+        let near_axis = Pose { position: Vector3::new(-2.0 + 0.05 - 0.3, 1.5 + 0.2, 3.0 + z), ..Pose::identity() };
+        check_derivatives(&cable, &near_axis, true);
+    }
+}
+
+#[test]
+fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
+    let cable = Cable { pulley_radius: Some(0.0), ..tilted_pulley_cable() };
+    let course = |composition| {
+        let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
+        model.course(0, &tilted_pose()).unwrap()
+    };
+    let ((base, lever), (pulley, _)) = (course(Composition::STANDARD), course(Composition::PULLEY));
+    assert!((base.length - pulley.length).abs() < 1e-14);
+    let (base_pose, base_direction) = base.by_pose(lever.into());
+    let (pulley_pose, pulley_direction) = pulley.by_pose(lever.into());
+    for k in 0..6 {
+        assert!((base_pose[k] - pulley_pose[k]).abs() < 1e-14);
+        for row in 0..3 {
+            assert!((base_direction[row][k] - pulley_direction[row][k]).abs() < 1e-14);
+        }
+    }
+}
+
+/// r_p = 0 is a point outlet also where the platform anchor lies on the swivel axis.
+#[test]
+fn radius_zero_has_no_axis_to_avoid() {
+    let cable = Cable {
+        frame_anchor: Vector3::new(0.0, 0.0, 3.0),
+        pulley_radius: Some(0.0),
+        pulley_swivel_axis: Some(Vector3::z()),
+        name: "1".to_owned(),
+        ..Cable::default()
+    };
+    let model = Model::new(robot_of(vec![cable]), Composition::PULLEY).unwrap();
+    let (course, _) = model.course(0, &Pose::identity()).unwrap();
+    assert_eq!((course.length, course.direction), (3.0, [0.0, 0.0, 1.0]));
+}
+
+/// `∂q/∂(twist) = −A`: pulling a cable in does the work its force does.
+#[test]
+fn structure_matrix_is_minus_the_length_gradient() {
+    for composition in [Composition::STANDARD, Composition::PULLEY] {
+        let model = Model::new(robot_of(vec![tilted_pulley_cable()]), composition).unwrap();
+        let pose = tilted_pose();
+        let structure_matrix = model.structure_matrix(&pose).unwrap();
+        let h = 1e-6; // central difference: truncation ~ h², rounding ~ ε/h
+        for axis in 0..6 {
+            let twist = Twist::ith(axis, h);
+            let ahead = model.cable_lengths(&pose.displaced(&twist)).unwrap()[0];
+            let behind = model.cable_lengths(&pose.displaced(&-twist)).unwrap()[0];
+            let slope = (ahead - behind) / (2.0 * h);
+            assert!((slope + structure_matrix[(axis, 0)]).abs() < 1e-8, "axis {axis}");
+        }
+    }
+}
+
+/// Away from the axis the formulas of the dissertation hold (eq. 2.19).
+#[test]
+fn pulley_length_agrees_with_the_dissertation_away_from_the_axis() {
+    let radius = 0.161;
+    for (b_xy, b_z) in [(2.0, -3.0), (0.5, 1.0), (4.0, 0.0), (0.2, -0.5)] {
+        let course = outlet::pulley::course([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
+        let center_distance = f64::hypot(b_xy - radius, b_z);
+        let free = (center_distance * center_distance - radius * radius).sqrt();
+        let wrap = (free / center_distance).acos() + (b_z / center_distance).acos();
+        assert!((course.length - (free + radius * wrap)).abs() < 1e-14);
+    }
+}
+
+/// Nearer to the axis than the radius eq. 2.19 takes an angle with the wrong sign (maths.md §2).
+#[test]
+fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
+    let (radius, b_xy, b_z) = (0.161, 0.1, 1.0);
+    let course = outlet::pulley::course([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
+    let center_distance = f64::hypot(b_xy - radius, b_z);
+    let free = (center_distance * center_distance - radius * radius).sqrt();
+    let printed = free + radius * ((free / center_distance).acos() + (b_z / center_distance).acos());
+    let surplus = 2.0 * radius * (b_z / center_distance).acos();
+    assert!((printed - course.length - surplus).abs() < 1e-13);
+    // tangent point on the circle, free part tangent to it
+    let u = course.direction;
+    let contact = [b_xy + course.free_length * u[0], b_z + course.free_length * u[2]];
+    assert!((f64::hypot(contact[0] - radius, contact[1]) - radius).abs() < 1e-14);
+    assert!(((contact[0] - radius) * u[0] + contact[1] * u[2]).abs() < 1e-14);
+}
+
+#[test]
+fn degenerate_courses_are_named_and_never_nan() {
+    let cable =
+        Cable { pulley_swivel_axis: Some(Vector3::z()), frame_anchor: Vector3::zeros(), ..tilted_pulley_cable() };
+    let cable = Cable { platform_anchor: Vector3::zeros(), ..cable };
+    let at = |x: f64, z: f64, composition| {
+        let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
+        model.course(0, &Pose { position: Vector3::new(x, 0.0, z), ..Pose::identity() }).unwrap_err()
+    };
+    use crate::cable::DegenerateCourse as Reason;
+    assert_eq!(at(0.0, 0.0, Composition::STANDARD), Reason::ZeroLength { cable: 1 });
+    assert_eq!(at(0.12, 0.05, Composition::PULLEY), Reason::InsidePulley { cable: 1, radius: 0.12 });
+    assert_eq!(at(0.0, 1.0, Composition::PULLEY), Reason::OnSwivelAxis { cable: 1 });
+    assert_eq!(at(1e300, 1e300, Composition::STANDARD), Reason::NotFinite { cable: 1 });
+}
+
+/// The contact point of a placed pulley is the anchor it was placed for, so the pull is the point model's.
+#[test]
+fn a_placed_pulley_touches_where_the_point_model_has_its_anchor() {
+    let robot = robot_of(vec![Cable { pulley_radius: None, pulley_swivel_axis: None, ..tilted_pulley_cable() }]);
+    let pose = tilted_pose();
+    for axis in [Vector3::z(), -Vector3::z(), Vector3::new(0.6, 0.0, 0.8)] {
+        let placed = place_pulleys(&robot, &[(0.161, axis)], &pose).unwrap();
+        let (course, _) = Model::new(placed, Composition::PULLEY).unwrap().course(0, &pose).unwrap();
+        let contact =
+            pose.transform(&robot.cables[0].platform_anchor) + Vector3::from(course.direction) * course.free_length;
+        assert!((contact - robot.cables[0].frame_anchor).norm() < 1e-14);
+        let base = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+        let difference = base.structure_matrix(&pose).unwrap()
+            - Model::new(place_pulleys(&robot, &[(0.161, axis)], &pose).unwrap(), Composition::PULLEY)
+                .unwrap()
+                .structure_matrix(&pose)
+                .unwrap();
+        assert!(difference.amax() < 1e-14);
+    }
+}
+
+#[test]
+fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
+    let robot = robot_of(vec![tilted_pulley_cable()]);
+    let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
+    let gradient = model.cable_gradient(0, &tilted_pose()).unwrap();
+    let free = FreeParameters::of(&ParameterKind::ALL);
+    for parameter in free.parameters(&model, &FreeParameters::default()).unwrap() {
+        let recorded = |value: f64| {
+            let mut changed = robot.clone();
+            parameter.assign(&model, &mut changed, value);
+            let changed = Model::new(changed, Composition::PULLEY).unwrap();
+            changed.recorded_length(0, changed.course(0, &tilted_pose()).unwrap().0.length)
+        };
+        let (value, h) = (parameter.value(&model), 1e-6);
+        let slope = (recorded(value + h) - recorded(value - h)) / (2.0 * h);
+        let analytic = match parameter.kind {
+            ParameterKind::FrameAnchor => gradient.frame_anchor[parameter.axis],
+            ParameterKind::PlatformAnchor => gradient.platform_anchor[parameter.axis],
+            ParameterKind::LengthOffset => gradient.length_offset,
+            ParameterKind::LengthScale => gradient.length_scale,
+            ParameterKind::PulleyRadius => gradient.pulley_radius,
+        };
+        assert!((slope - analytic).abs() < 1e-8, "{}: {slope} {analytic}", parameter.name(&robot));
+    }
+}
