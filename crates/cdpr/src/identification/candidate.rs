@@ -1,0 +1,127 @@
+//! Control models to choose from.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, ParameterKind};
+use crate::robot::Robot;
+
+/// A composition of effects with the parameters that identification frees.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Candidate {
+    /// The effects.
+    pub composition: Composition,
+    /// What is free.
+    pub free: FreeParameters,
+}
+
+/// A candidate that cannot be understood.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum CandidateError {
+    /// The part before the colon.
+    #[error("candidate `{text}`: {reason}")]
+    Composition {
+        /// The candidate.
+        text: String,
+        /// What is wrong.
+        reason: CompositionError,
+    },
+    /// The part after the colon.
+    #[error("candidate `{text}`: {reason}")]
+    Parameters {
+        /// The candidate.
+        text: String,
+        /// What is wrong.
+        reason: ParameterError,
+    },
+    /// Nothing between separators.
+    #[error("there is no candidate in `{text}`: write MODEL or MODEL:FREE, separated by semicolons")]
+    Empty {
+        /// The list.
+        text: String,
+    },
+}
+
+impl FromStr for Candidate {
+    type Err = CandidateError;
+
+    /// Reads `MODEL` or `MODEL:FREE`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (composition, free) = text.split_once(':').unwrap_or((text, ""));
+        let composition =
+            composition.trim().parse().map_err(|reason| CandidateError::Composition { text: text.to_owned(), reason })?;
+        let free = free.parse().map_err(|reason| CandidateError::Parameters { text: text.to_owned(), reason })?;
+        Ok(Self { composition, free })
+    }
+}
+
+impl fmt::Display for Candidate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.free.is_empty() {
+            true => write!(f, "{}", self.composition),
+            false => write!(f, "{}:{}", self.composition, self.free),
+        }
+    }
+}
+
+/// Reads `MODEL[:FREE];…`, from simple to complex.
+pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
+    let items: Vec<&str> = text.split(';').map(str::trim).filter(|item| !item.is_empty()).collect();
+    if items.is_empty() {
+        return Err(CandidateError::Empty { text: text.to_owned() });
+    }
+    items.into_iter().map(str::parse).collect()
+}
+
+/// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
+/// offsets, with both; and with pulleys at the same rungs where the robot's file describes pulleys.
+///
+/// Platform anchors stay out of it: unless the orientation varies much, they only repeat the frame anchors.
+pub fn defaults(robot: &Robot) -> Vec<Candidate> {
+    use ParameterKind::{FrameAnchor, LengthOffset, LengthScale, PulleyRadius};
+    let has_pulleys =
+        robot.cables.iter().all(|cable| cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_some());
+    let rungs: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
+        (&[], &[&[], &[PulleyRadius]]),
+        (&[LengthOffset], &[&[LengthOffset], &[LengthOffset, PulleyRadius]]),
+        (&[LengthOffset, LengthScale], &[&[LengthOffset, LengthScale]]),
+        (&[FrameAnchor], &[&[FrameAnchor]]),
+        (&[FrameAnchor, LengthOffset], &[&[FrameAnchor, LengthOffset]]),
+        (&[FrameAnchor, LengthOffset, LengthScale], &[&[FrameAnchor, LengthOffset, LengthScale]]),
+    ];
+    let mut ladder = Vec::new();
+    for (standard, pulley) in rungs {
+        ladder.push(Candidate { composition: Composition::STANDARD, free: FreeParameters::of(standard) });
+        if has_pulleys {
+            ladder.extend(
+                pulley.iter().map(|free| Candidate { composition: Composition::PULLEY, free: FreeParameters::of(free) }),
+            );
+        }
+    }
+    ladder
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn candidates_survive_the_round_trip() {
+        let text = "standard;standard:length-offset;pulley:pulley-radius[1,2],frame-anchor";
+        let list = parse_list(text).unwrap();
+        let again: Vec<String> = list.iter().map(ToString::to_string).collect();
+        assert_eq!(again.join(";"), text);
+    }
+
+    #[test]
+    fn nonsense_is_refused_with_the_candidate_named() {
+        for text in ["", ";", "standart", "standard:frame", "standard:"] {
+            match parse_list(text) {
+                Err(error) => assert!(!error.to_string().is_empty()),
+                Ok(list) => assert_eq!(text, "standard:", "{list:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,373 @@
+//! Optimal parameters of one model from measured poses and recorded lengths.
+
+mod descent;
+
+use std::str::FromStr;
+
+use serde::Serialize;
+use thiserror::Error;
+
+use super::blocks::{Block, PoseLanes};
+use super::identifiability::{Analysis, Correlation, analyse};
+use super::weights::{Weights, length_weights};
+use crate::cable::DegenerateCourse;
+use crate::measurement::Samples;
+use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind};
+
+/// What is assumed, and when the fit stops.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Parameters that stay at their value although `free` names them.
+    pub hold: FreeParameters,
+    /// Ridges towards the start value.
+    pub priors: Vec<Prior>,
+    /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
+    pub tolerance: f64,
+    /// Steps allowed for each cable.
+    pub max_iterations: u32,
+    /// A direction in parameter space with a larger standard deviation is reported as weak (m).
+    pub weak_direction_limit: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            hold: FreeParameters::default(),
+            priors: Vec::new(),
+            tolerance: 1e-10,
+            max_iterations: 200,
+            weak_direction_limit: 0.1,
+        }
+    }
+}
+
+/// A ridge: parameters of this kind are normally distributed around their start values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prior {
+    /// The kind of parameter.
+    pub kind: ParameterKind,
+    /// Standard deviation, in the parameter's unit.
+    pub sigma: f64,
+}
+
+impl FromStr for Prior {
+    type Err = InputError;
+
+    /// Reads `platform-anchor=0.02`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let syntax = || InputError::PriorSyntax { text: text.to_owned() };
+        let (name, value) = text.split_once('=').ok_or_else(syntax)?;
+        let sigma: f64 = value.trim().parse().map_err(|_| syntax())?;
+        if !(sigma > 0.0 && sigma.is_finite()) {
+            return Err(syntax());
+        }
+        Ok(Self { kind: name.trim().parse()?, sigma })
+    }
+}
+
+/// Why the fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The optimum is found and every parameter is determined.
+    Converged,
+    /// The data leave directions in parameter space open; the parameters are one of many optima.
+    NotIdentifiable,
+    /// The iteration limit was reached.
+    NotConverged,
+}
+
+/// One identified parameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Estimate {
+    /// Name, e.g. `frame-anchor[1].x`.
+    pub name: String,
+    /// Unit; empty for a ratio.
+    pub unit: &'static str,
+    /// Value before the fit.
+    pub start: f64,
+    /// Optimal value.
+    pub value: f64,
+    /// Standard deviation; `None` when the data do not determine it.
+    pub sigma: Option<f64>,
+    /// Value minus start.
+    pub change: f64,
+    /// Standard deviation of the prior, if there is one.
+    pub prior_sigma: Option<f64>,
+    /// True when the value lies on a bound.
+    pub at_bound: bool,
+    /// Which parameter it is.
+    #[serde(skip)]
+    pub parameter: Parameter,
+}
+
+/// Outcome of a fit; `model` carries the best parameters found whatever the status.
+#[must_use = "check `status` before using the parameters"]
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The calibrated model.
+    pub model: Model,
+    /// Why the fit ended.
+    pub status: Status,
+    /// The status in words, with numbers.
+    pub reason: String,
+    /// Steps of the cable that needed most.
+    pub iterations: u32,
+    /// Weighted sum of squared residuals and priors after each step, all cables together.
+    pub history: Vec<f64>,
+    /// The free parameters, ordered by cable.
+    pub parameters: Vec<Estimate>,
+    /// Rank, singular values, weak directions, correlations.
+    pub analysis: Analysis,
+    /// Root mean square of the residuals in units of their standard deviation; near 1 when model and sensors agree with
+    /// the data. Standard deviations of parameters are multiplied by it when it exceeds 1 or no sensor accuracy is known.
+    pub noise_factor: f64,
+    /// What a careful reader should know.
+    pub warnings: Vec<String>,
+}
+
+impl Fit {
+    /// Correlations above the limit, for reports.
+    pub fn correlations(&self) -> &[Correlation] {
+        &self.analysis.correlations
+    }
+}
+
+/// Data or settings that no fit can accept.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum InputError {
+    /// The free parameters do not fit the model.
+    #[error(transparent)]
+    Parameters(#[from] ParameterError),
+    /// The calibrated robot is not a model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// No samples.
+    #[error("the data set has no samples")]
+    NoSamples,
+    /// Data of another robot.
+    #[error("the robot has {robot} cables, the data have {data}")]
+    CableCount {
+        /// Cables of the robot.
+        robot: usize,
+        /// Cables in the data.
+        data: usize,
+    },
+    /// Fewer rows than parameters.
+    #[error("cable {cable} has {parameters} free parameters, but there are only {samples} samples: measure more poses, free fewer parameters, or give every kind a prior")]
+    TooFewSamples {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Its free parameters.
+        parameters: usize,
+        /// Samples.
+        samples: usize,
+    },
+    /// A measured pose at which the model has no length.
+    #[error("sample {sample}: {reason}")]
+    Degenerate {
+        /// Number of the sample, from 1.
+        sample: usize,
+        /// What is wrong there.
+        reason: DegenerateCourse,
+    },
+    /// A prior that cannot be read.
+    #[error("cannot read the prior `{text}`: write NAME=SIGMA with a standard deviation above 0, e.g. platform-anchor=0.02")]
+    PriorSyntax {
+        /// The text.
+        text: String,
+    },
+    /// A setting that means nothing.
+    #[error("the setting `{name}` is {value}; it must be a number above 0")]
+    Setting {
+        /// Field of [`Settings`].
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
+pub(super) const ASSUMED_NOISE: f64 = 1e-3;
+
+/// Fits the free parameters of a model to samples.
+///
+/// Minimises Σ (ρ/σ)² + Σ ((p − p_start)/σ_prior)², ρ the modelled minus the recorded length (eq. 4.8), cable by cable,
+/// within the parameters' bounds. Without free parameters it only tells how well the model fits.
+pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
+    let parameters = checked_parameters(model, samples, free, settings)?;
+    let mut weights = length_weights(model, samples)?;
+    let mut outcome = optimum(model, samples, &parameters, &weights, settings);
+    if !weights.absolute && !settings.priors.is_empty() {
+        // a prior needs the scale of the noise: estimate it, weigh, repeat
+        for _ in 0..2 {
+            let factor = outcome.noise_factor(samples, parameters.len()).max(1e-6);
+            weights.inverse_sigma.iter_mut().for_each(|weight| *weight /= factor);
+            outcome = optimum(model, samples, &parameters, &weights, settings);
+        }
+    }
+    report(model, samples, &parameters, &weights, outcome, settings)
+}
+
+fn checked_parameters(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+) -> Result<Vec<Parameter>, InputError> {
+    for (name, value) in [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)] {
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(InputError::Setting { name, value });
+        }
+    }
+    if samples.is_empty() {
+        return Err(InputError::NoSamples);
+    }
+    let (robot, data) = (model.cable_count(), samples.cable_count);
+    if robot != data {
+        return Err(InputError::CableCount { robot, data });
+    }
+    let parameters = free.parameters(model, &settings.hold)?;
+    for cable in 0..model.cable_count() {
+        let without_prior = |p: &&Parameter| p.cable == cable && prior_sigma(settings, p.kind).is_none();
+        let count = parameters.iter().filter(without_prior).count();
+        if count > samples.len() {
+            return Err(InputError::TooFewSamples { cable: cable + 1, parameters: count, samples: samples.len() });
+        }
+    }
+    Ok(parameters)
+}
+
+pub(super) fn prior_sigma(settings: &Settings, kind: ParameterKind) -> Option<f64> {
+    settings.priors.iter().rev().find(|prior| prior.kind == kind).map(|prior| prior.sigma)
+}
+
+/// All blocks at their optimum.
+struct Optimum {
+    poses: PoseLanes,
+    blocks: Vec<Block>,
+    ends: Vec<descent::End>,
+}
+
+impl Optimum {
+    /// Root of the weighted sum of squares per degree of freedom.
+    fn noise_factor(&self, samples: &Samples, parameter_count: usize) -> f64 {
+        let cost: f64 = self.ends.iter().map(|end| end.cost).sum();
+        let rows = samples.lengths.len() as f64;
+        (cost / (rows - parameter_count as f64).max(1.0)).sqrt()
+    }
+
+    fn history(&self) -> Vec<f64> {
+        let steps = self.ends.iter().map(|end| end.history.len()).max().unwrap_or(0);
+        let at = |end: &descent::End, step: usize| end.history[step.min(end.history.len() - 1)];
+        (0..steps).map(|step| self.ends.iter().map(|end| at(end, step)).sum()).collect()
+    }
+}
+
+fn optimum(model: &Model, samples: &Samples, all: &[Parameter], weights: &Weights, settings: &Settings) -> Optimum {
+    let poses = PoseLanes::new(samples);
+    let block = |cable| {
+        let own = all.iter().filter(|parameter| parameter.cable == cable).copied().collect();
+        Block::new(model, cable, own, samples, &weights.inverse_sigma)
+    };
+    let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
+    let ends = blocks.iter().map(|block| descent::run(block, &poses, settings)).collect();
+    Optimum { poses, blocks, ends }
+}
+
+fn report(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    weights: &Weights,
+    optimum: Optimum,
+    settings: &Settings,
+) -> Result<Fit, InputError> {
+    let mut robot = model.robot().clone();
+    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
+        for parameter in &block.parameters {
+            parameter.assign(model, &mut robot, block.value(&end.values, parameter));
+        }
+    }
+    let calibrated = Model::new(robot, model.composition())?;
+    let noise_factor = optimum.noise_factor(samples, parameters.len());
+    let inflation = if weights.absolute { noise_factor.max(1.0) } else { noise_factor };
+    let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
+    let analysis = analyse(&calibrated, samples, &optimum.poses, &optimum.blocks, &values, inflation, settings);
+    let estimates: Vec<Estimate> = parameters
+        .iter()
+        .zip(&analysis.sigmas)
+        .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
+        .collect();
+    let iterations = optimum.ends.iter().map(|end| end.iterations).max().unwrap_or(0);
+    let converged = optimum.ends.iter().all(|end| end.converged);
+    let (status, reason) = verdict(&analysis, parameters.len(), converged, settings);
+    let mut warnings = analysis.warnings.clone();
+    warnings.extend(own_warnings(weights, noise_factor, &estimates));
+    Ok(Fit {
+        model: calibrated,
+        status,
+        reason,
+        iterations,
+        history: optimum.history(),
+        parameters: estimates,
+        analysis,
+        noise_factor,
+        warnings,
+    })
+}
+
+fn estimate(model: &Model, calibrated: &Model, parameter: Parameter, sigma: Option<f64>, settings: &Settings) -> Estimate {
+    let (start, value) = (parameter.value(model), parameter.value(calibrated));
+    let (lower, upper) = parameter.bounds();
+    Estimate {
+        name: parameter.name(model.robot()),
+        unit: parameter.kind.unit(),
+        start,
+        value,
+        sigma,
+        change: value - start,
+        prior_sigma: prior_sigma(settings, parameter.kind),
+        at_bound: value <= lower || value >= upper,
+        parameter,
+    }
+}
+
+fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settings) -> (Status, String) {
+    if !converged {
+        let limit = settings.max_iterations;
+        return (Status::NotConverged, format!("the limit of {limit} iterations was reached before the parameters settled"));
+    }
+    if analysis.rank < count && analysis.undetermined > 0 {
+        let directions = analysis.weak_directions.join("; ");
+        let reason = format!("the data determine {} of {count} parameters; not determined: {directions}", analysis.rank);
+        return (Status::NotIdentifiable, reason);
+    }
+    let reason = match analysis.weak_directions.len() {
+        0 => format!("all {count} parameters are determined"),
+        _ => format!("all {count} parameters are determined, but weakly along: {}", analysis.weak_directions.join("; ")),
+    };
+    (Status::Converged, if count == 0 { "nothing was free".to_owned() } else { reason })
+}
+
+fn own_warnings(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if weights.absolute && noise_factor > 2.0 {
+        warnings.push(format!(
+            "the residuals are {noise_factor:.1} times larger than the sensor accuracies explain: the model lacks something, \
+             or the accuracies are too optimistic; standard deviations are enlarged by this factor"
+        ));
+    }
+    if !weights.absolute && !estimates.is_empty() {
+        let noise = 1e3 * noise_factor * ASSUMED_NOISE;
+        warnings.push(format!(
+            "no sensor accuracy is known (a sidecar file DATA.meta.toml tells it): all lengths weigh the same, and standard \
+             deviations come from the residuals of {noise:.2} mm"
+        ));
+    }
+    for estimate in estimates.iter().filter(|estimate| estimate.at_bound) {
+        warnings.push(format!("{} lies on its bound {}", estimate.name, estimate.value));
+    }
+    warnings
+}

@@ -1,0 +1,243 @@
+//! What the data determine: rank, condition, standard deviations, weak directions, correlations.
+
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+
+use super::autocorrelation::correlation_time;
+use super::blocks::{Block, CableValues, PoseLanes};
+use super::fit::{Settings, prior_sigma};
+use super::words::{Direction, describe};
+use crate::measurement::Samples;
+use crate::model::{Model, Parameter, ParameterKind};
+
+/// Two parameters that the data hardly separate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Correlation {
+    /// Name of the one.
+    pub first: String,
+    /// Name of the other.
+    pub second: String,
+    /// Correlation coefficient of their errors.
+    pub coefficient: f64,
+}
+
+/// Identifiability of a fit.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Analysis {
+    /// Rank of the Jacobian of all residuals by all free parameters.
+    pub rank: usize,
+    /// Its singular values in SI units, from large to small (eq. 4.23).
+    pub singular_values: Vec<f64>,
+    /// Ratio of the largest to the smallest singular value; infinite below full rank.
+    pub condition: f64,
+    /// The same with columns scaled to length one.
+    pub condition_scaled: f64,
+    /// Directions in parameter space that the data leave open or nearly so, in words.
+    pub weak_directions: Vec<String>,
+    /// Pairs of parameters with a correlation above 0.95.
+    pub correlations: Vec<Correlation>,
+    /// Directions that neither data nor priors determine.
+    #[serde(skip)]
+    pub(super) undetermined: usize,
+    /// Standard deviation per free parameter.
+    #[serde(skip)]
+    pub(super) sigmas: Vec<Option<f64>>,
+    #[serde(skip)]
+    pub(super) warnings: Vec<String>,
+}
+
+/// Correlations above this are reported.
+const CORRELATION_LIMIT: f64 = 0.95;
+
+/// Singular value of one block with its right singular vector.
+struct Spectrum {
+    values: Vec<f64>,
+    vectors: DMatrix<f64>,
+}
+
+/// Analyses all blocks at their optimum. `inflation` multiplies every standard deviation.
+pub(super) fn analyse(
+    model: &Model,
+    samples: &Samples,
+    poses: &PoseLanes,
+    blocks: &[Block],
+    values: &[CableValues],
+    inflation: f64,
+    settings: &Settings,
+) -> Analysis {
+    let mut analysis = Analysis::default();
+    let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
+    let mut directions = Vec::new();
+    let mut longest_time = 1.0_f64;
+    for (block, values) in blocks.iter().zip(values) {
+        if block.parameters.is_empty() {
+            continue;
+        }
+        let (residuals, columns) = block.rows(poses, values, samples.len());
+        let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
+        let mut plain = weighted.clone();
+        for (mut row, weight) in plain.row_iter_mut().zip(block.weights()) {
+            row /= *weight;
+        }
+        plain_values.extend(spectrum(&plain).values);
+        scaled_values.extend(spectrum(&with_unit_columns(plain)).values);
+
+        let time = correlation_time(&residuals);
+        longest_time = longest_time.max(time);
+        let factor = inflation * time.sqrt();
+        let posterior = spectrum(&with_priors(weighted, &block.parameters, settings));
+        let uncertainty = Uncertainty::new(&posterior, factor);
+        analysis.undetermined += uncertainty.undetermined;
+        analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
+        let rotation = mean_rotation(samples);
+        directions.extend(uncertainty.weak_directions(block, &rotation, settings.weak_direction_limit));
+        analysis.sigmas.extend(uncertainty.sigmas);
+    }
+    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
+    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
+    plain_values.sort_by(|a, b| b.total_cmp(a));
+    analysis.singular_values = plain_values;
+    analysis.weak_directions = describe(model, directions);
+    if longest_time > 1.0 {
+        analysis.warnings.push(format!(
+            "residuals of consecutive samples repeat each other (correlation time up to {longest_time:.0} samples): standard \
+             deviations are enlarged by up to {:.1} to account for it",
+            longest_time.sqrt()
+        ));
+    }
+    analysis
+}
+
+/// Singular values and right singular vectors of a tall matrix, by way of its QR factor.
+fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
+    let columns = matrix.ncols();
+    let mut factor = DMatrix::zeros(columns.max(matrix.nrows()), columns);
+    factor.view_mut((0, 0), matrix.shape()).copy_from(matrix);
+    let decomposition = factor.qr().r().svd(false, true);
+    let vectors = decomposition.v_t.map(|v_t| v_t.transpose()).unwrap_or_else(|| DMatrix::identity(columns, columns));
+    Spectrum { values: decomposition.singular_values.iter().copied().collect(), vectors }
+}
+
+fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
+    for mut column in matrix.column_iter_mut() {
+        let norm = column.norm();
+        if norm > 0.0 {
+            column /= norm;
+        }
+    }
+    matrix
+}
+
+fn with_priors(weighted: DMatrix<f64>, parameters: &[Parameter], settings: &Settings) -> DMatrix<f64> {
+    let (rows, columns) = weighted.shape();
+    let mut stacked = weighted.resize(rows + columns, columns, 0.0);
+    for (k, parameter) in parameters.iter().enumerate() {
+        stacked[(rows + k, k)] = prior_sigma(settings, parameter.kind).map_or(0.0, |sigma| 1.0 / sigma);
+    }
+    stacked
+}
+
+/// Relative size below which a singular value is rounding.
+fn rank_tolerance(rows: usize) -> f64 {
+    10.0 * rows as f64 * f64::EPSILON
+}
+
+fn rank_and_condition(values: &[f64], rows: usize) -> (usize, f64) {
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let rank = values.iter().filter(|&&value| value > rank_tolerance(rows) * largest).count();
+    let condition = if rank == values.len() { largest / smallest } else { f64::INFINITY };
+    (rank, if values.is_empty() { 1.0 } else { condition })
+}
+
+fn mean_rotation(samples: &Samples) -> nalgebra::Matrix3<f64> {
+    let sum: nalgebra::Matrix3<f64> = samples.poses.iter().map(|pose| pose.rotation_matrix()).sum();
+    sum / samples.len() as f64
+}
+
+/// Posterior of one block.
+struct Uncertainty {
+    /// Covariance in the determined directions.
+    covariance: DMatrix<f64>,
+    sigmas: Vec<Option<f64>>,
+    undetermined: usize,
+    /// Standard deviation along each singular vector; infinite where undetermined.
+    deviations: Vec<f64>,
+    vectors: DMatrix<f64>,
+}
+
+impl Uncertainty {
+    fn new(posterior: &Spectrum, factor: f64) -> Self {
+        let count = posterior.values.len();
+        let largest = posterior.values.iter().copied().fold(0.0, f64::max);
+        let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
+        let mut covariance = DMatrix::zeros(count, count);
+        let mut open = vec![false; count];
+        let mut deviations = Vec::with_capacity(count);
+        for (j, &value) in posterior.values.iter().enumerate() {
+            let vector = posterior.vectors.column(j);
+            if determined(value) {
+                let deviation = factor / value;
+                covariance += vector * vector.transpose() * (deviation * deviation);
+                deviations.push(deviation);
+            } else {
+                deviations.push(f64::INFINITY);
+                (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true);
+            }
+        }
+        let sigmas = (0..count).map(|k| (!open[k]).then(|| covariance[(k, k)].sqrt())).collect();
+        let undetermined = deviations.iter().filter(|deviation| deviation.is_infinite()).count();
+        Self { covariance, sigmas, undetermined, deviations, vectors: posterior.vectors.clone() }
+    }
+
+    fn correlations(&self, model: &Model, parameters: &[Parameter]) -> Vec<Correlation> {
+        let mut found = Vec::new();
+        for i in 0..parameters.len() {
+            for j in 0..i {
+                let (Some(first), Some(second)) = (self.sigmas[j], self.sigmas[i]) else { continue };
+                let coefficient = self.covariance[(i, j)] / (first * second);
+                if coefficient.abs() > CORRELATION_LIMIT {
+                    let name = |k: usize| parameters[k].name(model.robot());
+                    found.push(Correlation { first: name(j), second: name(i), coefficient });
+                }
+            }
+        }
+        found
+    }
+
+    /// Directions whose standard deviation exceeds the limit (m, scales times the mean length): first the translations of
+    /// frame anchor and platform anchor together that explain them, then what is left, each as coefficients.
+    fn weak_directions(&self, block: &Block, rotation: &nalgebra::Matrix3<f64>, limit: f64) -> Vec<Direction> {
+        let parameters = &block.parameters;
+        let worth = DVector::from_iterator(
+            parameters.len(),
+            parameters.iter().map(|p| if p.kind == ParameterKind::LengthScale { block.mean_length() } else { 1.0 }),
+        );
+        let mut open: Vec<(DVector<f64>, f64)> = Vec::new();
+        for (j, &deviation) in self.deviations.iter().enumerate() {
+            let direction = self.vectors.column(j).component_mul(&worth);
+            let deviation = deviation * direction.norm();
+            if deviation > limit {
+                open.push((direction.normalize(), deviation));
+            }
+        }
+        let mut found = Vec::new();
+        for axis in 0..3 {
+            let Some(together) = block.anchors_together(axis, rotation) else { continue };
+            let inside: f64 = open.iter().map(|(vector, _)| vector.dot(&together).powi(2)).sum();
+            if inside < 0.9 {
+                continue;
+            }
+            // the deviation along it, from the open directions it is made of
+            let variance: f64 = open.iter().map(|(vector, s)| (vector.dot(&together) * s).powi(2)).sum();
+            found.push(Direction::AnchorsTogether { cable: block.cable, axis, deviation: variance.sqrt() });
+            open.iter_mut().for_each(|(vector, _)| *vector -= &together * vector.dot(&together));
+            open.retain(|(vector, _)| vector.norm() > 0.5);
+        }
+        for (vector, deviation) in open {
+            let coefficients = parameters.iter().copied().zip(vector.iter().copied()).collect();
+            found.push(Direction::Combination { coefficients, deviation });
+        }
+        found
+    }
+}

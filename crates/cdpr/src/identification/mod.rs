@@ -1,0 +1,19 @@
+//! From measurements to calibrated models, their uncertainty, and the choice between them.
+//!
+//! Residuals live in joint space: modelled minus recorded cable lengths at the measured poses (eq. 4.8). Every parameter
+//! belongs to one cable, so the problem falls into one small block per cable.
+
+mod autocorrelation;
+mod blocks;
+mod bootstrap;
+pub mod candidate;
+pub mod evaluation;
+pub mod fit;
+mod identifiability;
+pub mod selection;
+mod weights;
+mod words;
+
+pub use candidate::Candidate;
+pub use evaluation::{ErrorBlocks, Evaluation, evaluate};
+pub use fit::{Fit, Prior};
