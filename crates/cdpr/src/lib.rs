@@ -5,6 +5,7 @@ pub use nalgebra;
 pub mod cable;
 pub mod equilibrium;
 pub mod geometry;
+pub mod identification;
 pub mod measurement;
 pub mod reading;
 pub mod model;

@@ -58,7 +58,13 @@ pub(super) struct Block {
 }
 
 impl Block {
-    pub(super) fn new(model: &Model, cable: usize, parameters: Vec<Parameter>, samples: &Samples, weights: &[f64]) -> Self {
+    pub(super) fn new(
+        model: &Model,
+        cable: usize,
+        parameters: Vec<Parameter>,
+        samples: &Samples,
+        weights: &[f64],
+    ) -> Self {
         let data = &model.robot().cables[cable];
         let count = samples.len();
         let padded = count.div_ceil(LANES) * LANES;
@@ -124,7 +130,11 @@ impl Block {
 
     /// Unit direction that moves frame anchor and platform anchor together along one of the pattern's axes, for a
     /// platform that keeps this rotation; `None` unless all components of both are free.
-    pub(super) fn anchors_together(&self, axis: usize, rotation: &nalgebra::Matrix3<f64>) -> Option<nalgebra::DVector<f64>> {
+    pub(super) fn anchors_together(
+        &self,
+        axis: usize,
+        rotation: &nalgebra::Matrix3<f64>,
+    ) -> Option<nalgebra::DVector<f64>> {
         let count = |kind| self.parameters.iter().filter(|p| p.kind == kind).count();
         let (frame, platform) = (ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor);
         if axis >= self.axes.len() || count(frame) < self.axes.len() || count(platform) < self.axes.len() {
@@ -134,7 +144,7 @@ impl Block {
         let in_platform = rotation.transpose() * along;
         let component = |parameter: &Parameter| match parameter.kind {
             ParameterKind::FrameAnchor => f64::from(u8::from(parameter.axis == axis)),
-            ParameterKind::PlatformAnchor => in_platform.dot(&self.axes[parameter.axis].into()),
+            ParameterKind::PlatformAnchor => dot(self.axes[parameter.axis], in_platform.into()),
             _ => 0.0,
         };
         let direction = nalgebra::DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(component));
@@ -235,7 +245,11 @@ impl<const P: usize> Kernel for Accumulate<'_, P> {
                 }
             }
         }
-        NormalEquations { cost: cost.sum(), gradient: gradient.map(Lanes::sum), matrix: matrix.map(|r| r.map(Lanes::sum)) }
+        NormalEquations {
+            cost: cost.sum(),
+            gradient: gradient.map(Lanes::sum),
+            matrix: matrix.map(|r| r.map(Lanes::sum)),
+        }
     }
 }
 

@@ -50,8 +50,10 @@ impl FromStr for Candidate {
     /// Reads `MODEL` or `MODEL:FREE`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (composition, free) = text.split_once(':').unwrap_or((text, ""));
-        let composition =
-            composition.trim().parse().map_err(|reason| CandidateError::Composition { text: text.to_owned(), reason })?;
+        let composition = composition
+            .trim()
+            .parse()
+            .map_err(|reason| CandidateError::Composition { text: text.to_owned(), reason })?;
         let free = free.parse().map_err(|reason| CandidateError::Parameters { text: text.to_owned(), reason })?;
         Ok(Self { composition, free })
     }
@@ -96,7 +98,9 @@ pub fn defaults(robot: &Robot) -> Vec<Candidate> {
         ladder.push(Candidate { composition: Composition::STANDARD, free: FreeParameters::of(standard) });
         if has_pulleys {
             ladder.extend(
-                pulley.iter().map(|free| Candidate { composition: Composition::PULLEY, free: FreeParameters::of(free) }),
+                pulley
+                    .iter()
+                    .map(|free| Candidate { composition: Composition::PULLEY, free: FreeParameters::of(free) }),
             );
         }
     }

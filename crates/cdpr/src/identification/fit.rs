@@ -155,7 +155,9 @@ pub enum InputError {
         data: usize,
     },
     /// Fewer rows than parameters.
-    #[error("cable {cable} has {parameters} free parameters, but there are only {samples} samples: measure more poses, free fewer parameters, or give every kind a prior")]
+    #[error(
+        "cable {cable} has {parameters} free parameters, but there are only {samples} samples: measure more poses, free fewer parameters, or give every kind a prior"
+    )]
     TooFewSamples {
         /// Number of the cable, from 1.
         cable: usize,
@@ -173,7 +175,9 @@ pub enum InputError {
         reason: DegenerateCourse,
     },
     /// A prior that cannot be read.
-    #[error("cannot read the prior `{text}`: write NAME=SIGMA with a standard deviation above 0, e.g. platform-anchor=0.02")]
+    #[error(
+        "cannot read the prior `{text}`: write NAME=SIGMA with a standard deviation above 0, e.g. platform-anchor=0.02"
+    )]
     PriorSyntax {
         /// The text.
         text: String,
@@ -318,7 +322,13 @@ fn report(
     })
 }
 
-fn estimate(model: &Model, calibrated: &Model, parameter: Parameter, sigma: Option<f64>, settings: &Settings) -> Estimate {
+fn estimate(
+    model: &Model,
+    calibrated: &Model,
+    parameter: Parameter,
+    sigma: Option<f64>,
+    settings: &Settings,
+) -> Estimate {
     let (start, value) = (parameter.value(model), parameter.value(calibrated));
     let (lower, upper) = parameter.bounds();
     Estimate {
@@ -337,16 +347,22 @@ fn estimate(model: &Model, calibrated: &Model, parameter: Parameter, sigma: Opti
 fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settings) -> (Status, String) {
     if !converged {
         let limit = settings.max_iterations;
-        return (Status::NotConverged, format!("the limit of {limit} iterations was reached before the parameters settled"));
+        return (
+            Status::NotConverged,
+            format!("the limit of {limit} iterations was reached before the parameters settled"),
+        );
     }
     if analysis.rank < count && analysis.undetermined > 0 {
         let directions = analysis.weak_directions.join("; ");
-        let reason = format!("the data determine {} of {count} parameters; not determined: {directions}", analysis.rank);
+        let reason =
+            format!("the data determine {} of {count} parameters; not determined: {directions}", analysis.rank);
         return (Status::NotIdentifiable, reason);
     }
     let reason = match analysis.weak_directions.len() {
         0 => format!("all {count} parameters are determined"),
-        _ => format!("all {count} parameters are determined, but weakly along: {}", analysis.weak_directions.join("; ")),
+        _ => {
+            format!("all {count} parameters are determined, but weakly along: {}", analysis.weak_directions.join("; "))
+        }
     };
     (Status::Converged, if count == 0 { "nothing was free".to_owned() } else { reason })
 }

@@ -27,9 +27,8 @@ pub(super) fn length_weights(model: &Model, samples: &Samples) -> Result<Weights
     let mut inverse_sigma = Vec::with_capacity(samples.lengths.len());
     for (sample, pose) in samples.poses.iter().enumerate() {
         for cable in 0..model.cable_count() {
-            let (course, lever) = model
-                .course(cable, pose)
-                .map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
+            let (course, lever) =
+                model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
             let u = Vector3::from(course.direction);
             let moment = lever.cross(&u);
             let scale = model.robot().cables[cable].length_scale.unwrap_or(1.0);

@@ -207,7 +207,7 @@ impl<const N: usize> Kernel for Search<'_, N> {
             return End { stop: Stop::Degenerate, ..end };
         }
         let mut damping = 0.0;
-        let mut last_step = f64::INFINITY;
+        let mut last_step = 0.0; // none yet: no rate of contraction to judge by
         while end.iterations < settings.max_iterations {
             end.iterations += 1;
             let Some((step, size, ratio)) = self.step(&normal, damping) else {

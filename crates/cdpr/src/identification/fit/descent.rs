@@ -50,7 +50,9 @@ impl<'a, const P: usize> Search<'a, P> {
             block,
             poses,
             settings,
-            prior_weights: std::array::from_fn(|k| prior_sigma(settings, parameter(k).kind).map_or(0.0, |s| 1.0 / (s * s))),
+            prior_weights: std::array::from_fn(|k| {
+                prior_sigma(settings, parameter(k).kind).map_or(0.0, |s| 1.0 / (s * s))
+            }),
             worth: std::array::from_fn(|k| if parameter(k).kind == ParameterKind::LengthScale { length } else { 1.0 }),
             bounds: std::array::from_fn(|k| parameter(k).bounds()),
             start: std::array::from_fn(|k| block.value(&block.start, &parameter(k))),
@@ -72,7 +74,8 @@ impl<'a, const P: usize> Search<'a, P> {
         let mut change = [0.0; P];
         let (mut values, mut equations) = self.equations(&change);
         let mut history = vec![equations.cost];
-        let (mut damping, mut last_size, mut iterations) = (0.0, f64::INFINITY, 0);
+        // last_size 0: no step yet, so no rate of contraction to judge by
+        let (mut damping, mut last_size, mut iterations) = (0.0, 0.0, 0);
         let mut converged = P == 0;
         while !converged && iterations < self.settings.max_iterations {
             iterations += 1;

@@ -1,0 +1,109 @@
+//! Limits on validation errors that a recommended model must keep.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::identification::evaluation::{ErrorBlocks, PoseError};
+
+/// An upper limit on one error figure, e.g. `position_mean_m=0.005`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Requirement {
+    /// Place of the figure in [`METRICS`].
+    metric: usize,
+    /// Largest value allowed, in the figure's unit.
+    limit: f64,
+}
+
+/// A figure by name.
+type Metric = (&'static str, fn(&ErrorBlocks) -> f64);
+
+/// Every figure that can be limited.
+const METRICS: [Metric; 14] = [
+    ("position_mean_m", |e| e.position_error_m.mean),
+    ("position_rms_m", |e| e.position_error_m.rms),
+    ("position_median_m", |e| e.position_error_m.median),
+    ("position_p95_m", |e| e.position_error_m.p95),
+    ("position_max_m", |e| e.position_error_m.max),
+    ("rotation_mean_rad", |e| rotation(e).mean),
+    ("rotation_rms_rad", |e| rotation(e).rms),
+    ("rotation_median_rad", |e| rotation(e).median),
+    ("rotation_p95_rad", |e| rotation(e).p95),
+    ("rotation_max_rad", |e| rotation(e).max),
+    ("length_mean_abs_m", |e| e.length_error_m.mean_abs),
+    ("length_rms_m", |e| e.length_error_m.rms),
+    ("length_p95_m", |e| e.length_error_m.p95),
+    ("length_max_m", |e| e.length_error_m.max),
+];
+
+fn rotation(errors: &ErrorBlocks) -> &PoseError {
+    &errors.rotation_error_rad
+}
+
+/// How a candidate stands to a limit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RequirementOutcome {
+    /// Name of the figure.
+    pub metric: &'static str,
+    /// Largest value allowed.
+    pub limit: f64,
+    /// The candidate's value on validation data.
+    pub value: f64,
+    /// True when the value keeps the limit.
+    pub met: bool,
+}
+
+impl fmt::Display for RequirementOutcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {:.6} (limit {})", self.metric, self.value, self.limit)
+    }
+}
+
+/// A requirement that cannot be understood.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RequirementError {
+    /// Not NAME=LIMIT.
+    #[error("cannot read the requirement `{text}`: write NAME=LIMIT with a limit above 0, e.g. position_mean_m=0.005")]
+    Syntax {
+        /// The text.
+        text: String,
+    },
+    /// Not a figure.
+    #[error("`{name}` is not an error figure; known are {}", known())]
+    UnknownMetric {
+        /// The name.
+        name: String,
+    },
+}
+
+fn known() -> String {
+    METRICS.map(|(name, _)| name).join(", ")
+}
+
+impl FromStr for Requirement {
+    type Err = RequirementError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let syntax = || RequirementError::Syntax { text: text.to_owned() };
+        let (name, limit) = text.split_once('=').ok_or_else(syntax)?;
+        let limit: f64 = limit.trim().parse().map_err(|_| syntax())?;
+        if !(limit > 0.0 && limit.is_finite()) {
+            return Err(syntax());
+        }
+        let name = name.trim();
+        let found = METRICS.iter().position(|(known, _)| *known == name);
+        let metric = found.ok_or_else(|| RequirementError::UnknownMetric { name: name.to_owned() })?;
+        Ok(Self { metric, limit })
+    }
+}
+
+impl Requirement {
+    /// Compares a candidate's validation errors with the limit; a figure that is not a number breaks it.
+    pub(super) fn judge(&self, errors: &ErrorBlocks) -> RequirementOutcome {
+        let (metric, read) = METRICS[self.metric];
+        let value = read(errors);
+        RequirementOutcome { metric, limit: self.limit, value, met: value <= self.limit }
+    }
+}
