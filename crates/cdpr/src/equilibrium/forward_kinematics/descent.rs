@@ -148,7 +148,7 @@ impl<'a> Descent<'a> {
         let turned_guess = Pose { position: guess.position, rotation: home.rotation };
         let scattered = (0..).map(move |index: u32| {
             // every other start keeps the home orientation: platforms seldom turn far
-            let turn = if index % 2 == 0 { 0.0 } else { 1.5 };
+            let turn = if index.is_multiple_of(2) { 0.0 } else { 1.5 };
             let mut twist = Twist::zeros();
             for (axis, direction) in basis.iter().enumerate() {
                 let share: f64 = rng.random_range(-0.5..0.5);
