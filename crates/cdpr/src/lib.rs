@@ -7,6 +7,7 @@ pub mod equilibrium;
 pub mod geometry;
 pub mod identification;
 pub mod measurement;
+pub mod metamodel;
 pub mod model;
 pub mod reading;
 pub mod robot;
