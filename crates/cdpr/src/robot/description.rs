@@ -98,7 +98,7 @@ pub struct TravelBox {
 /// One cable, from its frame anchor to its platform anchor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cable {
-    /// Name, unique in the robot.
+    /// Name for people, not always unique (see [`Robot::warnings`]): cables are told apart by their order.
     pub name: String,
     /// Frame anchor a (world, m); with the effect `pulley` the point D where the cable enters the swivelling pulley.
     pub frame_anchor: Vector3<f64>,

@@ -1,5 +1,16 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
+pub mod builtin;
+mod cable_reading;
+mod checks;
 mod description;
+mod file;
+mod reading;
+mod writing;
 
 pub use description::{Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TravelBox};
+
+/// JSON Schema of the robot file, for editors and for other programs.
+pub fn schema() -> schemars::Schema {
+    schemars::schema_for!(file::RobotFile)
+}

@@ -1,0 +1,175 @@
+//! The `[[cable]]` tables of a robot file.
+
+use nalgebra::Vector3;
+
+use super::Cable;
+use super::file::{CableSection, RobotFile};
+use super::reading::{Reader, key_name};
+use crate::reading::{ReadError, Step};
+
+/// Most cables that are read: no robot comes near, and every matrix stays small.
+const CABLE_LIMIT: usize = 10_000;
+
+/// How far the norm of a direction may be from 1 by rounding of its printed digits.
+const DIRECTION_NORM_TOLERANCE: f64 = 1e-3;
+
+/// All cables of the file, checked one by one and against each other.
+pub(super) fn read_cables(reader: &Reader<'_>, file: &RobotFile) -> Result<Vec<Cable>, ReadError> {
+    check_count(reader, file)?;
+    let cables: Vec<Cable> = file
+        .cable
+        .iter()
+        .enumerate()
+        .map(|(index, section)| CableReader { reader, section, index }.cable())
+        .collect::<Result<_, _>>()?;
+    check_names(reader, &cables)?;
+    let same_place = |cable: &Cable| cable.frame_anchor == cables[0].frame_anchor;
+    if cables.len() > 1 && cables.iter().all(same_place) {
+        let path = [Step::Key("cable"), Step::Index(1), Step::Key("frame_anchor_m")];
+        let message = "all frame anchors are the same point, so the cables cannot hold a platform";
+        return Err(reader.document.error_at(&path, "robot::coincident-anchors", message));
+    }
+    Ok(cables)
+}
+
+fn check_count(reader: &Reader<'_>, file: &RobotFile) -> Result<(), ReadError> {
+    let (found, stated) = (file.cable.len(), file.cable_count);
+    let error = |key, code, message: String| reader.document.error_at(&[Step::Key(key)], code, message);
+    if found == 0 {
+        return Err(error("cable", "robot::no-cables", "the robot has no cables".to_owned())
+            .with_help("add a table [[cable]] with name, frame_anchor_m and platform_anchor_m for each cable"));
+    }
+    if found > CABLE_LIMIT {
+        return Err(error(
+            "cable",
+            "robot::too-many-cables",
+            format!("{found} cables; at most {CABLE_LIMIT} are read"),
+        ));
+    }
+    match stated {
+        Some(stated) if stated != found => {
+            let message = format!("cable_count is {stated}, but there are {found} tables [[cable]]");
+            Err(error("cable_count", "robot::cable-count", message)
+                .with_help("is the file complete? correct one of them"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_names(reader: &Reader<'_>, cables: &[Cable]) -> Result<(), ReadError> {
+    for (index, cable) in cables.iter().enumerate() {
+        let path = [Step::Key("cable"), Step::Index(index), Step::Key("name")];
+        if cable.name.trim().is_empty() {
+            let message = format!("cable {} has an empty name", index + 1);
+            return Err(reader.document.error_at(&path, "robot::cable-name", message));
+        }
+    }
+    Ok(())
+}
+
+/// One `[[cable]]` table and where it stands.
+struct CableReader<'a> {
+    reader: &'a Reader<'a>,
+    section: &'a CableSection,
+    index: usize,
+}
+
+impl CableReader<'_> {
+    fn cable(&self) -> Result<Cable, ReadError> {
+        let section = self.section;
+        self.check_stiffness()?;
+        self.check_tension_limits()?;
+        Ok(Cable {
+            name: section.name.clone(),
+            frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
+            platform_anchor: self.vector("platform_anchor_m", &section.platform_anchor_m)?,
+            pulley_radius: self.not_negative("pulley_radius_m", section.pulley_radius_m)?,
+            pulley_swivel_axis: section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?,
+            tension_min: section.tension_min_N,
+            tension_max: section.tension_max_N,
+            axial_stiffness: self.positive("axial_stiffness_EA_N", section.axial_stiffness_EA_N)?,
+            axial_compliance: self.not_negative("axial_compliance_per_N", section.axial_compliance_per_N)?,
+            spring_constant: self.positive("spring_constant_N_per_m", section.spring_constant_N_per_m)?,
+            stiffness_by: section.stiffness_by,
+            hidden_length: self.not_negative("hidden_length_m", section.hidden_length_m)?,
+            series_compliance: self.not_negative("series_compliance_m_per_N", section.series_compliance_m_per_N)?,
+            length_scale: self.positive("length_scale", section.length_scale)?,
+            length_offset: section.length_offset_m,
+            tension_scale: self.positive("tension_scale", section.tension_scale)?,
+            tension_offset: section.tension_offset_N,
+        })
+    }
+
+    fn path<'k>(&self, key: &'k str) -> [Step<'k>; 3] {
+        [Step::Key("cable"), Step::Index(self.index), Step::Key(key)]
+    }
+
+    fn error(&self, key: &str, code: &'static str, message: &str) -> ReadError {
+        let message = format!("cable {} (`{}`): {message}", self.index + 1, self.section.name);
+        self.reader.document.error_at(&self.path(key), code, message)
+    }
+
+    fn vector(&self, key: &str, values: &[f64]) -> Result<Vector3<f64>, ReadError> {
+        self.reader.vector(&self.path(key), values)
+    }
+
+    fn not_negative(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+        self.reader.not_negative(&self.path(key), number)
+    }
+
+    fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+        match number {
+            Some(number) if number <= 0.0 => {
+                let message = format!("{} is {number}; it must be above zero", key_name(&self.path(key)));
+                Err(self.error(key, "robot::not-positive", &message).with_help("leave the key out if unknown"))
+            }
+            fine => Ok(fine),
+        }
+    }
+
+    /// A unit vector; rounding of the printed digits is taken out, anything more is a mistake.
+    fn direction(&self, values: &[f64]) -> Result<Vector3<f64>, ReadError> {
+        let axis = self.vector("pulley_swivel_axis", values)?;
+        let norm = axis.norm();
+        if (norm - 1.0).abs() > DIRECTION_NORM_TOLERANCE {
+            let message = format!("pulley_swivel_axis has the norm {norm}; a direction has the norm 1");
+            return Err(self
+                .error("pulley_swivel_axis", "robot::swivel-axis", &message)
+                .with_help("it is the unit vector from the winch into the pulley, e.g. [0.0, 0.0, 1.0]"));
+        }
+        // a vector that is already unit to rounding stays as it is, so that files are read back to the bit
+        Ok(if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { axis } else { axis / norm })
+    }
+
+    /// Only one of the three stiffness keys can hold.
+    fn check_stiffness(&self) -> Result<(), ReadError> {
+        let given: Vec<&str> = [
+            ("axial_stiffness_EA_N", self.section.axial_stiffness_EA_N),
+            ("axial_compliance_per_N", self.section.axial_compliance_per_N),
+            ("spring_constant_N_per_m", self.section.spring_constant_N_per_m),
+        ]
+        .iter()
+        .filter_map(|(key, value)| value.map(|_| *key))
+        .collect();
+        match given[..] {
+            [first, second, ..] => Err(self
+                .error(second, "robot::stiffness-twice", &format!("both {first} and {second} are given"))
+                .with_help("they say the same thing in different ways: keep one")),
+            _ => Ok(()),
+        }
+    }
+
+    fn check_tension_limits(&self) -> Result<(), ReadError> {
+        let min = self.not_negative("tension_min_N", self.section.tension_min_N)?;
+        let max = self.not_negative("tension_max_N", self.section.tension_max_N)?;
+        match (min, max) {
+            (Some(min), Some(max)) if min > max => {
+                let message = format!("tension_min_N = {min} is above tension_max_N = {max}");
+                Err(self
+                    .error("tension_min_N", "robot::tension-limits", &message)
+                    .with_help("swap them, or mend the wrong one"))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The robot file as it stands: keys, types and order of layout version 1. What is said twice or wrongly is found in `reading`.
+
+use serde::{Deserialize, Serialize};
+
+use super::{ReferenceCheck, Source, StiffnessBasis};
+use crate::geometry::MotionPattern;
+
+/// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
+#[derive(Clone, Debug, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "cdpr robot")]
+pub(super) struct RobotFile {
+    /// Version of this layout: 1.
+    #[schemars(range(min = 1, max = 1))]
+    #[expect(dead_code, reason = "looked at before all other keys, which another layout may not have")]
+    pub(super) layout_version: u32,
+    /// Short name, without spaces.
+    pub(super) name: String,
+    /// One line for people.
+    pub(super) title: Option<String>,
+    /// Degrees of freedom of the platform: R rotations, T translations.
+    pub(super) motion_pattern: MotionPattern,
+    /// Type in the author's own words, e.g. `spatial-suspended`.
+    pub(super) kind: Option<String>,
+    /// Number of `[[cable]]` tables, to notice a file that was cut off.
+    pub(super) cable_count: Option<usize>,
+    /// Planar robots only: the two world axes of every 2-vector, e.g. `xz`; angles turn from the first to the second.
+    #[schemars(regex(pattern = "^(xy|xz|yx|yz|zx|zy)$"))]
+    pub(super) axes: Option<String>,
+    /// Gravity (world axes, m/s²).
+    pub(super) gravity_m_s2: Option<Vec<f64>>,
+    /// Remarks, one paragraph each.
+    #[serde(default)]
+    pub(super) notes: Vec<String>,
+    /// Where the numbers come from.
+    pub(super) source: Option<Source>,
+    /// Mass properties of the platform.
+    #[serde(default)]
+    pub(super) platform: PlatformSection,
+    /// A pose inside the workspace to start from.
+    pub(super) home_pose: Option<HomeSection>,
+    /// What acts on the platform besides the cables.
+    pub(super) external_wrench: Option<WrenchSection>,
+    /// Box of platform positions for plotting and sampling; not a proven workspace.
+    pub(super) workspace: Option<WorkspaceSection>,
+    /// The cables, in the order of every per-cable list.
+    #[serde(default)]
+    #[schemars(length(min = 1))]
+    pub(super) cable: Vec<CableSection>,
+    /// Published numbers to reproduce.
+    #[serde(default)]
+    pub(super) reference_check: Vec<ReferenceCheck>,
+}
+
+/// Mass properties of the platform.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PlatformSection {
+    /// Mass (kg).
+    #[schemars(range(min = 0))]
+    pub(super) mass_kg: Option<f64>,
+    /// Centre of mass (platform frame, m).
+    pub(super) center_of_mass_m: Option<Vec<f64>>,
+    /// Inertia about the centre of mass (platform axes, kg·m²): rows of a 3×3 matrix; of a planar robot one number.
+    pub(super) inertia_about_center_of_mass_kg_m2: Option<Inertia>,
+}
+
+/// Inertia as a planar or a spatial robot states it.
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "inertia is one number (planar) or a 3×3 matrix given by rows (spatial)")]
+pub(super) enum Inertia {
+    /// About the normal of the plane.
+    Planar(f64),
+    /// Rows of the matrix.
+    Spatial(Vec<Vec<f64>>),
+}
+
+/// A platform pose.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct HomeSection {
+    /// Position of the platform origin (world, m).
+    pub(super) position_m: Vec<f64>,
+    /// 3R3T: rotation matrix from platform to world, by rows.
+    pub(super) rotation: Option<Vec<Vec<f64>>>,
+    /// 1R2T: angle from the first to the second of `axes` (rad).
+    pub(super) angle_rad: Option<f64>,
+}
+
+/// A constant wrench that acts on the platform at its origin; equilibrium is Aᵀ f + w = 0.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
+pub(super) struct WrenchSection {
+    /// Force (world axes, N).
+    pub(super) force_N: Vec<f64>,
+    /// Moment about the platform origin (world axes, N·m): 3R3T three numbers, 1R2T one.
+    pub(super) moment_Nm: Option<Moment>,
+    /// True when the weight is part of it and must not be added again.
+    #[serde(default)]
+    pub(super) includes_gravity: bool,
+    /// Where it comes from.
+    pub(super) note: Option<String>,
+}
+
+/// A moment as a planar or a spatial robot states it.
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a moment is one number (planar) or three (spatial)")]
+pub(super) enum Moment {
+    /// About the normal of the plane.
+    Planar(f64),
+    /// About the world axes.
+    Spatial(Vec<f64>),
+}
+
+/// An axis-parallel box of platform positions.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct WorkspaceSection {
+    /// Lower corner (world, m).
+    pub(super) position_min_m: Vec<f64>,
+    /// Upper corner (world, m).
+    pub(super) position_max_m: Vec<f64>,
+    /// Where the box comes from.
+    pub(super) note: Option<String>,
+}
+
+/// One cable, from its frame anchor to its platform anchor.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
+pub(super) struct CableSection {
+    /// Name for people, best unique in the robot.
+    pub(super) name: String,
+    /// Frame anchor (world, m); with a pulley the point where the cable enters the swivelling pulley on its swivel axis.
+    pub(super) frame_anchor_m: Vec<f64>,
+    /// Platform anchor (platform frame, m).
+    pub(super) platform_anchor_m: Vec<f64>,
+    /// Radius of the pulley at the frame (m).
+    #[schemars(range(min = 0))]
+    pub(super) pulley_radius_m: Option<f64>,
+    /// Least tension allowed (N).
+    #[schemars(range(min = 0))]
+    pub(super) tension_min_N: Option<f64>,
+    /// Largest tension allowed (N).
+    #[schemars(range(min = 0))]
+    pub(super) tension_max_N: Option<f64>,
+    /// Specific stiffness E·A (N): spring constant times length. Instead of it: `axial_compliance_per_N` or `spring_constant_N_per_m`.
+    pub(super) axial_stiffness_EA_N: Option<f64>,
+    /// 1/(E·A) (1/N); 0 is a rigid cable.
+    #[schemars(range(min = 0))]
+    pub(super) axial_compliance_per_N: Option<f64>,
+    /// Spring constant that does not depend on the length (N/m).
+    pub(super) spring_constant_N_per_m: Option<f64>,
+    /// Unit vector along the swivel axis, from the winch into the pulley (world).
+    pub(super) pulley_swivel_axis: Option<Vec<f64>>,
+    /// Which length divides E·A: `actual` (k = EA/q, the default) or `unstrained` (k = EA/q_θ).
+    pub(super) stiffness_by: Option<StiffnessBasis>,
+    /// Strained length between winch and outlet that the geometry does not see (m).
+    #[schemars(range(min = 0))]
+    pub(super) hidden_length_m: Option<f64>,
+    /// Further compliance in series with the cable (m/N).
+    #[schemars(range(min = 0))]
+    pub(super) series_compliance_m_per_N: Option<f64>,
+    /// Recorded length = length_scale · controlled length + length_offset_m.
+    pub(super) length_scale: Option<f64>,
+    /// See `length_scale` (m).
+    pub(super) length_offset_m: Option<f64>,
+    /// Recorded tension = tension_scale · tension + tension_offset_N.
+    pub(super) tension_scale: Option<f64>,
+    /// See `tension_scale` (N).
+    pub(super) tension_offset_N: Option<f64>,
+}

@@ -1,0 +1,341 @@
+//! From a robot file to a [`Robot`]: what types alone cannot check is checked here, with the place of the mistake.
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use toml::de::DeValue;
+
+use super::cable_reading::read_cables;
+use super::file::{HomeSection, Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
+use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
+use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
+use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+
+/// The layout this version reads and writes.
+pub(super) const LAYOUT_VERSION: u32 = 1;
+
+/// Relative asymmetry of an inertia matrix that counts as rounding of its printed digits.
+const ASYMMETRY_LIMIT: f64 = 1e-6;
+
+impl Robot {
+    /// Reads a robot file of layout version 1; `file_name` is only used in errors.
+    pub fn from_toml(text: &str, file_name: &str) -> Result<Self, ReadError> {
+        let document = TomlDocument::parse(text, file_name)?;
+        check_layout_version(&document)?;
+        let file: RobotFile = document.deserialize()?;
+        let reader = Reader::new(&document, &file)?;
+        reader.robot(file)
+    }
+
+    /// As [`Robot::from_toml`], from bytes that may not even be text.
+    pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
+        Self::from_toml(text_from_bytes(bytes, file_name)?, file_name)
+    }
+}
+
+/// Refuses other layouts before their keys are found unknown.
+fn check_layout_version(document: &TomlDocument<'_>) -> Result<(), ReadError> {
+    let path = [Step::Key("layout_version")];
+    match document.value(&path) {
+        None => Err(document
+            .error_at(&[], "robot::layout-version", "the key `layout_version` is missing: is this a robot file?")
+            .with_help(format!("write `layout_version = {LAYOUT_VERSION}` in the first line"))),
+        Some(DeValue::Integer(version)) if version.as_str() != LAYOUT_VERSION.to_string() => {
+            let message = format!("layout version {version} is not known; this program reads version {LAYOUT_VERSION}");
+            Err(document
+                .error_at(&path, "robot::layout-version", message)
+                .with_help(format!("write `layout_version = {LAYOUT_VERSION}`, or use a newer cdpr")))
+        }
+        // a wrong type is reported with all other types
+        Some(_) => Ok(()),
+    }
+}
+
+/// The document with what every vector of it depends on.
+pub(super) struct Reader<'a> {
+    pub(super) document: &'a TomlDocument<'a>,
+    pub(super) pattern: MotionPattern,
+    pub(super) plane: Plane,
+}
+
+impl<'a> Reader<'a> {
+    fn new(document: &'a TomlDocument<'a>, file: &RobotFile) -> Result<Self, ReadError> {
+        let pattern = file.motion_pattern;
+        let error = |path: &[Step<'_>], message: String, help: &str| {
+            Err(document.error_at(path, "robot::axes", message).with_help(help))
+        };
+        let plane = match (pattern.is_planar(), file.axes.as_deref()) {
+            (true, Some(axes)) => Plane::from_axes(axes),
+            (true, None) => {
+                let message = format!("motion pattern {} needs the key `axes`", pattern.name());
+                return error(
+                    &[Step::Key("motion_pattern")],
+                    message,
+                    "add e.g. `axes = \"xz\"`: first axis x, second z",
+                );
+            }
+            (false, Some(_)) => {
+                let message = format!("`axes` belongs to planar robots, not to motion pattern {}", pattern.name());
+                return error(&[Step::Key("axes")], message, "leave `axes` out, or use motion_pattern 2T or 1R2T");
+            }
+            (false, None) => Some(Plane::default()),
+        };
+        match plane {
+            Some(plane) => Ok(Self { document, pattern, plane }),
+            None => {
+                let message = format!("`{}` does not name a plane", file.axes.as_deref().unwrap_or_default());
+                error(&[Step::Key("axes")], message, "two different letters out of x, y, z, e.g. \"xy\" or \"xz\"")
+            }
+        }
+    }
+
+    fn robot(&self, file: RobotFile) -> Result<Robot, ReadError> {
+        if file.name.is_empty() || file.name.contains(char::is_whitespace) {
+            let message = format!("the name {:?} is not one word", file.name);
+            return Err(self
+                .document
+                .error_at(&[Step::Key("name")], "robot::name", message)
+                .with_help("use hyphens for spaces; `title` may be any line"));
+        }
+        let gravity = |values: &Vec<f64>| self.vector(&[Step::Key("gravity_m_s2")], values);
+        let cables = read_cables(self, &file)?;
+        self.check_references(&file.reference_check, cables.len())?;
+        Ok(Robot {
+            gravity: file.gravity_m_s2.as_ref().map(gravity).transpose()?,
+            platform: self.platform(&file.platform)?,
+            home: file.home_pose.as_ref().map(|home| self.home(home)).transpose()?,
+            external_wrench: file.external_wrench.map(|wrench| self.external_wrench(wrench)).transpose()?,
+            travel: file.workspace.map(|workspace| self.travel(workspace)).transpose()?,
+            name: file.name,
+            title: file.title,
+            motion_pattern: self.pattern,
+            kind: file.kind,
+            plane: self.plane,
+            notes: file.notes,
+            source: file.source,
+            cables,
+            reference_checks: file.reference_check,
+        })
+    }
+
+    /// A vector of the file: two components in the plane, or three.
+    pub(super) fn vector(&self, path: &[Step<'_>], values: &[f64]) -> Result<Vector3<f64>, ReadError> {
+        match (self.pattern.is_planar(), values) {
+            (true, &[first, second]) => Ok(self.plane.embed([first, second])),
+            (false, &[x, y, z]) => Ok(Vector3::new(x, y, z)),
+            _ => {
+                let (expected, pattern) = (self.pattern.translations(), self.pattern.name());
+                let message =
+                    format!("{expected} components expected (motion pattern {pattern}), found {}", values.len());
+                let help = match self.pattern.is_planar() {
+                    true => format!("vectors of planar robots have the components {}", self.plane.axes()),
+                    false => "vectors of spatial robots have the components x, y, z".to_owned(),
+                };
+                Err(self.document.error_at(path, "robot::component-count", message).with_help(help))
+            }
+        }
+    }
+
+    /// Refuses a number below zero.
+    pub(super) fn not_negative(&self, path: &[Step<'_>], number: Option<f64>) -> Result<Option<f64>, ReadError> {
+        match number {
+            Some(below) if below < 0.0 => {
+                let message = format!("{} is {below}; it cannot be negative", key_name(path));
+                Err(self.document.error_at(path, "robot::negative", message).with_help("leave the key out if unknown"))
+            }
+            fine => Ok(fine),
+        }
+    }
+
+    fn platform(&self, section: &PlatformSection) -> Result<Platform, ReadError> {
+        let path = |key| [Step::Key("platform"), Step::Key(key)];
+        let center = |values: &Vec<f64>| self.vector(&path("center_of_mass_m"), values);
+        let inertia = &section.inertia_about_center_of_mass_kg_m2;
+        Ok(Platform {
+            mass: self.not_negative(&path("mass_kg"), section.mass_kg)?,
+            center_of_mass: section.center_of_mass_m.as_ref().map(center).transpose()?,
+            inertia: inertia.as_ref().map(|inertia| self.inertia(inertia)).transpose()?,
+        })
+    }
+
+    fn inertia(&self, inertia: &Inertia) -> Result<Matrix3<f64>, ReadError> {
+        let path = [Step::Key("platform"), Step::Key("inertia_about_center_of_mass_kg_m2")];
+        let error = |message: &str| Err(self.document.error_at(&path, "robot::inertia", message));
+        let matrix = match (inertia, self.pattern.is_planar()) {
+            (Inertia::Planar(number), true) => {
+                let normal = self.plane.normal();
+                normal * normal.transpose() * *number
+            }
+            (Inertia::Planar(_), false) => return error("a spatial robot has a 3×3 inertia matrix, given by rows"),
+            (Inertia::Spatial(_), true) => {
+                return error("a planar robot has one inertia, about the normal of its plane");
+            }
+            (Inertia::Spatial(rows), false) => match square(rows) {
+                Some(rows) => Matrix3::from_fn(|row, column| rows[row][column]),
+                None => return error("the inertia matrix needs 3 rows of 3 numbers"),
+            },
+        };
+        if (matrix - matrix.transpose()).amax() > ASYMMETRY_LIMIT * matrix.amax() {
+            return error("an inertia matrix is symmetric; this one is not");
+        }
+        if matrix.diagonal().iter().any(|&moment| moment < 0.0) {
+            return error("a moment of inertia cannot be negative");
+        }
+        Ok(matrix)
+    }
+
+    fn home(&self, home: &HomeSection) -> Result<Pose, ReadError> {
+        let path = |key| [Step::Key("home_pose"), Step::Key(key)];
+        let error = |key, message: String, help: &str| {
+            Err(self.document.error_at(&path(key), "robot::home-pose", message).with_help(help))
+        };
+        let position = self.vector(&path("position_m"), &home.position_m)?;
+        let pattern = self.pattern.name();
+        let rotation = match (self.pattern, &home.rotation, home.angle_rad) {
+            (MotionPattern::Spatial, Some(rows), None) => {
+                match square(rows).and_then(|rows| Pose::rotation_from_rows(&rows)) {
+                    Some(rotation) => settled(renormalized(&rotation), through_matrix),
+                    None => {
+                        let message = "this is not a rotation matrix".to_owned();
+                        let help = "3 rows of 3 numbers, orthonormal to 1e-6, determinant +1; give nine digits";
+                        return error("rotation", message, help);
+                    }
+                }
+            }
+            (MotionPattern::Planar, None, Some(angle)) => {
+                planar_rotation(self.plane, principal_angle(self.plane, angle))
+            }
+            (MotionPattern::PlanarPoint | MotionPattern::SpatialPoint, None, None) => UnitQuaternion::identity(),
+            (MotionPattern::Spatial, ..) => {
+                let message = format!("a home pose of motion pattern {pattern} has `rotation`, and no `angle_rad`");
+                return error("angle_rad", message, "unturned is rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
+            }
+            (MotionPattern::Planar, ..) => {
+                let message = format!("a home pose of motion pattern {pattern} has `angle_rad`, and no `rotation`");
+                return error("rotation", message, "unturned is angle_rad = 0.0");
+            }
+            (_, rotation, _) => {
+                let key = if rotation.is_some() { "rotation" } else { "angle_rad" };
+                return error(key, format!("motion pattern {pattern} does not turn"), "leave the key out");
+            }
+        };
+        Ok(Pose { position, rotation })
+    }
+
+    fn external_wrench(&self, section: WrenchSection) -> Result<ExternalWrench, ReadError> {
+        let path = |key| [Step::Key("external_wrench"), Step::Key(key)];
+        let force = self.vector(&path("force_N"), &section.force_N)?;
+        let moment = match (self.pattern, section.moment_Nm) {
+            (_, None) => Vector3::zeros(),
+            (MotionPattern::Planar, Some(Moment::Planar(moment))) => self.plane.normal() * moment,
+            (MotionPattern::Spatial, Some(Moment::Spatial(moment))) => self.vector(&path("moment_Nm"), &moment)?,
+            _ => {
+                let message = format!("this moment does not fit motion pattern {}", self.pattern.name());
+                return Err(self
+                    .document
+                    .error_at(&path("moment_Nm"), "robot::moment", message)
+                    .with_help("3R3T: three numbers; 1R2T: one number about the plane's normal; 2T and 3T: none"));
+            }
+        };
+        let mut wrench = Wrench::zeros();
+        wrench.fixed_rows_mut::<3>(0).copy_from(&force);
+        wrench.fixed_rows_mut::<3>(3).copy_from(&moment);
+        Ok(ExternalWrench { wrench, includes_gravity: section.includes_gravity, note: section.note })
+    }
+
+    fn travel(&self, section: WorkspaceSection) -> Result<TravelBox, ReadError> {
+        let path = |key| [Step::Key("workspace"), Step::Key(key)];
+        let min = self.vector(&path("position_min_m"), &section.position_min_m)?;
+        let max = self.vector(&path("position_max_m"), &section.position_max_m)?;
+        if min.iter().zip(max.iter()).any(|(min, max)| min > max) {
+            let message = "a component of position_min_m is above that of position_max_m";
+            return Err(self.document.error_at(&path("position_min_m"), "robot::workspace", message));
+        }
+        Ok(TravelBox { min, max, note: section.note })
+    }
+
+    /// Lists of reference checks have as many entries as the robot asks for.
+    fn check_references(&self, checks: &[ReferenceCheck], cable_count: usize) -> Result<(), ReadError> {
+        let (translations, dof) = (self.pattern.translations(), self.pattern.dof());
+        for (index, check) in checks.iter().enumerate() {
+            for (key, list, expected) in [
+                ("position_m", &check.position_m, translations),
+                ("force_N", &check.force_N, translations),
+                ("tension_N", &check.tension_N, cable_count),
+                ("expected_tension_N", &check.expected_tension_N, cable_count),
+                ("expected_offset_m", &check.expected_offset_m, cable_count),
+                ("expected_wrench", &check.expected_wrench, dof),
+                ("expected_upper_wrench", &check.expected_upper_wrench, dof),
+                ("expected_lower_wrench", &check.expected_lower_wrench, dof),
+            ] {
+                let Some(found) = list.as_ref().map(Vec::len).filter(|&found| found != expected) else { continue };
+                let path = [Step::Key("reference_check"), Step::Index(index), Step::Key(key)];
+                let message = format!("{key} has {found} numbers, this robot needs {expected}");
+                return Err(self.document.error_at(&path, "robot::component-count", message));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The last key of a path.
+pub(super) fn key_name<'s>(path: &[Step<'s>]) -> &'s str {
+    match path.last() {
+        Some(Step::Key(name)) => name,
+        _ => "the number",
+    }
+}
+
+/// Three rows of three numbers.
+fn square(rows: &[Vec<f64>]) -> Option<[[f64; 3]; 3]> {
+    let rows: Vec<[f64; 3]> = rows.iter().map(|row| row.as_slice().try_into().ok()).collect::<Option<_>>()?;
+    rows.try_into().ok()
+}
+
+/// The rotation of a planar platform by an angle (rad).
+pub(super) fn planar_rotation(plane: Plane, angle: f64) -> UnitQuaternion<f64> {
+    UnitQuaternion::new(plane.normal() * angle)
+}
+
+/// The angle of a planar rotation (rad), in [−π, π].
+pub(super) fn planar_angle(plane: Plane, rotation: &UnitQuaternion<f64>) -> f64 {
+    rotation.scaled_axis().dot(&plane.normal())
+}
+
+/// The same orientation by an angle in [−π, π], unchanged when it already is there (rad).
+fn principal_angle(plane: Plane, angle: f64) -> f64 {
+    if angle.abs() <= std::f64::consts::PI { angle } else { planar_angle(plane, &planar_rotation(plane, angle)) }
+}
+
+/// The same rotation with the norm of its quaternion 1 to rounding.
+fn renormalized(rotation: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::new_normalize(rotation.into_inner())
+}
+
+/// What becomes of a rotation that is written as a matrix and read again.
+fn through_matrix(rotation: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+    renormalized(&UnitQuaternion::from_rotation_matrix(&rotation.to_rotation_matrix()))
+}
+
+/// The rotation that writing and reading (`again`) gives back to the last bit; it differs from `start` by rounding only.
+///
+/// Repeated, `again` ends in a cycle, mostly of one member; the least member of the cycle stands for all of them.
+fn settled(
+    start: UnitQuaternion<f64>,
+    again: impl Fn(&UnitQuaternion<f64>) -> UnitQuaternion<f64>,
+) -> UnitQuaternion<f64> {
+    let numbers = |rotation: &UnitQuaternion<f64>| <[f64; 4]>::from(rotation.coords);
+    let mut seen = vec![start];
+    for _ in 0..100 {
+        let next = again(&seen[seen.len() - 1]);
+        if let Some(first) = seen.iter().position(|earlier| numbers(earlier) == numbers(&next)) {
+            let order = |one: &&UnitQuaternion<f64>, other: &&UnitQuaternion<f64>| {
+                let both = numbers(one).into_iter().zip(numbers(other));
+                both.map(|(one, other)| one.total_cmp(&other))
+                    .find(|order| order.is_ne())
+                    .unwrap_or(std::cmp::Ordering::Equal)
+            };
+            return seen[first..].iter().min_by(order).copied().unwrap_or(next);
+        }
+        seen.push(next);
+    }
+    seen[seen.len() - 1]
+}

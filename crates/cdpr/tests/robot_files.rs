@@ -1,0 +1,282 @@
+//! Robot files: all of the shared collection load and come back, and every mistake is told with its place.
+
+use std::path::{Path, PathBuf};
+
+use cdpr::geometry::MotionPattern;
+use cdpr::reading::ReadError;
+use cdpr::robot::{Robot, StiffnessBasis, builtin};
+
+/// The collection beside the project; `None`, said aloud, when it is absent outside CI.
+fn shared_robots() -> Option<Vec<PathBuf>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/robots");
+    let Ok(entries) = std::fs::read_dir(&folder) else {
+        assert!(std::env::var_os("CI").is_none_or(|ci| ci != "true"), "{} is absent", folder.display());
+        eprintln_skip(&folder);
+        return None;
+    };
+    let files = entries.map(|entry| entry.expect("the folder is readable").path());
+    Some(files.filter(|path| path.extension().is_some_and(|extension| extension == "toml")).collect())
+}
+
+#[expect(clippy::print_stderr, reason = "a skipped test says so")]
+fn eprintln_skip(folder: &Path) {
+    eprintln!("skipped: {} is absent", folder.display());
+}
+
+#[test]
+fn every_file_of_the_collection_loads_and_comes_back_unchanged() {
+    let Some(files) = shared_robots() else { return };
+    assert_eq!(files.len(), 36);
+    for path in files {
+        let (text, name) = (std::fs::read_to_string(&path).unwrap(), path.display().to_string());
+        let robot = Robot::from_toml(&text, &name).unwrap_or_else(|error| panic!("{error}"));
+        let written = robot.to_toml();
+        let again = Robot::from_toml(&written, &name).unwrap_or_else(|error| panic!("{error}\n{written}"));
+        assert_eq!(robot, again, "{name}");
+        assert_eq!(written, again.to_toml(), "{name}");
+    }
+}
+
+/// The original differs from what is written by comments and by the width of notes only.
+#[test]
+fn a_written_file_has_the_lines_of_the_original() {
+    for name in builtin::names() {
+        let original = builtin::find(name).unwrap();
+        let without_comment = |line: &str| line.split("   #").next().unwrap_or_default().to_owned();
+        let is_data = |line: &&str| !line.starts_with('#') && !line.starts_with("  ") && !line.starts_with("title");
+        let lines = |text: &str| text.lines().filter(is_data).map(without_comment).collect::<Vec<_>>();
+        assert_eq!(lines(&Robot::builtin(name).unwrap().to_toml()), lines(original), "{name}");
+    }
+}
+
+const PLANAR: &str = r#"layout_version = 1
+name = "frame"
+motion_pattern = "1R2T"
+cable_count = 2
+axes = "xz"
+gravity_m_s2 = [0.0, -9.81]
+
+[platform]
+mass_kg = 1.0
+inertia_about_center_of_mass_kg_m2 = 0.1
+
+[home_pose]
+position_m = [1.0, 1.0]
+angle_rad = 0.3
+
+[external_wrench]
+force_N = [1.0, 2.0]
+moment_Nm = 3.0
+
+[workspace]
+position_min_m = [0.0, 0.0]
+position_max_m = [2.0, 2.0]
+
+[[cable]]
+name = "left"
+frame_anchor_m = [0.0, 2.0]
+platform_anchor_m = [-0.1, 0.0]
+pulley_radius_m = 0.05
+pulley_swivel_axis = [0.0, 1.0]
+tension_min_N = 1.0
+tension_max_N = 10.0
+
+[[cable]]
+name = "right"
+frame_anchor_m = [2.0, 2.0]
+platform_anchor_m = [0.1, 0.0]
+axial_compliance_per_N = 0.0
+hidden_length_m = 1.5
+series_compliance_m_per_N = 1e-7
+stiffness_by = "unstrained"
+length_scale = 1.001
+length_offset_m = -0.02
+tension_scale = 0.98
+tension_offset_N = 3.0
+"#;
+
+const SPATIAL: &str = r#"layout_version = 1
+name = "box"
+motion_pattern = "3R3T"
+[platform]
+inertia_about_center_of_mass_kg_m2 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+[home_pose]
+position_m = [0.0, 0.0, 1.0]
+rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+[external_wrench]
+force_N = [0.0, 0.0, -10.0]
+moment_Nm = [0.0, 0.0, 0.0]
+[[cable]]
+name = "1"
+frame_anchor_m = [0.0, 2.0, 3.0]
+platform_anchor_m = [-0.1, 0.0, 0.0]
+pulley_swivel_axis = [0.0, 0.0, 1.0]
+"#;
+
+#[test]
+fn every_calibrated_key_is_read_and_written() {
+    let robot = Robot::from_toml(PLANAR, "frame.toml").unwrap();
+    let cable = &robot.cables[1];
+    assert_eq!(robot.motion_pattern, MotionPattern::Planar);
+    assert_eq!((cable.axial_compliance, cable.hidden_length), (Some(0.0), Some(1.5)));
+    assert_eq!((cable.series_compliance, cable.stiffness_by), (Some(1e-7), Some(StiffnessBasis::Unstrained)));
+    assert_eq!((cable.length_scale, cable.length_offset), (Some(1.001), Some(-0.02)));
+    assert_eq!((cable.tension_scale, cable.tension_offset), (Some(0.98), Some(3.0)));
+    // in the xz plane the moment is about −y
+    assert_eq!(robot.external_wrench.as_ref().unwrap().wrench.as_slice(), [1.0, 0.0, 2.0, 0.0, -3.0, 0.0]);
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+    assert!(Robot::from_toml(SPATIAL, "box.toml").is_ok());
+}
+
+/// The error after one replacement, and that it points at the text `at` in the line `line`.
+fn mistake(original: &str, from: &str, to: &str, at: &str, code: &str) -> ReadError {
+    assert!(original.contains(from), "{from} is not in the file");
+    let text = original.replacen(from, to, 1);
+    let error = Robot::from_toml(&text, "robot.toml").expect_err(&format!("accepted: {to}"));
+    let place = error.place.as_ref().unwrap_or_else(|| panic!("no place: {error}"));
+    let pointed: String = place.source_line().chars().skip(place.column() - 1).collect();
+    assert!(pointed.starts_with(at), "{error} points at {pointed:?}, not at {at:?}");
+    assert_eq!(text.lines().nth(place.line() - 1).unwrap_or_default(), place.source_line(), "{error}");
+    assert_eq!(error.code, code, "{error}");
+    error
+}
+
+#[test]
+fn mistakes_of_planar_files_are_told_with_their_place() {
+    for (from, to, at, code) in [
+        ("layout_version = 1", "layout_version = 2", "2", "robot::layout-version"),
+        ("layout_version = 1", "layout_version = \"1\"", "\"1\"", "toml::wrong-type"),
+        ("layout_version = 1\n", "", "name", "robot::layout-version"),
+        ("name = \"frame\"", "name = \"a frame\"", "\"a frame\"", "robot::name"),
+        ("name = \"frame\"", "name = 5", "5", "toml::wrong-type"),
+        ("name = \"frame\"", "nam = \"frame\"", "nam =", "toml::unknown-key"),
+        ("mass_kg", "mas_kg", "mas_kg", "toml::unknown-key"),
+        ("angle_rad", "angle_deg", "angle_deg", "toml::unknown-key"),
+        ("tension_min_N", "tension_min_n", "tension_min_n", "toml::unknown-key"),
+        ("[workspace]", "[workpsace]", "workpsace", "toml::unknown-key"),
+        ("\"1R2T\"", "\"2R1T\"", "\"2R1T\"", "toml::unknown-value"),
+        ("\"unstrained\"", "\"unstraind\"", "\"unstraind\"", "toml::unknown-value"),
+        ("\"xz\"", "\"xx\"", "\"xx\"", "robot::axes"),
+        ("\"xz\"", "\"horizontal\"", "\"horizontal\"", "robot::axes"),
+        ("axes = \"xz\"\n", "", "\"1R2T\"", "robot::axes"),
+        ("cable_count = 2", "cable_count = 3", "3", "robot::cable-count"),
+        ("cable_count = 2", "cable_count = -2", "-2", "toml::wrong-type"),
+        ("[0.0, -9.81]", "[0.0, 0.0, -9.81]", "[0.0, 0.0, -9.81]", "robot::component-count"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0]", "[2.0]", "robot::component-count"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0, nan]", "nan", "toml::not-finite"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0, inf]", "inf", "toml::not-finite"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0, 1e308]", "1e308", "toml::too-large-number"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [0.0, 2.0]", "[0.0, 2.0]", "robot::coincident-anchors"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0, \"2\"]", "\"2\"", "toml::wrong-type"),
+        ("frame_anchor_m = [2.0, 2.0]\n", "", "[[cable]]", "toml::missing-key"),
+        ("frame_anchor_m = [2.0, 2.0]", "frame_anchor_m = [2.0, ", "", "toml::syntax"),
+        ("mass_kg = 1.0", "mass_kg = -1.0", "-1.0", "robot::negative"),
+        ("mass_kg = 1.0", "mass_kg = 1.0\nmass_kg = 1.0", "mass_kg", "toml::syntax"),
+        ("kg_m2 = 0.1", "kg_m2 = -0.1", "-0.1", "robot::inertia"),
+        ("kg_m2 = 0.1", "kg_m2 = [[0.1]]", "[[0.1]]", "robot::inertia"),
+        ("kg_m2 = 0.1", "kg_m2 = \"0.1\"", "\"0.1\"", "toml::wrong-type"),
+        ("angle_rad = 0.3", "rotation = [[1.0]]", "[[1.0]]", "robot::home-pose"),
+        ("moment_Nm = 3.0", "moment_Nm = [0.0, 0.0, 3.0]", "[0.0, 0.0, 3.0]", "robot::moment"),
+        ("position_min_m = [0.0, 0.0]", "position_min_m = [3.0, 0.0]", "[3.0, 0.0]", "robot::workspace"),
+        ("pulley_radius_m = 0.05", "pulley_radius_m = -0.05", "-0.05", "robot::negative"),
+        ("[0.0, 1.0]", "[0.0, 1.1]", "[0.0, 1.1]", "robot::swivel-axis"),
+        ("tension_min_N = 1.0", "tension_min_N = 11.0", "11.0", "robot::tension-limits"),
+        ("tension_min_N = 1.0", "tension_min_N = -1.0", "-1.0", "robot::negative"),
+        ("name = \"right\"", "name = \"\"", "\"\"", "robot::cable-name"),
+        ("per_N = 0.0", "per_N = 0.0\naxial_stiffness_EA_N = 1e6", "0.0", "robot::stiffness-twice"),
+        ("per_N = 0.0", "per_N = -1e-6", "-1e-6", "robot::negative"),
+        ("axial_compliance_per_N = 0.0", "axial_stiffness_EA_N = 0.0", "0.0", "robot::not-positive"),
+        ("hidden_length_m = 1.5", "hidden_length_m = -1.5", "-1.5", "robot::negative"),
+        ("length_scale = 1.001", "length_scale = 0.0", "0.0", "robot::not-positive"),
+        ("tension_scale = 0.98", "tension_scale = -0.98", "-0.98", "robot::not-positive"),
+        ("tension_scale", "drum_radius_m", "drum_radius_m", "toml::unknown-key"),
+    ] {
+        mistake(PLANAR, from, to, at, code);
+    }
+}
+
+#[test]
+fn mistakes_of_spatial_files_are_told_with_their_place() {
+    for (from, to, at, code) in [
+        ("name = \"box\"", "name = \"box\"\naxes = \"xz\"", "\"xz\"", "robot::axes"),
+        ("\"3R3T\"", "\"3T\"", "[[1.0", "robot::home-pose"),
+        ("[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n[home", "[0.0, 1.0, 0.0]]\n[home", "[[1.0", "robot::inertia"),
+        ("[[1.0, 0.0, 0.0]", "[[1.0, 0.5, 0.0]", "[[1.0", "robot::inertia"),
+        ("rotation = [[1.0", "rotation = [[1.1", "[[1.1", "robot::home-pose"),
+        ("rotation = [[1.0", "rotation = [[-1.0", "[[-1.0", "robot::home-pose"),
+        ("rotation = ", "angle_rad = 0.0 #", "0.0", "robot::home-pose"),
+        ("moment_Nm = [0.0, 0.0, 0.0]", "moment_Nm = 0.0", "0.0", "robot::moment"),
+        ("[0.0, 2.0, 3.0]", "[0.0, 2.0]", "[0.0, 2.0]", "robot::component-count"),
+    ] {
+        mistake(SPATIAL, from, to, at, code);
+    }
+}
+
+#[test]
+fn a_misspelt_key_or_value_is_answered_by_the_one_meant() {
+    for (from, to, meant) in [
+        ("axial_compliance_per_N", "axial_complience_per_N", "did you mean `axial_compliance_per_N`?"),
+        ("\"1R2T\"", "\"1r2t\"", "did you mean `1R2T`? allowed: 2T, 3T, 1R2T, 3R3T"),
+        ("\"unstrained\"", "\"unstraind\"", "did you mean `unstrained`? allowed: actual, unstrained"),
+    ] {
+        let error = Robot::from_toml(&PLANAR.replacen(from, to, 1), "robot.toml").unwrap_err();
+        assert!(error.help.as_deref().unwrap_or_default().starts_with(meant), "{error}");
+    }
+}
+
+#[test]
+fn an_error_reads_well_as_a_whole() {
+    let text = PLANAR.replacen("tension_min_N = 1.0", "tension_min_N = 11.0", 1);
+    assert_eq!(
+        Robot::from_toml(&text, "frame.toml").unwrap_err().to_string(),
+        "frame.toml:30:17: cable 1 (`left`): tension_min_N = 11 is above tension_max_N = 10\n  \
+         help: swap them, or mend the wrong one"
+    );
+}
+
+#[test]
+fn files_that_are_no_robot_are_refused_as_a_whole() {
+    let code = |bytes: &[u8]| Robot::from_toml_bytes(bytes, "robot.toml").unwrap_err().code;
+    assert_eq!(code(b""), "toml::empty");
+    assert_eq!(code(b"# only a comment\n"), "toml::empty");
+    assert_eq!(code(b"name = \"\xff\""), "file::not-utf8");
+    assert_eq!(code(&vec![b'#'; 17 * 1024 * 1024]), "file::too-large");
+    assert_eq!(
+        code(PLANAR.split("[[cable]]").next().unwrap().replace("cable_count = 2", "").as_bytes()),
+        "robot::no-cables"
+    );
+    let cables = "[[cable]]\nname = \"1\"\nframe_anchor_m = []\nplatform_anchor_m = []\n".repeat(10_001);
+    assert_eq!(
+        code(format!("layout_version = 1\nname = \"a\"\nmotion_pattern = \"3T\"\n{cables}").as_bytes()),
+        "robot::too-many-cables"
+    );
+}
+
+/// A file that was cut off anywhere is refused, but where only the keys at its very end are gone.
+#[test]
+fn a_truncated_file_is_refused_or_is_a_robot_with_all_its_cables() {
+    let text = builtin::find("caroca-pulleys").unwrap();
+    for (end, _) in text.char_indices() {
+        if let Ok(robot) = Robot::from_toml(&text[..end], "cut.toml") {
+            assert_eq!(robot.cable_count(), 8, "cut at {end}");
+        }
+    }
+}
+
+#[test]
+fn the_schema_describes_every_key_of_the_files() {
+    let schema = serde_json::to_value(cdpr::robot::schema()).unwrap();
+    let described = |properties: &serde_json::Value, key: &str| {
+        assert!(properties[key]["description"].is_string(), "{key} has no description: {}", properties[key]);
+    };
+    for key in ["layout_version", "motion_pattern", "axes", "gravity_m_s2", "home_pose", "cable", "reference_check"] {
+        described(&schema["properties"], key);
+    }
+    let cable = &schema["$defs"]["CableSection"];
+    for key in
+        ["name", "frame_anchor_m", "pulley_swivel_axis", "axial_compliance_per_N", "tension_offset_N", "stiffness_by"]
+    {
+        described(&cable["properties"], key);
+    }
+    assert_eq!(cable["additionalProperties"], false);
+}
