@@ -1,0 +1,73 @@
+//! Robots, poses and virtual measurements for the tests.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use cdpr::geometry::{Pose, Twist};
+use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::metamodel::simulate::simulate;
+use cdpr::metamodel::study::CommandedPose;
+use cdpr::model::{Composition, Model, place_pulleys};
+use cdpr::nalgebra::Vector3;
+use cdpr::robot::Robot;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Sensor noise of interface.md: standard deviations per axis.
+pub const NOISE: SensorSigmas =
+    SensorSigmas { position: Some(0.001155), rotation: Some(0.00101), length: Some(0.0002), tension: Some(50.0) };
+
+pub fn builtin(name: &str) -> Robot {
+    Robot::builtin(name).unwrap_or_else(|| panic!("{name} is built in"))
+}
+
+/// The nominal CableRobot Simulator (eq. 6.1).
+pub fn simulator() -> Robot {
+    builtin("cablerobot-simulator-helicopter")
+}
+
+/// Pulleys with +z axes whose contact points at the home pose are the published anchors.
+pub fn with_pulleys(robot: &Robot, default_radius: f64) -> Robot {
+    let pulleys: Vec<_> =
+        robot.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(default_radius), Vector3::z())).collect();
+    place_pulleys(robot, &pulleys, &robot.home.expect("has a home pose")).expect("pulleys fit")
+}
+
+pub fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {
+    loop {
+        let v = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
+        if v.norm() > 0.1 && v.norm() < 1.0 {
+            return v.normalize();
+        }
+    }
+}
+
+/// Uniform in the robot's travel box, each angle within ± `angle` (rad).
+pub fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Pose {
+    let travel = robot.travel.as_ref().expect("has a travel box");
+    let position = Vector3::from_fn(|k, _| travel.min[k] + (travel.max[k] - travel.min[k]) * rng.random::<f64>());
+    let home = robot.home.expect("has a home pose").rotation;
+    let turn = Pose::from_xyz_angles(position, [0, 1, 2].map(|_| angle * rng.random_range(-1.0..=1.0)));
+    Pose { position, rotation: turn.rotation * home }
+}
+
+/// `shift` metres and `turn` radians away, in random directions.
+pub fn displaced(pose: &Pose, shift: f64, turn: f64, rng: &mut ChaCha8Rng) -> Pose {
+    let (v, omega) = (random_direction(rng) * shift, random_direction(rng) * turn);
+    pose.displaced(&Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z))
+}
+
+pub fn random_poses(robot: &Robot, count: usize, angle: f64, seed: u64) -> Vec<CommandedPose> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    (0..count).map(|_| CommandedPose { pose: random_pose(robot, angle, &mut rng), set: None }).collect()
+}
+
+/// What a machine records at random poses with orientations within ± `angle` (rad).
+pub fn measured(machine: &Robot, composition: Composition, count: usize, angle: f64, seed: u64) -> Samples {
+    let model = Model::new(machine.clone(), composition).expect("is a model");
+    let offsets: Vec<f64> = {
+        // commands meant for the machine itself, so that its poses are the commanded ones
+        let zero = vec![0.0; model.cable_count()];
+        (0..zero.len()).map(|cable| model.recorded_length(cable, 0.0)).collect()
+    };
+    let poses = random_poses(machine, count, angle, seed);
+    simulate(&model, &model, &offsets, &poses, &NOISE, seed).expect("machine and control model fit").samples
+}
