@@ -192,6 +192,9 @@ pub enum InputError {
     },
 }
 
+/// Most repetitions of a fit with weights from its own optimum; each gains several digits.
+const REWEIGHTINGS: u32 = 4;
+
 /// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
 pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 
@@ -202,14 +205,19 @@ pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let mut weights = length_weights(model, samples)?;
-    let mut outcome = optimum(model, samples, &parameters, &weights, settings);
-    if !weights.absolute && !settings.priors.is_empty() {
-        // a prior needs the scale of the noise: estimate it, weigh, repeat
-        for _ in 0..2 {
-            let factor = outcome.noise_factor(samples, parameters.len()).max(1e-6);
-            weights.inverse_sigma.iter_mut().for_each(|weight| *weight /= factor);
-            outcome = optimum(model, samples, &parameters, &weights, settings);
+    let mut outcome = optimum(model, samples, &parameters, &weights, settings, None);
+    // variances depend on the parameters, and a prior needs the scale of the noise: weigh anew at the optimum and repeat
+    for _ in 0..REWEIGHTINGS {
+        let again = match weights.absolute {
+            true => length_weights(&with_given_levers(model, calibrated(model, &outcome)?)?, samples)?,
+            false if settings.priors.is_empty() => break,
+            false => weights.scaled(1.0 / outcome.noise_factor(samples, parameters.len()).max(1e-6)),
+        };
+        if parameters.is_empty() || weights.is_close_to(&again) {
+            break;
         }
+        weights = again;
+        outcome = optimum(model, samples, &parameters, &weights, settings, Some(&outcome));
     }
     report(model, samples, &parameters, &weights, outcome, settings)
 }
@@ -269,15 +277,44 @@ impl Optimum {
     }
 }
 
-fn optimum(model: &Model, samples: &Samples, all: &[Parameter], weights: &Weights, settings: &Settings) -> Optimum {
+fn optimum(
+    model: &Model,
+    samples: &Samples,
+    all: &[Parameter],
+    weights: &Weights,
+    settings: &Settings,
+    before: Option<&Optimum>,
+) -> Optimum {
     let poses = PoseLanes::new(samples);
     let block = |cable| {
         let own = all.iter().filter(|parameter| parameter.cable == cable).copied().collect();
         Block::new(model, cable, own, samples, &weights.inverse_sigma)
     };
     let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
-    let ends = blocks.iter().map(|block| descent::run(block, &poses, settings)).collect();
+    let from = |cable: usize| before.map(|optimum| optimum.ends[cable].change.as_slice());
+    let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, from(block.cable))).collect();
     Optimum { poses, blocks, ends }
+}
+
+/// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance that
+/// grows with the lever would reward them for it.
+fn with_given_levers(model: &Model, calibrated: Model) -> Result<Model, ModelError> {
+    let mut robot = calibrated.robot().clone();
+    for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {
+        cable.platform_anchor = given.platform_anchor;
+    }
+    Model::new(robot, model.composition())
+}
+
+/// The model with the parameters of an optimum.
+fn calibrated(model: &Model, optimum: &Optimum) -> Result<Model, ModelError> {
+    let mut robot = model.robot().clone();
+    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
+        for parameter in &block.parameters {
+            parameter.assign(model, &mut robot, block.value(&end.values, parameter));
+        }
+    }
+    Model::new(robot, model.composition())
 }
 
 fn report(
@@ -288,13 +325,7 @@ fn report(
     optimum: Optimum,
     settings: &Settings,
 ) -> Result<Fit, InputError> {
-    let mut robot = model.robot().clone();
-    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
-        for parameter in &block.parameters {
-            parameter.assign(model, &mut robot, block.value(&end.values, parameter));
-        }
-    }
-    let calibrated = Model::new(robot, model.composition())?;
+    let calibrated = calibrated(model, &optimum)?;
     let noise_factor = optimum.noise_factor(samples, parameters.len());
     let inflation = if weights.absolute { noise_factor.max(1.0) } else { noise_factor };
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();

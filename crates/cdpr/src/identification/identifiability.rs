@@ -213,7 +213,7 @@ impl Uncertainty {
             parameters.len(),
             parameters.iter().map(|p| if p.kind == ParameterKind::LengthScale { block.mean_length() } else { 1.0 }),
         );
-        let mut open: Vec<(DVector<f64>, f64)> = Vec::new();
+        let mut open: Vec<(DVector<f64>, f64)> = Vec::new(); // orthonormal but for the worth of scales
         for (j, &deviation) in self.deviations.iter().enumerate() {
             let direction = self.vectors.column(j).component_mul(&worth);
             let deviation = deviation * direction.norm();
@@ -222,6 +222,7 @@ impl Uncertainty {
             }
         }
         let mut found = Vec::new();
+        let mut rest: Vec<(DVector<f64>, f64)> = open.clone();
         for axis in 0..3 {
             let Some(together) = block.anchors_together(axis, rotation) else { continue };
             let inside: f64 = open.iter().map(|(vector, _)| vector.dot(&together).powi(2)).sum();
@@ -231,11 +232,13 @@ impl Uncertainty {
             // the deviation along it, from the open directions it is made of
             let variance: f64 = open.iter().map(|(vector, s)| (vector.dot(&together) * s).powi(2)).sum();
             found.push(Direction::AnchorsTogether { cable: block.cable, axis, deviation: variance.sqrt() });
-            open.iter_mut().for_each(|(vector, _)| *vector -= &together * vector.dot(&together));
-            open.retain(|(vector, _)| vector.norm() > 0.5);
+            rest.iter_mut().for_each(|(vector, _)| *vector -= &together * vector.dot(&together));
         }
-        for (vector, deviation) in open {
-            let coefficients = parameters.iter().copied().zip(vector.iter().copied()).collect();
+        // as many directions are left as the translations do not explain: those that keep most of their length
+        rest.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
+        rest.truncate(open.len().saturating_sub(found.len()));
+        for (vector, deviation) in rest {
+            let coefficients = parameters.iter().copied().zip(vector.normalize().iter().copied()).collect();
             found.push(Direction::Combination { coefficients, deviation });
         }
         found

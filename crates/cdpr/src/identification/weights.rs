@@ -7,11 +7,27 @@ use crate::measurement::Samples;
 use crate::model::Model;
 
 /// Weights of the length residuals, and whether they are known or only relative.
+#[derive(Clone, Debug)]
 pub(super) struct Weights {
     /// 1/σ of each residual, sample by sample (1/m).
     pub(super) inverse_sigma: Vec<f64>,
     /// False when no sensor accuracy is known: all weights are then equal and the noise is estimated from the residuals.
     pub(super) absolute: bool,
+}
+
+impl Weights {
+    /// All weights times a factor.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            inverse_sigma: self.inverse_sigma.iter().map(|weight| weight * factor).collect(),
+            absolute: self.absolute,
+        }
+    }
+
+    /// True when no weight differs by more than a millionth: the optimum then moves by less than that share of σ.
+    pub(super) fn is_close_to(&self, other: &Self) -> bool {
+        self.inverse_sigma.iter().zip(&other.inverse_sigma).all(|(a, b)| (a - b).abs() <= 1e-6 * a)
+    }
 }
 
 /// Weight of every recorded length: its variance is σ_q² + J Σ_x Jᵀ, since the pose is measured too (maths.md §5).

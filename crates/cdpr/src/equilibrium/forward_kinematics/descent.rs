@@ -89,6 +89,14 @@ impl<'a> Descent<'a> {
         let rms = end.rms;
         match end.stop {
             Stop::Degenerate => (Status::NotConverged, Some(self.degenerate_reason(&end.pose))),
+            _ if rms > self.settings.plausible_residual * self.mean_length => (
+                Status::NotConverged,
+                Some(format!(
+                    "the best of {starts} starts leaves {rms:.3} m rms of {:.3} m mean length: these lengths do not belong to \
+                     this robot; check order, units, scale and offset",
+                    self.mean_length
+                )),
+            ),
             Stop::IterationLimit => (
                 Status::NotConverged,
                 Some(format!(
@@ -105,14 +113,6 @@ impl<'a> Descent<'a> {
                 Some(format!(
                     "the best of {starts} starts is a stationary point that leaves {rms:.3e} m rms; with as many cables as \
                      degrees of freedom only a vanishing residual is a solution, so no pose near it has these lengths"
-                )),
-            ),
-            _ if rms > self.settings.plausible_residual * self.mean_length => (
-                Status::NotConverged,
-                Some(format!(
-                    "the best of {starts} starts leaves {rms:.3} m rms of {:.3} m mean length: these lengths do not belong to \
-                     this robot; check order, units, scale and offset",
-                    self.mean_length
                 )),
             ),
             Stop::Stalled => (

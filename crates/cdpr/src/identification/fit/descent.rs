@@ -8,25 +8,27 @@ use crate::scalar::ldl;
 /// Where the descent of one block ended.
 pub(super) struct End {
     pub(super) values: CableValues,
+    /// What the parameters moved by.
+    pub(super) change: Vec<f64>,
     pub(super) cost: f64,
     pub(super) iterations: u32,
     pub(super) history: Vec<f64>,
     pub(super) converged: bool,
 }
 
-/// Descends from the block's start values.
-pub(super) fn run(block: &Block, poses: &PoseLanes, settings: &Settings) -> End {
+/// Descends from the block's start values, or from a change of them that an earlier descent found.
+pub(super) fn run(block: &Block, poses: &PoseLanes, settings: &Settings, from: Option<&[f64]>) -> End {
     match block.parameters.len() {
-        0 => Search::<0>::new(block, poses, settings).run(),
-        1 => Search::<1>::new(block, poses, settings).run(),
-        2 => Search::<2>::new(block, poses, settings).run(),
-        3 => Search::<3>::new(block, poses, settings).run(),
-        4 => Search::<4>::new(block, poses, settings).run(),
-        5 => Search::<5>::new(block, poses, settings).run(),
-        6 => Search::<6>::new(block, poses, settings).run(),
-        7 => Search::<7>::new(block, poses, settings).run(),
-        8 => Search::<8>::new(block, poses, settings).run(),
-        _ => Search::<SLOTS>::new(block, poses, settings).run(),
+        0 => Search::<0>::new(block, poses, settings).run(from),
+        1 => Search::<1>::new(block, poses, settings).run(from),
+        2 => Search::<2>::new(block, poses, settings).run(from),
+        3 => Search::<3>::new(block, poses, settings).run(from),
+        4 => Search::<4>::new(block, poses, settings).run(from),
+        5 => Search::<5>::new(block, poses, settings).run(from),
+        6 => Search::<6>::new(block, poses, settings).run(from),
+        7 => Search::<7>::new(block, poses, settings).run(from),
+        8 => Search::<8>::new(block, poses, settings).run(from),
+        _ => Search::<SLOTS>::new(block, poses, settings).run(from),
     }
 }
 
@@ -70,8 +72,9 @@ impl<'a, const P: usize> Search<'a, P> {
         (values, equations)
     }
 
-    fn run(&self) -> End {
+    fn run(&self, from: Option<&[f64]>) -> End {
         let mut change = [0.0; P];
+        change.iter_mut().zip(from.into_iter().flatten()).for_each(|(value, &earlier)| *value = earlier);
         let (mut values, mut equations) = self.equations(&change);
         let mut history = vec![equations.cost];
         // last_size 0: no step yet, so no rate of contraction to judge by
@@ -110,7 +113,7 @@ impl<'a, const P: usize> Search<'a, P> {
                 converged = damping > 1e12 && size <= self.settings.tolerance;
             }
         }
-        End { values, cost: equations.cost, iterations, history, converged }
+        End { values, change: change.to_vec(), cost: equations.cost, iterations, history, converged }
     }
 
     /// Damped step that respects the bounds, with the smallest pivot ratio of the normal equations.
