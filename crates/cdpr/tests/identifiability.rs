@@ -48,18 +48,30 @@ fn noise_on_a_constant_orientation_leaves_the_same_directions_weak() {
     assert_eq!((fit.status, fit.analysis.rank), (Status::Converged, 48), "{}", fit.reason);
     assert!(fit.analysis.condition > 500.0 && fit.analysis.condition < 1e5, "{}", fit.analysis.condition);
     for axis in ["x", "y", "z"] {
-        let words = format!("all frame anchors and all platform anchors together along {axis} (standard deviation up to");
+        let words =
+            format!("all frame anchors and all platform anchors together along {axis} (standard deviation up to");
         let told = fit.analysis.weak_directions.iter().any(|direction| direction.starts_with(&words));
         assert!(told, "{axis}: {:?}", fit.analysis.weak_directions);
     }
 }
 
-/// sec. 6.3: anchors of the frame alone are determined, with a condition of 20 to 37 for spread poses.
+/// sec. 6.3: anchors of the frame alone are determined, with a condition of 20 to 37 for spread poses: here the corners and
+/// the middle of the box of sec. 6.1.
 #[test]
 fn frame_anchors_alone_are_determined() {
     let model = Model::new(simulator(), Composition::STANDARD).unwrap();
+    let corner = |k: i32| if k == 0 { -1.0 } else { 1.0 };
+    let mut poses = random_poses(model.robot(), 9, 0.0, 1);
+    for (k, commanded) in poses.iter_mut().enumerate() {
+        let k = k as i32;
+        let scale = if k == 8 { 0.0 } else { 1.0 };
+        let (x, y, z) = (corner(k & 1), corner(k & 2), corner(k & 4));
+        commanded.pose.position = cdpr::nalgebra::Vector3::new(1.5 * x, 1.5 * y, 0.375 * z) * scale;
+        commanded.pose.position.z += 1.625;
+    }
+    let samples = simulate(&model, &model, &[0.0; 8], &poses, &Default::default(), 1).unwrap().samples;
     let free = FreeParameters::of(&ANCHORS[..1]);
-    let fit = fit(&model, &exact(0.0), &free, &Settings::default()).unwrap();
+    let fit = fit(&model, &samples, &free, &Settings::default()).unwrap();
     assert_eq!((fit.status, fit.analysis.rank), (Status::Converged, 24));
     assert!(fit.analysis.condition > 20.0 && fit.analysis.condition < 37.0, "{}", fit.analysis.condition);
     assert!(fit.analysis.weak_directions.is_empty());
@@ -80,7 +92,13 @@ fn a_prior_on_the_platform_anchors_closes_the_gap() {
 #[test]
 fn the_optimum_of_the_frame_anchors_is_unique() {
     use rand::{RngExt, SeedableRng};
-    let samples = measured(&support::builtin("cablerobot-simulator-helicopter-kinematic-calibrated"), Composition::STANDARD, 91, 0.09, 7);
+    let samples = measured(
+        &support::builtin("cablerobot-simulator-helicopter-kinematic-calibrated"),
+        Composition::STANDARD,
+        91,
+        0.09,
+        7,
+    );
     let free = FreeParameters::of(&ANCHORS[..1]);
     let optimum = |robot| {
         let model = Model::new(robot, Composition::STANDARD).unwrap();
@@ -112,6 +130,8 @@ fn offset_and_scale_without_excursion_are_told_in_words() {
     let samples = simulate(&model, &model, &[0.0; 8], &poses, &NOISE, 1).unwrap().samples;
     let free = FreeParameters::of(&[ParameterKind::LengthOffset, ParameterKind::LengthScale]);
     let fit = fit(&model, &samples, &free, &Settings::default()).unwrap();
-    assert!(fit.analysis.weak_directions.iter().any(|w| w.contains("length-offset[1]") && w.contains("length-scale[1]")));
+    assert!(
+        fit.analysis.weak_directions.iter().any(|w| w.contains("length-offset[1]") && w.contains("length-scale[1]"))
+    );
     assert!(fit.correlations().iter().any(|c| c.first == "length-offset[1]" && c.coefficient < -0.95));
 }

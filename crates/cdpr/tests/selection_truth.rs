@@ -29,7 +29,12 @@ fn judgement(selection: &Selection, index: usize) -> &Judgement {
 }
 
 /// Seeds for which the machine's own model, or a simpler one within one standard error of the best, is recommended.
-fn successes(truth: &str, start: &Robot, composition: Composition, machine: impl Fn(&mut ChaCha8Rng) -> Robot) -> usize {
+fn successes(
+    truth: &str,
+    start: &Robot,
+    composition: Composition,
+    machine: impl Fn(&mut ChaCha8Rng) -> Robot,
+) -> usize {
     let mut good = 0;
     let mut recommended = std::collections::BTreeMap::<String, usize>::new();
     for seed in 0..SEEDS {

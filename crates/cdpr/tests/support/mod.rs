@@ -40,11 +40,15 @@ pub fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {
     }
 }
 
-/// Uniform in the robot's travel box, each angle within ± `angle` (rad).
+/// Uniform in the robot's travel box (1 m around home where the file has none), each angle within ± `angle` (rad).
 pub fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Pose {
-    let travel = robot.travel.as_ref().expect("has a travel box");
-    let position = Vector3::from_fn(|k, _| travel.min[k] + (travel.max[k] - travel.min[k]) * rng.random::<f64>());
-    let home = robot.home.expect("has a home pose").rotation;
+    let home = robot.home.expect("has a home pose");
+    let (min, max) = match &robot.travel {
+        Some(travel) => (travel.min, travel.max),
+        None => (home.position.add_scalar(-1.0), home.position.add_scalar(1.0)),
+    };
+    let position = Vector3::from_fn(|k, _| min[k] + (max[k] - min[k]) * rng.random::<f64>());
+    let home = home.rotation;
     let turn = Pose::from_xyz_angles(position, [0, 1, 2].map(|_| angle * rng.random_range(-1.0..=1.0)));
     Pose { position, rotation: turn.rotation * home }
 }
