@@ -1,5 +1,12 @@
 //! Intervals mean what they say: 95 % intervals contain the truth in 95 % of repeated experiments.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "tests fail by panic and show their figures"
+)]
+
 mod support;
 
 use cdpr::identification::fit::{Settings, Status, fit};

@@ -1,5 +1,12 @@
 //! Forward kinematics from everywhere in the travel box, on robots of all sizes.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "tests fail by panic and show their figures"
+)]
+
 mod support;
 
 use cdpr::equilibrium::forward_kinematics::{Settings, Status, solve};

@@ -1,5 +1,12 @@
 //! What data determine, and how that is told.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "tests fail by panic and show their figures"
+)]
+
 mod support;
 
 use cdpr::identification::fit::{Fit, Prior, Settings, Status, fit};

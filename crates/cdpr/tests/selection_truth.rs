@@ -1,5 +1,12 @@
 //! Model selection finds the machine that made the data.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "tests fail by panic and show their figures"
+)]
+
 mod support;
 
 use cdpr::identification::candidate;

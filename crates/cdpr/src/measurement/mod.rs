@@ -1,7 +1,13 @@
 //! Measured samples: poses, cable lengths, tensions; their files and how accurate the sensors are.
 
+mod columns;
+mod csv_reading;
+mod csv_writing;
 mod samples;
+mod sidecar;
 mod split;
 
-pub use samples::{Samples, SensorSigmas};
-pub use split::Fold;
+pub use csv_reading::{Reading, poses_from_csv};
+pub use samples::{DataError, Samples, SensorSigmas};
+pub use sidecar::{Frames, Provenance, Sidecar, schema};
+pub use split::{Fold, Split, SplitError};

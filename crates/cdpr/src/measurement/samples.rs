@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use thiserror::Error;
+
 use crate::geometry::Pose;
 
 /// Measurements of one robot, row by row; every per-cable row has m entries in the robot's cable order.
@@ -41,7 +43,56 @@ pub struct SensorSigmas {
     pub tension: Option<f64>,
 }
 
+/// Data that tell nothing.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum DataError {
+    /// Every row is the same.
+    #[error(
+        "all {samples} samples are equal: one pose cannot tell parameters apart; record poses spread over the workspace"
+    )]
+    AllEqual {
+        /// Number of samples.
+        samples: usize,
+    },
+    /// Sets of different robots.
+    #[error("the data sets have {first} and {second} cables; they must be of the same robot")]
+    DifferentCables {
+        /// Cables of the one.
+        first: usize,
+        /// Cables of the other.
+        second: usize,
+    },
+}
+
 impl Samples {
+    /// Refuses data whose rows are all equal.
+    pub fn check(&self) -> Result<(), DataError> {
+        let samples = self.len();
+        let same = |sample: usize| self.poses[sample] == self.poses[0] && self.lengths_of(sample) == self.lengths_of(0);
+        if samples > 1 && (1..samples).all(same) {
+            return Err(DataError::AllEqual { samples });
+        }
+        Ok(())
+    }
+
+    /// These samples followed by others; quantities that only one of the two has are dropped.
+    pub fn followed_by(&self, other: &Self) -> Result<Self, DataError> {
+        let (first, second) = (self.cable_count, other.cable_count);
+        if first != second {
+            return Err(DataError::DifferentCables { first, second });
+        }
+        let joined = |a: &Option<Vec<f64>>, b: &Option<Vec<f64>>| Some([a.as_deref()?, b.as_deref()?].concat());
+        Ok(Self {
+            poses: [self.poses.as_slice(), &other.poses].concat(),
+            lengths: [self.lengths.as_slice(), &other.lengths].concat(),
+            tensions: joined(&self.tensions, &other.tensions),
+            cable_count: first,
+            set: None,
+            time: joined(&self.time, &other.time),
+            sigmas: self.sigmas,
+        })
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.poses.len()

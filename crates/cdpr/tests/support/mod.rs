@@ -12,26 +12,26 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Sensor noise of interface.md: standard deviations per axis.
-pub const NOISE: SensorSigmas =
+pub(crate) const NOISE: SensorSigmas =
     SensorSigmas { position: Some(0.001155), rotation: Some(0.00101), length: Some(0.0002), tension: Some(50.0) };
 
-pub fn builtin(name: &str) -> Robot {
+pub(crate) fn builtin(name: &str) -> Robot {
     Robot::builtin(name).unwrap_or_else(|| panic!("{name} is built in"))
 }
 
 /// The nominal CableRobot Simulator (eq. 6.1).
-pub fn simulator() -> Robot {
+pub(crate) fn simulator() -> Robot {
     builtin("cablerobot-simulator-helicopter")
 }
 
 /// Pulleys with +z axes whose contact points at the home pose are the published anchors.
-pub fn with_pulleys(robot: &Robot, default_radius: f64) -> Robot {
+pub(crate) fn with_pulleys(robot: &Robot, default_radius: f64) -> Robot {
     let pulleys: Vec<_> =
         robot.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(default_radius), Vector3::z())).collect();
     place_pulleys(robot, &pulleys, &robot.home.expect("has a home pose")).expect("pulleys fit")
 }
 
-pub fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {
+pub(crate) fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {
     loop {
         let v = Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         if v.norm() > 0.1 && v.norm() < 1.0 {
@@ -41,7 +41,7 @@ pub fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {
 }
 
 /// Uniform in the robot's travel box (1 m around home where the file has none), each angle within ± `angle` (rad).
-pub fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Pose {
+pub(crate) fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Pose {
     let home = robot.home.expect("has a home pose");
     let (min, max) = match &robot.travel {
         Some(travel) => (travel.min, travel.max),
@@ -54,18 +54,18 @@ pub fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Pose {
 }
 
 /// `shift` metres and `turn` radians away, in random directions.
-pub fn displaced(pose: &Pose, shift: f64, turn: f64, rng: &mut ChaCha8Rng) -> Pose {
+pub(crate) fn displaced(pose: &Pose, shift: f64, turn: f64, rng: &mut ChaCha8Rng) -> Pose {
     let (v, omega) = (random_direction(rng) * shift, random_direction(rng) * turn);
     pose.displaced(&Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z))
 }
 
-pub fn random_poses(robot: &Robot, count: usize, angle: f64, seed: u64) -> Vec<CommandedPose> {
+pub(crate) fn random_poses(robot: &Robot, count: usize, angle: f64, seed: u64) -> Vec<CommandedPose> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     (0..count).map(|_| CommandedPose { pose: random_pose(robot, angle, &mut rng), set: None }).collect()
 }
 
 /// What a machine records at random poses with orientations within ± `angle` (rad).
-pub fn measured(machine: &Robot, composition: Composition, count: usize, angle: f64, seed: u64) -> Samples {
+pub(crate) fn measured(machine: &Robot, composition: Composition, count: usize, angle: f64, seed: u64) -> Samples {
     let model = Model::new(machine.clone(), composition).expect("is a model");
     let offsets: Vec<f64> = {
         // commands meant for the machine itself, so that its poses are the commanded ones

@@ -80,7 +80,7 @@ impl<'a> Descent<'a> {
 
     /// Measured lengths leave millimetres per metre; a wrong local minimum leaves more.
     fn good_residual(&self) -> f64 {
-        if self.is_square() { self.exact_residual() } else { 1e-3 * self.mean_length }
+        if self.is_square() { self.exact_residual() } else { self.settings.suspicious_residual * self.mean_length }
     }
 
     /// Status and reason for the best end.

@@ -24,6 +24,9 @@ pub struct Settings {
     pub max_iterations: u32,
     /// Other starts that may be tried when the first one ends far from the lengths; 0 searches only from the guess.
     pub max_restarts: u32,
+    /// For m > n: a stationary point with a larger rms residual, relative to the mean length, is suspected to be a wrong
+    /// local minimum, and other starts are tried.
+    pub suspicious_residual: f64,
     /// For m > n: a larger rms residual, relative to the mean length, means that the lengths do not belong to the robot.
     pub plausible_residual: f64,
 }
@@ -35,6 +38,7 @@ impl Default for Settings {
             length_tolerance: 1e-9,
             max_iterations: 100,
             max_restarts: 24,
+            suspicious_residual: 1e-3,
             plausible_residual: 0.1,
         }
     }
@@ -111,6 +115,7 @@ impl Settings {
         for (name, value) in [
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),
+            ("suspicious_residual", self.suspicious_residual),
             ("plausible_residual", self.plausible_residual),
         ] {
             if !(value > 0.0 && value.is_finite()) {

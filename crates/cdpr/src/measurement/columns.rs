@@ -1,0 +1,118 @@
+//! Column names of measurement files: which quantity, in which unit.
+
+use crate::reading::did_you_mean;
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) enum Quantity {
+    /// Component of the position, from 0.
+    Position(usize),
+    /// Component of the quaternion x, y, z, w, from 0.
+    Quaternion(usize),
+    /// One of the angles of R = Rx Ry Rz, from 0.
+    Euler(usize),
+    /// Angle of a planar platform.
+    Angle,
+    /// Length of a cable, from 0.
+    Length(usize),
+    /// Tension of a cable, from 0.
+    Tension(usize),
+    /// Subset.
+    Set,
+    /// Time.
+    Time,
+}
+
+/// A column name that some quantity claims.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Column {
+    pub(super) quantity: Quantity,
+    /// SI value = factor × written value.
+    pub(super) factor: f64,
+}
+
+const LENGTH_UNITS: &[(&str, f64)] = &[("m", 1.0), ("mm", 1e-3)];
+const ANGLE_UNITS: &[(&str, f64)] = &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)];
+const TENSION_UNITS: &[(&str, f64)] = &[("N", 1.0), ("kN", 1e3)];
+const TIME_UNITS: &[(&str, f64)] = &[("s", 1.0), ("ms", 1e-3)];
+
+/// Why a claimed column cannot be used.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct UnknownUnit {
+    pub(super) unit: String,
+    pub(super) help: String,
+}
+
+/// The meaning of a column name; `None` when no quantity claims it.
+pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
+    let name = name.trim();
+    let plain = |quantity| Ok(Some(Column { quantity, factor: 1.0 }));
+    match name {
+        "set" => return plain(Quantity::Set),
+        "qx" => return plain(Quantity::Quaternion(0)),
+        "qy" => return plain(Quantity::Quaternion(1)),
+        "qz" => return plain(Quantity::Quaternion(2)),
+        "qw" => return plain(Quantity::Quaternion(3)),
+        _ => {}
+    }
+    for (stem, unit_list, quantity) in [
+        ("x", LENGTH_UNITS, Quantity::Position(0)),
+        ("y", LENGTH_UNITS, Quantity::Position(1)),
+        ("z", LENGTH_UNITS, Quantity::Position(2)),
+        ("rx", ANGLE_UNITS, Quantity::Euler(0)),
+        ("ry", ANGLE_UNITS, Quantity::Euler(1)),
+        ("rz", ANGLE_UNITS, Quantity::Euler(2)),
+        ("angle", ANGLE_UNITS, Quantity::Angle),
+        ("t", TIME_UNITS, Quantity::Time),
+        ("time", TIME_UNITS, Quantity::Time),
+    ] {
+        // one more word than the stem: `x_m`, but not `x_controller_estimate_m`
+        if let Some(unit) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_'))
+            && !unit.contains('_')
+        {
+            return in_unit(stem, unit, unit_list, "").map(|factor| Some(Column { quantity, factor }));
+        }
+    }
+    for (stem, units, build) in [
+        ("cable_length", LENGTH_UNITS, Quantity::Length as fn(usize) -> Quantity),
+        ("tension", TENSION_UNITS, Quantity::Tension as fn(usize) -> Quantity),
+    ] {
+        let Some(rest) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')) else { continue };
+        let Some((unit, number)) = rest.rsplit_once('_') else { continue };
+        let Some(cable) = number.parse::<usize>().ok().filter(|&cable| cable > 0 && cable <= 10_000) else { continue };
+        return in_unit(stem, unit, units, &format!("_{cable}"))
+            .map(|factor| Some(Column { quantity: build(cable - 1), factor }));
+    }
+    Ok(None)
+}
+
+fn in_unit(stem: &str, unit: &str, known: &[(&str, f64)], suffix: &str) -> Result<f64, UnknownUnit> {
+    if let Some((_, factor)) = known.iter().find(|(name, _)| *name == unit) {
+        return Ok(*factor);
+    }
+    let names: Vec<String> = known.iter().map(|(name, _)| format!("`{stem}_{name}{suffix}`")).collect();
+    let meant = did_you_mean(unit, known.iter().map(|(name, _)| *name));
+    let hint = meant.map(|name| format!("did you mean `{stem}_{name}{suffix}`? ")).unwrap_or_default();
+    Err(UnknownUnit { unit: unit.to_owned(), help: format!("{hint}accepted are {}", names.join(" and ")) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_mean_what_the_contract_says() {
+        let found = |name| meaning(name).unwrap().map(|column| (column.quantity, column.factor));
+        assert_eq!(found("x_m"), Some((Quantity::Position(0), 1.0)));
+        assert_eq!(found("z_mm"), Some((Quantity::Position(2), 1e-3)));
+        assert_eq!(found("cable_length_mm_12"), Some((Quantity::Length(11), 1e-3)));
+        assert_eq!(found("tension_kN_1"), Some((Quantity::Tension(0), 1e3)));
+        assert_eq!(found("t_s"), Some((Quantity::Time, 1.0)));
+        for unclaimed in ["t_log_s", "mocap_gap_s", "x_controller_estimate_m", "cable_length_m", "swivel_rad_1", ""] {
+            assert_eq!(found(unclaimed), None, "{unclaimed}");
+        }
+        for wrong in ["x_furlong", "angle_grad", "cable_length_inch_1", "tension_lbf_2"] {
+            assert!(meaning(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! Writer of measurement CSV files.
+
+use std::fmt::Write;
+
+use super::Samples;
+use crate::geometry::MotionPattern;
+use crate::robot::Robot;
+
+impl Samples {
+    /// The samples as a measurement CSV; numbers in the shortest form that reads back to the same bits.
+    pub fn to_csv(&self, robot: &Robot) -> String {
+        let pattern = robot.motion_pattern;
+        let mut names: Vec<String> =
+            ["x_m", "y_m", "z_m"][..pattern.translations()].iter().map(|&n| n.into()).collect();
+        match pattern {
+            MotionPattern::Planar => names.push("angle_rad".to_owned()),
+            MotionPattern::Spatial => names.extend(["qx", "qy", "qz", "qw"].map(str::to_owned)),
+            _ => {}
+        }
+        names.extend((1..=self.cable_count).map(|cable| format!("cable_length_m_{cable}")));
+        if self.tensions.is_some() {
+            names.extend((1..=self.cable_count).map(|cable| format!("tension_N_{cable}")));
+        }
+        names.extend(self.set.is_some().then(|| "set".to_owned()));
+        names.extend(self.time.is_some().then(|| "t_s".to_owned()));
+        let mut text = names.join(",");
+        text.push('\n');
+        for sample in 0..self.len() {
+            text.push_str(&self.row(robot, sample).join(","));
+            text.push('\n');
+        }
+        text
+    }
+
+    fn row(&self, robot: &Robot, sample: usize) -> Vec<String> {
+        let pattern = robot.motion_pattern;
+        let pose = &self.poses[sample];
+        let number = |value: f64| {
+            let mut text = String::new();
+            let _ = write!(text, "{value}"); // writing into a String cannot fail
+            text
+        };
+        let components = pattern.pose_to_components(robot.plane, pose);
+        let kept = if pattern == MotionPattern::Spatial { 3 } else { components.len() };
+        let mut fields: Vec<String> = components[..kept].iter().copied().map(number).collect();
+        if pattern == MotionPattern::Spatial {
+            fields.extend(pose.rotation.coords.iter().copied().map(number));
+        }
+        let of_cables = |values: &[f64]| values[sample * self.cable_count..][..self.cable_count].to_vec();
+        fields.extend(of_cables(&self.lengths).into_iter().map(number));
+        fields.extend(self.tensions.iter().flat_map(|tensions| of_cables(tensions)).map(number));
+        fields.extend(self.set.iter().map(|set| set[sample].clone()));
+        fields.extend(self.time.iter().map(|time| number(time[sample])));
+        fields
+    }
+}

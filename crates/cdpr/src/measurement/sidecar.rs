@@ -1,0 +1,127 @@
+//! The file beside a data set: `<data>.meta.toml` with sensor accuracies, frames and provenance.
+
+use serde::{Deserialize, Serialize};
+
+use super::SensorSigmas;
+use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+
+/// What is known about a data set besides its samples.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sidecar {
+    /// Version of the layout: 1.
+    pub layout_version: u32,
+    /// Standard deviations of the sensors PER AXIS; missing means unknown.
+    #[serde(default)]
+    pub sigmas: SensorSigmas,
+    /// The frames that poses refer to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<Frames>,
+    /// Where the data come from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub provenance: Option<Provenance>,
+}
+
+/// The frames that poses refer to.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Frames {
+    /// In words.
+    pub description: String,
+}
+
+/// Where data come from.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Experiment, publication or command.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+    /// Licence of the data.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub licence: Option<String>,
+    /// Robot that was measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub robot: Option<String>,
+    /// Seed of simulated data.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
+    /// Remarks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+}
+
+impl Sidecar {
+    /// Reads a sidecar file.
+    pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
+        let document = TomlDocument::parse(text_from_bytes(bytes, file_name)?, file_name)?;
+        let sidecar: Self = document.deserialize()?;
+        if sidecar.layout_version != 1 {
+            let message = format!("layout_version {} is not known", sidecar.layout_version);
+            return Err(document.error_at(&[Step::Key("layout_version")], "measurement::layout", message))
+                .map_err(|error| error.with_help("this version reads layout_version = 1"));
+        }
+        let sigmas = &sidecar.sigmas;
+        for (key, value) in [
+            ("position_m", sigmas.position),
+            ("rotation_rad", sigmas.rotation),
+            ("length_m", sigmas.length),
+            ("tension_N", sigmas.tension),
+        ] {
+            if let Some(value) = value.filter(|value| !(*value >= 0.0)) {
+                let message = format!("a standard deviation is 0 or more, found {value}");
+                let path = [Step::Key("sigmas"), Step::Key(key)];
+                return Err(document
+                    .error_at(&path, "measurement::sigma", message)
+                    .with_help("leave the key out when the accuracy is unknown"));
+            }
+        }
+        Ok(sidecar)
+    }
+
+    /// The file's text.
+    pub fn to_toml(&self) -> String {
+        // plain numbers and strings: nothing here that TOML cannot hold
+        toml::to_string(self).unwrap_or_default()
+    }
+}
+
+/// JSON Schema of sidecar files; its description tells the columns of the CSV beside it.
+pub fn schema() -> schemars::Schema {
+    let mut schema = schemars::schema_for!(Sidecar);
+    let columns = "Sidecar `<data>.meta.toml` of a measurement CSV. Columns of the CSV: x_m, y_m(, z_m) position; qx, qy, qz, qw \
+                   unit quaternion, or rx_rad, ry_rad, rz_rad with R = Rx Ry Rz (3R3T), or angle_rad (1R2T); \
+                   cable_length_m_1…m; optional tension_N_1…m, set, t_s. _mm, _deg and _kN are accepted and converted; \
+                   other columns are ignored with a notice.";
+    schema.insert("description".to_owned(), columns.into());
+    schema
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sidecars_survive_the_round_trip() {
+        let sidecar = Sidecar {
+            layout_version: 1,
+            sigmas: SensorSigmas { position: Some(1e-3), length: Some(2e-4), ..SensorSigmas::default() },
+            provenance: Some(Provenance { seed: Some(7), robot: Some("x".to_owned()), ..Provenance::default() }),
+            ..Sidecar::default()
+        };
+        assert_eq!(Sidecar::from_toml_bytes(sidecar.to_toml().as_bytes(), "a").unwrap(), sidecar);
+    }
+
+    #[test]
+    fn mistakes_are_placed() {
+        for (text, line, what) in [
+            ("layout_version = 2", 1, "not known"),
+            ("layout_version = 1\n[sigmas]\nposition_m = -1.0", 3, "0 or more"),
+            ("layout_version = 1\n[sigmas]\nposition_mm = 1.0", 3, "position_mm"),
+        ] {
+            let error = Sidecar::from_toml_bytes(text.as_bytes(), "data.meta.toml").unwrap_err();
+            assert_eq!(error.line(), Some(line), "{error}");
+            assert!(error.to_string().contains(what), "{error}");
+        }
+    }
+}
