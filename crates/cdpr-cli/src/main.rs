@@ -1,3 +1,72 @@
-//! The `cdpr` command.
+//! The `cdpr` command: calibration and model selection for cable-driven parallel robots.
 
-fn main() {}
+mod answer;
+mod commands;
+mod diagnostics;
+mod failure;
+mod files;
+mod inputs;
+mod numbers;
+mod pose_answer;
+mod table;
+
+use std::process::ExitCode;
+
+use answer::{Format, Output};
+use clap::Parser;
+use clap::error::ErrorKind;
+use commands::Command;
+use failure::Failure;
+
+/// Calibration and model selection for cable-driven parallel robots.
+///
+/// Numbers go in and out in SI units (m, rad, N). Answers go to stdout, everything else to stderr. Exit codes: 0 done,
+/// 1 the answer is negative, 2 wrong usage or input, 3 numerical failure, 4 a file cannot be read or written.
+#[derive(Debug, Parser)]
+#[command(name = "cdpr", version, propagate_version = false, disable_help_subcommand = true, after_help = EXAMPLES)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+
+    /// How the answer is written: for people, or as one JSON object.
+    #[arg(long, global = true, value_enum, default_value_t = Format::Text, value_name = "FORMAT")]
+    format: Format,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr robots
+  cdpr ik planar-example --pose 0.5,4
+  cdpr identify robot.toml samples.csv --free frame-anchor,length-offset --out calibrated.toml
+  cdpr COMMAND --help";
+
+fn main() -> ExitCode {
+    let command_line = match CommandLine::try_parse() {
+        Ok(command_line) => command_line,
+        Err(error) => return usage_exit(&error),
+    };
+    let mut output = Output::new(command_line.format);
+    let exit = command_line.command.run(&mut output);
+    match exit {
+        Ok(exit) => exit,
+        Err(failure) => output.fail(&failure),
+    }
+}
+
+/// Help and version are answers; anything else that stops the parser is a usage error.
+fn usage_exit(error: &clap::Error) -> ExitCode {
+    // when stdout or stderr is gone there is nobody to tell
+    let _ = error.print();
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => ExitCode::SUCCESS,
+        _ => {
+            let failure = Failure::usage(first_line(&error.to_string()));
+            Output::new(Format::asked_for(std::env::args())).mirror(&failure)
+        }
+    }
+}
+
+fn first_line(text: &str) -> &str {
+    let line = text.lines().next().unwrap_or_default();
+    line.strip_prefix("error: ").unwrap_or(line)
+}

@@ -1,0 +1,177 @@
+//! `cdpr check`: what can be said about a robot file without moving the robot.
+
+use std::process::ExitCode;
+
+use cdpr::cable::DegenerateCourse;
+use cdpr::geometry::Pose;
+use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::DMatrix;
+use cdpr::robot::Robot;
+use clap::Args;
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::inputs::RobotArgument;
+use crate::pose_answer::PoseAnswer;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr check planar-example
+  cdpr check robot.toml --format json";
+
+/// Read a robot file, judge the geometry at the home pose and tell what is missing.
+///
+/// Rank and condition are those of the structure matrix at home, moment rows divided by the mean platform radius.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    robot: RobotArgument,
+}
+
+#[derive(Serialize)]
+struct Check {
+    name: String,
+    title: Option<String>,
+    motion_pattern: &'static str,
+    degrees_of_freedom: usize,
+    cable_count: usize,
+    home: Home,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Home {
+    pose: PoseAnswer,
+    rank: Option<usize>,
+    condition: Option<f64>,
+    feasible: Option<bool>,
+    feasible_note: &'static str,
+}
+
+const FEASIBLE_NOTE: &str = "not assessed in this version";
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let robot = arguments.robot.read()?;
+    let model = Model::new(robot, Composition::STANDARD).map_err(|error| Failure::refused("ROBOT", &error))?;
+    let robot = model.robot();
+    let pose = robot.home_or_middle();
+    let mut warnings = file_warnings(robot);
+    let (mut rank, mut condition) = (None, None);
+    match scaled_structure_matrix(&model, &pose) {
+        Ok(matrix) => {
+            let (found, number) = rank_and_condition(&matrix);
+            warnings.extend(rank_warning(&model, found));
+            (rank, condition) = (Some(found), Some(number));
+        }
+        Err(reason) => warnings.push(format!("the home pose is singular: {reason}")),
+    }
+    output.answer(&Check {
+        name: robot.name.clone(),
+        title: robot.title.clone(),
+        motion_pattern: robot.motion_pattern.name(),
+        degrees_of_freedom: model.dof(),
+        cable_count: model.cable_count(),
+        home: Home {
+            pose: PoseAnswer::new(robot, &pose),
+            rank,
+            condition,
+            feasible: None,
+            feasible_note: FEASIBLE_NOTE,
+        },
+        warnings,
+    })
+}
+
+/// Aᵀ with its moment rows divided by the mean platform radius, so that all rows are without unit.
+fn scaled_structure_matrix(model: &Model, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
+    let mut matrix = model.structure_matrix(pose)?;
+    let radius = model.platform_radius();
+    for row in model.robot().motion_pattern.translations()..model.dof() {
+        matrix.row_mut(row).scale_mut(1.0 / radius);
+    }
+    Ok(matrix)
+}
+
+fn rank_and_condition(matrix: &DMatrix<f64>) -> (usize, f64) {
+    let values = matrix.clone().singular_values();
+    let (largest, smallest) = (values.max(), values.min());
+    // singular values below this are rounding of an exact zero
+    let tolerance = 10.0 * matrix.ncols().max(matrix.nrows()) as f64 * f64::EPSILON * largest;
+    let rank = values.iter().filter(|&&value| value > tolerance).count();
+    (rank, if rank == matrix.nrows() { largest / smallest } else { f64::INFINITY })
+}
+
+fn rank_warning(model: &Model, rank: usize) -> Option<String> {
+    let (dof, cables) = (model.dof(), model.cable_count());
+    match (rank < dof, cables < dof) {
+        (false, _) => None,
+        (true, true) => Some(format!(
+            "{cables} cables cannot hold {dof} degrees of freedom: the pose also depends on the load, and `fk` calls it singular"
+        )),
+        (true, false) => Some(format!(
+            "at the home pose the cables resist only {rank} of {dof} degrees of freedom: it is a singular pose"
+        )),
+    }
+}
+
+/// What the file leaves open or states strangely.
+fn file_warnings(robot: &Robot) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let mut warn = |applies: bool, text: &str| {
+        if applies {
+            warnings.push(text.to_owned());
+        }
+    };
+    warn(robot.home.is_none(), "no [home_pose]: the middle of the frame anchors, unturned, stands for it");
+    if let (Some(home), Some(travel)) = (&robot.home, &robot.travel) {
+        let axes = 0..3;
+        let outside = axes.into_iter().any(|axis| {
+            // the plane of a planar robot leaves one axis without extent
+            home.position[axis] < travel.min[axis] || home.position[axis] > travel.max[axis]
+        });
+        warn(outside, "the home pose lies outside the [workspace] box");
+    }
+    let some = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().any(has);
+    let all = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().all(has);
+    warn(
+        !all(|cable| cable.tension_min.is_some() && cable.tension_max.is_some()),
+        "tension limits are missing (tension_min_N, tension_max_N)",
+    );
+    let mass_or_wrench = robot.platform.mass.is_some() || robot.external_wrench.is_some();
+    warn(!mass_or_wrench, "neither platform mass_kg nor [external_wrench] is known");
+    let has_radius = some(|cable| cable.pulley_radius.is_some_and(|radius| radius > 0.0));
+    warn(
+        has_radius && !all(|cable| cable.pulley_swivel_axis.is_some()),
+        "pulley radii without pulley_swivel_axis: the model `pulley` needs both, `cdpr place-pulleys` adds the axes",
+    );
+    warnings
+}
+
+impl Answer for Check {
+    fn words(&self) -> String {
+        let Self { name, motion_pattern, degrees_of_freedom, cable_count, home, .. } = self;
+        let title = self.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
+        let structure = match (home.rank, home.condition) {
+            (Some(rank), Some(number)) if number.is_finite() => {
+                format!("rank {rank} of {degrees_of_freedom}, condition {number:.3}")
+            }
+            (Some(rank), _) => format!("rank {rank} of {degrees_of_freedom}, singular"),
+            _ => "none: a cable has no course".to_owned(),
+        };
+        let mut text = format!(
+            "{name}{title}\n\nmotion pattern    {motion_pattern}\ncables            {cable_count}\n\
+             home pose         {}\nstructure matrix  {structure}\ntensions          {}\n",
+            home.pose.words(),
+            home.feasible_note
+        );
+        if self.warnings.is_empty() {
+            text.push_str("\nno warnings\n");
+        } else {
+            text.push_str("\nwarnings\n");
+            self.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
+        }
+        text
+    }
+}

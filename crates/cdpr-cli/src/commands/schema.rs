@@ -1,0 +1,52 @@
+//! `cdpr schema`: JSON Schemas of the file formats.
+
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr schema robot > robot.schema.json";
+
+/// Print the JSON Schema of a file format, for editors and other programs.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The file format.
+    #[arg(value_enum, value_name = "FILE-FORMAT")]
+    of: FileFormat,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FileFormat {
+    /// Robot description (TOML).
+    Robot,
+}
+
+#[derive(Serialize)]
+#[serde(transparent)]
+struct Schema {
+    schema: serde_json::Value,
+    #[serde(skip)]
+    words: String,
+}
+
+impl Answer for Schema {
+    fn words(&self) -> String {
+        self.words.clone()
+    }
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let schema = match arguments.of {
+        FileFormat::Robot => cdpr::robot::schema(),
+    };
+    let schema = schema.to_value();
+    let words = serde_json::to_string_pretty(&schema)
+        .map_err(|error| Failure::numerical(format!("the schema cannot be written: {error}")))?;
+    output.answer(&Schema { schema, words })
+}

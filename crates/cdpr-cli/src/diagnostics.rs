@@ -1,0 +1,101 @@
+//! How failures and remarks look on stderr: the message, the place, the line of the file with carets, the cure.
+
+use std::env;
+use std::io::{self, IsTerminal, Write};
+
+use cdpr::reading::{Place, ReadError};
+
+use crate::failure::Failure;
+
+/// Escape sequences, empty when colour is not wanted.
+struct Colours {
+    error: &'static str,
+    place: &'static str,
+    reset: &'static str,
+}
+
+impl Colours {
+    const NONE: Self = Self { error: "", place: "", reset: "" };
+    const ANSI: Self = Self { error: "\x1b[1;31m", place: "\x1b[1;34m", reset: "\x1b[0m" };
+
+    /// Colour on terminals, unless `NO_COLOR` is set to anything or the terminal is dumb.
+    fn of_stderr() -> Self {
+        let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+            || env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
+        if !refused && io::stderr().is_terminal() { Self::ANSI } else { Self::NONE }
+    }
+}
+
+/// Tells a failure.
+pub(crate) fn failure(failure: &Failure) {
+    write(&failure_text(failure, &Colours::of_stderr()));
+}
+
+fn write(text: &str) {
+    // when stderr is gone there is nobody to tell
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+fn failure_text(failure: &Failure, colours: &Colours) -> String {
+    let Colours { error, place, reset, .. } = colours;
+    let mut text = format!("{error}error{reset}: {}\n", failure.message());
+    if let Failure::File(read_error) = failure {
+        text.push_str(&place_text(read_error, colours));
+    }
+    if let Some(help) = failure.help() {
+        text.push_str(&format!("  {place}={reset} help: {help}\n"));
+    }
+    text
+}
+
+/// The place in the manner of compilers, which editors make clickable.
+fn place_text(read_error: &ReadError, colours: &Colours) -> String {
+    let Colours { error, place: blue, reset, .. } = colours;
+    let file_name = &read_error.file_name;
+    let Some(place) = &read_error.place else { return format!(" {blue}-->{reset} {file_name}\n") };
+    let number = place.line().to_string();
+    let margin = " ".repeat(number.len());
+    let mut text = format!("{margin}{blue}-->{reset} {file_name}:{}:{}\n", place.line(), place.column());
+    if !place.source_line().trim().is_empty() {
+        let (source_line, carets) = snippet(place);
+        text.push_str(&format!("{margin} {blue}|{reset}\n{blue}{number} |{reset} {source_line}\n"));
+        text.push_str(&format!("{margin} {blue}|{reset} {error}{carets}{reset}\n"));
+    }
+    text
+}
+
+/// The source line and the carets below it, without characters that would control the terminal.
+fn snippet(place: &Place) -> (String, String) {
+    let snippet = place.snippet();
+    let (source_line, carets) = snippet.split_once('\n').unwrap_or((&snippet, ""));
+    let plain = |character: char| if character.is_control() && character != '\t' { '\u{fffd}' } else { character };
+    (source_line.chars().map(plain).collect(), carets.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mistake_in_a_file_is_shown_with_its_line_and_the_cure() {
+        let place = Place::of_span("a = 1\nnam = \"x\"\n", 6..9);
+        let error = ReadError::new("robot.toml", "toml::unknown-key", "unknown key `nam`")
+            .at(place)
+            .with_help("did you mean `name`?");
+        let expected = "\
+error: unknown key `nam`
+ --> robot.toml:2:1
+  |
+2 | nam = \"x\"
+  | ^^^
+  = help: did you mean `name`?
+";
+        assert_eq!(failure_text(&error.into(), &Colours::NONE), expected);
+    }
+
+    #[test]
+    fn a_file_cannot_control_the_terminal() {
+        let error = ReadError::new("a.csv", "x", "y").at(Place::on_line("\x1b[2J1,2", 3, 5, 1));
+        assert!(!failure_text(&error.into(), &Colours::NONE).contains('\x1b'));
+    }
+}

@@ -1,0 +1,90 @@
+//! The robot that most commands are about.
+
+use std::path::{Path, PathBuf};
+
+use cdpr::geometry::Pose;
+use cdpr::model::{Composition, Model};
+use cdpr::reading::did_you_mean;
+use cdpr::robot::{Robot, builtin};
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::files;
+use crate::numbers::NumberList;
+
+/// `ROBOT` of every command.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct RobotArgument {
+    /// Robot file (TOML), or the name of a built-in robot (see `cdpr robots`).
+    #[arg(value_name = "ROBOT")]
+    robot: String,
+}
+
+/// `ROBOT` and `--model`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct ModelArguments {
+    #[command(flatten)]
+    robot: RobotArgument,
+
+    /// Effects of the model: `standard`, or effects joined by `+`.
+    #[arg(long, default_value_t = Composition::STANDARD, value_name = "MODEL")]
+    model: Composition,
+}
+
+impl RobotArgument {
+    /// The robot: a name with a dot or a separator is a path, any other first a built-in robot.
+    pub(crate) fn read(&self) -> Result<Robot, Failure> {
+        read_robot(&self.robot)
+    }
+}
+
+impl ModelArguments {
+    /// The robot with the effects asked for.
+    pub(crate) fn read(&self) -> Result<Model, Failure> {
+        Model::new(self.robot.read()?, self.model).map_err(|error| Failure::refused(&self.robot.robot, &error))
+    }
+}
+
+/// Reads a robot by path or built-in name.
+pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
+    let path = Path::new(text);
+    let looks_like_path = text.contains(['/', '\\', '.']);
+    if !looks_like_path && let Some(robot) = Robot::builtin(text) {
+        return Ok(robot);
+    }
+    if looks_like_path || path.is_file() {
+        let bytes = files::read(path).map_err(|failure| failure.with_help(help_for_missing_robot(text)))?;
+        return Ok(Robot::from_toml_bytes(&bytes, text)?);
+    }
+    let message = format!("there is neither a built-in robot nor a file named `{text}`");
+    Err(Failure::input(message, help_for_unknown_robot(text)))
+}
+
+fn help_for_unknown_robot(text: &str) -> String {
+    let names: Vec<&str> = builtin::names().collect();
+    let list = format!("built-in robots: {}", names.join(", "));
+    match did_you_mean(text, names.iter().copied()) {
+        Some(meant) => format!("did you mean `{meant}`? {list}"),
+        None => list,
+    }
+}
+
+fn help_for_missing_robot(text: &str) -> String {
+    let folder = std::env::current_dir().map_or_else(|_| String::new(), |folder| folder.display().to_string());
+    let stem = PathBuf::from(text).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let looked = format!("looked from the folder {folder}");
+    match builtin::names().find(|name| *name == stem) {
+        Some(name) => format!("{looked}; the built-in robot of this name is called `{name}`, without path and ending"),
+        None => format!("{looked}; `cdpr robots` lists the built-in robots"),
+    }
+}
+
+/// The pose that an option gives by its components.
+pub(crate) fn pose_of(robot: &Robot, option: &str, numbers: &NumberList) -> Result<Pose, Failure> {
+    robot.motion_pattern.pose(robot.plane, &numbers.0).map_err(|error| Failure::refused(option, &error))
+}
+
+/// The pose that an option gives, or the robot's home pose.
+pub(crate) fn pose_or_home(robot: &Robot, option: &str, numbers: Option<&NumberList>) -> Result<Pose, Failure> {
+    numbers.map_or_else(|| Ok(robot.home_or_middle()), |numbers| pose_of(robot, option, numbers))
+}

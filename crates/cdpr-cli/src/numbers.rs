@@ -1,0 +1,59 @@
+//! Lists of numbers on the command line.
+
+use std::str::FromStr;
+
+/// Finite numbers separated by commas, e.g. `0.5,-4`.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct NumberList(pub(crate) Vec<f64>);
+
+impl FromStr for NumberList {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        if text.trim().is_empty() {
+            return Err("numbers separated by commas expected, e.g. 0.5,-4".to_owned());
+        }
+        let number = |(index, word): (usize, &str)| {
+            let component = index + 1;
+            finite_number(word).map_err(|why| format!("component {component}: {why}"))
+        };
+        Ok(Self(text.split(',').enumerate().map(number).collect::<Result<_, _>>()?))
+    }
+}
+
+/// A number that can be calculated with.
+pub(crate) fn finite_number(text: &str) -> Result<f64, String> {
+    let word = text.trim();
+    match word.parse::<f64>() {
+        _ if word.is_empty() => Err("a number is missing".to_owned()),
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) => Err(format!("`{word}` is not a finite number")),
+        Err(_) => Err(format!("`{word}` is not a number")),
+    }
+}
+
+/// A number of zero or more.
+pub(crate) fn number_from_zero(text: &str) -> Result<f64, String> {
+    match finite_number(text)? {
+        number if number >= 0.0 => Ok(number),
+        number => Err(format!("{number} is below 0")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_take_signs_exponents_and_spaces() {
+        assert_eq!("-1, 2.5,+3e-2".parse(), Ok(NumberList(vec![-1.0, 2.5, 0.03])));
+    }
+
+    #[test]
+    fn the_component_at_fault_is_named() {
+        for (text, component) in [("1,x", 2), ("nan", 1), ("1,2,inf", 3), ("1,,2", 2), ("1,2,", 3), ("1;2", 1)] {
+            let message = text.parse::<NumberList>().unwrap_err();
+            assert!(message.starts_with(&format!("component {component}: ")), "{text}: {message}");
+        }
+    }
+}
