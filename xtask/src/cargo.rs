@@ -1,0 +1,80 @@
+//! Runs cargo and counts what its tests say.
+
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use crate::outcome::Outcome;
+
+/// A cargo command at the workspace root; doc warnings are errors.
+pub(crate) fn command(root: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(root).stdin(Stdio::null()).env("RUSTDOCFLAGS", "-D warnings");
+    command
+}
+
+/// Passes when the command exits with 0; its output goes to the terminal.
+pub(crate) fn succeed(root: &Path, arguments: &[&str]) -> Outcome {
+    println!("$ cargo {}", arguments.join(" "));
+    match command(root, arguments).status() {
+        Ok(status) if status.success() => Outcome::of(Vec::new()),
+        Ok(status) => Outcome::of(vec![format!("`cargo {}` ended with {status}", arguments.join(" "))]),
+        Err(error) => Outcome::of(vec![format!("cannot start cargo: {error}")]),
+    }
+}
+
+/// Runs tests, shows their output as it comes, and counts the tests passed and failed.
+pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
+    println!("$ cargo {}", arguments.join(" "));
+    let mut child = match command(root, arguments).stdout(Stdio::piped()).spawn() {
+        Ok(child) => child,
+        Err(error) => return Outcome::of(vec![format!("cannot start cargo: {error}")]),
+    };
+    let mut outcome = Outcome::default();
+    for line in
+        child.stdout.take().into_iter().flat_map(|output| BufReader::new(output).split(b'\n')).map_while(Result::ok)
+    {
+        let line = String::from_utf8_lossy(&line);
+        println!("{line}");
+        if let Some((passed, failed)) = test_result(&line) {
+            outcome.passed += passed;
+            outcome.failed += failed;
+        }
+    }
+    let success = child.wait().is_ok_and(|status| status.success());
+    if !success && outcome.failed == 0 {
+        outcome.failed = 1; // it did not compile, or a test ended the whole process
+        outcome.complaints.push(format!("`cargo {}` failed outside its tests", arguments.join(" ")));
+    }
+    outcome
+}
+
+/// The components that a machine with nothing but rustup may lack.
+pub(crate) fn tools(root: &Path) -> Outcome {
+    let missing = [("fmt", "rustfmt"), ("clippy", "clippy")].into_iter().filter(|(subcommand, _)| {
+        let output = command(root, &[subcommand, "--version"]).stdout(Stdio::null()).stderr(Stdio::null()).status();
+        !output.is_ok_and(|status| status.success())
+    });
+    Outcome::of(
+        missing.map(|(_, name)| format!("{name} is not installed: run `rustup component add {name}`")).collect(),
+    )
+}
+
+/// Counts in a line such as `test result: ok. 12 passed; 0 failed; 1 ignored; …`.
+fn test_result(line: &str) -> Option<(usize, usize)> {
+    let counts = line.strip_prefix("test result: ")?.split_once(". ")?.1;
+    let count = |word: &str| counts.split("; ").find_map(|part| part.strip_suffix(word)?.trim().parse().ok());
+    Some((count("passed")?, count("failed")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_read_from_the_closing_line_of_a_test_binary() {
+        let line = "test result: FAILED. 12 passed; 3 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.00s";
+        assert_eq!(test_result(line), Some((12, 3)));
+        assert_eq!(test_result("test identification::recovers_offsets ... ok"), None);
+    }
+}

@@ -1,0 +1,135 @@
+//! Links and includes of the book and of the pages at the root.
+
+use std::path::{Path, PathBuf};
+
+use crate::outcome::Outcome;
+
+const BOOK: &str = "docs/book/src";
+
+/// Complains of links and includes that lead nowhere, and of pages that SUMMARY.md forgets.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let mut pages = markdown_files(&root.join("docs"));
+    let book: Vec<PathBuf> = markdown_files(&root.join(BOOK));
+    pages.extend(["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root.join(name)));
+    let mut complaints = Vec::new();
+    for page in &pages {
+        let name = page.strip_prefix(root).unwrap_or(page).display().to_string();
+        match std::fs::read_to_string(page) {
+            Ok(text) => complaints.extend(dead_targets(page, &text).into_iter().map(|dead| format!("{name}{dead}"))),
+            Err(error) => complaints.push(format!("{name}: {error}")),
+        }
+    }
+    let summary = std::fs::read_to_string(root.join(BOOK).join("SUMMARY.md")).unwrap_or_default();
+    complaints.extend(forgotten_pages(&root.join(BOOK), &book, &summary));
+    Outcome::of(complaints)
+}
+
+/// `:line: what` for every link or include whose file, or whose anchor in the file, does not exist.
+fn dead_targets(page: &Path, text: &str) -> Vec<String> {
+    let folder = page.parent().unwrap_or(page);
+    let mut dead = Vec::new();
+    let mut code = false;
+    for (number, line) in (1..).zip(text.lines()) {
+        code ^= line.trim_start().starts_with("```");
+        for target in includes(line) {
+            let (path, anchor) = target.split_once(':').unwrap_or((target, ""));
+            match std::fs::read_to_string(folder.join(path)) {
+                Err(error) => dead.push(format!(":{number}: cannot include `{path}`: {error}")),
+                Ok(text) if !has_anchor(&text, anchor) => {
+                    dead.push(format!(":{number}: `{path}` has no line with `ANCHOR: {anchor}`"));
+                }
+                Ok(_) => {}
+            }
+        }
+        for target in links(line).into_iter().filter(|_| !code) {
+            let path = target.split('#').next().unwrap_or_default();
+            if !path.is_empty() && !path.contains(':') && !folder.join(path).exists() {
+                dead.push(format!(":{number}: the link to `{path}` leads nowhere"));
+            }
+        }
+    }
+    dead
+}
+
+/// Targets of `{{#include …}}` in a line.
+fn includes(line: &str) -> Vec<&str> {
+    line.split("{{#include ").skip(1).filter_map(|rest| Some(rest.split_once("}}")?.0.trim())).collect()
+}
+
+/// Targets of `[text](target)` in a line, outside `code`.
+fn links(line: &str) -> Vec<&str> {
+    let prose = line.split('`').step_by(2); // every second piece stands between backticks
+    let code_in_text = line.contains("`](").then_some(line); // [`code`](target)
+    let targets = |piece: &'_ str| -> Vec<(usize, usize)> {
+        let starts = piece.match_indices("](").map(|(start, _)| start + 2);
+        starts.filter_map(|start| Some((start, start + piece[start..].find(')')?))).collect()
+    };
+    match code_in_text {
+        Some(line) => targets(line).into_iter().map(|(start, end)| &line[start..end]).collect(),
+        None => prose.flat_map(|piece| targets(piece).into_iter().map(|(start, end)| &piece[start..end])).collect(),
+    }
+}
+
+/// True for a whole file, a range of lines, and an anchor that the text marks.
+fn has_anchor(text: &str, anchor: &str) -> bool {
+    anchor.chars().all(|letter| letter.is_ascii_digit() || letter == ':')
+        || text.lines().any(|line| line.trim_end().ends_with(&format!("ANCHOR: {anchor}")))
+}
+
+fn forgotten_pages(folder: &Path, pages: &[PathBuf], summary: &str) -> Vec<String> {
+    let listed: Vec<&str> = summary.lines().flat_map(links).collect();
+    let names = pages.iter().filter_map(|page| page.strip_prefix(folder).ok()?.to_str());
+    names
+        .filter(|name| *name != "SUMMARY.md" && !listed.contains(name))
+        .map(|name| format!("{BOOK}/SUMMARY.md does not list {name}"))
+        .collect()
+}
+
+/// All pages under a folder, but not those that mdbook built.
+fn markdown_files(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let mut files = Vec::new();
+    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+        if path.is_dir() && !path.ends_with("book/book") {
+            files.extend(markdown_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "md") {
+            files.push(path);
+        }
+    }
+    files.sort_unstable();
+    files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dead_link_is_named_with_its_line_and_a_web_address_is_not_followed() {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("page.md");
+        let text = "[here](Cargo.toml) [web](https://example.org)\n[dead](nowhere.md#part) [part](#part)\n";
+        assert_eq!(dead_targets(&page, text), [":2: the link to `nowhere.md` leads nowhere"]);
+    }
+
+    #[test]
+    fn code_is_not_searched_for_links_but_code_may_be_a_links_text() {
+        assert!(links("`[a](b)`").is_empty());
+        assert_eq!(links("[`robot`](robot-files.md)"), ["robot-files.md"]);
+    }
+
+    #[test]
+    fn an_include_needs_its_file_and_its_anchor() {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("page.md");
+        assert!(dead_targets(&page, "{{#include Cargo.toml}}").is_empty());
+        assert_eq!(dead_targets(&page, "{{#include Cargo.toml:fit}}").len(), 1);
+        assert_eq!(dead_targets(&page, "{{#include absent.rs}}").len(), 1);
+        assert!(has_anchor("    // ANCHOR: fit\n", "fit"));
+    }
+
+    #[test]
+    fn a_page_that_the_summary_forgets_is_found() {
+        let folder = Path::new("src");
+        let pages = [folder.join("SUMMARY.md"), folder.join("a.md"), folder.join("b.md")];
+        assert_eq!(forgotten_pages(folder, &pages, "- [A](a.md)"), ["docs/book/src/SUMMARY.md does not list b.md"]);
+    }
+}

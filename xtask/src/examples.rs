@@ -1,0 +1,27 @@
+//! Runs every example: an example asserts its result, so running is testing.
+
+use std::path::Path;
+
+use crate::cargo;
+use crate::outcome::Outcome;
+
+/// Runs `crates/cdpr/examples/*.rs` in order of their names; each counts as one check.
+pub(crate) fn run(root: &Path) -> Outcome {
+    let mut total = Outcome::default();
+    for name in names(root) {
+        let outcome = cargo::succeed(root, &["run", "--quiet", "-p", "cdpr", "--example", &name]);
+        total.passed += outcome.passed;
+        total.failed += outcome.failed;
+        total.complaints.extend(outcome.complaints);
+    }
+    total
+}
+
+fn names(root: &Path) -> Vec<String> {
+    // No folder, no examples.
+    let Ok(entries) = std::fs::read_dir(root.join("crates/cdpr/examples")) else { return Vec::new() };
+    let mut names: Vec<String> =
+        entries.filter_map(|entry| entry.ok()?.file_name().to_str()?.strip_suffix(".rs").map(str::to_owned)).collect();
+    names.sort_unstable();
+    names
+}

@@ -1,0 +1,55 @@
+//! Files that the product itself writes: kept in the repository for editors, compared in every test run.
+
+use std::path::Path;
+
+use crate::cargo;
+use crate::outcome::Outcome;
+
+/// A file and the `cdpr` command whose standard output it is.
+struct Generated {
+    path: &'static str,
+    command: &'static [&'static str],
+}
+
+const FILES: &[Generated] = &[];
+
+/// Complains of every file that differs from what the program writes now.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let complaints = FILES.iter().filter_map(|file| {
+        let expected = match output(root, file) {
+            Ok(expected) => expected,
+            Err(message) => return Some(message),
+        };
+        match std::fs::read(root.join(file.path)) {
+            Ok(found) if found == expected => None,
+            Ok(_) => Some(format!("{} is out of date", file.path)),
+            Err(error) => Some(format!("{}: {error}", file.path)),
+        }
+    });
+    Outcome::of(complaints.collect())
+}
+
+/// Writes every file.
+pub(crate) fn write(root: &Path) -> Result<(), String> {
+    for file in FILES {
+        let path = root.join(file.path);
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        }
+        std::fs::write(&path, output(root, file)?).map_err(|error| format!("{}: {error}", path.display()))?;
+        println!("wrote {}", file.path);
+    }
+    Ok(())
+}
+
+fn output(root: &Path, file: &Generated) -> Result<Vec<u8>, String> {
+    let mut arguments = vec!["run", "--quiet", "-p", "cdpr-cli", "--bin", "cdpr", "--"];
+    arguments.extend(file.command);
+    let output = cargo::command(root, &arguments).output().map_err(|error| format!("cannot start cargo: {error}"))?;
+    if output.status.success() {
+        Ok(output.stdout)
+    } else {
+        let reason = String::from_utf8_lossy(&output.stderr);
+        Err(format!("{}: `cdpr {}` failed: {}", file.path, file.command.join(" "), reason.trim()))
+    }
+}

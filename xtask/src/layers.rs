@@ -1,0 +1,230 @@
+//! What each room may use: only what stands left of it.
+
+use std::path::{Path, PathBuf};
+
+use crate::outcome::Outcome;
+
+/// The rooms of `crates/cdpr/src`, left to right; rooms in one entry do not use each other.
+const ROOMS: &[&[&str]] = &[
+    &["notation", "scalar", "reading"],
+    &["geometry"],
+    &["robot"],
+    &["measurement"],
+    &["cable"],
+    &["model"],
+    &["statics", "tension"],
+    &["equilibrium"],
+    &["workspace"],
+    &["metamodel"],
+    &["identification"],
+    &["plant"],
+    &["surrogate"],
+    &["export"],
+];
+
+/// Each crate of the workspace and the workspace crates that it may depend on.
+const CRATES: &[(&str, &[&str])] = &[("cdpr", &[]), ("cdpr-cli", &["cdpr"])];
+
+/// Complains of every use to the right, of rooms that are not listed, and of crates that depend the wrong way.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let source = root.join("crates/cdpr/src");
+    let mut complaints = Vec::new();
+    for path in rust_files(&source) {
+        let Ok(inside) = path.strip_prefix(&source) else { continue };
+        match std::fs::read_to_string(&path) {
+            Ok(text) => complaints.extend(uses_to_the_right(inside, &text)),
+            Err(error) => complaints.push(format!("{}: {error}", path.display())),
+        }
+    }
+    complaints.extend(crate_complaints(&root.join("crates")));
+    Outcome::of(complaints)
+}
+
+/// `inside` is the file's path in `crates/cdpr/src`. The front page lib.rs may use everything.
+fn uses_to_the_right(inside: &Path, text: &str) -> Vec<String> {
+    let Some(room) = room_of(inside) else { return Vec::new() };
+    let file = format!("crates/cdpr/src/{}", inside.display());
+    let Some(place) = place(&room) else {
+        return vec![format!("{file}: the room `{room}` is not listed in xtask/src/layers.rs and ARCHITECTURE.md")];
+    };
+    let mut complaints = Vec::new();
+    for used in used_rooms(text) {
+        let (line, name) = (used.line, used.name);
+        match self::place(&name) {
+            _ if name == room || name == "nalgebra" => {}
+            Some(other) if other < place => {}
+            Some(_) => {
+                complaints.push(format!("{file}:{line}: `{room}` uses `{name}`, which does not stand left of it"))
+            }
+            None => {
+                complaints.push(format!("{file}:{line}: `crate::{name}` is no room; name the room that defines it"))
+            }
+        }
+    }
+    complaints
+}
+
+fn place(room: &str) -> Option<usize> {
+    ROOMS.iter().position(|rooms| rooms.contains(&room))
+}
+
+/// `robot/description.rs` and `robot.rs` belong to the room `robot`; lib.rs belongs to none.
+fn room_of(inside: &Path) -> Option<String> {
+    let first = inside.iter().next()?.to_str()?;
+    let room = first.strip_suffix(".rs").unwrap_or(first);
+    (room != "lib").then(|| room.to_owned())
+}
+
+struct Used {
+    name: String,
+    line: usize,
+}
+
+/// Every first name after `crate::`, also inside `crate::{…}`, with its line; comments do not count.
+fn used_rooms(text: &str) -> Vec<Used> {
+    let code: String = text.lines().map(|line| format!("{}\n", line.split("//").next().unwrap_or_default())).collect();
+    let mut found = Vec::new();
+    for (start, path) in code.match_indices("crate::") {
+        let before = code[..start].chars().next_back();
+        if before.is_some_and(|letter| letter.is_alphanumeric() || letter == '_') {
+            continue; // the end of a longer name
+        }
+        let after = start + path.len();
+        let offsets = if code[after..].starts_with('{') { branches(&code[after..]) } else { vec![0] };
+        for offset in offsets {
+            let name: String = code[after + offset..]
+                .chars()
+                .take_while(|letter| letter.is_alphanumeric() || *letter == '_')
+                .collect();
+            let line = 1 + code[..after + offset].matches('\n').count();
+            found.push(Used { name, line });
+        }
+    }
+    found
+}
+
+/// Where the branches of `{a::X, b::{Y, Z}}` begin.
+fn branches(group: &str) -> Vec<usize> {
+    let (mut depth, mut fresh, mut starts) = (0_usize, false, Vec::new());
+    for (offset, letter) in group.char_indices() {
+        match letter {
+            '{' => {
+                depth += 1;
+                fresh = depth == 1;
+            }
+            '}' if depth == 1 => break,
+            '}' => depth -= 1,
+            ',' if depth == 1 => fresh = true,
+            _ if letter.is_whitespace() => {}
+            _ if fresh => {
+                starts.push(offset);
+                fresh = false;
+            }
+            _ => {}
+        }
+    }
+    starts
+}
+
+fn crate_complaints(crates: &Path) -> Vec<String> {
+    let Ok(folders) = std::fs::read_dir(crates) else { return vec![format!("cannot read {}", crates.display())] };
+    let mut complaints = Vec::new();
+    for folder in folders.filter_map(Result::ok) {
+        let name = folder.file_name().to_string_lossy().into_owned();
+        let manifest = std::fs::read_to_string(folder.path().join("Cargo.toml")).unwrap_or_default();
+        complaints.extend(dependencies_to_the_right(&name, &manifest));
+    }
+    complaints.sort_unstable();
+    complaints
+}
+
+/// Names of the workspace begin with `cdpr`; a crate may depend only on those in its line of the table.
+fn dependencies_to_the_right(name: &str, manifest: &str) -> Vec<String> {
+    let Some((_, allowed)) = CRATES.iter().find(|(listed, _)| *listed == name) else {
+        return vec![format!("crates/{name}: this crate is not listed in xtask/src/layers.rs and ARCHITECTURE.md")];
+    };
+    let mut section = "";
+    let mut complaints = Vec::new();
+    for (line, text) in (1..).zip(manifest.lines()) {
+        if text.starts_with('[') {
+            section = text;
+        }
+        let key = text.split(['.', '=', ' ']).next().unwrap_or_default();
+        if section.contains("dependencies") && key.starts_with("cdpr") && !allowed.contains(&key) {
+            complaints.push(format!("crates/{name}/Cargo.toml:{line}: `{name}` may not depend on `{key}`"));
+        }
+    }
+    complaints
+}
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let mut files = Vec::new();
+    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files.sort_unstable();
+    files
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn complaints(file: &str, text: &str) -> Vec<String> {
+        uses_to_the_right(Path::new(file), text)
+    }
+
+    #[test]
+    fn a_use_to_the_left_passes_and_a_use_to_the_right_names_its_line() {
+        assert!(complaints("model/lengths.rs", "use crate::cable::Outlet;\nuse crate::model::Model;\n").is_empty());
+        assert_eq!(
+            complaints("cable/pulley.rs", "//! Pulley.\n\nuse crate::model::Model;\n"),
+            ["crates/cdpr/src/cable/pulley.rs:3: `cable` uses `model`, which does not stand left of it"]
+        );
+    }
+
+    #[test]
+    fn every_branch_of_a_grouped_use_is_seen_on_its_own_line() {
+        let text = "use crate::{\n    geometry::{Pose, Twist},\n    export::{self, C99},\n    workspace,\n};\n";
+        let lines: Vec<String> = complaints("robot.rs", text);
+        assert_eq!(lines.len(), 2, "{lines:?}");
+        assert!(lines[0].contains("robot.rs:3: `robot` uses `export`"));
+        assert!(lines[1].contains("robot.rs:4: `robot` uses `workspace`"));
+    }
+
+    #[test]
+    fn a_path_inside_code_counts_as_a_use() {
+        let text = "fn f() -> f64 {\n    crate::identification::fit()\n}\n";
+        assert_eq!(complaints("geometry/mod.rs", text).len(), 1);
+    }
+
+    #[test]
+    fn comments_and_longer_names_are_no_uses() {
+        let text = "/// See [`crate::model::Model`].\nuse subcrate::model::X;\n";
+        assert!(complaints("geometry/mod.rs", text).is_empty());
+    }
+
+    #[test]
+    fn rooms_of_one_place_do_not_use_each_other() {
+        assert_eq!(complaints("statics/mod.rs", "use crate::tension::solve;").len(), 1);
+    }
+
+    #[test]
+    fn unlisted_rooms_and_names_of_the_crate_root_are_refused() {
+        assert!(complaints("helpers/mod.rs", "")[0].contains("not listed"));
+        assert!(complaints("model/mod.rs", "use crate::Robot;")[0].contains("is no room"));
+        assert!(complaints("lib.rs", "pub use crate::export::C99;").is_empty());
+    }
+
+    #[test]
+    fn the_library_may_not_depend_on_the_command_line() {
+        let manifest = "[dependencies]\nnalgebra = \"1\"\ncdpr-cli.workspace = true\n";
+        assert_eq!(dependencies_to_the_right("cdpr", manifest).len(), 1);
+        assert!(dependencies_to_the_right("cdpr-cli", "[dependencies]\ncdpr.workspace = true\n").is_empty());
+    }
+}

@@ -1,0 +1,61 @@
+//! Development tasks of the workspace. `cargo xtask test` checks everything that a change has to pass.
+#![expect(clippy::print_stdout, clippy::print_stderr, reason = "a terminal program that talks to its developer")]
+
+mod book;
+mod cargo;
+mod documents;
+mod examples;
+mod generated;
+mod layers;
+mod outcome;
+mod steps;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+Usage: cargo xtask TASK
+
+Tasks:
+  test                 everything a change has to pass, cheapest steps first; stops at the first failure
+  test --only STEP     one step of it
+  steps                the steps of `test`
+  layers               what each room of crates/cdpr may use
+  generate             write the generated files (schemas)
+  book                 build the book with an installed mdbook";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let root = root();
+    let result = match arguments.as_slice() {
+        ["test"] => steps::run(&root, None),
+        ["test", "--only", step] => steps::run(&root, Some(step)),
+        ["steps"] => {
+            steps::list();
+            Ok(())
+        }
+        ["layers"] => layers::check(&root).into_result(),
+        ["generate"] => generated::write(&root),
+        ["book"] => book::build(&root),
+        [] | ["help" | "--help" | "-h"] => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        other => Err(format!("unknown task `{}`\n\n{USAGE}", other.join(" "))),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The workspace root. Cargo tells it when the task runs, so a moved clone needs no rebuild.
+fn root() -> PathBuf {
+    let manifest =
+        std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);
+    manifest.parent().map_or_else(|| manifest.clone(), Path::to_path_buf)
+}

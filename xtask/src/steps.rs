@@ -1,0 +1,146 @@
+//! The steps of `cargo xtask test`, in order; one line of the table each.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use crate::outcome::Outcome;
+use crate::{cargo, documents, examples, generated, layers};
+
+/// One step of the entrance.
+struct Step {
+    /// The word after `--only`.
+    name: &'static str,
+    /// How it is checked.
+    action: Action,
+    /// What to do when it fails.
+    remedy: &'static str,
+}
+
+enum Action {
+    /// A cargo command that must succeed.
+    Cargo(&'static [&'static str]),
+    /// A cargo command whose test results are counted.
+    Tests(&'static [&'static str]),
+    /// A check of our own.
+    Own(fn(&Path) -> Outcome),
+}
+
+/// Cheap steps first. Benches compile in `clippy`, which takes all targets.
+const STEPS: &[Step] = &[
+    Step { name: "tools", action: Action::Own(cargo::tools), remedy: "install what is missing, as the message says" },
+    Step { name: "format", action: Action::Cargo(&["fmt", "--all", "--check"]), remedy: "run `cargo fmt --all`" },
+    Step {
+        name: "layers",
+        action: Action::Own(layers::check),
+        remedy: "move the code to the right, or the shared part to the left (ARCHITECTURE.md)",
+    },
+    Step {
+        name: "documents",
+        action: Action::Own(documents::check),
+        remedy: "mend the link, or list the page in SUMMARY.md",
+    },
+    Step {
+        name: "clippy",
+        action: Action::Cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]),
+        remedy: "mend the code; an exception is `#[expect(lint, reason = \"…\")]` on the smallest item",
+    },
+    Step {
+        name: "tests",
+        action: Action::Tests(&["test", "--workspace", "--lib", "--bins", "--tests", "--no-fail-fast"]),
+        remedy: "run the failing test alone: `cargo test -p CRATE NAME`",
+    },
+    Step {
+        name: "doc-tests",
+        action: Action::Tests(&["test", "--workspace", "--doc", "--no-fail-fast"]),
+        remedy: "mend the example in the doc comment",
+    },
+    Step {
+        name: "docs",
+        // Libraries only: the binary `cdpr` would write over the pages of the library of the same name.
+        action: Action::Cargo(&["doc", "--workspace", "--lib", "--no-deps"]),
+        remedy: "mend the doc comment that rustdoc names",
+    },
+    Step {
+        name: "no-default-features",
+        action: Action::Cargo(&["check", "-p", "cdpr", "--no-default-features"]),
+        remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
+    },
+    Step {
+        name: "generated",
+        action: Action::Own(generated::check),
+        remedy: "run `cargo xtask generate` and commit what it wrote",
+    },
+    Step {
+        name: "examples",
+        action: Action::Own(examples::run),
+        remedy: "run it alone: `cargo run -p cdpr --example NAME`",
+    },
+];
+
+/// Runs all steps, or one; prints the closing line `N passed, N failed`.
+pub(crate) fn run(root: &Path, only: Option<&str>) -> Result<(), String> {
+    let steps: Vec<&Step> = STEPS.iter().filter(|step| only.is_none_or(|name| name == step.name)).collect();
+    if steps.is_empty() {
+        return Err(format!("no step is called `{}`; there are: {}", only.unwrap_or_default(), names().join(", ")));
+    }
+    let (mut passed, mut failed) = (0, 0);
+    for step in steps {
+        println!("\n── {} {}", step.name, "─".repeat(60_usize.saturating_sub(step.name.len())));
+        let start = Instant::now();
+        let outcome = step.action.run(root);
+        passed += outcome.passed;
+        failed += outcome.failed;
+        report(step, &outcome, start.elapsed());
+        if outcome.failed > 0 {
+            break;
+        }
+    }
+    println!("\n{passed} passed, {failed} failed");
+    if failed == 0 { Ok(()) } else { std::process::exit(1) }
+}
+
+/// Prints the names of the steps.
+pub(crate) fn list() {
+    println!("{}", names().join("\n"));
+}
+
+fn names() -> Vec<&'static str> {
+    STEPS.iter().map(|step| step.name).collect()
+}
+
+fn report(step: &Step, outcome: &Outcome, time: Duration) {
+    for complaint in &outcome.complaints {
+        println!("{complaint}");
+    }
+    let seconds = time.as_secs_f64();
+    if outcome.failed == 0 {
+        println!("{}: passed ({seconds:.1} s)", step.name);
+    } else {
+        println!("{}: FAILED ({seconds:.1} s). What to do: {}.", step.name, step.remedy);
+        println!("Then again: cargo xtask test --only {}", step.name);
+    }
+}
+
+impl Action {
+    fn run(&self, root: &Path) -> Outcome {
+        match self {
+            Self::Cargo(arguments) => cargo::succeed(root, arguments),
+            Self::Tests(arguments) => cargo::count_tests(root, arguments),
+            Self::Own(check) => check(root),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `--only` could not tell two steps of one name apart.
+    #[test]
+    fn step_names_are_unique() {
+        let mut names = names();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), STEPS.len());
+    }
+}
