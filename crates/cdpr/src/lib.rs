@@ -9,6 +9,10 @@ pub mod identification;
 pub mod measurement;
 pub mod metamodel;
 pub mod model;
+pub mod notation {
+    //! The symbols of the documentation and of the code.
+    #![doc = include_str!("notation.md")]
+}
 pub mod reading;
 pub mod robot;
 pub mod scalar;
