@@ -19,6 +19,9 @@ pub(super) struct Descent<'a> {
     platform_radius: f64,
 }
 
+/// Steps that shrink less than this fraction make the descent use second derivatives.
+const SLOW_CONTRACTION: f64 = 0.1;
+
 /// Where one descent ended.
 pub(super) struct End {
     pub(super) pose: Pose,
@@ -207,9 +210,13 @@ impl<const N: usize> Kernel for Search<'_, N> {
             return End { stop: Stop::Degenerate, ..end };
         }
         let mut damping = 0.0;
+        let mut slow = false;
         let mut last_step = 0.0; // none yet: no rate of contraction to judge by
         while end.iterations < settings.max_iterations {
             end.iterations += 1;
+            if slow {
+                self.add_curvature(&pose, &mut normal);
+            }
             let Some((step, size, ratio)) = self.step(&normal, damping) else {
                 if damping > 1e6 {
                     // some direction moves no cable at all
@@ -226,6 +233,7 @@ impl<const N: usize> Kernel for Search<'_, N> {
             if next.cost <= normal.cost * (1.0 + 1e-12) + 1e-29 * self.descent.mean_length * self.descent.mean_length {
                 let contraction = size / last_step;
                 (pose, normal, last_step) = (trial, next, size);
+                slow = contraction.is_finite() && contraction > SLOW_CONTRACTION;
                 damping = if damping < 1e-9 { 0.0 } else { damping * 0.1 };
                 // what the remaining steps add up to if they go on shrinking at this rate
                 if contraction < 0.5 && size * contraction <= tolerance * (1.0 - contraction)
@@ -242,6 +250,8 @@ impl<const N: usize> Kernel for Search<'_, N> {
                 break;
             } else {
                 damping = f64::max(10.0 * damping, 1e-3);
+                // the matrix may hold the curvature already; it is made anew where it is wanted
+                (normal, slow) = (self.normal(lanes, &pose), true);
             }
         }
         let count = self.descent.lengths.len() as f64;
@@ -281,6 +291,36 @@ impl<const N: usize> Search<'_, N> {
             normal.right[i] += (rows[i] * residual).sum();
             for j in 0..=i {
                 normal.matrix[i][j] += (rows[i] * rows[j]).sum();
+            }
+        }
+    }
+
+    /// Adds Σ ρ ∂²q/∂x² to the normal matrix: Gauss–Newton becomes Newton.
+    ///
+    /// With dp = v + ω × b and D = ∂u/∂p_B: ∂²q = −dpᵀ D dp − (u·ω)(b·ω) + (u·b) ω·ω. Lengths that do not fit the robot
+    /// leave residuals large enough for this to decide how fast, and whether, the descent arrives.
+    fn add_curvature(&self, pose: &Pose, normal: &mut Normal<N>) {
+        let model = self.descent.model;
+        for (cable, target) in self.descent.lengths.iter().enumerate() {
+            let Ok((course, b)) = model.course(cable, pose) else { continue };
+            let residual = course.length - target;
+            let u = Vector3::from(course.direction);
+            let gradient = nalgebra::Matrix3::from_fn(|row, column| course.direction_gradient[row][column]);
+            let parts = |k: usize| {
+                let (v, omega): (Vector3<f64>, Vector3<f64>) = (
+                    model.twist_basis()[k].fixed_rows::<3>(0).into(),
+                    model.twist_basis()[k].fixed_rows::<3>(3).into(),
+                );
+                (v + omega.cross(&b), omega)
+            };
+            for i in 0..N {
+                let (motion_i, omega_i) = parts(i);
+                for j in 0..=i {
+                    let (motion_j, omega_j) = parts(j);
+                    let mixed = 0.5 * (u.dot(&omega_i) * b.dot(&omega_j) + u.dot(&omega_j) * b.dot(&omega_i));
+                    let curvature = -motion_i.dot(&(gradient * motion_j)) - mixed + u.dot(&b) * omega_i.dot(&omega_j);
+                    normal.matrix[i][j] += residual * curvature;
+                }
             }
         }
     }
