@@ -184,7 +184,7 @@ fn contradictory_lengths_lead_to_the_least_squares_pose_quickly() {
             let solution =
                 solve(&model, &lengths, &pose, &Settings { suspicious_residual: 0.1, ..Settings::default() }).unwrap();
             assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);
-            assert!(solution.iterations <= 25, "{name}: {} iterations", solution.iterations);
+            assert!(solution.iterations <= 50, "{name}: {} iterations", solution.iterations);
             let residuals = cdpr::nalgebra::DVector::from_vec(solution.residuals);
             let gradient = model.structure_matrix(&solution.pose).unwrap() * residuals;
             // the pose is right to 1e-10 of the mean length; the Hessian is below 100

@@ -205,7 +205,7 @@ impl<const N: usize> Kernel for Search<'_, N> {
         let tolerance = settings.pose_tolerance * self.descent.mean_length.max(1.0);
         let mut pose = *self.start;
         let mut normal = self.normal(lanes, &pose);
-        let mut end = End { pose, rms: f64::NAN, iterations: 0, stop: Stop::IterationLimit, pivot_ratio: 1.0 };
+        let mut end = End { pose, rms: f64::NAN, iterations: 0, stop: Stop::IterationLimit, pivot_ratio: f64::NAN };
         if !normal.cost.is_finite() {
             return End { stop: Stop::Degenerate, ..end };
         }
@@ -214,19 +214,17 @@ impl<const N: usize> Kernel for Search<'_, N> {
         let mut last_step = 0.0; // none yet: no rate of contraction to judge by
         while end.iterations < settings.max_iterations {
             end.iterations += 1;
-            if slow {
-                self.add_curvature(&pose, &mut normal);
-            }
-            let Some((step, size, ratio)) = self.step(&normal, damping) else {
+            let matrix = if slow { self.with_curvature(&pose, &normal.matrix) } else { normal.matrix };
+            let Some((step, size, ratio)) = self.step(&normal, matrix, damping) else {
                 if damping > 1e6 {
                     // some direction moves no cable at all
-                    (end.stop, end.pivot_ratio) = (Stop::Stationary, 0.0);
+                    end.stop = Stop::Stationary;
                     break;
                 }
                 damping = f64::max(10.0 * damping, 1e-6);
                 continue;
             };
-            end.pivot_ratio = ratio;
+            end.pivot_ratio = if slow || damping > 0.0 { f64::NAN } else { ratio };
             let trial = displaced(&pose, &step);
             let next = self.normal(lanes, &trial);
             // rounding of the cost: equal costs near the optimum must not look like a failure
@@ -250,9 +248,12 @@ impl<const N: usize> Kernel for Search<'_, N> {
                 break;
             } else {
                 damping = f64::max(10.0 * damping, 1e-3);
-                // the matrix may hold the curvature already; it is made anew where it is wanted
-                (normal, slow) = (self.normal(lanes, &pose), true);
+                slow = true;
             }
+        }
+        if end.pivot_ratio.is_nan() {
+            // neither damping nor curvature may hide that lengths do not determine the pose
+            end.pivot_ratio = self.step(&normal, normal.matrix, 0.0).map_or(0.0, |(_, _, ratio)| ratio);
         }
         let count = self.descent.lengths.len() as f64;
         End { pose, rms: (normal.cost / count).sqrt(), ..end }
@@ -295,12 +296,13 @@ impl<const N: usize> Search<'_, N> {
         }
     }
 
-    /// Adds Σ ρ ∂²q/∂x² to the normal matrix: Gauss–Newton becomes Newton.
+    /// The normal matrix plus Σ ρ ∂²q/∂x²: Gauss–Newton becomes Newton.
     ///
     /// With dp = v + ω × b and D = ∂u/∂p_B: ∂²q = −dpᵀ D dp − (u·ω)(b·ω) + (u·b) ω·ω. Lengths that do not fit the robot
     /// leave residuals large enough for this to decide how fast, and whether, the descent arrives.
-    fn add_curvature(&self, pose: &Pose, normal: &mut Normal<N>) {
+    fn with_curvature(&self, pose: &Pose, matrix: &[[f64; N]; N]) -> [[f64; N]; N] {
         let model = self.descent.model;
+        let mut matrix = *matrix;
         for (cable, target) in self.descent.lengths.iter().enumerate() {
             let Ok((course, b)) = model.course(cable, pose) else { continue };
             let residual = course.length - target;
@@ -319,10 +321,11 @@ impl<const N: usize> Search<'_, N> {
                     let (motion_j, omega_j) = parts(j);
                     let mixed = 0.5 * (u.dot(&omega_i) * b.dot(&omega_j) + u.dot(&omega_j) * b.dot(&omega_i));
                     let curvature = -motion_i.dot(&(gradient * motion_j)) - mixed + u.dot(&b) * omega_i.dot(&omega_j);
-                    normal.matrix[i][j] += residual * curvature;
+                    matrix[i][j] += residual * curvature;
                 }
             }
         }
+        matrix
     }
 
     /// Columns [u; b × u] in the robot's degrees of freedom.
@@ -338,13 +341,13 @@ impl<const N: usize> Search<'_, N> {
         })
     }
 
-    /// Damped Gauss–Newton step as a twist, its size (m; angles times the platform radius) and the pivot ratio.
+    /// Damped step as a twist, its size (m; angles times the platform radius) and the pivot ratio of `matrix`, which is
+    /// the normal matrix or that with curvature.
     #[inline(always)]
-    fn step(&self, normal: &Normal<N>, damping: f64) -> Option<(Twist, f64, f64)> {
-        let mut matrix = normal.matrix;
+    fn step(&self, normal: &Normal<N>, mut matrix: [[f64; N]; N], damping: f64) -> Option<(Twist, f64, f64)> {
         let mut step = normal.right;
         for k in 0..N {
-            matrix[k][k] *= 1.0 + damping;
+            matrix[k][k] += damping * normal.matrix[k][k];
         }
         let ratio = ldl::solve(&mut matrix, &mut step)?;
         let mut twist = Twist::zeros();
