@@ -59,6 +59,11 @@ impl Output {
         Ok(ExitCode::from(u8::from(answer.is_negative())))
     }
 
+    /// Tells something that is not part of the answer, on stderr.
+    pub(crate) fn remark(&self, text: &str) {
+        diagnostics::remark(text);
+    }
+
     /// Tells the failure on stderr, and as an object on stdout when JSON was asked for.
     pub(crate) fn fail(&self, failure: &Failure) -> ExitCode {
         diagnostics::failure(failure);

@@ -10,13 +10,14 @@ use crate::failure::Failure;
 /// Escape sequences, empty when colour is not wanted.
 struct Colours {
     error: &'static str,
+    remark: &'static str,
     place: &'static str,
     reset: &'static str,
 }
 
 impl Colours {
-    const NONE: Self = Self { error: "", place: "", reset: "" };
-    const ANSI: Self = Self { error: "\x1b[1;31m", place: "\x1b[1;34m", reset: "\x1b[0m" };
+    const NONE: Self = Self { error: "", remark: "", place: "", reset: "" };
+    const ANSI: Self = Self { error: "\x1b[1;31m", remark: "\x1b[1;33m", place: "\x1b[1;34m", reset: "\x1b[0m" };
 
     /// Colour on terminals, unless `NO_COLOR` is set to anything or the terminal is dumb.
     fn of_stderr() -> Self {
@@ -29,6 +30,12 @@ impl Colours {
 /// Tells a failure.
 pub(crate) fn failure(failure: &Failure) {
     write(&failure_text(failure, &Colours::of_stderr()));
+}
+
+/// Tells something that does not stop the command.
+pub(crate) fn remark(text: &str) {
+    let Colours { remark, reset, .. } = Colours::of_stderr();
+    write(&format!("{remark}note{reset}: {text}\n"));
 }
 
 fn write(text: &str) {

@@ -3,11 +3,14 @@
 mod answer;
 mod commands;
 mod diagnostics;
+mod error_table;
 mod failure;
 mod files;
 mod inputs;
+mod measurements;
 mod numbers;
 mod pose_answer;
+mod progress;
 mod table;
 
 use std::process::ExitCode;

@@ -32,5 +32,7 @@ commands! {
     ik: Ik,
     fk: Fk,
     place_pulleys: PlacePulleys,
+    identify: Identify,
+    evaluate: Evaluate,
     schema: Schema,
 }

@@ -10,7 +10,8 @@ use crate::failure::Failure;
 
 const EXAMPLES: &str = "\
 Examples:
-  cdpr schema robot > robot.schema.json";
+  cdpr schema robot > robot.schema.json
+  cdpr schema measurement";
 
 /// Print the JSON Schema of a file format, for editors and other programs.
 #[derive(Debug, Args)]
@@ -25,6 +26,10 @@ pub(crate) struct Arguments {
 enum FileFormat {
     /// Robot description (TOML).
     Robot,
+    /// Study (TOML): control model, machine, poses and noise.
+    Study,
+    /// What is known about a measurement file (TOML beside the CSV, whose columns the description tells).
+    Measurement,
 }
 
 #[derive(Serialize)]
@@ -44,6 +49,8 @@ impl Answer for Schema {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let schema = match arguments.of {
         FileFormat::Robot => cdpr::robot::schema(),
+        FileFormat::Study => cdpr::metamodel::study::schema(),
+        FileFormat::Measurement => cdpr::measurement::schema(),
     };
     let schema = schema.to_value();
     let words = serde_json::to_string_pretty(&schema)

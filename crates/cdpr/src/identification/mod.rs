@@ -17,3 +17,4 @@ mod words;
 pub use candidate::Candidate;
 pub use evaluation::{ErrorBlocks, Evaluation, evaluate};
 pub use fit::{Fit, Prior};
+pub use identifiability::{Analysis, Correlation};

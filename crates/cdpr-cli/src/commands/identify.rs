@@ -1,0 +1,234 @@
+//! `cdpr identify`: optimal parameters of one model from measurements.
+
+mod words;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, fit};
+use cdpr::identification::{Analysis, ErrorBlocks, Evaluation, evaluate};
+use cdpr::measurement::{Samples, Split};
+use cdpr::model::{FreeParameters, Model};
+use clap::Args;
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::error_table::convergence_remark;
+use crate::failure::Failure;
+use crate::files;
+use crate::inputs::ModelArguments;
+use crate::measurements::DataArguments;
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr identify robot.toml samples.csv --free length-offset,length-scale --out calibrated.toml
+  cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor --prior platform-anchor=0.02
+  cdpr identify robot.toml samples.csv --model pulley --free pulley-radius --validation other.csv
+  cdpr identify robot.toml samples.csv --free 'frame-anchor[1,3]' --split blocks:5 --sigma position_m=0.001,length_m=0.0002";
+
+const FREE_HELP: &str = "\
+Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius; \
+`frame-anchor[1,3]` frees cables 1 and 3 only";
+
+/// Identify the parameters of a model from measured poses and recorded lengths.
+///
+/// The exit code is 1 when the data do not determine all free parameters; the calibrated file is written all the same.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    model: ModelArguments,
+
+    #[command(flatten)]
+    data: DataArguments,
+
+    #[arg(long, value_name = "LIST", help = FREE_HELP)]
+    free: FreeParameters,
+
+    /// Parameters that stay as they are although --free names them, e.g. `frame-anchor[1]`.
+    #[arg(long, value_name = "LIST", default_value = "", hide_default_value = true)]
+    hold: FreeParameters,
+
+    /// Ridges towards the file's values with these standard deviations, e.g. platform-anchor=0.02.
+    #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
+    prior: Vec<Prior>,
+
+    /// Measurements to judge the calibrated model by; they are not fitted to.
+    #[arg(long, value_name = "FILE", conflicts_with = "split")]
+    validation: Option<PathBuf>,
+
+    /// Hold parts of DATA out to judge by: column (`set`), blocks:K, kfold:K or region:K.
+    #[arg(long, value_name = "SPLIT")]
+    split: Option<Split>,
+
+    /// Seed of the split kfold:K.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+
+    /// Calibrated robot file to write.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Identified {
+    robot: String,
+    model: String,
+    free: String,
+    data: String,
+    samples: usize,
+    status: Status,
+    reason: String,
+    iterations: u32,
+    parameter_count: usize,
+    #[serde(flatten)]
+    analysis: Analysis,
+    parameters: Vec<Estimate>,
+    noise_factor: f64,
+    history: Vec<f64>,
+    train: ErrorBlocks,
+    train_before: ErrorBlocks,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    validation_data: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    validation: Option<ErrorBlocks>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    validation_before: Option<ErrorBlocks>,
+    warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+    #[serde(skip)]
+    pattern: MotionPattern,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let model = arguments.model.read()?;
+    let samples = arguments.data.read(model.robot(), output)?;
+    samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
+    let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, model.robot(), output));
+    let other = other.transpose()?;
+    let task = Task { model: &model, samples: &samples, arguments: &arguments };
+    task.tell_about_unused_column(output);
+    let progress = Progress::spinner("identifying");
+    let result = task.identify(other.as_ref())?;
+    let calibrated = result.fit.model.robot().to_toml();
+    let answer = task.answer(result);
+    drop(progress);
+    if let Some(path) = &arguments.out {
+        files::write(path, calibrated.as_bytes())?;
+    }
+    output.answer(&answer)
+}
+
+/// One identification with its data.
+struct Task<'a> {
+    model: &'a Model,
+    samples: &'a Samples,
+    arguments: &'a Arguments,
+}
+
+/// The reported fit, what it was fitted to, and errors on data that it was not fitted to (after, before).
+struct Identification {
+    fit: Fit,
+    train: Samples,
+    validation: Option<(Evaluation, Evaluation)>,
+}
+
+impl Task<'_> {
+    fn tell_about_unused_column(&self, output: &Output) {
+        let Arguments { split, validation, .. } = self.arguments;
+        if split.is_none() && validation.is_none() && Split::Column.folds(self.samples, 0).is_ok() {
+            output.remark("all rows are fitted to; `--split column` holds out those that the column `set` names");
+        }
+    }
+
+    /// Fits to all samples or to those of the one fold; several folds are only fitted to for judging.
+    fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
+        if let Some(other) = other {
+            let fit = self.fit(self.samples)?;
+            let validation = Some((evaluate(&fit.model, other), evaluate(self.model, other)));
+            return Ok(Identification { fit, train: self.samples.clone(), validation });
+        }
+        let Some(split) = self.arguments.split else {
+            return Ok(Identification { fit: self.fit(self.samples)?, train: self.samples.clone(), validation: None });
+        };
+        let folds = split
+            .folds(self.samples, self.arguments.seed)
+            .map_err(|error| Failure::refused(&format!("{}: --split", self.arguments.data.name()), &error))?;
+        let (mut after, mut before) = (Evaluation::default(), Evaluation::default());
+        let mut single = None;
+        for fold in &folds {
+            let (train, held) = (self.samples.subset(&fold.train), self.samples.subset(&fold.validation));
+            let fit = self.fit(&train)?;
+            after.extend(&evaluate(&fit.model, &held));
+            before.extend(&evaluate(self.model, &held));
+            single = Some((fit, train));
+        }
+        let (fit, train) = match single {
+            Some(single) if folds.len() == 1 => single,
+            _ => (self.fit(self.samples)?, self.samples.clone()),
+        };
+        Ok(Identification { fit, train, validation: Some((after, before)) })
+    }
+
+    fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
+        let Arguments { free, hold, prior, data, .. } = self.arguments;
+        let settings = fit::Settings { hold: hold.clone(), priors: prior.clone(), ..fit::Settings::default() };
+        fit(self.model, samples, free, &settings).map_err(|error| match error {
+            fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
+            error => Failure::refused(&data.name(), &error),
+        })
+    }
+
+    /// What the validation errors are of.
+    fn validation_name(&self) -> Option<String> {
+        let Arguments { validation, split, .. } = self.arguments;
+        let file = validation.as_ref().map(|path| path.display().to_string());
+        file.or_else(|| split.map(|split| format!("held-out parts ({split})")))
+    }
+
+    fn answer(&self, result: Identification) -> Identified {
+        let Identification { fit, train, validation } = result;
+        let (train_after, train_before) = (evaluate(&fit.model, &train).blocks(), evaluate(self.model, &train).blocks());
+        let (validation, validation_before) =
+            validation.map(|(after, before)| (after.blocks(), before.blocks())).unzip();
+        let mut warnings = fit.warnings;
+        warnings.extend(convergence_remark(&train_after, "training samples"));
+        warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
+        Identified {
+            robot: self.model.robot().name.clone(),
+            model: self.model.composition().to_string(),
+            free: self.arguments.free.to_string(),
+            data: self.arguments.data.name(),
+            samples: train.len(),
+            status: fit.status,
+            reason: fit.reason,
+            iterations: fit.iterations,
+            parameter_count: fit.parameters.len(),
+            analysis: fit.analysis,
+            parameters: fit.parameters,
+            noise_factor: fit.noise_factor,
+            history: fit.history,
+            train: train_after,
+            train_before,
+            validation_data: self.validation_name(),
+            validation,
+            validation_before,
+            warnings,
+            out: self.arguments.out.as_ref().map(|path| path.display().to_string()),
+            pattern: self.model.robot().motion_pattern,
+        }
+    }
+}
+
+impl Answer for Identified {
+    fn is_negative(&self) -> bool {
+        self.status != Status::Converged
+    }
+
+    fn words(&self) -> String {
+        words::of(self)
+    }
+}

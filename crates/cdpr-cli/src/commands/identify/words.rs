@@ -1,0 +1,84 @@
+//! An identification in tables and sentences.
+
+use cdpr::identification::fit::Status;
+
+use super::Identified;
+use crate::error_table::error_table;
+use crate::table::{Table, cell};
+
+pub(super) fn of(answer: &Identified) -> String {
+    let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
+    let status = match answer.status {
+        Status::Converged => "converged",
+        Status::NotIdentifiable => "not identifiable",
+        _ => "not converged",
+    };
+    let mut text = format!(
+        "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n\
+         {status} after {iterations} iterations: {reason}\n"
+    );
+    if !answer.parameters.is_empty() {
+        text.push_str(&format!("\n{}\n{}", parameters(answer), identifiability(answer)));
+    }
+    text.push_str(&format!("\n{}", errors(answer)));
+    if !answer.warnings.is_empty() {
+        text.push_str("\nwarnings\n");
+        answer.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
+    }
+    if let Some(path) = &answer.out {
+        text.push_str(&format!("\ncalibrated robot written to {path}\n"));
+    }
+    text
+}
+
+fn parameters(answer: &Identified) -> String {
+    let mut table = Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
+    for estimate in &answer.parameters {
+        table.row(vec![
+            estimate.name.clone(),
+            estimate.unit.to_owned(),
+            cell(Some(estimate.start), 6),
+            cell(Some(estimate.value), 6),
+            cell(estimate.sigma, 6),
+            cell(Some(estimate.change), 6),
+            if estimate.at_bound { "at its bound".to_owned() } else { String::new() },
+        ]);
+    }
+    table.text()
+}
+
+fn identifiability(answer: &Identified) -> String {
+    let Identified { analysis, parameter_count, noise_factor, .. } = answer;
+    let mut text = format!(
+        "rank {} of {parameter_count}, condition {}, with unit columns {}, noise factor {noise_factor:.3}\n",
+        analysis.rank,
+        condition_number(analysis.condition),
+        condition_number(analysis.condition_scaled)
+    );
+    for direction in &analysis.weak_directions {
+        text.push_str(&format!("weak direction: {direction}\n"));
+    }
+    let correlations = analysis.correlations.len();
+    if correlations > 0 {
+        let pairs = if correlations == 1 { "pair" } else { "pairs" };
+        text.push_str(&format!("{correlations} {pairs} of parameters with a correlation above 0.95 (see --format json)\n"));
+    }
+    text
+}
+
+fn condition_number(number: f64) -> String {
+    match number {
+        infinite if !infinite.is_finite() => "∞".to_owned(),
+        large if large >= 1e5 => format!("{large:.2e}"),
+        number => format!("{number:.1}"),
+    }
+}
+
+fn errors(answer: &Identified) -> String {
+    let mut columns = vec![("train before", &answer.train_before), ("train after", &answer.train)];
+    if let (Some(before), Some(after)) = (&answer.validation_before, &answer.validation) {
+        columns.extend([("validation before", before), ("validation after", after)]);
+    }
+    let note = answer.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
+    error_table(answer.pattern, &columns) + &note.collect::<String>()
+}

@@ -1,0 +1,61 @@
+//! Error blocks side by side, for people: mm and degrees.
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::ErrorBlocks;
+
+use crate::table::{Table, cell};
+
+/// A table with a column for each block and a row for each statistic; rotations only where the platform can turn.
+pub(crate) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks)]) -> String {
+    let mut heading = vec!["error".to_owned(), "of".to_owned(), "unit".to_owned()];
+    heading.extend(columns.iter().map(|(name, _)| (*name).to_owned()));
+    let mut table = Table::with_heading(heading).left_column(1).left_column(2);
+    let mut rows = |quantity: &str, unit: &str, factor: f64, decimals: usize, statistics: &[Statistic]| {
+        for (index, (name, value)) in statistics.iter().enumerate() {
+            let first = if index == 0 { quantity } else { "" };
+            let mut cells = vec![first.to_owned(), (*name).to_owned(), unit.to_owned()];
+            cells.extend(columns.iter().map(|(_, blocks)| cell(Some(factor * value(blocks)), decimals)));
+            table.row(cells);
+        }
+    };
+    rows("position", "mm", 1e3, 3, &POSITION);
+    if pattern.has_rotation() {
+        rows("rotation", "°", 1.0_f64.to_degrees(), 4, &ROTATION);
+    }
+    rows("length", "mm", 1e3, 3, &LENGTH);
+    table.text()
+}
+
+/// One remark for samples whose forward problem did not converge; empty when all did.
+pub(crate) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<String> {
+    let ErrorBlocks { samples, not_converged, .. } = blocks;
+    (*not_converged > 0).then(|| {
+        format!("the forward problem of {not_converged} of {samples} {what} did not converge; their best poses count")
+    })
+}
+
+/// Name of a statistic and where it stands.
+type Statistic = (&'static str, fn(&ErrorBlocks) -> f64);
+
+const POSITION: [Statistic; 5] = [
+    ("mean", |blocks| blocks.position_error_m.mean),
+    ("rms", |blocks| blocks.position_error_m.rms),
+    ("median", |blocks| blocks.position_error_m.median),
+    ("p95", |blocks| blocks.position_error_m.p95),
+    ("max", |blocks| blocks.position_error_m.max),
+];
+
+const ROTATION: [Statistic; 5] = [
+    ("mean", |blocks| blocks.rotation_error_rad.mean),
+    ("rms", |blocks| blocks.rotation_error_rad.rms),
+    ("median", |blocks| blocks.rotation_error_rad.median),
+    ("p95", |blocks| blocks.rotation_error_rad.p95),
+    ("max", |blocks| blocks.rotation_error_rad.max),
+];
+
+const LENGTH: [Statistic; 4] = [
+    ("mean", |blocks| blocks.length_error_m.mean_abs),
+    ("rms", |blocks| blocks.length_error_m.rms),
+    ("p95", |blocks| blocks.length_error_m.p95),
+    ("max", |blocks| blocks.length_error_m.max),
+];
