@@ -1,0 +1,93 @@
+//! Candidates against the criterion, with bars of one standard error.
+
+use super::axis::Axis;
+use super::drawing::{Anchor, Drawing};
+use super::finite_range;
+
+/// One candidate.
+pub(in super::super) struct Rung {
+    /// Its name.
+    pub(in super::super) name: String,
+    /// Criterion on validation data in the axis' unit; NaN without one.
+    pub(in super::super) value: f64,
+    /// Its standard error.
+    pub(in super::super) standard_error: f64,
+    /// Value and error in words.
+    pub(in super::super) words: String,
+    /// True for the recommended one.
+    pub(in super::super) recommended: bool,
+}
+
+/// The chart.
+pub(in super::super) struct Ladder {
+    /// The candidates from simple to complex.
+    pub(in super::super) rungs: Vec<Rung>,
+    /// Best value plus one standard error.
+    pub(in super::super) limit: f64,
+    /// What the axis shows, with its unit.
+    pub(in super::super) axis_label: String,
+}
+
+const WIDTH: f64 = 860.0;
+const LEFT: f64 = 330.0;
+const RIGHT: f64 = 835.0;
+const TOP: f64 = 30.0;
+const ROW: f64 = 28.0;
+/// Characters of a name that fit left of the plot.
+const NAME_LENGTH: usize = 44;
+
+impl Ladder {
+    /// The chart as SVG; `None` when no candidate has a value.
+    pub(in super::super) fn svg(&self) -> Option<String> {
+        let values = self.rungs.iter().filter(|rung| rung.value.is_finite());
+        let (low, _) = finite_range(values.clone().map(|rung| rung.value))?;
+        let (_, high) = finite_range(values.flat_map(|rung| [rung.value, rung.value + rung.standard_error]))?;
+        let bottom = TOP + ROW * self.rungs.len() as f64;
+        let mut drawing = Drawing::new(WIDTH, bottom + 46.0, "Candidates against the criterion on validation data");
+        let axis = Axis::fitting(low, high, (LEFT, RIGHT), 7);
+        let scale = if axis.is_logarithmic() { ", logarithmic" } else { "" };
+        axis.draw_below(&mut drawing, TOP, bottom, &format!("{}{scale}", self.axis_label));
+        for (index, rung) in self.rungs.iter().enumerate() {
+            draw_rung(&mut drawing, &axis, index, rung);
+        }
+        if self.limit.is_finite() {
+            let x = axis.place(self.limit);
+            drawing.line("limit", (x, TOP - 4.0), (x, bottom));
+            // the words stay inside the picture at either end
+            let anchor = if x > 0.5 * (LEFT + RIGHT) { Anchor::End } else { Anchor::Start };
+            drawing.text("tick", anchor, (x, TOP - 10.0), "best + one standard error");
+        }
+        Some(drawing.finish())
+    }
+}
+
+fn draw_rung(drawing: &mut Drawing, axis: &Axis, index: usize, rung: &Rung) {
+    let y = TOP + ROW * (index as f64 + 0.5);
+    if rung.recommended {
+        drawing.rectangle("chosen-row", (4.0, y - 0.5 * ROW + 1.0), (RIGHT - 4.0, ROW - 2.0), None);
+    }
+    let name = shortened(&format!("{}  {}", index + 1, rung.name));
+    let class = if rung.recommended { "name chosen" } else { "name" };
+    drawing.text(class, Anchor::End, (LEFT - 12.0, y + 4.0), &name);
+    if !rung.value.is_finite() {
+        drawing.text("tick", Anchor::Start, (LEFT + 8.0, y + 4.0), "no value: see the table");
+        return;
+    }
+    let class = if rung.recommended { "chosen" } else { "plain" };
+    if rung.standard_error.is_finite() {
+        let (from, to) = (axis.place(rung.value - rung.standard_error), axis.place(rung.value + rung.standard_error));
+        drawing.line(&format!("bar {class}"), (from, y), (to, y));
+        for x in [from, to] {
+            drawing.line(&format!("bar {class}"), (x, y - 5.0), (x, y + 5.0));
+        }
+    }
+    let radius = if rung.recommended { 6.5 } else { 4.5 };
+    drawing.circle(&format!("dot {class}"), (axis.place(rung.value), y), radius, &rung.words);
+}
+
+fn shortened(name: &str) -> String {
+    match name.chars().count() > NAME_LENGTH {
+        true => name.chars().take(NAME_LENGTH - 1).chain(['…']).collect(),
+        false => name.to_owned(),
+    }
+}

@@ -1,0 +1,129 @@
+//! Error tables: before and after, and fold by fold.
+
+use cdpr::identification::ErrorBlocks;
+use cdpr::identification::evaluation::PoseError;
+use minijinja::Value;
+
+use super::table::{Cell, Table};
+use super::{Report, Shown, criterion, number};
+
+/// One line of figures; NaN where a figure does not exist.
+struct Figures {
+    mean: f64,
+    rms: f64,
+    median: f64,
+    p95: f64,
+    max: f64,
+}
+
+impl From<PoseError> for Figures {
+    fn from(error: PoseError) -> Self {
+        let PoseError { mean, rms, median, p95, max } = error;
+        Self { mean, rms, median, p95, max }
+    }
+}
+
+/// A quantity with the way to read and to write it.
+struct Quantity {
+    title: &'static str,
+    read: fn(&ErrorBlocks) -> Figures,
+    write: fn(f64) -> String,
+}
+
+const POSITION: Quantity =
+    Quantity { title: "position, mm", read: |e| e.position_error_m.into(), write: number::millimetres };
+const ROTATION: Quantity =
+    Quantity { title: "rotation, °", read: |e| e.rotation_error_rad.into(), write: number::degrees };
+const LENGTH: Quantity = Quantity {
+    title: "cable length, mm",
+    read: |e| {
+        let length = e.length_error_m;
+        Figures { mean: length.mean_abs, rms: length.rms, median: f64::NAN, p95: length.p95, max: length.max }
+    },
+    write: number::millimetres,
+};
+
+/// Errors of the robot as given and of the model shown, on the data of the fit and on validation data.
+pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value {
+    let columns = [
+        ("error", "def-errors"),
+        ("model", ""),
+        ("data", "def-data"),
+        ("#samples", ""),
+        ("#mean", "def-mean"),
+        ("#rms", "def-rms"),
+        ("#median", "def-median"),
+        ("#95 %", "def-p95"),
+        ("#largest", "def-max"),
+    ];
+    let mut table = Table::new("Errors before and after calibration", &columns);
+    let given = shown.as_given.filter(|given| given.name != shown.name);
+    let lines = given.into_iter().map(|given| ("as given", given.judgement)).chain([("calibrated", shown.judgement)]);
+    let lines: Vec<_> = lines
+        .flat_map(|(model, judgement)| [(model, "fit", &judgement.train), (model, "validation", &judgement.validation)])
+        .filter(|(_, _, blocks)| blocks.samples > 0)
+        .collect();
+    for quantity in quantities(report) {
+        for (index, (model, data, blocks)) in lines.iter().enumerate() {
+            let title = if index == 0 { quantity.title } else { "" };
+            let mut cells = vec![Cell::text(title), Cell::text(*model), Cell::text(*data)];
+            cells.push(Cell::number(blocks.samples.to_string()));
+            let Figures { mean, rms, median, p95, max } = (quantity.read)(blocks);
+            cells.extend([mean, rms, median, p95, max].map(|value| Cell::number((quantity.write)(value))));
+            let class = match (index, *model, *data) {
+                (_, "calibrated", "validation") => "chosen",
+                (0, ..) => "group",
+                _ => "",
+            };
+            table.push(class, cells);
+        }
+    }
+    table.into_value()
+}
+
+fn quantities(report: &Report<'_>) -> Vec<Quantity> {
+    match report.robot.motion_pattern.has_rotation() {
+        true => vec![POSITION, ROTATION, LENGTH],
+        false => vec![POSITION, LENGTH],
+    }
+}
+
+/// The validation errors of the model shown, fold by fold, and which candidate is best in each.
+pub(super) fn folds(report: &Report<'_>, shown: &Shown<'_>) -> Value {
+    let columns = [
+        ("fold", "def-fold"),
+        ("#samples", ""),
+        ("#position mean, mm", "def-mean"),
+        ("#position 95 %, mm", "def-p95"),
+        ("#rotation mean, °", "def-mean"),
+        ("#length rms, mm", "def-rms"),
+        ("#not converged", "def-not-converged"),
+        ("best candidate in it", "def-criterion"),
+    ];
+    let mut table = Table::new(format!("Validation errors of `{}` fold by fold", shown.name), &columns);
+    for (index, (name, blocks)) in shown.judgement.folds.iter().enumerate() {
+        table.push(
+            "",
+            vec![
+                Cell::text(name.replace('`', "'")),
+                Cell::number(blocks.samples.to_string()),
+                Cell::number(number::millimetres(blocks.position_error_m.mean)),
+                Cell::number(number::millimetres(blocks.position_error_m.p95)),
+                Cell::number(number::degrees(blocks.rotation_error_rad.mean)),
+                Cell::number(number::millimetres(blocks.length_error_m.rms)),
+                Cell::number(blocks.not_converged.to_string()),
+                best_in_fold(report, index),
+            ],
+        );
+    }
+    table.into_value()
+}
+
+fn best_in_fold(report: &Report<'_>, fold: usize) -> Cell {
+    let values = report.selection.candidates.iter().filter_map(|candidate| {
+        let (_, blocks) = candidate.outcome.as_ref().ok()?.folds.get(fold)?;
+        let value = criterion::of_blocks(report.criterion, blocks);
+        value.is_finite().then_some((value, &candidate.name))
+    });
+    values.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(Cell::text(number::NONE), |(_, name)| Cell::code(name))
+}

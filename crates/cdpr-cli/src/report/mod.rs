@@ -1,0 +1,185 @@
+//! The self-contained report: tables and SVG charts in one HTML file, without scripts and without network.
+
+mod candidates;
+mod chart;
+mod criterion;
+mod errors;
+mod number;
+mod parameters;
+mod remains;
+mod table;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::selection::{Criterion, Judgement, Selection};
+use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::robot::Robot;
+use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
+
+use table::{printable, prose};
+
+const TEMPLATE: &str = include_str!("report.html");
+const STYLE: &str = include_str!("report.css");
+
+/// What a report tells about.
+pub(crate) struct Report<'a> {
+    /// Heading.
+    pub(crate) title: &'a str,
+    /// The command that makes the same result again.
+    pub(crate) command: &'a str,
+    /// The robot as given, before any fit.
+    pub(crate) robot: &'a Robot,
+    /// All samples, those of the fit and those of the validation.
+    pub(crate) samples: &'a Samples,
+    /// Where the samples come from.
+    pub(crate) data_name: &'a str,
+    /// How validation data were chosen.
+    pub(crate) validation_name: &'a str,
+    /// The candidates and the choice.
+    pub(crate) selection: &'a Selection,
+    /// The error that decides.
+    pub(crate) criterion: Criterion,
+    /// Seed of the bootstrap.
+    pub(crate) seed: u64,
+    /// Version of the program.
+    pub(crate) version: &'a str,
+    /// What a careful reader should know, besides the warnings of the fit.
+    pub(crate) warnings: &'a [String],
+}
+
+/// A candidate that was judged.
+#[derive(Clone, Copy)]
+struct Named<'a> {
+    name: &'a str,
+    judgement: &'a Judgement,
+}
+
+/// The candidate that the details are about, and the one to compare it with.
+struct Shown<'a> {
+    name: &'a str,
+    judgement: &'a Judgement,
+    /// The robot without free parameters, if that is a candidate.
+    as_given: Option<Named<'a>>,
+}
+
+impl<'a> Shown<'a> {
+    /// The recommended candidate, else the best, else the first that could be identified.
+    fn of(selection: &'a Selection) -> Option<Self> {
+        let judged = |index: usize| {
+            let candidate = selection.candidates.get(index)?;
+            Some(Named { name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
+        };
+        let all = || 0..selection.candidates.len();
+        let index = selection.recommended.or(selection.best).or_else(|| all().find(|&k| judged(k).is_some()))?;
+        let Named { name, judgement } = judged(index)?;
+        let own = selection.candidates[index].candidate.composition;
+        let is_given = |k: &usize| selection.candidates[*k].candidate.free.is_empty() && judged(*k).is_some();
+        let same = all().filter(is_given).find(|&k| selection.candidates[k].candidate.composition == own);
+        let as_given = same.or_else(|| all().find(is_given)).and_then(judged);
+        Some(Self { name, judgement, as_given })
+    }
+}
+
+/// The page.
+pub(crate) fn render(input: &Report<'_>) -> Result<String, Error> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.add_template("report.html", TEMPLATE)?;
+    let shown = Shown::of(input.selection);
+    let page = context! {
+        style => Value::from_safe_string(STYLE.to_owned()),
+        title => plain(input.title),
+        facts => facts(input),
+        verdict => verdict::verdict(input, shown.as_ref()),
+        candidates => candidates::table(input),
+        ladder => parameters::chart_value(candidates::chart(input)),
+        shown => shown.as_ref().map(|shown| details(input, shown)),
+        warnings => warnings(input, shown.as_ref()),
+        command => plain(input.command),
+        seed => input.seed,
+        version => plain(input.version),
+        criterion => input.criterion.words(),
+    };
+    environment.get_template("report.html")?.render(page)
+}
+
+fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
+    let judgement = shown.judgement;
+    context! {
+        name => plain(shown.name),
+        recommended => input.selection.recommended.is_some(),
+        has_validation => judgement.validation.samples > 0,
+        errors => errors::before_and_after(input, shown),
+        fold_count => judgement.folds.len(),
+        folds => errors::folds(input, shown),
+        parameter_count => judgement.fit.parameters.len(),
+        parameters => parameters::table(shown),
+        identifiability => parameters::identifiability(shown),
+        remains => remains::remains(input, shown),
+    }
+}
+
+/// What the report is about, as pairs of words.
+fn facts(input: &Report<'_>) -> Value {
+    let robot = input.robot;
+    let name = match &robot.title {
+        Some(title) => format!("{} ({title})", robot.name),
+        None => robot.name.clone(),
+    };
+    let facts = [
+        ("Robot", name),
+        ("Cables", robot.cable_count().to_string()),
+        ("Motion pattern", pattern_words(robot.motion_pattern)),
+        ("Data", input.data_name.to_owned()),
+        ("Samples", input.samples.len().to_string()),
+        ("Validation", input.validation_name.to_owned()),
+        ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
+        ("Criterion", format!("{} on validation data", input.criterion.words())),
+    ];
+    facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
+}
+
+fn pattern_words(pattern: MotionPattern) -> String {
+    let words = match pattern {
+        MotionPattern::PlanarPoint => "a point in a plane",
+        MotionPattern::SpatialPoint => "a point in space",
+        MotionPattern::Planar => "a platform in a plane",
+        MotionPattern::Spatial => "all six degrees of freedom",
+        _ => "see the robot's file",
+    };
+    format!("{}: {words}", pattern.name())
+}
+
+fn sigma_words(sigmas: &SensorSigmas) -> String {
+    let known = [
+        sigmas.position.map(|sigma| format!("position {} mm per axis", number::significant(1e3 * sigma, 3))),
+        sigmas.rotation.map(|sigma| format!("rotation {}° per axis", number::significant(sigma.to_degrees(), 3))),
+        sigmas.length.map(|sigma| format!("cable length {} mm", number::significant(1e3 * sigma, 3))),
+    ];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    if known.is_empty() { "not known".to_owned() } else { format!("{} (standard deviations)", known.join(", ")) }
+}
+
+fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
+    let mut warnings = input.warnings.to_vec();
+    if let Some(shown) = shown {
+        let judgement = shown.judgement;
+        let new = |warning: &&String| !input.warnings.contains(warning);
+        warnings.extend(judgement.fit.warnings.iter().filter(new).cloned());
+        if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
+            let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;
+            let count = judgement.validation_errors.not_converged.len();
+            warnings.push(format!(
+                "the forward problem of {count} validation samples did not converge; the first is sample {sample}: {reason}"
+            ));
+        }
+    }
+    warnings.iter().map(|warning| prose(warning)).collect()
+}
+
+/// The text without characters that no page may contain; the template escapes the rest.
+fn plain(text: &str) -> String {
+    text.chars().map(printable).collect()
+}

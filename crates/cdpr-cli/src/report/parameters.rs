@@ -1,0 +1,118 @@
+//! The identified parameters and how well the data determine them.
+
+use cdpr::identification::fit::{Estimate, Fit, Status};
+use minijinja::{Value, context};
+
+use super::number::{self, decimals_for, fixed, signed};
+use super::table::{Cell, Table, prose};
+use super::{Shown, chart};
+
+/// Longer tables start folded.
+const MOST_ROWS: usize = 24;
+/// Half width of a 95 % interval of a normal distribution, in standard deviations.
+const NORMAL_95: f64 = 1.959_964;
+
+/// The free parameters of the model shown.
+pub(super) fn table(shown: &Shown<'_>) -> Value {
+    let columns = [
+        ("parameter", "def-parameter"),
+        ("unit", ""),
+        ("#start", "def-start"),
+        ("#value", "def-value"),
+        ("#σ", "def-sigma"),
+        ("#95 % interval", "def-interval"),
+        ("#change", "def-change"),
+        ("#change / σ", "def-change"),
+        ("#prior σ", "def-prior"),
+        ("remark", "def-bound"),
+    ];
+    let mut table = Table::new(format!("Free parameters of `{}`", shown.name), &columns);
+    for estimate in &shown.judgement.fit.parameters {
+        table.push("", row(estimate));
+    }
+    let (count, folded) = (table.len(), table.len() > MOST_ROWS);
+    context! { count, folded, table => table.into_value() }
+}
+
+fn row(estimate: &Estimate) -> Vec<Cell> {
+    let (factor, unit) = match estimate.unit {
+        "m" => (1e3, "mm"),
+        other => (1.0, other),
+    };
+    let sigma = estimate.sigma.map(|sigma| factor * sigma);
+    let plain = if unit == "mm" { 3 } else { 6 };
+    let decimals = if sigma.is_some_and(|s| s > 0.0) { decimals_for(sigma) } else { plain };
+    let number = |value: f64| Cell::number(fixed(value, decimals));
+    let value = factor * estimate.value;
+    let change = factor * estimate.change;
+    let none = || Cell::number(number::NONE);
+    let interval = sigma.map(|sigma| {
+        let half = NORMAL_95 * sigma;
+        Cell::number(format!("{} … {}", fixed(value - half, decimals), fixed(value + half, decimals)))
+    });
+    let remark = match (estimate.sigma, estimate.at_bound) {
+        (_, true) => "at its bound",
+        (None, false) => "not determined",
+        _ => "",
+    };
+    vec![
+        Cell::code(&estimate.name),
+        Cell::text(unit),
+        number(factor * estimate.start),
+        number(value),
+        sigma.map_or_else(none, |sigma| Cell::number(number::significant(sigma, 2))),
+        interval.unwrap_or_else(none),
+        Cell::number(signed(change, decimals)),
+        sigma.filter(|s| *s > 0.0).map_or_else(none, |sigma| Cell::number(signed(change / sigma, 1))),
+        estimate.prior_sigma.map_or_else(none, |prior| Cell::number(number::significant(factor * prior, 3))),
+        Cell::text(remark),
+    ]
+}
+
+/// Rank, condition, weak directions, correlations, and the course of the fit.
+pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
+    let fit = &shown.judgement.fit;
+    let analysis = &fit.analysis;
+    let correlations = correlations(fit);
+    let count = correlations.len();
+    let weak: Value = analysis.weak_directions.iter().map(|words| prose(words)).collect();
+    context! {
+        status => status(fit.status),
+        reason => prose(&fit.reason),
+        rank => format!("{} of {}", analysis.rank, fit.parameters.len()),
+        condition => number::significant(analysis.condition, 4),
+        condition_scaled => number::significant(analysis.condition_scaled, 4),
+        noise_factor => number::significant(fit.noise_factor, 3),
+        iterations => fit.iterations,
+        weak,
+        correlation_count => count,
+        correlations_folded => count > MOST_ROWS,
+        correlations => correlations.into_value(),
+        spectrum => chart_value(chart::spectrum(&analysis.singular_values, analysis.rank)),
+        convergence => chart_value(chart::convergence(&fit.history)),
+    }
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NotIdentifiable => "not identifiable",
+        Status::NotConverged => "not converged",
+        _ => "ended otherwise",
+    }
+}
+
+fn correlations(fit: &Fit) -> Table {
+    let columns = [("parameter", ""), ("and parameter", ""), ("#correlation", "def-correlation")];
+    let mut table = Table::new("Pairs of parameters that the data hardly separate", &columns);
+    for pair in fit.correlations() {
+        let coefficient = Cell::number(fixed(pair.coefficient, 3));
+        table.push("", vec![Cell::code(&pair.first), Cell::code(&pair.second), coefficient]);
+    }
+    table
+}
+
+/// A chart for the template; empty without one.
+pub(super) fn chart_value(chart: Option<String>) -> Value {
+    Value::from_safe_string(chart.unwrap_or_default())
+}

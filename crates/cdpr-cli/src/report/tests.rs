@@ -1,0 +1,255 @@
+//! The page on simulated data: well-formed, self-contained, escaped, and telling the numbers of the selection.
+
+use cdpr::geometry::{MotionPattern, Plane, Pose};
+use cdpr::identification::candidate::parse_list;
+use cdpr::identification::selection::{Settings, select};
+use cdpr::measurement::Fold;
+use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::Vector3;
+use cdpr::robot::{Cable, Platform};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
+
+use super::*;
+
+/// A box of 8 × 6 × 4 m with the cables at its corners.
+fn spatial_robot(name: &str) -> Robot {
+    let corner = |index: usize, size: [f64; 3]| {
+        let sign = |bit: usize| if index >> bit & 1 == 1 { 0.5 } else { -0.5 };
+        Vector3::new(sign(0) * size[0], sign(1) * size[1], sign(2) * size[2])
+    };
+    let cable = |index: usize| Cable {
+        name: (index + 1).to_string(),
+        frame_anchor: corner(index, [8.0, 6.0, 4.0]),
+        // low corners pull at the top and the other way round, which keeps the platform level
+        platform_anchor: corner(index ^ 0b100, [0.6, 0.5, 0.4]),
+        ..Cable::default()
+    };
+    robot(name, MotionPattern::Spatial, (0..8).map(cable).collect())
+}
+
+/// A point held by four cables in the xz plane.
+fn planar_robot() -> Robot {
+    let cable = |(index, at): (usize, [f64; 2])| Cable {
+        name: format!("winch-{}", index + 1),
+        frame_anchor: Vector3::new(at[0], 0.0, at[1]),
+        ..Cable::default()
+    };
+    let corners = [[-1.0, 0.0], [1.0, 0.0], [1.0, 1.5], [-1.0, 1.5]];
+    let mut robot = robot("plate", MotionPattern::PlanarPoint, corners.into_iter().enumerate().map(cable).collect());
+    robot.plane = Plane::from_axes("xz").unwrap();
+    robot
+}
+
+fn robot(name: &str, motion_pattern: MotionPattern, cables: Vec<Cable>) -> Robot {
+    Robot {
+        name: name.to_owned(),
+        title: None,
+        motion_pattern,
+        kind: None,
+        plane: Plane::default(),
+        gravity: None,
+        notes: vec![],
+        source: None,
+        platform: Platform::default(),
+        home: None,
+        external_wrench: None,
+        travel: None,
+        cables,
+        reference_checks: vec![],
+    }
+}
+
+/// Noisy measurements (1 mm) of the robot with offsets of up to 40 mm along a curve through its workspace.
+fn measured(robot: &Robot, count: usize) -> Samples {
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    let mut machine = robot.clone();
+    for cable in &mut machine.cables {
+        cable.length_offset = Some(rng.random_range(-0.04..0.04));
+    }
+    let model = Model::new(machine, Composition::STANDARD).unwrap();
+    let noise = Normal::new(0.0, 1e-3).unwrap();
+    let mut samples = Samples { cable_count: robot.cable_count(), ..Samples::default() };
+    samples.sigmas = SensorSigmas { length: Some(1e-3), ..SensorSigmas::default() };
+    for index in 0..count {
+        let t = 6.3 * index as f64 / count as f64;
+        let pose = pose_at(robot, t);
+        for (cable, length) in model.cable_lengths(&pose).unwrap().into_iter().enumerate() {
+            samples.lengths.push(model.recorded_length(cable, length) + noise.sample(&mut rng));
+        }
+        samples.poses.push(pose);
+    }
+    samples
+}
+
+fn pose_at(robot: &Robot, t: f64) -> Pose {
+    if robot.motion_pattern.is_planar() {
+        return Pose {
+            position: Vector3::new(0.6 * (3.0 * t).sin(), 0.0, 0.7 + 0.4 * (4.0 * t).cos()),
+            ..Pose::identity()
+        };
+    }
+    let position = Vector3::new(2.0 * (3.0 * t).sin(), 1.6 * (4.0 * t).cos(), 0.9 * (5.0 * t).sin());
+    Pose::from_xyz_angles(position, [0.1 * t.sin(), 0.1 * (2.0 * t).cos(), 0.15 * (3.0 * t).sin()])
+}
+
+fn fifths(count: usize) -> Vec<Fold> {
+    let fold = |k: usize| {
+        let (validation, train) = (0..count).partition(|index| index * 5 / count == k);
+        Fold { name: format!("block {} of 5", k + 1), train, validation }
+    };
+    (0..5).map(fold).collect()
+}
+
+fn selected(robot: &Robot, samples: &Samples, candidates: &str, requirements: &[&str]) -> Selection {
+    let settings = Settings {
+        requirements: requirements.iter().map(|text| text.parse().unwrap()).collect(),
+        seed: 1,
+        ..Settings::default()
+    };
+    select(robot, &parse_list(candidates).unwrap(), samples, &fifths(samples.len()), &settings, &|| {}).unwrap()
+}
+
+fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
+    render(&Report {
+        title: &format!("Control model of {}", robot.name),
+        command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
+        robot,
+        samples,
+        data_name: "data.csv",
+        validation_name: "five contiguous blocks that take turns",
+        selection,
+        criterion: Criterion::Position,
+        seed: 1,
+        version: "0.1.0",
+        warnings: &["column `remark` was ignored".to_owned()],
+    })
+    .unwrap()
+}
+
+const LADDER: &str = "standard;standard:length-offset;standard:length-offset,length-scale;standard:frame-anchor;\
+                      standard:frame-anchor,length-offset,length-scale;pulley";
+
+/// Parses the page as XML, which checks that every tag is closed and every attribute quoted and unique.
+fn parsed(page: &str) -> roxmltree::Document<'_> {
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    roxmltree::Document::parse_with_options(page, options).unwrap()
+}
+
+fn has_text(document: &roxmltree::Document<'_>, wanted: &str) -> bool {
+    let texts: Vec<&str> =
+        document.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect();
+    texts.concat().contains(wanted)
+}
+
+#[test]
+fn the_page_is_well_formed_and_tells_the_numbers_of_the_selection() {
+    let robot = spatial_robot("box");
+    let samples = measured(&robot, 150);
+    let selection = selected(&robot, &samples, LADDER, &["position_mean_m=0.005", "position_max_m=1e-6"]);
+    assert_eq!(selection.recommended, None, "nobody is that good");
+    let selection = Selection { recommended: Some(1), ..selection };
+    let text = page(&robot, &samples, &selection);
+    keep("report-spatial.html", &text);
+    let document = parsed(&text);
+    let judgement = selection.candidates[1].outcome.as_ref().unwrap();
+    let value = criterion::with_error(Criterion::Position, judgement.criterion, judgement.standard_error);
+    for wanted in ["standard:length-offset", &value, "length-offset[8]", "not identified: ", "3R3T", "block 5 of 5"] {
+        assert!(has_text(&document, wanted), "{wanted}");
+    }
+    assert_eq!(text, page(&robot, &samples, &selection), "the same input gives the same page");
+}
+
+#[test]
+fn nothing_on_the_page_comes_from_the_network_and_every_link_has_its_target() {
+    let robot = spatial_robot("box");
+    let samples = measured(&robot, 60);
+    let text = page(&robot, &samples, &selected(&robot, &samples, LADDER, &[]));
+    let document = parsed(&text);
+    let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    for node in document.descendants() {
+        assert!(!matches!(node.tag_name().name(), "script" | "link" | "img" | "iframe"));
+        assert_eq!(node.attribute("src"), None);
+        if let Some(target) = node.attribute("href") {
+            assert!(target.strip_prefix('#').is_some_and(|id| ids.contains(&id)), "{target}");
+        }
+    }
+    let mut unique = ids.clone();
+    unique.sort_unstable();
+    unique.dedup();
+    assert_eq!(unique.len(), ids.len(), "ids are unique");
+}
+
+#[test]
+fn hostile_names_stay_text() {
+    let name = "<script>alert('1')</script>\"&\u{0}{{ 7*7 }}";
+    let mut robot = spatial_robot(name);
+    robot.title = Some("</title><b onload=x>".to_owned());
+    robot.cables[2].name = "</svg><script>".to_owned();
+    let samples = measured(&robot, 40);
+    let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
+    let selection = Selection { reason: "`<i>` & `".to_owned(), ..selection };
+    let text = page(&robot, &samples, &selection);
+    let document = parsed(&text);
+    assert!(document.descendants().all(|node| node.tag_name().name() != "script" && !node.has_attribute("onload")));
+    assert!(has_text(&document, "<script>alert('1')</script>\"&\u{fffd}{{ 7*7 }}"));
+}
+
+#[test]
+fn a_page_without_any_recommendation_says_so_and_shows_the_best() {
+    let robot = planar_robot();
+    let samples = measured(&robot, 700);
+    let selection = selected(&robot, &samples, "standard;standard:length-offset", &["position_max_m=1e-9"]);
+    let text = page(&robot, &samples, &selection);
+    keep("report-planar.html", &text);
+    let document = parsed(&text);
+    assert!(has_text(&document, "No candidate recommended"));
+    assert!(has_text(&document, "✗ broken: position_max_m"));
+    assert!(!has_text(&document, "rotation, °"), "a point does not turn");
+}
+
+#[test]
+fn a_single_candidate_without_validation_data_is_reported_by_its_fit() {
+    let robot = spatial_robot("box");
+    let samples = measured(&robot, 30);
+    let mut selection = selected(&robot, &samples, "standard:frame-anchor,platform-anchor", &[]);
+    if let Ok(judgement) = &mut selection.candidates[0].outcome {
+        judgement.validation_errors = Default::default();
+        judgement.validation = judgement.validation_errors.blocks();
+        judgement.validation_samples.clear();
+        (judgement.criterion, judgement.standard_error) = (f64::NAN, f64::NAN);
+        judgement.fit.analysis.condition = f64::INFINITY;
+    }
+    let text = page(&robot, &samples, &selection);
+    keep("report-identify.html", &text);
+    let document = parsed(&text);
+    assert!(has_text(&document, "Identified control model"));
+    assert!(has_text(&document, "on training data"));
+    assert!(has_text(&document, "∞") && !text.contains("NaN") && !text.contains(">inf"));
+}
+
+/// Long trajectories are thinned out: the file stays small enough to send. Sixty times the same samples stand for one.
+#[test]
+fn many_samples_do_not_make_a_large_file() {
+    let robot = spatial_robot("box");
+    let samples = measured(&robot, 100);
+    let mut selection = selected(&robot, &samples, "standard:length-offset", &[]);
+    let repeated: Vec<usize> = (0..6000).map(|index| index % 100).collect();
+    if let Ok(judgement) = &mut selection.candidates[0].outcome {
+        let once = judgement.validation_errors.clone();
+        (1..60).for_each(|_| judgement.validation_errors.extend(&once));
+        judgement.validation = judgement.validation_errors.blocks();
+        judgement.validation_samples = (0..6000).collect();
+    }
+    let text = page(&robot, &samples.subset(&repeated), &selection);
+    keep("report-long.html", &text);
+    assert!(text.contains("class=\"band\"") && text.len() < 1_500_000, "{}", text.len());
+}
+
+/// Keeps a page to look at, in the folder that the variable names.
+fn keep(name: &str, page: &str) {
+    if let Some(folder) = std::env::var_os("CDPR_KEEP_REPORTS") {
+        std::fs::write(std::path::Path::new(&folder).join(name), page).unwrap();
+    }
+}

@@ -1,0 +1,75 @@
+//! The answer in one line, the limits, the reason.
+
+use cdpr::identification::fit::Status;
+use cdpr::identification::selection::RequirementOutcome;
+use minijinja::{Value, context};
+
+use super::table::{Cell, prose};
+use super::{Report, Shown, criterion, number};
+
+/// The first thing a reader sees.
+pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
+    let reason = prose(&report.selection.reason);
+    let Some(shown) = shown else {
+        return context! { class => "bad", heading => "No candidate could be identified", name => "", figure => "",
+        comparison => "", requirements => Value::from_iter(Vec::<Value>::new()), reason };
+    };
+    let judgement = shown.judgement;
+    let met = judgement.requirements.iter().all(|requirement| requirement.met);
+    let single = report.selection.candidates.len() == 1;
+    let (class, heading) = match (report.selection.recommended.is_some(), single) {
+        (true, false) => ("good", "Recommended control model"),
+        (_, true) if met && judgement.fit.status == Status::Converged => ("good", "Identified control model"),
+        (_, true) if met => ("bad", "Identified control model, with a caution"),
+        (_, true) => ("bad", "Identified control model, which breaks a requirement"),
+        (false, false) => ("bad", "No candidate recommended; the best on validation data"),
+    };
+    let requirements: Value = judgement.requirements.iter().map(requirement).collect();
+    let name = Cell::code(shown.name).into_text();
+    context! { class, heading, name, figure => figure(report, shown), comparison => comparison(report, shown), requirements,
+    reason }
+}
+
+fn figure(report: &Report<'_>, shown: &Shown<'_>) -> String {
+    let judgement = shown.judgement;
+    let words = report.criterion.words();
+    match judgement.validation.samples {
+        0 => {
+            let value = criterion::of_blocks(report.criterion, &judgement.train);
+            format!("{words} on training data: {}", criterion::words(report.criterion, value))
+        }
+        _ => {
+            let value = criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error);
+            format!("{words} on validation data: {value}")
+        }
+    }
+}
+
+fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
+    let Some(given) = shown.as_given.filter(|given| given.name != shown.name) else { return String::new() };
+    let (before, after) = match shown.judgement.validation.samples {
+        0 => {
+            let of = |blocks| criterion::of_blocks(report.criterion, blocks);
+            (of(&given.judgement.train), of(&shown.judgement.train))
+        }
+        _ => (given.judgement.criterion, shown.judgement.criterion),
+    };
+    let ratio = before / after;
+    let times = match ratio.is_finite() && ratio > 0.0 {
+        true if ratio >= 1.0 => format!(", {} times as large", number::significant(ratio, 2)),
+        true => format!(", smaller by the factor {}", number::significant(ratio, 2)),
+        false => String::new(),
+    };
+    format!("as given: {}{times}", criterion::words(report.criterion, before))
+}
+
+fn requirement(outcome: &RequirementOutcome) -> Value {
+    let words = |value: f64| match outcome.metric {
+        metric if metric.ends_with("_rad") => format!("{}°", number::degrees(value)),
+        metric if metric.ends_with("_m") => format!("{} mm", number::millimetres(value)),
+        _ => number::significant(value, 4),
+    };
+    let relation = if outcome.met { "within" } else { "above" };
+    let text = format!("{} = {}, {relation} the limit {}", outcome.metric, words(outcome.value), words(outcome.limit));
+    context! { met => outcome.met, text }
+}
