@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::scalar::{Real, dot};
+use crate::scalar::{Real, cross, dot, rotate_back, scale};
 
 /// Length and pull of one rigid, straight cable, with what its derivatives need.
 ///
@@ -64,28 +64,34 @@ impl<T: Real> Course<T> {
     /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the lever b = R b_P.
     ///
     /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (maths.md §2).
+    #[inline(always)]
     pub fn by_pose(&self, lever: [T; 3]) -> ([T; 6], [[T; 6]; 3]) {
-        let stacked = |row: [T; 3]| {
-            let moment = crate::scalar::cross(lever, row);
-            [row[0], row[1], row[2], moment[0], moment[1], moment[2]]
-        };
-        (stacked(self.direction).map(|x| -x), self.direction_gradient.map(stacked))
+        let [x, y, z] = self.direction_gradient;
+        let length = with_moment(lever, scale(self.length.constant(-1.0), self.direction));
+        (length, [with_moment(lever, x), with_moment(lever, y), with_moment(lever, z)])
     }
 
     /// Derivatives of length and direction by the platform anchor in the platform frame, R given by rows.
     ///
     /// ∂q/∂b_P = −Rᵀ u, ∂u/∂b_P = ∂u/∂p_B R.
+    #[inline(always)]
     pub fn by_platform_anchor(&self, rotation: &[[T; 3]; 3]) -> ([T; 3], [[T; 3]; 3]) {
-        let times_rotation = |row: [T; 3]| {
-            [0, 1, 2].map(|k| row[0] * rotation[0][k] + row[1] * rotation[1][k] + row[2] * rotation[2][k])
-        };
-        (times_rotation(self.direction).map(|x| -x), self.direction_gradient.map(times_rotation))
+        let [x, y, z] = self.direction_gradient;
+        let length = rotate_back(rotation, scale(self.length.constant(-1.0), self.direction));
+        (length, [rotate_back(rotation, x), rotate_back(rotation, y), rotate_back(rotation, z)])
     }
+}
+
+/// \[v; b × v\].
+#[inline(always)]
+fn with_moment<T: Real>(lever: [T; 3], v: [T; 3]) -> [T; 6] {
+    let moment = cross(lever, v);
+    [v[0], v[1], v[2], moment[0], moment[1], moment[2]]
 }
 
 /// Unit vector and length of `v`.
 #[inline(always)]
 pub(crate) fn normalized<T: Real>(v: [T; 3]) -> ([T; 3], T) {
     let length = dot(v, v).sqrt();
-    (v.map(|x| x / length), length)
+    (scale(length.constant(1.0) / length, v), length)
 }

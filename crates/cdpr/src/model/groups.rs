@@ -1,7 +1,7 @@
 //! Cables packed eight at a time into lanes, for single poses.
 
 use crate::cable::{Course, outlet};
-use crate::scalar::{LANES, Lanes, add, rotate};
+use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
 /// Eight cables, or fewer with copies of the last one that weigh nothing.
 #[derive(Clone, Debug)]
@@ -19,17 +19,19 @@ impl CableGroup {
     /// Courses and levers (b = R b_P) of the group at a pose given by position and rotation rows.
     #[inline(always)]
     pub(crate) fn courses<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (Course<L>, [L; 3]) {
-        let load = |vectors: &[[f64; LANES]; 3]| [l.load(&vectors[0]), l.load(&vectors[1]), l.load(&vectors[2])];
-        let constants = |v: [f64; 3]| [l.constant(v[0]), l.constant(v[1]), l.constant(v[2])];
-        let rows = [constants(rotation[0]), constants(rotation[1]), constants(rotation[2])];
-        let lever = rotate(&rows, load(&self.platform_anchor));
-        let anchor = add(constants(position), lever);
+        let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
+        let lever = rotate(&rows, load(l, &self.platform_anchor));
+        let anchor = add(constants(l, position), lever);
+        let frame_anchor = load(l, &self.frame_anchor);
         let course = match self.has_pulley {
-            true => {
-                outlet::pulley::course(load(&self.frame_anchor), load(&self.swivel_axis), l.load(&self.radius), anchor)
-            }
-            false => outlet::point::course(load(&self.frame_anchor), anchor),
+            true => outlet::pulley::course(frame_anchor, load(l, &self.swivel_axis), l.load(&self.radius), anchor),
+            false => outlet::point::course(frame_anchor, anchor),
         };
         (course, lever)
     }
+}
+
+#[inline(always)]
+fn load<L: Lanes>(l: L, vectors: &[[f64; LANES]; 3]) -> [L; 3] {
+    [l.load(&vectors[0]), l.load(&vectors[1]), l.load(&vectors[2])]
 }

@@ -108,4 +108,22 @@ impl Lanes for Avx2 {
     fn to_array(self) -> [f64; LANES] {
         pulp::cast(self.halves)
     }
+
+    #[inline(always)]
+    fn sums(four: [Self; 4]) -> [f64; 4] {
+        sums_of_halves(four[0].token, [four[0].halves, four[1].halves, four[2].halves, four[3].halves])
+    }
+}
+
+/// [`Lanes::sums`] of eight lanes in two halves each.
+#[inline(always)]
+pub(super) fn sums_of_halves(token: V3, four: [[f64x4; 2]; 4]) -> [f64; 4] {
+    let [[a, b], [c, d], [e, f], [g, h]] = four;
+    let avx = token.avx;
+    // neighbours added: sums 0 and 1 take turns in `first`, 2 and 3 in `second`
+    let first = avx._mm256_hadd_pd(pulp::cast(token.add_f64x4(a, b)), pulp::cast(token.add_f64x4(c, d)));
+    let second = avx._mm256_hadd_pd(pulp::cast(token.add_f64x4(e, f)), pulp::cast(token.add_f64x4(g, h)));
+    let low = avx._mm256_permute2f128_pd::<0x20>(first, second);
+    let high = avx._mm256_permute2f128_pd::<0x31>(first, second);
+    pulp::cast(avx._mm256_add_pd(low, high))
 }

@@ -6,6 +6,7 @@ use pulp::x86::V4;
 use pulp::{b8, f64x8};
 
 use super::angle::full_angle;
+use super::avx2::sums_of_halves;
 use super::{LANES, Lanes, Real, Select};
 
 /// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
@@ -99,5 +100,12 @@ impl Lanes for Avx512 {
     #[inline(always)]
     fn to_array(self) -> [f64; LANES] {
         pulp::cast(self.value)
+    }
+
+    #[inline(always)]
+    fn sums(four: [Self; 4]) -> [f64; 4] {
+        let [a, b, c, d] = four;
+        let halves = [pulp::cast(a.value), pulp::cast(b.value), pulp::cast(c.value), pulp::cast(d.value)];
+        sums_of_halves(*a.token, halves)
     }
 }

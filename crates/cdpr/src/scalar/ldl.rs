@@ -10,9 +10,12 @@ pub(crate) fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64
     let mut inverse_pivot = [0.0; N];
     for column in 0..N {
         let diagonal = matrix[column][column];
+        // row of L times the pivots
+        let mut weighted = [0.0; N];
         let mut pivot = diagonal;
         for k in 0..column {
-            pivot -= matrix[column][k] * matrix[column][k] * matrix[k][k];
+            weighted[k] = matrix[column][k] * matrix[k][k];
+            pivot -= matrix[column][k] * weighted[k];
         }
         // written so that NaN is refused too
         if !(pivot > 0.0) {
@@ -24,7 +27,7 @@ pub(crate) fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64
         for row in column + 1..N {
             let mut entry = matrix[row][column];
             for k in 0..column {
-                entry -= matrix[row][k] * matrix[column][k] * matrix[k][k];
+                entry -= matrix[row][k] * weighted[k];
             }
             matrix[row][column] = entry * inverse_pivot[column];
         }

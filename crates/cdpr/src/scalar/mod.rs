@@ -59,7 +59,13 @@ pub trait Lanes: Select {
     #[inline(always)]
     fn sum(self) -> f64 {
         let a = self.to_array();
-        ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]))
+        ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]))
+    }
+
+    /// The sums of four at once, each with the bits of [`Lanes::sum`] and all for little more than the price of one.
+    #[inline(always)]
+    fn sums(four: [Self; 4]) -> [f64; 4] {
+        [four[0].sum(), four[1].sum(), four[2].sum(), four[3].sum()]
     }
 }
 
@@ -140,4 +146,21 @@ pub(crate) fn scale<T: Real>(s: T, a: [T; 3]) -> [T; 3] {
 #[inline(always)]
 pub(crate) fn rotate<T: Real>(rows: &[[T; 3]; 3], a: [T; 3]) -> [T; 3] {
     [dot(rows[0], a), dot(rows[1], a), dot(rows[2], a)]
+}
+
+/// `Mᵀ a` for a matrix given by its rows.
+#[inline(always)]
+pub(crate) fn rotate_back<T: Real>(rows: &[[T; 3]; 3], a: [T; 3]) -> [T; 3] {
+    let [x, y, z] = *rows;
+    [
+        a[0] * x[0] + a[1] * y[0] + a[2] * z[0],
+        a[0] * x[1] + a[1] * y[1] + a[2] * z[1],
+        a[0] * x[2] + a[1] * y[2] + a[2] * z[2],
+    ]
+}
+
+/// A vector of plain numbers in the number type of `of`.
+#[inline(always)]
+pub(crate) fn constants<T: Real>(of: T, v: [f64; 3]) -> [T; 3] {
+    [of.constant(v[0]), of.constant(v[1]), of.constant(v[2])]
 }

@@ -8,8 +8,14 @@ use crate::scalar::{Real, sub};
 pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<T> {
     let (u, q) = normalized(sub(frame_anchor, platform_anchor));
     let zero = q.constant(0.0);
-    let one = q.constant(1.0);
-    let entry = |row: usize, column: usize| (u[row] * u[column] - if row == column { one } else { zero }) / q;
+    let inverse = q.constant(1.0) / q;
+    let mut direction_gradient = [[zero; 3]; 3];
+    for row in 0..3 {
+        for column in 0..3 {
+            let outer = u[row] * u[column];
+            direction_gradient[row][column] = if row == column { outer - q.constant(1.0) } else { outer } * inverse;
+        }
+    }
     Course {
         length: q,
         free_length: q,
@@ -17,6 +23,6 @@ pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<
         wrap_angle: zero,
         length_by_radius: zero,
         direction_by_radius: [zero; 3],
-        direction_gradient: [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column))),
+        direction_gradient,
     }
 }

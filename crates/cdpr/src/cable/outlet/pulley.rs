@@ -16,33 +16,39 @@ const AXIS_GUARD: f64 = 1e-300;
 /// −u = cos β z_A + sin β x_A. Inside the pulley (h² + b_z² < r_p²) the result is NaN.
 #[inline(always)]
 pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Course<T> {
+    let one = radius.constant(1.0);
     let d = sub(platform_anchor, entry);
     let b_z = dot(d, swivel_axis);
     let across = sub(d, scale(b_z, swivel_axis));
     let b_xy = (dot(across, across) + radius.constant(AXIS_GUARD)).sqrt();
-    let radial = across.map(|x| x / b_xy); // x_A
+    let by_b_xy = one / b_xy;
+    let radial = scale(by_b_xy, across); // x_A
     let h = b_xy - radius;
     let center_distance_squared = h * h + b_z * b_z; // b_M²
+    let by_square = one / center_distance_squared;
     let free_length = (center_distance_squared - radius * radius).sqrt();
-    let cosine = (free_length * b_z - radius * h) / center_distance_squared;
-    let sine = (free_length * h + radius * b_z) / center_distance_squared;
+    let cosine = (free_length * b_z - radius * h) * by_square;
+    let sine = (free_length * h + radius * b_z) * by_square;
     let wrap_angle = sine.full_angle(cosine);
-    let one = radius.constant(1.0);
 
     // The free part swings about C in the pulley's plane (along `bend`) and turns with the swivel (along `side`).
     let bend = sub(scale(cosine, radial), scale(sine, swivel_axis));
     let side = cross(swivel_axis, radial);
-    let swing = -(one / free_length);
-    let swivel = -(sine / b_xy);
+    let (swing, swivel) = (one / free_length, sine * by_b_xy);
+    let mut direction_gradient = [[one; 3]; 3];
+    for row in 0..3 {
+        for column in 0..3 {
+            direction_gradient[row][column] = -(swing * bend[row] * bend[column] + swivel * side[row] * side[column]);
+        }
+    }
     Course {
         length: free_length + radius * wrap_angle,
         free_length,
-        direction: add(scale(cosine, swivel_axis), scale(sine, radial)).map(|x| -x),
+        direction: add(scale(-cosine, swivel_axis), scale(-sine, radial)),
         wrap_angle,
         length_by_radius: wrap_angle - sine,
-        direction_by_radius: scale((cosine - one) / free_length, bend),
-        direction_gradient: [0, 1, 2]
-            .map(|row| [0, 1, 2].map(|column| swing * bend[row] * bend[column] + swivel * side[row] * side[column])),
+        direction_by_radius: scale((cosine - one) * swing, bend),
+        direction_gradient,
     }
 }
 

@@ -5,13 +5,19 @@
 //! m = n only a vanishing residual is; with m < n lengths do not determine the pose. When the first descent ends
 //! far from the lengths, the search starts again from other poses before it gives up.
 
+mod curvature;
 mod descent;
+mod restarts;
+#[cfg(test)]
+mod tests;
+mod verdict;
 
-use descent::Descent;
+use descent::{Problem, Residuals};
 use thiserror::Error;
 
 use crate::geometry::Pose;
 use crate::model::Model;
+use crate::scalar::LANES;
 
 /// When forward kinematics stops, and what it accepts.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,13 +65,13 @@ pub enum Status {
 
 /// Outcome of forward kinematics; `pose` is the best one found even when it did not converge.
 #[must_use = "check `status` before using the pose"]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// Platform pose.
     pub pose: Pose,
     /// Why the search stopped.
     pub status: Status,
-    /// Residual per cable at `pose`, modelled minus given (m).
+    /// Residual per cable at `pose`, modelled minus given (m); NaN where a cable has no course.
     pub residuals: Vec<f64>,
     /// Root mean square of `residuals` (m).
     pub residual_rms: f64,
@@ -130,39 +136,94 @@ impl Settings {
 ///
 /// Lengths are those of the model, without the recorded scale and offset ([`Model::controlled_length`] removes them).
 /// The motion pattern holds: what the pattern cannot move keeps the guess's value.
+///
+/// Many poses of one model are faster with one [`Solver`].
 pub fn solve(model: &Model, lengths: &[f64], guess: &Pose, settings: &Settings) -> Result<Solution, InputError> {
-    settings.validate()?;
-    check_input(model, lengths, guess)?;
-    if model.cable_count() < model.dof() {
-        return Ok(underdetermined(model, lengths, guess));
+    let mut solver = Solver::new(model, settings)?;
+    solver.solve(lengths, guess)?;
+    Ok(solver.solution)
+}
+
+/// A solver for many poses of one model: its memory is claimed once and reused.
+#[derive(Clone, Debug)]
+pub struct Solver<'a> {
+    model: &'a Model,
+    settings: Settings,
+    platform_radius: f64,
+    /// Given lengths, packed like the model's groups.
+    targets: Vec<[f64; LANES]>,
+    residuals: Residuals,
+    solution: Solution,
+}
+
+impl<'a> Solver<'a> {
+    /// A solver for this model.
+    pub fn new(model: &'a Model, settings: &Settings) -> Result<Self, InputError> {
+        settings.validate()?;
+        let room = vec![[0.0; LANES]; model.groups().len()];
+        Ok(Self {
+            model,
+            settings: settings.clone(),
+            platform_radius: model.platform_radius(),
+            targets: room.clone(),
+            residuals: Residuals { accepted: room.clone(), trial: room },
+            solution: Solution {
+                pose: Pose::identity(),
+                status: Status::NotConverged,
+                residuals: vec![f64::NAN; model.cable_count()],
+                residual_rms: f64::NAN,
+                iterations: 0,
+                restarts: 0,
+                reason: None,
+            },
+        })
     }
-    let descent = Descent::new(model, lengths, settings);
-    let mut best = descent.run(guess);
-    let mut iterations = best.iterations;
-    let mut restarts = 0;
-    if !descent.is_good(&best) {
-        for start in descent.restart_poses(guess).take(settings.max_restarts as usize) {
-            let other = descent.run(&start);
-            iterations += other.iterations;
-            restarts += 1;
+
+    /// Finds one pose as [`solve`] does; allocates nothing unless there is a reason to tell.
+    pub fn solve(&mut self, lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
+        check_input(self.model, lengths, guess)?;
+        if self.model.cable_count() < self.model.dof() {
+            self.solution = underdetermined(self.model, lengths, guess);
+            return Ok(&self.solution);
+        }
+        for (target, chunk) in self.targets.iter_mut().zip(lengths.chunks(LANES)) {
+            for lane in 0..LANES {
+                target[lane] = chunk[lane.min(chunk.len() - 1)];
+            }
+        }
+        let problem = Problem {
+            model: self.model,
+            settings: &self.settings,
+            targets: &self.targets,
+            mean_length: lengths.iter().sum::<f64>() / lengths.len() as f64,
+            platform_radius: self.platform_radius,
+        };
+        search(&problem, guess, &mut self.residuals, &mut self.solution);
+        Ok(&self.solution)
+    }
+}
+
+/// Descends from the guess, and from other starts while the lengths are not met.
+fn search(problem: &Problem<'_>, guess: &Pose, residuals: &mut Residuals, solution: &mut Solution) {
+    let mut best = problem.descend(guess, residuals);
+    residuals.unpack(&mut solution.residuals);
+    (solution.iterations, solution.restarts) = (best.iterations, 0);
+    if !problem.is_good(&best) {
+        for start in problem.restart_poses(guess).take(problem.settings.max_restarts as usize) {
+            let other = problem.descend(&start, residuals);
+            solution.iterations += other.iterations;
+            solution.restarts += 1;
             if other.rms < best.rms || (best.rms.is_nan() && other.rms.is_finite()) {
                 best = other;
+                residuals.unpack(&mut solution.residuals);
             }
-            if descent.is_good(&best) {
+            if problem.is_good(&best) {
                 break;
             }
         }
     }
-    let (status, reason) = descent.judge(&best, restarts);
-    Ok(Solution {
-        pose: best.pose,
-        status,
-        residuals: descent.residuals(&best.pose),
-        residual_rms: best.rms,
-        iterations,
-        restarts,
-        reason,
-    })
+    (solution.pose, solution.residual_rms) = (best.pose, best.rms);
+    (solution.status, solution.reason) = problem.judge(&best, solution.restarts);
 }
 
 fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Result<(), InputError> {
@@ -179,7 +240,10 @@ fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Result<(), Input
 }
 
 fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
-    let residuals = descent::residuals(model, lengths, guess);
+    // modelled minus given; NaN where a cable has no course
+    let residual =
+        |(cable, length): (usize, &f64)| model.course(cable, guess).map_or(f64::NAN, |(c, _)| c.length - length);
+    let residuals: Vec<f64> = lengths.iter().enumerate().map(residual).collect();
     let reason = format!(
         "{} cables cannot determine {} degrees of freedom by their lengths alone; the pose also depends on the load",
         model.cable_count(),
@@ -188,7 +252,7 @@ fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
     Solution {
         pose: *guess,
         status: Status::Singular,
-        residual_rms: descent::root_mean_square(&residuals),
+        residual_rms: (residuals.iter().map(|x| x * x).sum::<f64>() / residuals.len() as f64).sqrt(),
         residuals,
         iterations: 0,
         restarts: 0,

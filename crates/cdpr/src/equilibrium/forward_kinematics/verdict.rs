@@ -1,0 +1,76 @@
+//! What to make of the best end of a search: status and reason in words.
+
+use super::Status;
+use super::descent::{End, Problem, Stop};
+use crate::geometry::Pose;
+
+impl Problem<'_> {
+    /// True when nothing suggests that another start would do better.
+    pub(super) fn is_good(&self, end: &End) -> bool {
+        end.stop == Stop::Stationary && end.rms <= self.good_residual()
+    }
+
+    fn is_square(&self) -> bool {
+        self.model.cable_count() == self.model.dof()
+    }
+
+    fn exact_residual(&self) -> f64 {
+        self.settings.length_tolerance * self.mean_length.max(1.0)
+    }
+
+    /// Measured lengths leave millimetres per metre; a wrong local minimum leaves more.
+    fn good_residual(&self) -> f64 {
+        if self.is_square() { self.exact_residual() } else { self.settings.suspicious_residual * self.mean_length }
+    }
+
+    /// Status and reason for the best end.
+    pub(super) fn judge(&self, end: &End, restarts: u32) -> (Status, Option<String>) {
+        let starts = restarts + 1;
+        let rms = end.rms;
+        match end.stop {
+            Stop::Degenerate => (Status::NotConverged, Some(self.degenerate_reason(&end.pose))),
+            _ if rms > self.settings.plausible_residual * self.mean_length => (
+                Status::NotConverged,
+                Some(format!(
+                    "the best of {starts} starts leaves {rms:.3} m rms of {:.3} m mean length: these lengths do not belong to \
+                     this robot; check order, units, scale and offset",
+                    self.mean_length
+                )),
+            ),
+            Stop::IterationLimit => (
+                Status::NotConverged,
+                Some(format!(
+                    "the limit of {} iterations was reached; the residual is {rms:.3e} m rms",
+                    self.settings.max_iterations
+                )),
+            ),
+            _ if end.pivot_ratio < 1e-12 => (
+                Status::Singular,
+                Some("the structure matrix has lost rank: the pose can move while all cable lengths stay".to_owned()),
+            ),
+            _ if self.is_square() && rms > self.exact_residual() => (
+                Status::NotConverged,
+                Some(format!(
+                    "the best of {starts} starts is a stationary point that leaves {rms:.3e} m rms; with as many cables as \
+                     degrees of freedom only a vanishing residual is a solution, so no pose near it has these lengths"
+                )),
+            ),
+            Stop::Stalled => (
+                Status::NotConverged,
+                Some(format!(
+                    "no step lowers the residual of {rms:.3e} m rms any further, though the steps are not yet small"
+                )),
+            ),
+            Stop::Stationary => (Status::Converged, None),
+        }
+    }
+
+    fn degenerate_reason(&self, pose: &Pose) -> String {
+        let cables = 0..self.model.cable_count();
+        let found = cables.into_iter().find_map(|cable| self.model.course(cable, pose).err());
+        found.map_or_else(
+            || "the cable lengths cannot be computed at the start".to_owned(),
+            |reason| format!("at the start, {reason}"),
+        )
+    }
+}
