@@ -144,8 +144,8 @@ proptest! {
             .replace("[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]   #", &format!("[{}, {}, {}] #", row(0), row(1), row(2)))
             .replace("swivel_axis = [0.0, 0.0, 1.0]", &format!("swivel_axis = {}", row(1)));
         check(spatial.as_bytes());
-        prop_assume!(digits > 6);
-        prop_assert!(Robot::from_toml(&spatial, "spatial.toml").is_ok());
+        // six digits may be too few for a rotation matrix to be orthonormal to 1e-6
+        prop_assert!(digits == 6 || Robot::from_toml(&spatial, "spatial.toml").is_ok());
         let planar = builtin::find("cucablerobot-planar").expect("it is built in")
             .replace("angle_rad = 0.0", &format!("angle_rad = {}", print(angle)));
         prop_assert!(Robot::from_toml(&planar, "planar.toml").is_ok());

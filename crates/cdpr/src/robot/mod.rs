@@ -5,6 +5,7 @@ mod cable_reading;
 mod checks;
 mod description;
 mod file;
+mod home_reading;
 mod reading;
 mod writing;
 

@@ -1,12 +1,13 @@
 //! From a robot file to a [`Robot`]: what types alone cannot check is checked here, with the place of the mistake.
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use toml::de::DeValue;
 
 use super::cable_reading::read_cables;
-use super::file::{HomeSection, Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
+use super::file::{Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
+use super::home_reading::read_home;
 use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
-use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
+use crate::geometry::{MotionPattern, Plane, Wrench};
 use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
 
 /// The layout this version reads and writes.
@@ -101,7 +102,7 @@ impl<'a> Reader<'a> {
         Ok(Robot {
             gravity: file.gravity_m_s2.as_ref().map(gravity).transpose()?,
             platform: self.platform(&file.platform)?,
-            home: file.home_pose.as_ref().map(|home| self.home(home)).transpose()?,
+            home: file.home_pose.as_ref().map(|home| read_home(self, home)).transpose()?,
             external_wrench: file.external_wrench.map(|wrench| self.external_wrench(wrench)).transpose()?,
             travel: file.workspace.map(|workspace| self.travel(workspace)).transpose()?,
             name: file.name,
@@ -182,44 +183,6 @@ impl<'a> Reader<'a> {
         Ok(matrix)
     }
 
-    fn home(&self, home: &HomeSection) -> Result<Pose, ReadError> {
-        let path = |key| [Step::Key("home_pose"), Step::Key(key)];
-        let error = |key, message: String, help: &str| {
-            Err(self.document.error_at(&path(key), "robot::home-pose", message).with_help(help))
-        };
-        let position = self.vector(&path("position_m"), &home.position_m)?;
-        let pattern = self.pattern.name();
-        let rotation = match (self.pattern, &home.rotation, home.angle_rad) {
-            (MotionPattern::Spatial, Some(rows), None) => {
-                match square(rows).and_then(|rows| Pose::rotation_from_rows(&rows)) {
-                    Some(rotation) => settled(renormalized(&rotation), through_matrix),
-                    None => {
-                        let message = "this is not a rotation matrix".to_owned();
-                        let help = "3 rows of 3 numbers, orthonormal to 1e-6, determinant +1; give nine digits";
-                        return error("rotation", message, help);
-                    }
-                }
-            }
-            (MotionPattern::Planar, None, Some(angle)) => {
-                planar_rotation(self.plane, principal_angle(self.plane, angle))
-            }
-            (MotionPattern::PlanarPoint | MotionPattern::SpatialPoint, None, None) => UnitQuaternion::identity(),
-            (MotionPattern::Spatial, ..) => {
-                let message = format!("a home pose of motion pattern {pattern} has `rotation`, and no `angle_rad`");
-                return error("angle_rad", message, "unturned is rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
-            }
-            (MotionPattern::Planar, ..) => {
-                let message = format!("a home pose of motion pattern {pattern} has `angle_rad`, and no `rotation`");
-                return error("rotation", message, "unturned is angle_rad = 0.0");
-            }
-            (_, rotation, _) => {
-                let key = if rotation.is_some() { "rotation" } else { "angle_rad" };
-                return error(key, format!("motion pattern {pattern} does not turn"), "leave the key out");
-            }
-        };
-        Ok(Pose { position, rotation })
-    }
-
     fn external_wrench(&self, section: WrenchSection) -> Result<ExternalWrench, ReadError> {
         let path = |key| [Step::Key("external_wrench"), Step::Key(key)];
         let force = self.vector(&path("force_N"), &section.force_N)?;
@@ -285,57 +248,7 @@ pub(super) fn key_name<'s>(path: &[Step<'s>]) -> &'s str {
 }
 
 /// Three rows of three numbers.
-fn square(rows: &[Vec<f64>]) -> Option<[[f64; 3]; 3]> {
+pub(super) fn square(rows: &[Vec<f64>]) -> Option<[[f64; 3]; 3]> {
     let rows: Vec<[f64; 3]> = rows.iter().map(|row| row.as_slice().try_into().ok()).collect::<Option<_>>()?;
     rows.try_into().ok()
-}
-
-/// The rotation of a planar platform by an angle (rad).
-pub(super) fn planar_rotation(plane: Plane, angle: f64) -> UnitQuaternion<f64> {
-    UnitQuaternion::new(plane.normal() * angle)
-}
-
-/// The angle of a planar rotation (rad), in [−π, π].
-pub(super) fn planar_angle(plane: Plane, rotation: &UnitQuaternion<f64>) -> f64 {
-    rotation.scaled_axis().dot(&plane.normal())
-}
-
-/// The same orientation by an angle in [−π, π], unchanged when it already is there (rad).
-fn principal_angle(plane: Plane, angle: f64) -> f64 {
-    if angle.abs() <= std::f64::consts::PI { angle } else { planar_angle(plane, &planar_rotation(plane, angle)) }
-}
-
-/// The same rotation with the norm of its quaternion 1 to rounding.
-fn renormalized(rotation: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::new_normalize(rotation.into_inner())
-}
-
-/// What becomes of a rotation that is written as a matrix and read again.
-fn through_matrix(rotation: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
-    renormalized(&UnitQuaternion::from_rotation_matrix(&rotation.to_rotation_matrix()))
-}
-
-/// The rotation that writing and reading (`again`) gives back to the last bit; it differs from `start` by rounding only.
-///
-/// Repeated, `again` ends in a cycle, mostly of one member; the least member of the cycle stands for all of them.
-fn settled(
-    start: UnitQuaternion<f64>,
-    again: impl Fn(&UnitQuaternion<f64>) -> UnitQuaternion<f64>,
-) -> UnitQuaternion<f64> {
-    let numbers = |rotation: &UnitQuaternion<f64>| <[f64; 4]>::from(rotation.coords);
-    let mut seen = vec![start];
-    for _ in 0..100 {
-        let next = again(&seen[seen.len() - 1]);
-        if let Some(first) = seen.iter().position(|earlier| numbers(earlier) == numbers(&next)) {
-            let order = |one: &&UnitQuaternion<f64>, other: &&UnitQuaternion<f64>| {
-                let both = numbers(one).into_iter().zip(numbers(other));
-                both.map(|(one, other)| one.total_cmp(&other))
-                    .find(|order| order.is_ne())
-                    .unwrap_or(std::cmp::Ordering::Equal)
-            };
-            return seen[first..].iter().min_by(order).copied().unwrap_or(next);
-        }
-        seen.push(next);
-    }
-    seen[seen.len() - 1]
 }

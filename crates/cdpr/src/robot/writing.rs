@@ -4,7 +4,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use serde::Serialize;
 
 use super::file::{CableSection, HomeSection, Inertia, Moment, PlatformSection, WorkspaceSection, WrenchSection};
-use super::reading::{LAYOUT_VERSION, planar_angle, planar_rotation};
+use super::home_reading::{planar_angle, planar_rotation};
+use super::reading::LAYOUT_VERSION;
 use super::{Cable, ExternalWrench, Platform, Robot};
 use crate::geometry::{MotionPattern, Plane, Pose};
 
