@@ -88,33 +88,38 @@ fn quantities(report: &Report<'_>) -> Vec<Quantity> {
     }
 }
 
+/// Title of a column that point robots do not have.
+const ROTATION_MEAN: &str = "#rotation mean, °";
+
 /// The validation errors of the model shown, fold by fold, and which candidate is best in each.
 pub(super) fn folds(report: &Report<'_>, shown: &Shown<'_>) -> Value {
-    let columns = [
+    let turns = report.robot.motion_pattern.has_rotation();
+    let mut columns = vec![
         ("fold", "def-fold"),
         ("#samples", ""),
         ("#position mean, mm", "def-mean"),
         ("#position 95 %, mm", "def-p95"),
-        ("#rotation mean, °", "def-mean"),
+        (ROTATION_MEAN, "def-mean"),
         ("#length rms, mm", "def-rms"),
         ("#not converged", "def-not-converged"),
         ("best candidate in it", "def-criterion"),
     ];
+    if !turns {
+        columns.retain(|(title, _)| *title != ROTATION_MEAN);
+    }
     let mut table = Table::new(format!("Validation errors of `{}` fold by fold", shown.name), &columns);
     for (index, (name, blocks)) in shown.judgement.folds.iter().enumerate() {
-        table.push(
-            "",
-            vec![
-                Cell::text(name.replace('`', "'")),
-                Cell::number(blocks.samples.to_string()),
-                Cell::number(number::millimetres(blocks.position_error_m.mean)),
-                Cell::number(number::millimetres(blocks.position_error_m.p95)),
-                Cell::number(number::degrees(blocks.rotation_error_rad.mean)),
-                Cell::number(number::millimetres(blocks.length_error_m.rms)),
-                Cell::number(blocks.not_converged.to_string()),
-                best_in_fold(report, index),
-            ],
-        );
+        let figures = [
+            Some(number::millimetres(blocks.position_error_m.mean)),
+            Some(number::millimetres(blocks.position_error_m.p95)),
+            turns.then(|| number::degrees(blocks.rotation_error_rad.mean)),
+            Some(number::millimetres(blocks.length_error_m.rms)),
+            Some(blocks.not_converged.to_string()),
+        ];
+        let mut cells = vec![Cell::short(name), Cell::number(blocks.samples.to_string())];
+        cells.extend(figures.into_iter().flatten().map(Cell::number));
+        cells.push(best_in_fold(report, index));
+        table.push("", cells);
     }
     table.into_value()
 }

@@ -28,6 +28,15 @@ fn rounds_up(value: f64, exponent: i32, digits: i32) -> bool {
     scaled.round() >= 10_f64.powi(digits)
 }
 
+/// A number that someone chose: as few digits as it has, six at most.
+pub(super) fn short(value: f64) -> String {
+    let text = significant(value, 6);
+    match text.contains('.') && !text.contains('×') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
 /// A number with so many digits after the point.
 pub(super) fn fixed(value: f64, decimals: i32) -> String {
     if let Some(word) = special(value) {
@@ -103,6 +112,12 @@ mod tests {
         ] {
             assert_eq!(significant(value, 4), text);
         }
+    }
+
+    #[test]
+    fn chosen_numbers_are_written_as_short_as_they_are() {
+        let texts = [5.0, 0.25, 1000.0, 0.1 + 0.2].map(short);
+        assert_eq!(texts, ["5", "0.25", "1000", "0.3"]);
     }
 
     #[test]

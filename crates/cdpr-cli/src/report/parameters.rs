@@ -64,7 +64,7 @@ fn row(estimate: &Estimate) -> Vec<Cell> {
         interval.unwrap_or_else(none),
         Cell::number(signed(change, decimals)),
         sigma.filter(|s| *s > 0.0).map_or_else(none, |sigma| Cell::number(signed(change / sigma, 1))),
-        estimate.prior_sigma.map_or_else(none, |prior| Cell::number(number::significant(factor * prior, 3))),
+        estimate.prior_sigma.map_or_else(none, |prior| Cell::number(number::short(factor * prior))),
         Cell::text(remark),
     ]
 }

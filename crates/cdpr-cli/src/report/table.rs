@@ -23,6 +23,11 @@ impl Cell {
         Self { text: prose(&text.into()), class: "", span: 1 }
     }
 
+    /// A few words that should stay on one line.
+    pub(super) fn short(text: &str) -> Self {
+        Self { class: "short", ..Self::text(text) }
+    }
+
     /// A name in the notation of the command line.
     pub(super) fn code(text: &str) -> Self {
         Self { text: code(text), class: "name", span: 1 }

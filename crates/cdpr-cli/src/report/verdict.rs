@@ -9,7 +9,7 @@ use super::{Report, Shown, criterion, number};
 
 /// The first thing a reader sees.
 pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let reason = prose(&report.selection.reason);
+    let reason = prose(report.selection.reason.trim_end_matches('.'));
     let Some(shown) = shown else {
         return context! { class => "bad", heading => "No candidate could be identified", name => "", figure => "",
         comparison => "", requirements => Value::from_iter(Vec::<Value>::new()), reason };
@@ -64,12 +64,16 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
 }
 
 fn requirement(outcome: &RequirementOutcome) -> Value {
-    let words = |value: f64| match outcome.metric {
-        metric if metric.ends_with("_rad") => format!("{}°", number::degrees(value)),
-        metric if metric.ends_with("_m") => format!("{} mm", number::millimetres(value)),
-        _ => number::significant(value, 4),
+    let is_angle = outcome.metric.ends_with("_rad");
+    let (value, limit) = match is_angle {
+        true => {
+            (format!("{}°", number::degrees(outcome.value)), format!("{}°", number::short(outcome.limit.to_degrees())))
+        }
+        false => {
+            (format!("{} mm", number::millimetres(outcome.value)), format!("{} mm", number::short(1e3 * outcome.limit)))
+        }
     };
     let relation = if outcome.met { "within" } else { "above" };
-    let text = format!("{} = {}, {relation} the limit {}", outcome.metric, words(outcome.value), words(outcome.limit));
+    let text = format!("{} = {value}, {relation} the limit {limit}", outcome.metric);
     context! { met => outcome.met, text }
 }

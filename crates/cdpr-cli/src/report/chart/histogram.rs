@@ -24,7 +24,7 @@ pub(in super::super) fn histogram(values: &[f64], axis_label: &str, mean: (f64, 
     }
     let most = counts.iter().copied().max().unwrap_or(1);
     let mut drawing = Drawing::new(WIDTH, BOTTOM + 44.0, "Histogram of position errors");
-    let y = Axis::counting(0.0, most as f64, (BOTTOM, TOP), 5);
+    let y = Axis::counting(0.0, 1.08 * most as f64, (BOTTOM, TOP), 5);
     x.draw_below(&mut drawing, TOP, BOTTOM, axis_label);
     y.draw_left(&mut drawing, LEFT, RIGHT, "samples");
     let width = (RIGHT - LEFT) / bins as f64;

@@ -45,11 +45,12 @@ impl Ladder {
         let bottom = TOP + ROW * self.rungs.len() as f64;
         let mut drawing = Drawing::new(WIDTH, bottom + 46.0, "Candidates against the criterion on validation data");
         let axis = Axis::fitting(low, high, (LEFT, RIGHT), 7);
+        if let Some(chosen) = self.rungs.iter().position(|rung| rung.recommended) {
+            let y = TOP + ROW * chosen as f64;
+            drawing.rectangle("chosen-row", (4.0, y + 1.0), (RIGHT - 4.0, ROW - 2.0), None);
+        }
         let scale = if axis.is_logarithmic() { ", logarithmic" } else { "" };
         axis.draw_below(&mut drawing, TOP, bottom, &format!("{}{scale}", self.axis_label));
-        for (index, rung) in self.rungs.iter().enumerate() {
-            draw_rung(&mut drawing, &axis, index, rung);
-        }
         if self.limit.is_finite() {
             let x = axis.place(self.limit);
             drawing.line("limit", (x, TOP - 4.0), (x, bottom));
@@ -57,15 +58,15 @@ impl Ladder {
             let anchor = if x > 0.5 * (LEFT + RIGHT) { Anchor::End } else { Anchor::Start };
             drawing.text("tick", anchor, (x, TOP - 10.0), "best + one standard error");
         }
+        for (index, rung) in self.rungs.iter().enumerate() {
+            draw_rung(&mut drawing, &axis, index, rung);
+        }
         Some(drawing.finish())
     }
 }
 
 fn draw_rung(drawing: &mut Drawing, axis: &Axis, index: usize, rung: &Rung) {
     let y = TOP + ROW * (index as f64 + 0.5);
-    if rung.recommended {
-        drawing.rectangle("chosen-row", (4.0, y - 0.5 * ROW + 1.0), (RIGHT - 4.0, ROW - 2.0), None);
-    }
     let name = shortened(&format!("{}  {}", index + 1, rung.name));
     let class = if rung.recommended { "name chosen" } else { "name" };
     drawing.text(class, Anchor::End, (LEFT - 12.0, y + 4.0), &name);

@@ -7,7 +7,7 @@ use super::finite_range;
 const COLUMNS: usize = 2;
 const PANEL: (f64, f64) = (350.0, 90.0);
 /// From the corner of one panel to that of the next.
-const PITCH: (f64, f64) = (430.0, 128.0);
+const PITCH: (f64, f64) = (425.0, 138.0);
 const CORNER: (f64, f64) = (72.0, 26.0);
 /// More samples than this are drawn as a band from smallest to largest.
 const MOST_DOTS: usize = 300;
@@ -22,13 +22,13 @@ pub(in super::super) fn residuals(cables: &[(String, Vec<(usize, f64)>)]) -> Opt
     let (first, last) = finite_range(all().map(|point| point.0 as f64))?;
     let rows = cables.len().div_ceil(COLUMNS);
     let height = CORNER.1 + PITCH.1 * (rows - 1) as f64 + PANEL.1 + 46.0;
-    let mut drawing = Drawing::new(CORNER.0 + PITCH.0 + PANEL.0 + 8.0, height, "Length residuals by cable");
+    let mut drawing = Drawing::new(CORNER.0 + PITCH.0 + PANEL.0 + 16.0, height, "Length residuals by cable");
     for (index, (name, series)) in cables.iter().enumerate() {
         let left = CORNER.0 + PITCH.0 * (index % COLUMNS) as f64;
         let top = CORNER.1 + PITCH.1 * (index / COLUMNS) as f64;
         let (right, bottom) = (left + PANEL.0, top + PANEL.1);
         let x = Axis::counting(first, last, (left, right), 5);
-        let y = Axis::linear(-largest, largest, (bottom, top), 2);
+        let y = Axis::linear(-largest, largest, (bottom, top), 3);
         let is_last = index + COLUMNS >= cables.len();
         x.draw_below(&mut drawing, top, bottom, if is_last { "sample" } else { "" });
         y.draw_left(&mut drawing, left, right, "residual in mm");

@@ -17,7 +17,7 @@ pub(in super::super) fn spectrum(values: &[f64], rank: usize) -> Option<String> 
     let low = smallest.max(largest * 1e-18);
     let mut drawing = Drawing::new(WIDTH, BOTTOM + 44.0, "Singular values of the Jacobian");
     let y = Axis::logarithmic(low, largest, (BOTTOM, TOP), 8);
-    let x = Axis::counting(0.0, values.len() as f64 + 1.0, (LEFT, RIGHT), 12);
+    let x = Axis::counting(0.5, values.len() as f64 + 0.5, (LEFT, RIGHT), 12);
     x.draw_below(&mut drawing, TOP, BOTTOM, "number of the singular value");
     y.draw_left(&mut drawing, LEFT, RIGHT, "singular value");
     let radius = if values.len() > 120 { 2.5 } else { 4.0 };
