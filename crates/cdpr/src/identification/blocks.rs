@@ -1,46 +1,13 @@
 //! The least-squares problem of one cable: its own parameters, its own column of recorded lengths.
 
-use crate::cable::outlet;
+use super::pose_lanes::{CableValues, PoseLanes};
+use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
-use crate::scalar::{Kernel, LANES, Lanes, add, dispatch, dot, rotate};
+use crate::scalar::{Kernel, LANES, Lanes, dispatch, dot, rotate_back};
 
 /// Parameters a cable can have: two anchors of three components, offset, scale, radius.
 pub(super) const SLOTS: usize = 9;
-
-/// Measured poses as structure of arrays, padded to whole groups of lanes with copies of the last sample.
-pub(super) struct PoseLanes {
-    position: [Vec<f64>; 3],
-    rotation: [Vec<f64>; 9],
-    groups: usize,
-}
-
-impl PoseLanes {
-    pub(super) fn new(samples: &Samples) -> Self {
-        let groups = samples.len().div_ceil(LANES);
-        let mut lanes = Self { position: Default::default(), rotation: Default::default(), groups };
-        for index in 0..groups * LANES {
-            let pose = &samples.poses[index.min(samples.len() - 1)];
-            for (column, value) in lanes.position.iter_mut().zip(pose.position.iter()) {
-                column.push(*value);
-            }
-            for (column, value) in lanes.rotation.iter_mut().zip(pose.rotation_rows().as_flattened()) {
-                column.push(*value);
-            }
-        }
-        lanes
-    }
-}
-
-/// All parameters of a cable as the kernel reads them; anchors in world and platform components.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CableValues {
-    pub(super) frame_anchor: [f64; 3],
-    pub(super) platform_anchor: [f64; 3],
-    pub(super) offset: f64,
-    pub(super) scale: f64,
-    pub(super) radius: f64,
-}
 
 /// The block of one cable.
 pub(super) struct Block {
@@ -54,7 +21,6 @@ pub(super) struct Block {
     /// 1/σ of each residual, 0 in the padding (1/m).
     weights: Vec<f64>,
     axes: Vec<[f64; 3]>,
-    swivel_axis: Option<[f64; 3]>,
 }
 
 impl Block {
@@ -63,32 +29,27 @@ impl Block {
         cable: usize,
         parameters: Vec<Parameter>,
         samples: &Samples,
-        weights: &[f64],
+        weights: &Weights,
     ) -> Self {
         let data = &model.robot().cables[cable];
         let count = samples.len();
-        let padded = count.div_ceil(LANES) * LANES;
-        let column = |values: &[f64]| (0..count).map(|sample| values[sample * model.cable_count() + cable]).collect();
-        let mut recorded: Vec<f64> = column(&samples.lengths);
-        let mut column_weights: Vec<f64> = column(weights);
-        recorded.resize(padded, recorded.last().copied().unwrap_or(0.0));
-        column_weights.resize(padded, 0.0);
+        let mut recorded = Vec::with_capacity(count.next_multiple_of(LANES));
+        recorded.extend(samples.lengths.iter().skip(cable).step_by(model.cable_count()));
+        recorded.resize(count.next_multiple_of(LANES), recorded.last().copied().unwrap_or(0.0));
         Self {
             cable,
-            slots: parameters.iter().map(slot).collect(),
+            slots: parameters.iter().map(|parameter| slot(model, parameter)).collect(),
             parameters,
-            start: CableValues {
-                frame_anchor: data.frame_anchor.into(),
-                platform_anchor: data.platform_anchor.into(),
-                offset: data.length_offset.unwrap_or(0.0),
-                scale: data.length_scale.unwrap_or(1.0),
-                radius: data.pulley_radius.unwrap_or(0.0),
-            },
+            start: CableValues::of(data, model.composition().pulley),
             recorded,
-            weights: column_weights,
+            weights: weights.of_cable(cable).to_vec(),
             axes: model.axes().iter().map(|axis| (*axis).into()).collect(),
-            swivel_axis: data.pulley_swivel_axis.filter(|_| model.composition().pulley).map(Into::into),
         }
+    }
+
+    /// Weighs the residuals anew.
+    pub(super) fn set_weights(&mut self, weights: &Weights) {
+        self.weights.copy_from_slice(weights.of_cable(self.cable));
     }
 
     /// Mean recorded length (m).
@@ -169,39 +130,34 @@ impl Block {
     /// Weighted residual and the derivatives by every slot for one group of samples.
     #[inline(always)]
     fn row<L: Lanes>(&self, l: L, poses: &PoseLanes, values: &CableValues, group: usize) -> (L, [L; SLOTS]) {
-        let at = |column: &[f64]| l.load(&column[group * LANES..]);
-        let constants = |v: [f64; 3]| [l.constant(v[0]), l.constant(v[1]), l.constant(v[2])];
-        let r = &poses.rotation;
-        let rotation = [0, 3, 6].map(|first| [at(&r[first]), at(&r[first + 1]), at(&r[first + 2])]);
-        let position = [at(&poses.position[0]), at(&poses.position[1]), at(&poses.position[2])];
-        let anchor = add(position, rotate(&rotation, constants(values.platform_anchor)));
-        let frame_anchor = constants(values.frame_anchor);
-        let course = match self.swivel_axis {
-            Some(axis) => outlet::pulley::course(frame_anchor, constants(axis), l.constant(values.radius), anchor),
-            None => outlet::point::course(frame_anchor, anchor),
-        };
-        let weight = at(&self.weights);
+        let (position, rotation) = poses.at(l, group);
+        let (course, _) = values.course(position, &rotation);
+        let weight = l.load(&self.weights[group * LANES..]);
+        let recorded = l.load(&self.recorded[group * LANES..]);
         let scale = l.constant(values.scale);
         let factor = weight * scale;
-        let (by_platform_anchor, _) = course.by_platform_anchor(&rotation);
-        let residual = scale * course.length + l.constant(values.offset) - at(&self.recorded);
-        let zero = l.constant(0.0);
-        let mut row = [zero; SLOTS];
-        for (k, axis) in self.axes.iter().enumerate().take(3) {
-            row[k] = factor * dot(constants(*axis), course.direction);
-            row[3 + k] = factor * dot(constants(*axis), by_platform_anchor);
-        }
-        row[6] = weight;
-        row[7] = weight * course.length;
-        row[8] = factor * course.length_by_radius;
-        (weight * residual, row)
+        let u = course.direction;
+        let in_platform = rotate_back(&rotation, u);
+        let row = [
+            factor * u[0],
+            factor * u[1],
+            factor * u[2],
+            -(factor * in_platform[0]),
+            -(factor * in_platform[1]),
+            -(factor * in_platform[2]),
+            weight,
+            weight * course.length,
+            factor * course.length_by_radius,
+        ];
+        (weight * (scale * course.length + l.constant(values.offset) - recorded), row)
     }
 }
 
-fn slot(parameter: &Parameter) -> usize {
+/// Anchors of every motion pattern move along axes of the world: the component is the place.
+fn slot(model: &Model, parameter: &Parameter) -> usize {
     match parameter.kind {
-        ParameterKind::FrameAnchor => parameter.axis,
-        ParameterKind::PlatformAnchor => 3 + parameter.axis,
+        ParameterKind::FrameAnchor => model.axes()[parameter.axis].iamax(),
+        ParameterKind::PlatformAnchor => 3 + model.axes()[parameter.axis].iamax(),
         ParameterKind::LengthOffset => 6,
         ParameterKind::LengthScale => 7,
         ParameterKind::PulleyRadius => 8,
@@ -216,10 +172,10 @@ pub(super) struct NormalEquations<const P: usize> {
     pub(super) matrix: [[f64; P]; P],
 }
 
-struct Accumulate<'a, const P: usize> {
-    block: &'a Block,
-    poses: &'a PoseLanes,
-    values: &'a CableValues,
+pub(super) struct Accumulate<'a, const P: usize> {
+    pub(super) block: &'a Block,
+    pub(super) poses: &'a PoseLanes,
+    pub(super) values: &'a CableValues,
 }
 
 impl<const P: usize> Kernel for Accumulate<'_, P> {
@@ -231,7 +187,7 @@ impl<const P: usize> Kernel for Accumulate<'_, P> {
         let (mut cost, mut gradient, mut matrix) = (zero, [zero; P], [[zero; P]; P]);
         let mut slots = [0; P];
         slots.copy_from_slice(&self.block.slots);
-        for group in 0..self.poses.groups {
+        for group in 0..self.poses.groups() {
             let (residual, row) = self.block.row(l, self.poses, self.values, group);
             let mut entries = [zero; P];
             for i in 0..P {
@@ -245,11 +201,14 @@ impl<const P: usize> Kernel for Accumulate<'_, P> {
                 }
             }
         }
-        NormalEquations {
-            cost: cost.sum(),
-            gradient: gradient.map(Lanes::sum),
-            matrix: matrix.map(|r| r.map(Lanes::sum)),
+        let mut sums = NormalEquations { cost: cost.sum(), gradient: [0.0; P], matrix: [[0.0; P]; P] };
+        for i in 0..P {
+            sums.gradient[i] = gradient[i].sum();
+            for j in 0..=i {
+                sums.matrix[i][j] = matrix[i][j].sum();
+            }
         }
+        sums
     }
 }
 
@@ -266,9 +225,9 @@ impl Kernel for WriteRows<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) -> Self::Output {
         let slots = &self.block.slots;
-        let mut residuals = Vec::with_capacity(self.poses.groups * LANES);
-        let mut columns = vec![Vec::with_capacity(self.poses.groups * LANES); slots.len()];
-        for group in 0..self.poses.groups {
+        let mut residuals = Vec::with_capacity(self.poses.groups() * LANES);
+        let mut columns = vec![Vec::with_capacity(self.poses.groups() * LANES); slots.len()];
+        for group in 0..self.poses.groups() {
             let (residual, row) = self.block.row(l, self.poses, self.values, group);
             residuals.extend(residual.to_array());
             for (column, &slot) in columns.iter_mut().zip(slots) {

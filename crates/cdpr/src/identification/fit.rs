@@ -1,15 +1,17 @@
 //! Optimal parameters of one model from measured poses and recorded lengths.
 
 mod descent;
+mod optimum;
+#[cfg(test)]
+mod tests;
 
 use std::str::FromStr;
 
 use serde::Serialize;
 use thiserror::Error;
 
-use super::blocks::{Block, PoseLanes};
 use super::identifiability::{Analysis, Correlation, analyse};
-use super::weights::{Weights, length_weights};
+use super::weights::Weights;
 use crate::cable::DegenerateCourse;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind};
@@ -192,9 +194,6 @@ pub enum InputError {
     },
 }
 
-/// Most repetitions of a fit with weights from its own optimum; each gains several digits.
-const REWEIGHTINGS: u32 = 4;
-
 /// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
 pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 
@@ -204,22 +203,42 @@ pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 /// within the parameters' bounds. Without free parameters it only tells how well the model fits.
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
-    let mut weights = length_weights(model, samples)?;
-    let mut outcome = optimum(model, samples, &parameters, &weights, settings, None);
-    // variances depend on the parameters, and a prior needs the scale of the noise: weigh anew at the optimum and repeat
-    for _ in 0..REWEIGHTINGS {
-        let again = match weights.absolute {
-            true => length_weights(&with_given_levers(model, calibrated(model, &outcome)?)?, samples)?,
-            false if settings.priors.is_empty() => break,
-            false => weights.scaled(1.0 / outcome.noise_factor(samples, parameters.len()).max(1e-6)),
-        };
-        if parameters.is_empty() || weights.is_close_to(&again) {
-            break;
-        }
-        weights = again;
-        outcome = optimum(model, samples, &parameters, &weights, settings, Some(&outcome));
-    }
-    report(model, samples, &parameters, &weights, outcome, settings)
+    let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
+    report(model, samples, &parameters, &weights, optimum, settings)
+}
+
+/// The optimum of a fit alone.
+#[must_use = "check `converged` before using the parameters"]
+#[derive(Clone, Debug)]
+pub struct OptimalParameters {
+    /// The calibrated model.
+    pub model: Model,
+    /// The free parameters, ordered by cable.
+    pub parameters: Vec<Parameter>,
+    /// False when the iteration limit was reached.
+    pub converged: bool,
+    /// Steps of the cable that needed most.
+    pub iterations: u32,
+    /// Weighted sum of squared residuals and priors after each step, all cables together.
+    pub history: Vec<f64>,
+}
+
+/// Finds what [`fit`] finds without asking how well the data determine it: a small part of the time.
+pub fn optimal_parameters(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+) -> Result<OptimalParameters, InputError> {
+    let parameters = checked_parameters(model, samples, free, settings)?;
+    let (optimum, _) = optimum::find(model, samples, &parameters, settings)?;
+    Ok(OptimalParameters {
+        model: optimum.calibrated(model)?,
+        parameters,
+        converged: optimum.converged(),
+        iterations: optimum.iterations(),
+        history: optimum.history(),
+    })
 }
 
 fn checked_parameters(
@@ -255,77 +274,15 @@ pub(super) fn prior_sigma(settings: &Settings, kind: ParameterKind) -> Option<f6
     settings.priors.iter().rev().find(|prior| prior.kind == kind).map(|prior| prior.sigma)
 }
 
-/// All blocks at their optimum.
-struct Optimum {
-    poses: PoseLanes,
-    blocks: Vec<Block>,
-    ends: Vec<descent::End>,
-}
-
-impl Optimum {
-    /// Root of the weighted sum of squares per degree of freedom.
-    fn noise_factor(&self, samples: &Samples, parameter_count: usize) -> f64 {
-        let cost: f64 = self.ends.iter().map(|end| end.cost).sum();
-        let rows = samples.lengths.len() as f64;
-        (cost / (rows - parameter_count as f64).max(1.0)).sqrt()
-    }
-
-    fn history(&self) -> Vec<f64> {
-        let steps = self.ends.iter().map(|end| end.history.len()).max().unwrap_or(0);
-        let at = |end: &descent::End, step: usize| end.history[step.min(end.history.len() - 1)];
-        (0..steps).map(|step| self.ends.iter().map(|end| at(end, step)).sum()).collect()
-    }
-}
-
-fn optimum(
-    model: &Model,
-    samples: &Samples,
-    all: &[Parameter],
-    weights: &Weights,
-    settings: &Settings,
-    before: Option<&Optimum>,
-) -> Optimum {
-    let poses = PoseLanes::new(samples);
-    let block = |cable| {
-        let own = all.iter().filter(|parameter| parameter.cable == cable).copied().collect();
-        Block::new(model, cable, own, samples, &weights.inverse_sigma)
-    };
-    let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
-    let from = |cable: usize| before.map(|optimum| optimum.ends[cable].change.as_slice());
-    let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, from(block.cable))).collect();
-    Optimum { poses, blocks, ends }
-}
-
-/// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance that
-/// grows with the lever would reward them for it.
-fn with_given_levers(model: &Model, calibrated: Model) -> Result<Model, ModelError> {
-    let mut robot = calibrated.robot().clone();
-    for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {
-        cable.platform_anchor = given.platform_anchor;
-    }
-    Model::new(robot, model.composition())
-}
-
-/// The model with the parameters of an optimum.
-fn calibrated(model: &Model, optimum: &Optimum) -> Result<Model, ModelError> {
-    let mut robot = model.robot().clone();
-    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
-        for parameter in &block.parameters {
-            parameter.assign(model, &mut robot, block.value(&end.values, parameter));
-        }
-    }
-    Model::new(robot, model.composition())
-}
-
 fn report(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
     weights: &Weights,
-    optimum: Optimum,
+    optimum: optimum::Optimum,
     settings: &Settings,
 ) -> Result<Fit, InputError> {
-    let calibrated = calibrated(model, &optimum)?;
+    let calibrated = optimum.calibrated(model)?;
     let noise_factor = optimum.noise_factor(samples, parameters.len());
     let inflation = if weights.absolute { noise_factor.max(1.0) } else { noise_factor };
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
@@ -335,16 +292,14 @@ fn report(
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
         .collect();
-    let iterations = optimum.ends.iter().map(|end| end.iterations).max().unwrap_or(0);
-    let converged = optimum.ends.iter().all(|end| end.converged);
-    let (status, reason) = verdict(&analysis, parameters.len(), converged, settings);
+    let (status, reason) = verdict(&analysis, parameters.len(), optimum.converged(), settings);
     let mut warnings = analysis.warnings.clone();
     warnings.extend(own_warnings(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
         status,
         reason,
-        iterations,
+        iterations: optimum.iterations(),
         history: optimum.history(),
         parameters: estimates,
         analysis,

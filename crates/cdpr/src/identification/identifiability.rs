@@ -4,8 +4,9 @@ use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
 use super::autocorrelation::correlation_time;
-use super::blocks::{Block, CableValues, PoseLanes};
+use super::blocks::Block;
 use super::fit::{Settings, prior_sigma};
+use super::pose_lanes::{CableValues, PoseLanes};
 use super::words::{Direction, describe};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};

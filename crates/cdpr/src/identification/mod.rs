@@ -10,6 +10,7 @@ pub mod candidate;
 pub mod evaluation;
 pub mod fit;
 mod identifiability;
+mod pose_lanes;
 pub mod selection;
 mod weights;
 mod words;

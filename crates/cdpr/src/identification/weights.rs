@@ -1,27 +1,31 @@
 //! Row weights from sensor accuracies.
 
-use nalgebra::Vector3;
-
 use super::fit::{ASSUMED_NOISE, InputError};
+use super::pose_lanes::{CableValues, PoseLanes};
 use crate::measurement::Samples;
 use crate::model::Model;
+use crate::scalar::{Kernel, LANES, Lanes, add, constants, cross, dispatch, dot, sub};
 
 /// Weights of the length residuals, and whether they are known or only relative.
 #[derive(Clone, Debug)]
 pub(super) struct Weights {
-    /// 1/σ of each residual, sample by sample (1/m).
-    pub(super) inverse_sigma: Vec<f64>,
+    /// 1/σ of each residual, cable by cable, each padded with zeros to whole groups of lanes (1/m).
+    inverse_sigma: Vec<f64>,
+    /// Samples with their padding.
+    rows: usize,
     /// False when no sensor accuracy is known: all weights are then equal and the noise is estimated from the residuals.
     pub(super) absolute: bool,
 }
 
 impl Weights {
+    /// 1/σ of one cable's residuals, padding included (1/m).
+    pub(super) fn of_cable(&self, cable: usize) -> &[f64] {
+        &self.inverse_sigma[cable * self.rows..][..self.rows]
+    }
+
     /// All weights times a factor.
     pub(super) fn scaled(&self, factor: f64) -> Self {
-        Self {
-            inverse_sigma: self.inverse_sigma.iter().map(|weight| weight * factor).collect(),
-            absolute: self.absolute,
-        }
+        Self { inverse_sigma: self.inverse_sigma.iter().map(|weight| weight * factor).collect(), ..*self }
     }
 
     /// True when no weight differs by more than a millionth: the optimum then moves by less than that share of σ.
@@ -34,31 +38,92 @@ impl Weights {
 ///
 /// J is the row −\[u; b × u\] of the robot's motion pattern; the scale multiplies it. An unknown pose accuracy counts as
 /// exact, an unknown length accuracy likewise; without either all rows weigh the same.
-pub(super) fn length_weights(model: &Model, samples: &Samples) -> Result<Weights, InputError> {
+pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes) -> Result<Weights, InputError> {
     let sigmas = samples.sigmas;
     let (length, position, rotation) =
         (sigmas.length.unwrap_or(0.0), sigmas.position.unwrap_or(0.0), sigmas.rotation.unwrap_or(0.0));
-    // a rotation accuracy alone leaves rows without lever at no variance at all
-    let known = length > 0.0 || position > 0.0;
-    let mut inverse_sigma = Vec::with_capacity(samples.lengths.len());
-    for (sample, pose) in samples.poses.iter().enumerate() {
-        for cable in 0..model.cable_count() {
-            let (course, lever) =
-                model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
-            let u = Vector3::from(course.direction);
-            let moment = lever.cross(&u);
-            let scale = model.robot().cables[cable].length_scale.unwrap_or(1.0);
-            let pose_variance: f64 = model
-                .twist_basis()
-                .iter()
-                .map(|basis| {
-                    let (v, omega) = (basis.fixed_rows::<3>(0), basis.fixed_rows::<3>(3));
-                    (position * v.dot(&u)).powi(2) + (rotation * omega.dot(&moment)).powi(2)
-                })
-                .sum();
-            let variance = length * length + scale * scale * pose_variance;
-            inverse_sigma.push(1.0 / if known { variance.sqrt() } else { ASSUMED_NOISE });
+    let rows = poses.groups() * LANES;
+    let mut weights = Weights {
+        inverse_sigma: vec![0.0; rows * model.cable_count()],
+        rows,
+        // a rotation accuracy alone leaves rows without lever at no variance at all
+        absolute: length > 0.0 || position > 0.0,
+    };
+    let mut variances = Variances { length: length * length, position: [0.0; 3], rotation: [0.0; 3] };
+    for basis in model.twist_basis() {
+        for k in 0..3 {
+            // the directions of every motion pattern are axes of the world
+            variances.position[k] += (position * basis[k]).powi(2);
+            variances.rotation[k] += (rotation * basis[3 + k]).powi(2);
         }
     }
-    Ok(Weights { inverse_sigma, absolute: known })
+    let mut regular = true;
+    for (cable, inverse_sigma) in weights.inverse_sigma.chunks_mut(rows).enumerate() {
+        let values = CableValues::of(&model.robot().cables[cable], model.composition().pulley);
+        regular &= dispatch(WriteWeights { values: &values, poses, variances: &variances, inverse_sigma });
+        if !weights.absolute {
+            inverse_sigma.fill(1.0 / ASSUMED_NOISE);
+        }
+        inverse_sigma[samples.len()..].fill(0.0);
+    }
+    if !regular {
+        for (sample, pose) in samples.poses.iter().enumerate() {
+            for cable in 0..model.cable_count() {
+                model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
+            }
+        }
+    }
+    Ok(weights)
+}
+
+/// Variances of what is measured, per axis of the world.
+struct Variances {
+    /// (m²)
+    length: f64,
+    /// (m²)
+    position: [f64; 3],
+    /// (rad²)
+    rotation: [f64; 3],
+}
+
+/// 1/σ of one cable's residuals at every pose; answers whether no pose looks degenerate.
+struct WriteWeights<'a> {
+    values: &'a CableValues,
+    poses: &'a PoseLanes,
+    variances: &'a Variances,
+    inverse_sigma: &'a mut [f64],
+}
+
+impl Kernel for WriteWeights<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> bool {
+        let (by_position, by_rotation) = (constants(l, self.variances.position), constants(l, self.variances.rotation));
+        let (zero, one) = (l.constant(0.0), l.constant(1.0));
+        let scale_squared = l.constant(self.values.scale * self.values.scale);
+        let mut finite = zero;
+        let mut regular = true;
+        for group in 0..self.poses.groups() {
+            let (position, rotation) = self.poses.at(l, group);
+            let (course, lever) = self.values.course(position, &rotation);
+            let u = course.direction;
+            let moment = cross(lever, u);
+            let mut pose_variance = zero;
+            for k in 0..3 {
+                pose_variance = pose_variance + by_position[k] * u[k] * u[k] + by_rotation[k] * moment[k] * moment[k];
+            }
+            let variance = l.constant(self.variances.length) + scale_squared * pose_variance;
+            (one / variance.sqrt()).store(&mut self.inverse_sigma[group * LANES..]);
+            finite = finite + (course.length + dot(u, u));
+            if let Some(axis) = self.values.swivel_axis {
+                let d = sub(add(position, lever), constants(l, self.values.frame_anchor));
+                let along = dot(d, constants(l, axis));
+                // generous: the exact test decides afterwards
+                let near_axis = (dot(d, d) - along * along).is_less(l.constant(1e-12) * dot(d, d));
+                regular &= !l.any(near_axis);
+            }
+        }
+        regular && finite.sum().is_finite()
+    }
 }

@@ -1,9 +1,13 @@
 //! Damped Gauss–Newton descent of one cable's block, within bounds.
 
 use super::{Settings, prior_sigma};
-use crate::identification::blocks::{Block, CableValues, NormalEquations, PoseLanes, SLOTS};
+use crate::identification::blocks::{Block, NormalEquations, SLOTS};
+use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::model::ParameterKind;
 use crate::scalar::ldl;
+
+/// Steps that are recorded without allocating again; few descents take more.
+const HISTORY_CAPACITY: usize = 16;
 
 /// Where the descent of one block ended.
 pub(super) struct End {
@@ -76,7 +80,8 @@ impl<'a, const P: usize> Search<'a, P> {
         let mut change = [0.0; P];
         change.iter_mut().zip(from.into_iter().flatten()).for_each(|(value, &earlier)| *value = earlier);
         let (mut values, mut equations) = self.equations(&change);
-        let mut history = vec![equations.cost];
+        let mut history = Vec::with_capacity(HISTORY_CAPACITY);
+        history.push(equations.cost);
         // last_size 0: no step yet, so no rate of contraction to judge by
         let (mut damping, mut last_size, mut iterations) = (0.0, 0.0, 0);
         let mut converged = P == 0;

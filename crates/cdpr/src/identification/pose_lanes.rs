@@ -1,0 +1,92 @@
+//! Measured poses in lanes, and cables computed over them.
+
+use crate::cable::{Course, outlet};
+use crate::measurement::Samples;
+use crate::robot::Cable;
+use crate::scalar::{LANES, Lanes, add, constants, rotate};
+
+/// Measured poses as structure of arrays, padded to whole groups of lanes with copies of the last sample.
+pub(super) struct PoseLanes {
+    position: [Vec<f64>; 3],
+    rotation: [Vec<f64>; 9],
+    groups: usize,
+}
+
+impl PoseLanes {
+    pub(super) fn new(samples: &Samples) -> Self {
+        let groups = samples.len().div_ceil(LANES);
+        let column = || vec![0.0; groups * LANES];
+        let mut lanes =
+            Self { position: std::array::from_fn(|_| column()), rotation: std::array::from_fn(|_| column()), groups };
+        for index in 0..groups * LANES {
+            let pose = &samples.poses[index.min(samples.len() - 1)];
+            for (column, value) in lanes.position.iter_mut().zip(pose.position.iter()) {
+                column[index] = *value;
+            }
+            for (column, value) in lanes.rotation.iter_mut().zip(pose.rotation_rows().as_flattened()) {
+                column[index] = *value;
+            }
+        }
+        lanes
+    }
+
+    /// Number of groups of lanes.
+    pub(super) fn groups(&self) -> usize {
+        self.groups
+    }
+
+    /// Position and rotation rows of one group.
+    #[inline(always)]
+    pub(super) fn at<L: Lanes>(&self, l: L, group: usize) -> ([L; 3], [[L; 3]; 3]) {
+        let first = group * LANES;
+        let mut position = [l; 3];
+        let mut rotation = [[l; 3]; 3];
+        for k in 0..3 {
+            position[k] = l.load(&self.position[k][first..]);
+            for column in 0..3 {
+                rotation[k][column] = l.load(&self.rotation[3 * k + column][first..]);
+            }
+        }
+        (position, rotation)
+    }
+}
+
+/// What the lengths of one cable are made of; anchors in world and platform components.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CableValues {
+    pub(super) frame_anchor: [f64; 3],
+    pub(super) platform_anchor: [f64; 3],
+    pub(super) offset: f64,
+    pub(super) scale: f64,
+    pub(super) radius: f64,
+    /// `None` at a point outlet.
+    pub(super) swivel_axis: Option<[f64; 3]>,
+}
+
+impl CableValues {
+    /// The values a robot's cable has, in a model with pulleys or without.
+    pub(super) fn of(cable: &Cable, with_pulley: bool) -> Self {
+        Self {
+            frame_anchor: cable.frame_anchor.into(),
+            platform_anchor: cable.platform_anchor.into(),
+            offset: cable.length_offset.unwrap_or(0.0),
+            scale: cable.length_scale.unwrap_or(1.0),
+            radius: cable.pulley_radius.unwrap_or(0.0),
+            swivel_axis: cable.pulley_swivel_axis.filter(|_| with_pulley).map(Into::into),
+        }
+    }
+
+    /// Course and lever b = R b_P at poses in lanes.
+    #[inline(always)]
+    pub(super) fn course<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Course<L>, [L; 3]) {
+        let l = position[0];
+        let lever = rotate(rotation, constants(l, self.platform_anchor));
+        let anchor = add(position, lever);
+        let frame_anchor = constants(l, self.frame_anchor);
+        let course = match self.swivel_axis {
+            Some(axis) => outlet::pulley::course(frame_anchor, constants(l, axis), l.constant(self.radius), anchor),
+            None => outlet::point::course(frame_anchor, anchor),
+        };
+        (course, lever)
+    }
+}
