@@ -62,10 +62,9 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
 
 fn help_for_unknown_robot(text: &str) -> String {
     let names: Vec<&str> = builtin::names().collect();
-    let list = format!("built-in robots: {}", names.join(", "));
     match did_you_mean(text, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`? {list}"),
-        None => list,
+        Some(meant) => format!("did you mean `{meant}`? `cdpr robots` lists the built-in robots"),
+        None => format!("give the path of a robot file, or one of the built-in robots: {}", names.join(", ")),
     }
 }
 

@@ -33,8 +33,9 @@ struct CommandLine {
     #[command(subcommand)]
     command: Command,
 
-    /// How the answer is written: for people, or as one JSON object.
-    #[arg(long, global = true, value_enum, default_value_t = Format::Text, value_name = "FORMAT")]
+    /// Write the answer as tables for people, or as one JSON object (numbers that are not finite are null).
+    #[arg(long, global = true, value_enum, default_value_t = Format::Text, value_name = "text|json")]
+    #[arg(hide_possible_values = true, display_order = 900)]
     format: Format,
 }
 
@@ -42,8 +43,8 @@ const EXAMPLES: &str = "\
 Examples:
   cdpr robots
   cdpr ik planar-example --pose 0.5,4
-  cdpr identify robot.toml samples.csv --free frame-anchor,length-offset --out calibrated.toml
-  cdpr COMMAND --help";
+  cdpr identify robot.toml samples.csv --free length-offset --out calibrated.toml
+  cdpr identify --help";
 
 fn main() -> ExitCode {
     let command_line = match CommandLine::try_parse() {
@@ -65,13 +66,15 @@ fn usage_exit(error: &clap::Error) -> ExitCode {
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => ExitCode::SUCCESS,
         _ => {
-            let failure = Failure::usage(first_line(&error.to_string()));
+            let failure = Failure::usage(first_paragraph(&error.to_string()));
             Output::new(Format::asked_for(std::env::args())).mirror(&failure)
         }
     }
 }
 
-fn first_line(text: &str) -> &str {
-    let line = text.lines().next().unwrap_or_default();
-    line.strip_prefix("error: ").unwrap_or(line)
+/// What clap says before its usage lines, as one line.
+fn first_paragraph(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
+    let line = lines.join(" ");
+    line.strip_prefix("error: ").unwrap_or(&line).to_owned()
 }

@@ -157,7 +157,7 @@ impl Answer for Check {
             (Some(rank), Some(number)) if number.is_finite() => {
                 format!("rank {rank} of {degrees_of_freedom}, condition {number:.3}")
             }
-            (Some(rank), _) => format!("rank {rank} of {degrees_of_freedom}, singular"),
+            (Some(rank), _) => format!("rank {rank} of {degrees_of_freedom}"),
             _ => "none: a cable has no course".to_owned(),
         };
         let mut text = format!(

@@ -16,9 +16,9 @@ use crate::table::{Table, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  cdpr fk planar-example --lengths 7.632,6.021,6.801,6.021
-  cdpr fk robot.toml --model pulley --lengths 7.6,6.0,6.8,6.0 --guess 0,4 --format json
-  cdpr fk calibrated.toml --recorded --lengths 7.6,6.0,6.8,6.0";
+  cdpr fk planar-example --lengths 6.621,5.731,7.214,6.265
+  cdpr fk robot.toml --model pulley --lengths 6.62,5.73,7.21,6.27 --guess 0,4 --format json
+  cdpr fk calibrated.toml --recorded --lengths 6.62,5.73,7.21,6.27";
 
 /// Forward kinematics: the pose that fits given cable lengths best.
 #[derive(Debug, Args)]

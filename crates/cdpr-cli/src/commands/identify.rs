@@ -23,10 +23,12 @@ use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
-  cdpr identify robot.toml samples.csv --free length-offset,length-scale --out calibrated.toml
-  cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor --prior platform-anchor=0.02
-  cdpr identify robot.toml samples.csv --model pulley --free pulley-radius --validation other.csv
-  cdpr identify robot.toml samples.csv --free 'frame-anchor[1,3]' --split blocks:5 --sigma position_m=0.001,length_m=0.0002";
+  cdpr identify robot.toml samples.csv --free length-offset --out calibrated.toml
+  cdpr identify robot.toml samples.csv --free 'frame-anchor[1,3]' --split blocks:5
+  cdpr identify robot.toml samples.csv --free pulley-radius --model pulley \\
+      --validation other.csv --sigma position_m=0.001,length_m=0.0002
+  cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
+      --prior platform-anchor=0.02";
 
 const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius; \

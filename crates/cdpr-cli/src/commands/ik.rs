@@ -19,7 +19,7 @@ use crate::table::{Table, cell};
 const EXAMPLES: &str = "\
 Examples:
   cdpr ik planar-example --pose 0.5,4
-  cdpr ik cablerobot-simulator-helicopter --pose 0,0,1.5,0,0,0.1 --format json
+  cdpr ik cogiro --pose 0,0,1.5,0,0,0.1 --format json
   cdpr ik robot.toml --pose=-1,2 --model pulley";
 
 /// Inverse kinematics: cable lengths, directions and wrap angles at a pose.

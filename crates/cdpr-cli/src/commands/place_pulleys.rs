@@ -19,7 +19,7 @@ use crate::table::{Table, cell};
 
 const EXAMPLES: &str = "\
 Examples:
-  cdpr place-pulleys cablerobot-simulator-helicopter --axis 0,0,1 --radius 0.05 --out with-pulleys.toml
+  cdpr place-pulleys cogiro --axis 0,0,1 --radius 0.05 --out with-pulleys.toml
   cdpr place-pulleys planar-example --axis 0,1 --out with-pulleys.toml
   cdpr ik with-pulleys.toml --model pulley --pose 0,4";
 

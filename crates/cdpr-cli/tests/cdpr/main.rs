@@ -1,0 +1,103 @@
+//! The `cdpr` command as scripts see it: exit codes, JSON keys, messages.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod bad_input;
+mod command_line;
+mod kinematics;
+mod measurements;
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+/// What a run of `cdpr` left behind.
+struct Run {
+    exit_code: i32,
+    stdout: String,
+    stderr: String,
+}
+
+/// Runs `cdpr` with arguments separated by spaces.
+fn cdpr(arguments: &str) -> Run {
+    run(Command::cargo_bin("cdpr").unwrap().args(arguments.split_whitespace()))
+}
+
+/// As [`cdpr`], in a folder.
+fn cdpr_in(folder: &Path, arguments: &str) -> Run {
+    run(Command::cargo_bin("cdpr").unwrap().current_dir(folder).args(arguments.split_whitespace()))
+}
+
+fn run(command: &mut Command) -> Run {
+    let output = command.output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    Run { exit_code: output.status.code().unwrap(), stdout: text(&output.stdout), stderr: text(&output.stderr) }
+}
+
+impl Run {
+    /// The one JSON object on stdout.
+    fn json(&self) -> Value {
+        let value: Value =
+            serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout));
+        assert!(value.is_object(), "{value}");
+        value
+    }
+
+    /// Asserts that the keys are there.
+    fn json_with(&self, keys: &[&str]) -> Value {
+        let value = self.json();
+        keys.iter().for_each(|key| assert!(value.get(key).is_some(), "`{key}` is missing in {value}"));
+        value
+    }
+}
+
+/// The numbers of a JSON list.
+fn numbers(list: &Value) -> Vec<f64> {
+    list.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+/// Numbers as an option takes them.
+fn listed(numbers: &[f64]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+}
+
+/// A file in a fresh folder; both go when the folder is dropped.
+fn file_with(name: &str, content: &[u8]) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, content).unwrap();
+    (folder, path)
+}
+
+/// A square 2T robot with four cables: anchors at the corners of 10 m × 8 m.
+const SQUARE: &str = r#"layout_version = 1
+name = "square"
+motion_pattern = "2T"
+axes = "xz"
+
+[home_pose]
+position_m = [5.0, 4.0]
+
+[[cable]]
+name = "a"
+frame_anchor_m = [0.0, 0.0]
+platform_anchor_m = [0.0, 0.0]
+tension_min_N = 10.0
+tension_max_N = 100.0
+
+[[cable]]
+name = "b"
+frame_anchor_m = [10.0, 0.0]
+platform_anchor_m = [0.0, 0.0]
+
+[[cable]]
+name = "c"
+frame_anchor_m = [10.0, 8.0]
+platform_anchor_m = [0.0, 0.0]
+
+[[cable]]
+name = "d"
+frame_anchor_m = [0.0, 8.0]
+platform_anchor_m = [0.0, 0.0]
+"#;

@@ -1,0 +1,156 @@
+//! `identify` and `evaluate`.
+
+use std::fmt::Write;
+
+use super::{Run, SQUARE, cdpr_in, file_with};
+
+/// Samples of the square robot on a 5 × 5 grid whose winches read `offset` metres too much.
+fn samples_with(offset: f64) -> String {
+    let anchors: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]];
+    let mut text = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4,set\n".to_owned();
+    for row in 0..25 {
+        let (x, z): (f64, f64) = (2.0 + 1.5 * f64::from(row % 5), 2.0 + f64::from(row / 5));
+        write!(text, "{x},{z}").unwrap();
+        for [a_x, a_z] in anchors {
+            write!(text, ",{}", (x - a_x).hypot(z - a_z) + offset).unwrap();
+        }
+        text.push_str(if row % 5 == 4 { ",validation\n" } else { ",train\n" });
+    }
+    text
+}
+
+/// Runs `cdpr` beside `square.toml` and `data.csv`, whose winches read 0.1 m too much.
+fn with_data(arguments: &str) -> (tempfile::TempDir, Run) {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    std::fs::write(folder.path().join("data.csv"), samples_with(0.1)).unwrap();
+    let run = cdpr_in(folder.path(), arguments);
+    (folder, run)
+}
+
+const KEYS: [&str; 12] = [
+    "status",
+    "reason",
+    "iterations",
+    "parameter_count",
+    "rank",
+    "condition",
+    "condition_scaled",
+    "weak_directions",
+    "correlations",
+    "parameters",
+    "train",
+    "warnings",
+];
+
+#[test]
+fn identified_offsets_are_those_of_the_data_and_the_calibrated_robot_predicts_them() {
+    let (folder, run) = with_data("identify square.toml data.csv --free length-offset --out out.toml --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stdout);
+    let answer = run.json_with(&KEYS);
+    assert_eq!((answer["status"].as_str(), answer["parameter_count"].as_u64()), (Some("converged"), Some(4)));
+    for parameter in answer["parameters"].as_array().unwrap() {
+        assert!((parameter["value"].as_f64().unwrap() - 0.1).abs() < 1e-9, "{parameter}");
+    }
+    for block in ["position_error_m", "rotation_error_rad"] {
+        ["mean", "rms", "median", "p95", "max"].iter().for_each(|key| assert!(answer["train"][block][key].is_number()));
+    }
+    ["mean_abs", "rms", "p95", "max"]
+        .iter()
+        .for_each(|key| assert!(answer["train"]["length_error_m"][key].is_number()));
+    let evaluated = cdpr_in(folder.path(), "evaluate out.toml data.csv --out-errors errors.csv --format json");
+    let evaluated =
+        evaluated.json_with(&["samples", "position_error_m", "rotation_error_rad", "length_error_m", "not_converged"]);
+    assert_eq!(evaluated["samples"], 25);
+    assert!(evaluated["length_error_m"]["max"].as_f64().unwrap() < 1e-9);
+    let errors = std::fs::read_to_string(folder.path().join("errors.csv")).unwrap();
+    assert_eq!(errors.lines().count(), 26);
+}
+
+#[test]
+fn held_out_samples_are_judged_apart() {
+    let (_folder, run) = with_data("identify square.toml data.csv --free length-offset --split column --format json");
+    let answer = run.json_with(&["validation", "validation_before"]);
+    assert_eq!((answer["train"]["samples"].as_u64(), answer["validation"]["samples"].as_u64()), (Some(20), Some(5)));
+    let (_folder, run) = with_data("identify square.toml data.csv --free length-offset --split blocks:5 --format json");
+    assert_eq!(run.json()["validation"]["samples"], 25);
+    let (_folder, run) =
+        with_data("identify square.toml data.csv --free length-offset --validation data.csv --format json");
+    assert_eq!(run.json()["validation"]["samples"], 25);
+}
+
+/// On a point platform, moving both anchors of a cable together changes nothing.
+#[test]
+fn what_the_data_do_not_determine_is_exit_code_1_and_the_file_is_written_all_the_same() {
+    let arguments = "identify square.toml data.csv --free frame-anchor,platform-anchor --out out.toml --format json";
+    let (folder, run) = with_data(arguments);
+    assert_eq!(run.exit_code, 1);
+    let answer = run.json_with(&KEYS);
+    assert_eq!(answer["status"], "not-identifiable");
+    assert_eq!((answer["rank"].as_u64(), answer["parameter_count"].as_u64()), (Some(8), Some(16)));
+    assert!(answer["condition"].is_null(), "infinite is null");
+    let words = answer["weak_directions"][0].as_str().unwrap();
+    assert!(words.contains("all frame anchors and all platform anchors together along x"), "{words}");
+    assert_eq!(cdpr_in(folder.path(), "check out.toml").exit_code, 0);
+}
+
+#[test]
+fn a_prior_and_held_parameters_restore_the_rank() {
+    for option in ["--prior platform-anchor=0.02", "--hold platform-anchor"] {
+        let (_folder, run) = with_data(&format!(
+            "identify square.toml data.csv --free frame-anchor,platform-anchor {option} --format json"
+        ));
+        assert_eq!(run.exit_code, 0, "{option}: {}", run.stdout);
+    }
+}
+
+#[test]
+fn sensor_accuracies_come_from_the_sidecar_and_the_command_line() {
+    let (folder, run) = with_data("identify square.toml data.csv --free length-offset --format json");
+    let warned = |run: &Run| run.json()["warnings"].to_string().contains("no sensor accuracy is known");
+    assert!(warned(&run));
+    let arguments = "identify square.toml data.csv --free length-offset --format json";
+    let told = cdpr_in(folder.path(), &format!("{arguments} --sigma position_m=0.001,length_m=0.0002"));
+    assert!(!warned(&told));
+    let sidecar = "layout_version = 1\n[sigmas]\nposition_m = 0.001\nlength_m = 0.0002\n";
+    std::fs::write(folder.path().join("data.meta.toml"), sidecar).unwrap();
+    assert_eq!(told.stdout, cdpr_in(folder.path(), arguments).stdout);
+}
+
+#[test]
+fn the_same_run_gives_the_same_bytes() {
+    let arguments =
+        "identify square.toml data.csv --free frame-anchor,length-offset --split kfold:3 --seed 7 --format json";
+    assert_eq!(with_data(arguments).1.stdout, with_data(arguments).1.stdout);
+}
+
+#[test]
+fn ignored_columns_are_told_on_stderr_and_stdout_stays_json() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    std::fs::write(folder.path().join("data.csv"), samples_with(0.0).replace(",set", ",colour")).unwrap();
+    let run = cdpr_in(folder.path(), "evaluate square.toml data.csv --format json");
+    assert!(run.stderr.contains("colour"), "{}", run.stderr);
+    assert_eq!(run.json()["samples"], 25);
+}
+
+#[test]
+fn data_that_no_fit_can_use_are_exit_code_2_and_leave_no_file() {
+    let rows =
+        |count: usize| samples_with(0.1).lines().take(count + 1).map(|line| format!("{line}\n")).collect::<String>();
+    let mut equal = rows(1);
+    (0..9).for_each(|_| equal.push_str(rows(1).lines().nth(1).map(|line| format!("{line}\n")).unwrap().as_str()));
+    for (data, free, reason) in [
+        (rows(2), "frame-anchor,length-offset", "there are only 2 samples"),
+        (equal, "length-offset", "are equal"),
+        (rows(9), "frame-anchor[5]", "cables 1 to 4"),
+        (rows(9), "frame-anchr", "not a parameter"),
+        (rows(9), "compliance", "not part of this version"),
+        (rows(9), "pulley-radius", "pulley"),
+    ] {
+        let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+        std::fs::write(folder.path().join("data.csv"), data).unwrap();
+        let run = cdpr_in(folder.path(), &format!("identify square.toml data.csv --free {free} --out out.toml"));
+        assert_eq!(run.exit_code, 2, "{free}: {}", run.stderr);
+        assert!(run.stderr.contains(reason), "{reason}: {}", run.stderr);
+        assert!(!folder.path().join("out.toml").exists(), "{reason}");
+    }
+}
