@@ -11,8 +11,8 @@ mod measurements;
 mod numbers;
 mod pose_answer;
 mod progress;
-#[cfg_attr(not(test), expect(dead_code, reason = "written before the commands that call it"))]
 mod report;
+mod selecting;
 mod table;
 
 use std::process::ExitCode;

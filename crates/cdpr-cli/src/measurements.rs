@@ -72,6 +72,11 @@ impl DataArguments {
         Ok(samples)
     }
 
+    /// The measurement file.
+    pub(crate) fn path(&self) -> &Path {
+        &self.data
+    }
+
     /// The name of the file for people.
     pub(crate) fn name(&self) -> String {
         self.data.display().to_string()

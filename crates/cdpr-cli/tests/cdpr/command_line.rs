@@ -2,7 +2,8 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 8] = ["robots", "check", "ik", "fk", "place-pulleys", "identify", "evaluate", "schema"];
+const COMMANDS: [&str; 11] =
+    ["select", "simulate", "demo", "robots", "check", "ik", "fk", "place-pulleys", "identify", "evaluate", "schema"];
 
 #[test]
 fn help_of_every_command_shows_an_example() {

@@ -219,6 +219,21 @@ impl Study {
         Ok(())
     }
 
+    /// What the study states without effect, since rigid machines know no tensions.
+    pub fn remarks(&self) -> Vec<String> {
+        let stated = [
+            ("[initial] tensions_N", self.initial.tensions_N.is_some()),
+            ("[initial] tension_method", self.initial.tension_method.is_some()),
+            ("[limits]", self.limits.is_some()),
+            ("[noise] tension_N", self.noise.is_some_and(|noise| noise.tension.is_some())),
+        ];
+        let names: Vec<&str> = stated.into_iter().filter(|(_, stated)| *stated).map(|(name, _)| name).collect();
+        if names.is_empty() {
+            return Vec::new();
+        }
+        vec![format!("a rigid machine has no tensions: {} without effect", names.join(", "))]
+    }
+
     /// The initial pose of a robot.
     pub fn initial_pose(&self, robot: &Robot) -> Result<Pose, crate::geometry::PatternError> {
         robot.motion_pattern.pose(robot.plane, &self.initial.pose)

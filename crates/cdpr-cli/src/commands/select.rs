@@ -1,0 +1,101 @@
+//! `cdpr select`: the simplest control model that is good enough, on data it was not fitted to.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use cdpr::measurement::Split;
+use clap::Args;
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::inputs::RobotArgument;
+use crate::measurements::DataArguments;
+use crate::selecting::{Comparison, NamedFile, Parted, Selected, SelectionArguments, one_file, two_files, write_folder};
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr select robot.toml samples.csv --out result
+  cdpr select robot.toml train.csv --validation other-day.csv --require position_mean_m=0.005
+  cdpr select robot.toml samples.csv --split region:4 --criterion length --format json
+  cdpr select robot.toml samples.csv --candidates 'standard;standard:length-offset;pulley:frame-anchor,pulley-radius'";
+
+/// Identify candidate control models, judge each on data it was not fitted to, and recommend one.
+///
+/// Recommended is the simplest candidate (the first of the list) whose error lies within one standard error of the best
+/// and that keeps every limit of --require. The exit code is 1 when none does.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    robot: RobotArgument,
+
+    #[command(flatten)]
+    data: DataArguments,
+
+    /// Measurements to judge by; DATA is then only fitted to.
+    #[arg(long, value_name = "FILE", conflicts_with = "split")]
+    validation: Option<PathBuf>,
+
+    /// How DATA is parted: column (`set`), blocks:K, kfold:K or region:K. Default: the column `set` where it names train
+    /// and validation rows, else blocks:5.
+    #[arg(long, value_name = "SPLIT")]
+    split: Option<Split>,
+
+    #[command(flatten)]
+    selection: SelectionArguments,
+
+    /// Folder for the result: result.json, run.toml, tables, calibrated robots, report.html.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let comparison = arguments.comparison(output)?;
+    let compared = arguments.selection.compare(comparison)?;
+    let mut answer = Selected::with_timing(&compared);
+    if let Some(folder) = &arguments.out {
+        write_folder(folder, &compared, Vec::new())?;
+        answer.out = Some(folder.display().to_string());
+    }
+    output.answer(&answer)
+}
+
+impl Arguments {
+    fn comparison(&self, output: &Output) -> Result<Comparison, Failure> {
+        let robot = self.robot.read()?;
+        let samples = self.data.read(&robot, output)?;
+        samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
+        let Parted { samples, folds, words } = match &self.validation {
+            Some(path) => {
+                let other = self.data.read_other(path, &robot, output)?;
+                two_files(&samples, &other, &path.display().to_string())?
+            }
+            None => one_file(samples, self.split, self.selection.seed)?,
+        };
+        let mut inputs = vec![NamedFile::new("robot", robot.to_toml())];
+        for path in [Some(self.data.path()), self.validation.as_deref()].into_iter().flatten() {
+            inputs.push(NamedFile::new(path.display().to_string(), files::read(path)?));
+        }
+        Ok(Comparison {
+            robot,
+            samples,
+            folds,
+            data_name: self.data.name(),
+            validation_name: words,
+            command: command_line(),
+            warnings: Vec::new(),
+            inputs,
+        })
+    }
+}
+
+/// The command as it was given, quoted for a shell.
+fn command_line() -> String {
+    let quoted = |word: String| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
+        if !word.is_empty() && word.chars().all(plain) { word } else { format!("'{}'", word.replace('\'', r"'\''")) }
+    };
+    let words = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    ["cdpr".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,227 @@
+//! The answer of a comparison, for scripts and for people.
+
+use cdpr::identification::ErrorBlocks;
+use cdpr::identification::fit::Status;
+use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome};
+use serde::Serialize;
+
+use super::Compared;
+use crate::answer::Answer;
+use crate::table::{Table, cell};
+
+/// What `select` and `demo` answer.
+#[derive(Serialize)]
+pub(crate) struct Selected {
+    status: &'static str,
+    robot: String,
+    data: String,
+    samples: usize,
+    validation: String,
+    criterion: Criterion,
+    candidates: Vec<CandidateAnswer>,
+    best: Option<String>,
+    recommended: Option<String>,
+    reason: String,
+    seed: u64,
+    warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) out: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    timing: Option<Timing>,
+}
+
+#[derive(Serialize)]
+struct CandidateAnswer {
+    name: String,
+    model: String,
+    free: String,
+    #[serde(flatten)]
+    judged: Option<JudgedAnswer>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    failure: Option<String>,
+}
+
+#[derive(Serialize)]
+struct JudgedAnswer {
+    status: Status,
+    reason: String,
+    parameter_count: usize,
+    iterations: u32,
+    train: ErrorBlocks,
+    validation: ErrorBlocks,
+    folds: Vec<FoldAnswer>,
+    criterion: f64,
+    standard_error: f64,
+    rank: usize,
+    condition: f64,
+    condition_scaled: f64,
+    weak_directions: Vec<String>,
+    noise_factor: f64,
+    requirements: Vec<RequirementOutcome>,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct FoldAnswer {
+    name: String,
+    #[serde(flatten)]
+    errors: ErrorBlocks,
+}
+
+/// Wall times: the only part of a result that differs between two runs.
+#[derive(Serialize)]
+struct Timing {
+    total_s: f64,
+    /// Mean time of one pose's cable lengths, in the order of the candidates.
+    inverse_kinematics_us: Vec<Option<f64>>,
+}
+
+impl Selected {
+    /// The answer without wall times, which is the same in every run.
+    pub(crate) fn new(compared: &Compared) -> Self {
+        let selection = &compared.selection;
+        let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
+        Self {
+            status: if selection.recommended.is_some() { "recommended" } else { "none-good-enough" },
+            robot: compared.comparison.robot.name.clone(),
+            data: compared.comparison.data_name.clone(),
+            samples: compared.comparison.samples.len(),
+            validation: compared.comparison.validation_name.clone(),
+            criterion: compared.settings.criterion,
+            candidates: selection.candidates.iter().map(CandidateAnswer::new).collect(),
+            best: name(selection.best),
+            recommended: name(selection.recommended),
+            reason: selection.reason.clone(),
+            seed: compared.settings.seed,
+            warnings: compared.comparison.warnings.clone(),
+            out: None,
+            timing: None,
+        }
+    }
+
+    /// The answer with wall times.
+    pub(crate) fn with_timing(compared: &Compared) -> Self {
+        let microseconds = |seconds: &Option<f64>| seconds.map(|seconds| 1e6 * seconds);
+        let inverse_kinematics_us = compared.inverse_seconds.iter().map(microseconds).collect();
+        Self { timing: Some(Timing { total_s: compared.seconds, inverse_kinematics_us }), ..Self::new(compared) }
+    }
+}
+
+impl CandidateAnswer {
+    fn new(candidate: &Judged) -> Self {
+        Self {
+            name: candidate.name.clone(),
+            model: candidate.candidate.composition.to_string(),
+            free: candidate.candidate.free.to_string(),
+            judged: candidate.outcome.as_ref().ok().map(JudgedAnswer::new),
+            failure: candidate.outcome.as_ref().err().cloned(),
+        }
+    }
+}
+
+impl JudgedAnswer {
+    fn new(judgement: &Judgement) -> Self {
+        let fit = &judgement.fit;
+        let fold = |(name, errors): &(String, ErrorBlocks)| FoldAnswer { name: name.clone(), errors: *errors };
+        Self {
+            status: fit.status,
+            reason: fit.reason.clone(),
+            parameter_count: fit.parameters.len(),
+            iterations: fit.iterations,
+            train: judgement.train,
+            validation: judgement.validation,
+            folds: judgement.folds.iter().map(fold).collect(),
+            criterion: judgement.criterion,
+            standard_error: judgement.standard_error,
+            rank: fit.analysis.rank,
+            condition: fit.analysis.condition,
+            condition_scaled: fit.analysis.condition_scaled,
+            weak_directions: fit.analysis.weak_directions.clone(),
+            noise_factor: fit.noise_factor,
+            requirements: judgement.requirements.clone(),
+            warnings: fit.warnings.clone(),
+        }
+    }
+}
+
+impl Answer for Selected {
+    fn words(&self) -> String {
+        let mut text = format!(
+            "{}: {} samples of {}\njudged on {}\n\n{}\n",
+            self.robot,
+            self.samples,
+            self.data,
+            self.validation,
+            self.table()
+        );
+        match &self.recommended {
+            Some(name) => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
+            None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
+        }
+        let chosen = self.candidates.iter().find(|candidate| Some(&candidate.name) == self.recommended.as_ref());
+        let own = chosen.and_then(|candidate| candidate.judged.as_ref());
+        for requirement in own.iter().flat_map(|judged| &judged.requirements) {
+            text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
+        }
+        let remarks = self.warnings.iter().chain(own.iter().flat_map(|judged| &judged.warnings));
+        for (index, remark) in remarks.enumerate() {
+            text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
+        }
+        if let Some(out) = &self.out {
+            text.push_str(&format!("\nresults written to {out}: open {out}/report.html\n"));
+        }
+        text
+    }
+
+    fn is_negative(&self) -> bool {
+        self.recommended.is_none()
+    }
+}
+
+impl Selected {
+    fn table(&self) -> String {
+        let (unit, factor) = match self.criterion {
+            Criterion::Rotation => ("°", 1.0_f64.to_degrees()),
+            _ => ("mm", 1e3),
+        };
+        let of = |blocks: &ErrorBlocks| match self.criterion {
+            Criterion::Rotation => blocks.rotation_error_rad.mean,
+            Criterion::Length => blocks.length_error_m.mean_abs,
+            _ => blocks.position_error_m.mean,
+        };
+        let mut table = Table::with_heading(vec![
+            "candidate".to_owned(),
+            "free".to_owned(),
+            format!("train {unit}"),
+            format!("validation {unit}"),
+            format!("± std. error {unit}"),
+            "length rms mm".to_owned(),
+            "rank".to_owned(),
+            "condition".to_owned(),
+        ]);
+        for candidate in &self.candidates {
+            let marker = if Some(&candidate.name) == self.recommended.as_ref() { "→ " } else { "  " };
+            let mut cells = vec![format!("{marker}{}", candidate.name)];
+            match &candidate.judged {
+                Some(judged) => cells.extend([
+                    judged.parameter_count.to_string(),
+                    cell(Some(factor * of(&judged.train)), 3),
+                    cell(Some(factor * judged.criterion), 3),
+                    cell(Some(factor * judged.standard_error), 3),
+                    cell(Some(1e3 * judged.validation.length_error_m.rms), 3),
+                    judged.rank.to_string(),
+                    cell(Some(judged.condition), 1),
+                ]),
+                None => cells.extend([String::new(), "failed".to_owned()]),
+            }
+            table.row(cells);
+        }
+        let mut text = format!("error: {} on training and validation data\n\n{}", self.criterion.words(), table.text());
+        for candidate in &self.candidates {
+            if let Some(failure) = &candidate.failure {
+                text.push_str(&format!("{} failed: {failure}\n", candidate.name));
+            }
+        }
+        text
+    }
+}

@@ -1,0 +1,216 @@
+//! The folder of a result: `result.json`, `run.toml`, tables, calibrated robots, `report.html`.
+
+use std::fmt::Write;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use cdpr::identification::selection::{Judged, Judgement};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::{Compared, Selected};
+use crate::failure::Failure;
+use crate::files;
+use crate::report::{Report, render};
+
+/// A file by its name in the folder.
+pub(crate) struct NamedFile {
+    pub(crate) name: String,
+    pub(crate) content: Vec<u8>,
+}
+
+impl NamedFile {
+    pub(crate) fn new(name: impl Into<String>, content: impl Into<Vec<u8>>) -> Self {
+        Self { name: name.into(), content: content.into() }
+    }
+}
+
+/// Effective configuration and provenance of a result.
+#[derive(Serialize)]
+struct Run<'a> {
+    version: &'a str,
+    command: &'a str,
+    seed: u64,
+    robot: &'a str,
+    data: &'a str,
+    validation: &'a str,
+    criterion: &'a str,
+    candidates: Vec<String>,
+    hold: String,
+    weak_direction_limit_m: f64,
+    max_iterations: u32,
+    prior: Vec<PriorEntry>,
+    input: Vec<InputEntry>,
+}
+
+#[derive(Serialize)]
+struct PriorEntry {
+    parameter: &'static str,
+    sigma: f64,
+}
+
+#[derive(Serialize)]
+struct InputEntry {
+    file: String,
+    sha256: String,
+}
+
+/// Writes the result into a folder, which is made where it does not exist; files of the same names are replaced.
+///
+/// Every file appears whole or not at all; `result.json` comes last, so that a folder that has it is complete.
+pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFile>) -> Result<(), Failure> {
+    let mut all = more;
+    all.push(NamedFile::new("run.toml", run_file(compared)?));
+    all.push(NamedFile::new("candidates.csv", candidates_table(compared)));
+    all.push(NamedFile::new("parameters.csv", parameters_table(compared)));
+    all.push(NamedFile::new("validation-errors.csv", errors_table(compared)));
+    all.extend(calibrated_robots(compared));
+    all.push(NamedFile::new("report.html", report(compared)?));
+    all.push(NamedFile::new("result.json", result(compared)?));
+    let refused = |path: &Path, error: &io::Error| Failure::io("make the folder", &path.display().to_string(), error);
+    for folder in [folder, &folder.join("calibrated")] {
+        fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
+    }
+    all.iter().try_for_each(|file| files::write(&folder.join(&file.name), &file.content))
+}
+
+/// Robots of all judged candidates, and the recommended one at the top.
+fn calibrated_robots(compared: &Compared) -> Vec<NamedFile> {
+    let mut robots = Vec::new();
+    for (index, candidate) in compared.selection.candidates.iter().enumerate() {
+        let Ok(judgement) = &candidate.outcome else { continue };
+        let text = judgement.fit.model.robot().to_toml();
+        let plain: String =
+            candidate.name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect();
+        // names that only differ in brackets differ by their number
+        let name = format!("calibrated/{:02}-{}.toml", index + 1, plain.chars().take(100).collect::<String>());
+        robots.push(NamedFile::new(name, text.clone()));
+        if compared.selection.recommended == Some(index) {
+            robots.push(NamedFile::new("calibrated.toml", text));
+        }
+    }
+    robots
+}
+
+fn run_file(compared: &Compared) -> Result<String, Failure> {
+    let settings = &compared.settings;
+    let hash =
+        |content: &[u8]| Sha256::digest(content).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}"));
+    let run = Run {
+        version: env!("CARGO_PKG_VERSION"),
+        command: &compared.comparison.command,
+        seed: settings.seed,
+        robot: &compared.comparison.robot.name,
+        data: &compared.comparison.data_name,
+        validation: &compared.comparison.validation_name,
+        criterion: settings.criterion.words(),
+        candidates: compared.candidates.iter().map(ToString::to_string).collect(),
+        hold: settings.fit.hold.to_string(),
+        weak_direction_limit_m: settings.fit.weak_direction_limit,
+        max_iterations: settings.fit.max_iterations,
+        prior: settings.fit.priors.iter().map(|p| PriorEntry { parameter: p.kind.name(), sigma: p.sigma }).collect(),
+        input: compared
+            .comparison
+            .inputs
+            .iter()
+            .map(|file| InputEntry { file: file.name.clone(), sha256: hash(&file.content) })
+            .collect(),
+    };
+    toml::to_string(&run).map_err(|error| Failure::numerical(format!("run.toml cannot be written: {error}")))
+}
+
+fn result(compared: &Compared) -> Result<String, Failure> {
+    serde_json::to_string_pretty(&Selected::with_timing(compared))
+        .map(|text| text + "\n")
+        .map_err(|error| Failure::numerical(format!("result.json cannot be written: {error}")))
+}
+
+fn report(compared: &Compared) -> Result<String, Failure> {
+    let comparison = &compared.comparison;
+    let report = Report {
+        title: &format!("Control models for {}", comparison.robot.name),
+        command: &comparison.command,
+        robot: &comparison.robot,
+        samples: &comparison.samples,
+        data_name: &comparison.data_name,
+        validation_name: &comparison.validation_name,
+        selection: &compared.selection,
+        criterion: compared.settings.criterion,
+        seed: compared.settings.seed,
+        version: env!("CARGO_PKG_VERSION"),
+        warnings: &comparison.warnings,
+    };
+    render(&report).map_err(|error| Failure::numerical(format!("report.html cannot be written: {error}")))
+}
+
+/// Judged candidates with their names.
+fn judged(compared: &Compared) -> impl Iterator<Item = (&Judged, &Judgement)> {
+    compared.selection.candidates.iter().filter_map(|candidate| Some((candidate, candidate.outcome.as_ref().ok()?)))
+}
+
+fn candidates_table(compared: &Compared) -> String {
+    let mut text = String::from(
+        "candidate,parameter_count,criterion,standard_error,train_position_mean_m,validation_position_mean_m,\
+         validation_rotation_mean_rad,validation_length_rms_m,rank,condition\n",
+    );
+    for (candidate, judgement) in judged(compared) {
+        let (train, validation) = (&judgement.train, &judgement.validation);
+        let _ = writeln!(
+            text,
+            "\"{}\",{},{},{},{},{},{},{},{},{}",
+            candidate.name,
+            judgement.fit.parameters.len(),
+            judgement.criterion,
+            judgement.standard_error,
+            train.position_error_m.mean,
+            validation.position_error_m.mean,
+            validation.rotation_error_rad.mean,
+            validation.length_error_m.rms,
+            judgement.fit.analysis.rank,
+            judgement.fit.analysis.condition,
+        );
+    }
+    text
+}
+
+fn parameters_table(compared: &Compared) -> String {
+    let mut text = String::from("candidate,parameter,unit,start,value,sigma,change,prior_sigma,at_bound\n");
+    let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    for (candidate, judgement) in judged(compared) {
+        for estimate in &judgement.fit.parameters {
+            let _ = writeln!(
+                text,
+                "\"{}\",{},{},{},{},{},{},{},{}",
+                candidate.name,
+                estimate.name,
+                estimate.unit,
+                estimate.start,
+                estimate.value,
+                optional(estimate.sigma),
+                estimate.change,
+                optional(estimate.prior_sigma),
+                estimate.at_bound,
+            );
+        }
+    }
+    text
+}
+
+/// Errors of the recommended (else the best) candidate, one row per validation sample.
+fn errors_table(compared: &Compared) -> String {
+    let count = compared.comparison.robot.cable_count();
+    let lengths: Vec<String> = (1..=count).map(|cable| format!("length_error_m_{cable}")).collect();
+    let mut text = format!("sample,position_error_m,dx_m,dy_m,dz_m,rotation_error_rad,{}\n", lengths.join(","));
+    let shown = compared.selection.recommended.or(compared.selection.best);
+    let judgement = shown.and_then(|index| compared.selection.candidates[index].outcome.as_ref().ok());
+    let Some(judgement) = judgement else { return text };
+    let errors = &judgement.validation_errors;
+    for (row, sample) in judgement.validation_samples.iter().enumerate() {
+        let [dx, dy, dz] = errors.position_vector[row];
+        let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(f64::to_string).collect();
+        let (position, rotation) = (errors.position[row], errors.rotation[row]);
+        let _ = writeln!(text, "{},{position},{dx},{dy},{dz},{rotation},{}", sample + 1, lengths.join(","));
+    }
+    text
+}

@@ -1,0 +1,183 @@
+//! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
+
+mod answer;
+mod folder;
+
+use std::time::Instant;
+
+use cdpr::identification::candidate::{self, Candidate};
+use cdpr::identification::fit::{self, Prior};
+use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, select};
+use cdpr::measurement::{Fold, Samples, Split};
+use cdpr::model::FreeParameters;
+use cdpr::robot::Robot;
+use clap::{Args, ValueEnum};
+
+pub(crate) use answer::Selected;
+pub(crate) use folder::{NamedFile, write_folder};
+
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// Options that say how candidates are compared.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct SelectionArguments {
+    /// Candidates from simple to complex: `MODEL` or `MODEL:FREE`, separated by semicolons; a ladder of defaults when left out.
+    #[arg(long, value_name = "LIST", value_parser = candidate_list)]
+    candidates: Option<CandidateList>,
+
+    /// The error that decides, on validation data.
+    #[arg(long, value_enum, default_value_t = CriterionName::Position, value_name = "NAME")]
+    criterion: CriterionName,
+
+    /// Limits that the recommended model must keep on validation data, e.g. position_mean_m=0.005,length_max_m=0.01.
+    #[arg(long, value_name = "NAME=LIMIT,…", value_delimiter = ',')]
+    require: Vec<Requirement>,
+
+    /// Parameters that stay as they are in every candidate.
+    #[arg(long, value_name = "LIST", default_value = "", hide_default_value = true)]
+    hold: FreeParameters,
+
+    /// Ridges towards the file's values with these standard deviations, e.g. platform-anchor=0.02.
+    #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
+    prior: Vec<Prior>,
+
+    /// Seed of the bootstrap and of random splits.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    pub(crate) seed: u64,
+}
+
+/// A list of candidates as one argument.
+#[derive(Clone, Debug)]
+struct CandidateList(Vec<Candidate>);
+
+fn candidate_list(text: &str) -> Result<CandidateList, String> {
+    candidate::parse_list(text).map(CandidateList).map_err(|error| error.to_string())
+}
+
+/// `--criterion`.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum CriterionName {
+    /// Mean distance between predicted and measured position.
+    Position,
+    /// Mean angle between predicted and measured orientation.
+    Rotation,
+    /// Mean difference between modelled and recorded cable lengths.
+    Length,
+}
+
+impl From<CriterionName> for Criterion {
+    fn from(name: CriterionName) -> Self {
+        match name {
+            CriterionName::Position => Self::Position,
+            CriterionName::Rotation => Self::Rotation,
+            CriterionName::Length => Self::Length,
+        }
+    }
+}
+
+/// What is compared, on which data.
+pub(crate) struct Comparison {
+    pub(crate) robot: Robot,
+    pub(crate) samples: Samples,
+    pub(crate) folds: Vec<Fold>,
+    /// Where the samples come from.
+    pub(crate) data_name: String,
+    /// How validation data were chosen, in words.
+    pub(crate) validation_name: String,
+    /// The command that gives the same result again.
+    pub(crate) command: String,
+    /// Remarks for the reader of the result.
+    pub(crate) warnings: Vec<String>,
+    /// Names and contents of the files read.
+    pub(crate) inputs: Vec<NamedFile>,
+}
+
+/// A comparison that was made.
+pub(crate) struct Compared {
+    pub(crate) comparison: Comparison,
+    pub(crate) candidates: Vec<Candidate>,
+    pub(crate) settings: Settings,
+    pub(crate) selection: Selection,
+    /// Wall time of the comparison (s).
+    pub(crate) seconds: f64,
+    /// Mean wall time of one inverse problem per candidate (s).
+    pub(crate) inverse_seconds: Vec<Option<f64>>,
+}
+
+impl SelectionArguments {
+    /// Identifies and judges every candidate.
+    pub(crate) fn compare(&self, comparison: Comparison) -> Result<Compared, Failure> {
+        let candidates = match &self.candidates {
+            Some(list) => list.0.clone(),
+            None => candidate::defaults(&comparison.robot),
+        };
+        let criterion = Criterion::from(self.criterion);
+        if criterion == Criterion::Rotation && !comparison.robot.motion_pattern.has_rotation() {
+            let message = "--criterion rotation: the platform of this robot does not turn";
+            return Err(Failure::input(message, "use --criterion position or length"));
+        }
+        let fit = fit::Settings { hold: self.hold.clone(), priors: self.prior.clone(), ..fit::Settings::default() };
+        let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };
+        let progress = Progress::spinner("comparing candidates");
+        let start = Instant::now();
+        let Comparison { robot, samples, folds, data_name, .. } = &comparison;
+        let selection = select(robot, &candidates, samples, folds, &settings, &|| ())
+            .map_err(|error| Failure::refused(data_name, &error))?;
+        let seconds = start.elapsed().as_secs_f64();
+        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, samples)).collect();
+        drop(progress);
+        Ok(Compared { comparison, candidates, settings, selection, seconds, inverse_seconds })
+    }
+}
+
+/// Mean wall time of one pose's cable lengths (s).
+fn time_inverse(judged: &cdpr::identification::selection::Judged, samples: &Samples) -> Option<f64> {
+    let model = &judged.outcome.as_ref().ok()?.fit.model;
+    let poses = &samples.poses[..samples.len().min(200)];
+    let start = Instant::now();
+    let mut lengths = 0.0;
+    for pose in poses {
+        lengths += model.cable_lengths(pose).map_or(0.0, |lengths| lengths.iter().sum::<f64>());
+    }
+    // the sum keeps the work from being left out
+    std::hint::black_box(lengths);
+    Some(start.elapsed().as_secs_f64() / poses.len() as f64)
+}
+
+/// Samples, folds and words for the way validation data were chosen.
+pub(crate) struct Parted {
+    pub(crate) samples: Samples,
+    pub(crate) folds: Vec<Fold>,
+    pub(crate) words: String,
+}
+
+/// Training and validation data from two files.
+pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Result<Parted, Failure> {
+    let samples = train.followed_by(validation).map_err(|error| Failure::refused(name, &error))?;
+    let fold = Fold {
+        name: name.to_owned(),
+        train: (0..train.len()).collect(),
+        validation: (train.len()..samples.len()).collect(),
+    };
+    Ok(Parted { samples, folds: vec![fold], words: format!("{} samples of {name}", validation.len()) })
+}
+
+/// Training and validation data from one file: by the split asked for, else by the column `set` where it tells, else by
+/// five contiguous blocks.
+pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Result<Parted, Failure> {
+    let by_column = Split::Column.folds(&samples, seed);
+    let split = match (split, &by_column) {
+        (Some(split), _) => split,
+        (None, Ok(_)) => Split::Column,
+        (None, Err(_)) => Split::Blocks(5.min(samples.len())),
+    };
+    let folds = split.folds(&samples, seed).map_err(|error| Failure::refused("--split", &error))?;
+    let words = match split {
+        Split::Column => "the rows that the column `set` names".to_owned(),
+        Split::Blocks(count) => format!("{count} contiguous blocks, each held out in turn"),
+        Split::KFold(count) => format!("{count} random parts, each held out in turn"),
+        Split::Region(count) => format!("{count} regions of the workspace, each held out in turn"),
+    };
+    Ok(Parted { samples, folds, words })
+}
