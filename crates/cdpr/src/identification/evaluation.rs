@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::equilibrium::forward_kinematics::{self, Status};
+use crate::equilibrium::forward_kinematics::{self, Solver, Status};
 use crate::measurement::Samples;
 use crate::model::Model;
 
@@ -73,14 +73,17 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Evaluation {
     // the measured pose is near the solution: a residual there is the model's, not a wrong minimum's
     let defaults = forward_kinematics::Settings::default();
     let settings = forward_kinematics::Settings { suspicious_residual: defaults.plausible_residual, ..defaults };
+    let mut solver = Solver::new(model, &settings).expect("the default settings are valid");
+    let mut controlled = vec![0.0; model.cable_count()];
     for (sample, pose) in samples.poses.iter().enumerate() {
         let recorded = samples.lengths_of(sample);
-        let controlled: Vec<f64> =
-            recorded.iter().enumerate().map(|(cable, &length)| model.controlled_length(cable, length)).collect();
-        let predicted = match forward_kinematics::solve(model, &controlled, pose, &settings) {
+        for (cable, length) in controlled.iter_mut().enumerate() {
+            *length = model.controlled_length(cable, recorded[cable]);
+        }
+        let predicted = match solver.solve(&controlled, pose) {
             Ok(solution) if solution.status == Status::Converged => Some(solution.pose),
             Ok(solution) => {
-                evaluation.not_converged.push((sample, solution.reason.unwrap_or_default()));
+                evaluation.not_converged.push((sample, solution.reason.clone().unwrap_or_default()));
                 Some(solution.pose)
             }
             Err(error) => {

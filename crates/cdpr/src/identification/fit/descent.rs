@@ -84,7 +84,7 @@ impl<'a, const P: usize> Search<'a, P> {
         history.push(equations.cost);
         // last_size 0: no step yet, so no rate of contraction to judge by
         let (mut damping, mut last_size, mut iterations) = (0.0, 0.0, 0);
-        let mut converged = P == 0;
+        let (mut settled, mut converged) = (false, P == 0);
         while !converged && iterations < self.settings.max_iterations {
             iterations += 1;
             let Some((step, ratio)) = self.step(&change, &equations, damping) else {
@@ -100,19 +100,24 @@ impl<'a, const P: usize> Search<'a, P> {
             let size = (0..P).map(|k| (step[k] * self.worth[k]).abs()).fold(0.0, f64::max);
             let promise: f64 = -(0..P).map(|k| step[k] * equations.gradient[k]).sum::<f64>();
             // no reduction that the rounding of the cost would show
-            if promise <= 1e-15 * equations.cost || size <= 1e-3 * self.settings.tolerance {
+            if settled || promise <= 1e-13 * equations.cost || size <= 1e-3 * self.settings.tolerance {
+                if damping == 0.0 {
+                    // the gradient still knows the way to more digits, and the step costs no evaluation
+                    change = add(&change, &step);
+                    values = self.block.moved(&self.block.start, &change);
+                }
                 converged = true;
                 break;
             }
-            let trial: [f64; P] = std::array::from_fn(|k| change[k] + step[k]);
+            let trial = add(&change, &step);
             let (trial_values, next) = self.equations(&trial);
-            if next.cost <= equations.cost * (1.0 + 1e-13) {
+            if next.cost <= equations.cost * (1.0 + 1e-12) {
                 let contraction = size / last_size;
                 (change, values, equations, last_size) = (trial, trial_values, next, size);
                 history.push(equations.cost);
                 damping = if damping <= 1e-9 { damping } else { damping * 0.1 };
-                // what the remaining steps add up to if they go on shrinking at this rate
-                converged = contraction < 0.5 && size * contraction <= self.settings.tolerance * (1.0 - contraction);
+                // what the remaining steps add up to if they go on shrinking at this rate; they may not, so one more follows
+                settled = contraction < 0.5 && size * contraction <= self.settings.tolerance * (1.0 - contraction);
             } else {
                 damping = f64::max(10.0 * damping, 1e-4);
                 converged = damping > 1e12 && size <= self.settings.tolerance;
@@ -155,4 +160,8 @@ impl<'a, const P: usize> Search<'a, P> {
             }
         }
     }
+}
+
+fn add<const P: usize>(a: &[f64; P], b: &[f64; P]) -> [f64; P] {
+    std::array::from_fn(|k| a[k] + b[k])
 }

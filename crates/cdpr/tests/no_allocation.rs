@@ -1,0 +1,74 @@
+//! Hot paths claim no memory: an allocator that counts, per thread.
+#![expect(unsafe_code, reason = "an allocator can only be replaced by unsafe code; this one passes every call on")]
+
+mod dense;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use cdpr::equilibrium::forward_kinematics::{self, Status};
+use cdpr::geometry::Twist;
+use cdpr::identification::fit::{self, optimal_parameters};
+
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every call goes to the system's allocator unchanged; counting touches a constant-initialised cell only.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Allocations of this thread while `work` runs.
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+#[test]
+fn a_reused_forward_kinematics_solver_allocates_nothing() {
+    let (model, samples) = dense::problem();
+    let settings = forward_kinematics::Settings::default();
+    let mut solver = forward_kinematics::Solver::new(&model, &settings).unwrap();
+    let twist = Twist::new(0.06, -0.06, 0.06, 0.03, 0.03, -0.03);
+    let work = || {
+        for (sample, pose) in samples.poses.iter().enumerate() {
+            let solution = solver.solve(samples.lengths_of(sample), &pose.displaced(&twist)).unwrap();
+            assert_eq!(solution.status, Status::Converged);
+        }
+    };
+    assert_eq!(allocations(work), 0);
+}
+
+/// The result is memory, but its amount depends neither on the steps taken nor on the number of samples.
+#[test]
+fn identification_allocates_for_its_result_and_not_for_its_steps() {
+    let (model, samples) = dense::problem();
+    let free = "frame-anchor,platform-anchor".parse().unwrap();
+    let count = |max_iterations, samples: &_| {
+        let settings = fit::Settings { max_iterations, ..fit::Settings::default() };
+        let mut iterations = 0;
+        let count =
+            allocations(|| iterations = optimal_parameters(&model, samples, &free, &settings).unwrap().iterations);
+        (count, iterations)
+    };
+    let half = samples.subset(&(0..45).collect::<Vec<_>>());
+    let (one_step, _) = count(1, &samples);
+    let (all_steps, iterations) = count(200, &samples);
+    assert!(iterations > 2);
+    assert_eq!(one_step, all_steps);
+    assert_eq!(one_step, count(1, &half).0);
+}
