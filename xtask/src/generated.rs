@@ -11,7 +11,11 @@ struct Generated {
     command: &'static [&'static str],
 }
 
-const FILES: &[Generated] = &[Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] }];
+const FILES: &[Generated] = &[
+    Generated { path: "schemas/measurement.schema.json", command: &["schema", "measurement"] },
+    Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] },
+    Generated { path: "schemas/study.schema.json", command: &["schema", "study"] },
+];
 
 /// Complains of every file that differs from what the program writes now.
 pub(crate) fn check(root: &Path) -> Outcome {
