@@ -47,12 +47,12 @@ Examples:
   cdpr identify --help";
 
 fn main() -> ExitCode {
-    let command_line = match CommandLine::try_parse() {
-        Ok(command_line) => command_line,
+    let parsed = match CommandLine::try_parse() {
+        Ok(parsed) => parsed,
         Err(error) => return usage_exit(&error),
     };
-    let mut output = Output::new(command_line.format);
-    let exit = command_line.command.run(&mut output);
+    let mut output = Output::new(parsed.format);
+    let exit = parsed.command.run(&mut output);
     match exit {
         Ok(exit) => exit,
         Err(failure) => output.fail(&failure),
@@ -77,4 +77,14 @@ fn first_paragraph(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
     let line = lines.join(" ");
     line.strip_prefix("error: ").unwrap_or(&line).to_owned()
+}
+
+/// The command as it was given, quoted for a shell.
+fn command_line() -> String {
+    let quoted = |word: String| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
+        if !word.is_empty() && word.chars().all(plain) { word } else { format!("'{}'", word.replace('\'', r"'\''")) }
+    };
+    let words = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    ["cdpr".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
 }

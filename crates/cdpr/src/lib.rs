@@ -1,4 +1,33 @@
 //! The toolchain for cable-driven parallel robots: models, calibration and model selection.
+//!
+//! A platform hangs in m cables. Cable i runs from its frame anchor aᵢ (world) to its platform anchor bᵢ (platform frame);
+//! at the pose x = (r, R) its length is qᵢ = ‖aᵢ − r − R bᵢ‖, and pulleys, elasticity or sag make it longer. A *control
+//! model* computes these lengths for the winches. Which one is good enough, and at which parameters p? From measured poses
+//! and recorded lengths this library finds the parameters of candidate models,
+//!
+//! min over p of Σ ((q(x, p) − q_recorded)/σ)²,
+//!
+//! tells what the data determine and how surely, and recommends the simplest candidate that predicts data it was not
+//! fitted to as well as the best one does.
+//!
+//! ```
+//! use cdpr::equilibrium::forward_kinematics::{self, Settings, Status};
+//! use cdpr::model::{Composition, Model};
+//! use cdpr::robot::Robot;
+//!
+//! let robot = Robot::builtin("cablerobot-simulator-helicopter").ok_or("unknown robot")?;
+//! let home = robot.home.ok_or("no home pose")?;
+//! let model = Model::new(robot, Composition::STANDARD)?;
+//! let lengths = model.cable_lengths(&home)?;
+//! let found = forward_kinematics::solve(&model, &lengths, &home, &Settings::default())?;
+//! assert_eq!(found.status, Status::Converged);
+//! assert!((found.pose.position - home.position).norm() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
+//! [`equilibrium`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
+//! file reader. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
 pub use nalgebra;
 

@@ -1,5 +1,7 @@
 //! Readers meet arbitrary bytes: they never panic, and what they accept is finite and comes back unchanged.
 
+use cdpr::measurement::{Reading, Samples, Sidecar, Split};
+use cdpr::metamodel::Study;
 use cdpr::robot::{Robot, builtin};
 use proptest::prelude::*;
 
@@ -35,6 +37,53 @@ fn check(bytes: &[u8]) {
         Err(error) => {
             // the place is shown, whatever it is
             assert!(!error.to_string().is_empty() && error.place.iter().all(|place| place.snippet().contains('^')));
+        }
+    }
+}
+
+const STUDY: &str = include_str!("../../cdpr-cli/src/commands/demo/training.toml");
+
+const SIDECAR: &str = "layout_version = 1\n[sigmas]\nposition_m = 0.001\nlength_m = 0.0002\n[provenance]\nseed = 3\n";
+
+const DATA: &str = "\
+x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_mm_3,cable_length_m_4,tension_N_1,tension_N_2,tension_N_3,tension_N_4,set,t_s
+0.5,4.0,7.6,6.0,6800.5,6.0,1000,1001,1002,1003,train,0
+1.5,3.0,9.0,6.1,7159,4.3,1100,1101,1102,1103,validation,0.5
+";
+
+/// Data of the planar example are refused, or have as many finite numbers as they should; splits of them never panic.
+fn check_data(bytes: &[u8]) {
+    let robot = Robot::builtin("planar-example").expect("is built in");
+    match Samples::from_csv(bytes, "any.csv", &robot) {
+        Ok(Reading { samples, .. }) => {
+            assert!(!samples.is_empty());
+            assert_eq!((samples.cable_count, samples.lengths.len()), (4, 4 * samples.len()));
+            assert!(samples.lengths.iter().chain(samples.tensions.iter().flatten()).all(|number| number.is_finite()));
+            assert!(samples.poses.iter().all(|pose| pose.is_finite()));
+            let again = Samples::from_csv(samples.to_csv(&robot).as_bytes(), "again.csv", &robot);
+            // names of sets may need quotes, which only a table program would give them
+            if samples.set.is_none() {
+                assert_eq!(again.expect("reads its own text").samples.lengths, samples.lengths);
+            }
+            for split in [Split::Column, Split::Blocks(2), Split::Region(2)] {
+                let _ = split.folds(&samples, 1);
+            }
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+fn check_study(bytes: &[u8]) {
+    if let Ok(study) = Study::from_toml_bytes(bytes, "any.toml") {
+        study.remarks();
+        let robot = Robot::builtin("cablerobot-simulator-helicopter").expect("is built in");
+        let _ = study.initial_pose(&robot);
+        let grid = study.poses.as_ref().and_then(|poses| poses.grid.as_ref());
+        let points: usize = grid.map_or(1, |grid| grid.count.iter().fold(1, |all, &count| all.saturating_mul(count)));
+        if points < 10_000
+            && let Ok(poses) = study.commanded_poses(&robot, Vec::new(), 1)
+        {
+            assert!(poses.iter().all(|commanded| commanded.pose.is_finite()));
         }
     }
 }
@@ -128,6 +177,25 @@ proptest! {
     ) {
         let text = builtin::names().nth(robot).and_then(builtin::find).expect("23 are built in");
         check(&damages.iter().fold(text.as_bytes().to_vec(), damaged));
+    }
+
+    #[test]
+    fn arbitrary_bytes_never_panic_a_reader_of_measurements_or_studies(
+        bytes in proptest::collection::vec(any::<u8>(), 0..300),
+    ) {
+        check_data(&bytes);
+        check_study(&bytes);
+        let _ = Sidecar::from_toml_bytes(&bytes, "any.meta.toml");
+    }
+
+    #[test]
+    fn damaged_measurements_and_studies_are_refused_or_make_sense(damages in proptest::collection::vec(damage(), 1..4)) {
+        let apply = |text: &str| damages.iter().fold(text.as_bytes().to_vec(), damaged);
+        check_data(&apply(DATA));
+        check_study(&apply(STUDY));
+        if let Ok(sidecar) = Sidecar::from_toml_bytes(&apply(SIDECAR), "any.meta.toml") {
+            assert!(sidecar.sigmas.position.is_none_or(|sigma| sigma.is_finite() && sigma >= 0.0));
+        }
     }
 
     /// Printed orientations have rounding errors of every size up to the accepted one.

@@ -1,5 +1,6 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
+mod report;
 mod words;
 
 use std::path::PathBuf;
@@ -72,6 +73,10 @@ pub(crate) struct Arguments {
     /// Calibrated robot file to write.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+
+    /// Report to write: tables and charts in one HTML file.
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -120,6 +125,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     if let Some(path) = &arguments.out {
         files::write(path, calibrated.as_bytes())?;
+    }
+    if let Some(path) = &arguments.report {
+        files::write(path, report::page(&task, other.as_ref(), &answer.reason)?.as_bytes())?;
     }
     output.answer(&answer)
 }

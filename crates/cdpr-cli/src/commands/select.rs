@@ -7,6 +7,7 @@ use cdpr::measurement::Split;
 use clap::Args;
 
 use crate::answer::Output;
+use crate::command_line;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
@@ -88,14 +89,4 @@ impl Arguments {
             inputs,
         })
     }
-}
-
-/// The command as it was given, quoted for a shell.
-fn command_line() -> String {
-    let quoted = |word: String| {
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
-        if !word.is_empty() && word.chars().all(plain) { word } else { format!("'{}'", word.replace('\'', r"'\''")) }
-    };
-    let words = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
-    ["cdpr".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
 }

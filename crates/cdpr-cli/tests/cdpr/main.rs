@@ -6,6 +6,7 @@ mod bad_input;
 mod command_line;
 mod kinematics;
 mod measurements;
+mod selection;
 
 use std::path::{Path, PathBuf};
 

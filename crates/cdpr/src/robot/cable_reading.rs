@@ -1,5 +1,7 @@
 //! The `[[cable]]` tables of a robot file.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 use super::Cable;
@@ -22,7 +24,7 @@ pub(super) fn read_cables(reader: &Reader<'_>, file: &RobotFile) -> Result<Vec<C
         .enumerate()
         .map(|(index, section)| CableReader { reader, section, index }.cable())
         .collect::<Result<_, _>>()?;
-    check_names(reader, &cables)?;
+    check_names(reader, file, &cables)?;
     let same_place = |cable: &Cable| cable.frame_anchor == cables[0].frame_anchor;
     if cables.len() > 1 && cables.iter().all(same_place) {
         let path = [Step::Key("cable"), Step::Index(1), Step::Key("frame_anchor_m")];
@@ -56,12 +58,23 @@ fn check_count(reader: &Reader<'_>, file: &RobotFile) -> Result<(), ReadError> {
     }
 }
 
-fn check_names(reader: &Reader<'_>, cables: &[Cable]) -> Result<(), ReadError> {
+/// Names are there and tell cables apart. A file quoted from a repository, with its commit, keeps the names that were
+/// published: [`Robot::warnings`](super::Robot::warnings) tells of doubles there (CASPR's MACARM has one).
+fn check_names(reader: &Reader<'_>, file: &RobotFile, cables: &[Cable]) -> Result<(), ReadError> {
+    let is_quoted = file.source.as_ref().is_some_and(|source| source.repository.is_some() && source.commit.is_some());
+    let mut seen = BTreeMap::new();
     for (index, cable) in cables.iter().enumerate() {
         let path = [Step::Key("cable"), Step::Index(index), Step::Key("name")];
         if cable.name.trim().is_empty() {
             let message = format!("cable {} has an empty name", index + 1);
             return Err(reader.document.error_at(&path, "robot::cable-name", message));
+        }
+        if let Some(first) = seen.insert(cable.name.as_str(), index + 1).filter(|_| !is_quoted) {
+            let message = format!("cables {first} and {} are both named `{}`", index + 1, cable.name);
+            return Err(reader
+                .document
+                .error_at(&path, "robot::cable-name", message)
+                .with_help("give every cable a name of its own"));
         }
     }
     Ok(())

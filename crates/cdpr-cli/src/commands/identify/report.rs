@@ -1,0 +1,59 @@
+//! The report of an identification: that of a comparison with the model as given.
+
+use cdpr::identification::Candidate;
+use cdpr::identification::selection::{Criterion, Settings, select};
+use cdpr::identification::fit;
+use cdpr::measurement::Fold;
+use cdpr::model::FreeParameters;
+
+use super::Task;
+use crate::command_line;
+use crate::failure::Failure;
+use crate::report::{Report, render};
+use crate::selecting::two_files;
+
+/// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
+pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, reason: &str) -> Result<String, Failure> {
+    let arguments = task.arguments;
+    let name = arguments.data.name();
+    let all: Vec<usize> = (0..task.samples.len()).collect();
+    let (samples, folds) = match (other, arguments.split) {
+        (Some(other), _) => {
+            let parted = two_files(task.samples, other, &task.validation_name().unwrap_or_default())?;
+            (parted.samples, parted.folds)
+        }
+        (None, Some(split)) => {
+            let folds = split.folds(task.samples, arguments.seed).map_err(|error| Failure::refused("--split", &error))?;
+            (task.samples.clone(), folds)
+        }
+        (None, None) => {
+            let fold = Fold { name: "all samples".to_owned(), train: all.clone(), validation: all };
+            (task.samples.clone(), vec![fold])
+        }
+    };
+    let composition = task.model.composition();
+    let free = |free: FreeParameters| Candidate { composition, free };
+    let candidates = [free(FreeParameters::default()), free(arguments.free.clone())];
+    let fit = fit::Settings { hold: arguments.hold.clone(), priors: arguments.prior.clone(), ..fit::Settings::default() };
+    let settings = Settings { fit, seed: arguments.seed, ..Settings::default() };
+    let mut selection = select(task.model.robot(), &candidates, &samples, &folds, &settings, &|| ())
+        .map_err(|error| Failure::refused(&name, &error))?;
+    // the user has chosen the model: the page is about it, whatever the model as given can do
+    selection.recommended = Some(1);
+    selection.reason = reason.to_owned();
+    let validation = task.validation_name();
+    let report = Report {
+        title: &format!("Identification of {}", task.model.robot().name),
+        command: &command_line(),
+        robot: task.model.robot(),
+        samples: &samples,
+        data_name: &name,
+        validation_name: validation.as_deref().unwrap_or("none: all figures are of the data of the fit"),
+        selection: &selection,
+        criterion: Criterion::default(),
+        seed: arguments.seed,
+        version: env!("CARGO_PKG_VERSION"),
+        warnings: &[],
+    };
+    render(&report).map_err(|error| Failure::numerical(format!("the report cannot be written: {error}")))
+}
