@@ -183,7 +183,7 @@ fn mistakes_of_planar_files_are_told_with_their_place() {
         ("tension_min_N = 1.0", "tension_min_N = 11.0", "11.0", "robot::tension-limits"),
         ("tension_min_N = 1.0", "tension_min_N = -1.0", "-1.0", "robot::negative"),
         ("name = \"right\"", "name = \"\"", "\"\"", "robot::cable-name"),
-        ("name = \"right\"", "name = \"left\"", "\"left\"\nframe_anchor_m = [10", "robot::cable-name"),
+        ("name = \"right\"", "name = \"left\"", "\"left\"", "robot::cable-name"),
         ("per_N = 0.0", "per_N = 0.0\naxial_stiffness_EA_N = 1e6", "0.0", "robot::stiffness-twice"),
         ("per_N = 0.0", "per_N = -1e-6", "-1e-6", "robot::negative"),
         ("axial_compliance_per_N = 0.0", "axial_stiffness_EA_N = 0.0", "0.0", "robot::not-positive"),

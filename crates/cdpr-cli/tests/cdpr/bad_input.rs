@@ -24,6 +24,7 @@ fn mistakes_in_robot_files_are_placed_and_nothing_is_written() {
         (replaced("tension_min_N = 10.0", "pulley_radius_m = -0.1"), "robot.toml:13:19", "negative"),
         (replaced("tension_min_N = 10.0", "tension_min_N = 1000.0"), "robot.toml:13:17", "is above tension_max_N"),
         (no_cables, "robot.toml:", "no cables"),
+        (replaced("name = \"b\"", "name = \"a\""), "robot.toml:17:8", "both named `a`"),
         (replaced("[10.0, 0.0]", "[10.0, 0.0, 0.0]"), "robot.toml:18:18", "2 components expected"),
     ] {
         let (folder, _) = file_with("robot.toml", text.as_bytes());
