@@ -7,7 +7,7 @@ use crate::scalar::{Real, cross, dot, rotate_back, scale};
 /// Length and pull of one rigid, straight cable, with what its derivatives need.
 ///
 /// Laws that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
-/// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property of maths.md §2), ∂u/∂p_B = −∂u/∂a.
+/// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property), ∂u/∂p_B = −∂u/∂a.
 #[derive(Clone, Copy, Debug)]
 pub struct Course<T> {
     /// Geometric length q from the frame anchor, wrapped part included (m).
@@ -63,7 +63,7 @@ pub enum DegenerateCourse {
 impl<T: Real> Course<T> {
     /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the lever b = R b_P.
     ///
-    /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (maths.md §2).
+    /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (see the book, “Models”).
     #[inline(always)]
     pub fn by_pose(&self, lever: [T; 3]) -> ([T; 6], [[T; 6]; 3]) {
         let [x, y, z] = self.direction_gradient;

@@ -34,7 +34,7 @@ impl Weights {
     }
 }
 
-/// Weight of every recorded length: its variance is σ_q² + J Σ_x Jᵀ, since the pose is measured too (maths.md §5).
+/// Weight of every recorded length: its variance is σ_q² + J Σ_x Jᵀ, since the pose is measured too (see the book, “Models”).
 ///
 /// J is the row −\[u; b × u\] of the robot's motion pattern; the scale multiplies it. An unknown pose accuracy counts as
 /// exact, an unknown length accuracy likewise; without either all rows weigh the same.

@@ -57,7 +57,7 @@ pub enum InputError {
 }
 
 /// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose,
-/// q_off = φ̂(x_ini) − φ(x_ini), φ the model in use when the winches were set (maths.md §4; a rigid machine has no tension
+/// q_off = φ̂(x_ini) − φ(x_ini), φ the model in use when the winches were set (sec. 3.1; a rigid machine has no tension
 /// term).
 ///
 /// The machine's φ̂ is what its winches record, scale and offset included.

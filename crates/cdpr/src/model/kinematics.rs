@@ -167,7 +167,7 @@ impl Model {
 
     /// Structure matrix Aᵀ in the robot's degrees of freedom, n × m: columns \[uᵢ; bᵢ × uᵢ\] in the twist basis.
     ///
-    /// Aᵀ f + w = 0 and δq = −A δx (maths.md §1).
+    /// Aᵀ f + w = 0 and δq = −A δx (see the book, “Models”).
     pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
         let mut matrix = DMatrix::zeros(self.dof(), self.cable_count());
         for cable in 0..self.cable_count() {

@@ -180,7 +180,7 @@ fn pulley_length_agrees_with_the_dissertation_away_from_the_axis() {
     }
 }
 
-/// Nearer to the axis than the radius eq. 2.19 takes an angle with the wrong sign (maths.md §2).
+/// Nearer to the axis than the radius eq. 2.19 takes an angle with the wrong sign (see the book, “Models”).
 #[test]
 fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
     let (radius, b_xy, b_z) = (0.161, 0.1, 1.0);

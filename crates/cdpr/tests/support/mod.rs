@@ -11,7 +11,7 @@ use cdpr::robot::Robot;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Sensor noise of interface.md: standard deviations per axis.
+/// Sensor noise of the demo: standard deviations per axis.
 pub(crate) const NOISE: SensorSigmas =
     SensorSigmas { position: Some(0.001155), rotation: Some(0.00101), length: Some(0.0002), tension: Some(50.0) };
 

@@ -1,4 +1,4 @@
-//! Swivelling pulley: the cable enters at D on the swivel axis, wraps and leaves tangentially (eq. 2.16–2.29, maths.md §2).
+//! Swivelling pulley: the cable enters at D on the swivel axis, wraps and leaves tangentially (eq. 2.16–2.29).
 
 use thiserror::Error;
 
