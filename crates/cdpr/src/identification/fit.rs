@@ -363,7 +363,7 @@ fn own_warnings(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) ->
     }
     if !weights.absolute && !estimates.is_empty() {
         // equal weights: the first one is that of all
-        let noise = weights.inverse_sigma.first().map_or(f64::NAN, |weight| 1e3 * noise_factor / weight);
+        let noise = weights.of_cable(0).first().map_or(f64::NAN, |weight| 1e3 * noise_factor / weight);
         warnings.push(format!(
             "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): all lengths weigh the same, and \
              standard deviations come from the residuals of {noise:.2} mm"
