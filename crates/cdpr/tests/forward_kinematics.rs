@@ -184,6 +184,9 @@ fn contradictory_lengths_lead_to_the_least_squares_pose_quickly() {
             let solution =
                 solve(&model, &lengths, &pose, &Settings { suspicious_residual: 0.1, ..Settings::default() }).unwrap();
             assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);
+            // what a percent of contradiction means is said
+            let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+            assert_eq!(solution.reason.is_some(), solution.residual_rms > 0.01 * mean, "{name}");
             assert!(solution.iterations <= 50, "{name}: {} iterations", solution.iterations);
             let residuals = cdpr::nalgebra::DVector::from_vec(solution.residuals);
             let gradient = model.structure_matrix(&solution.pose).unwrap() * residuals;

@@ -142,3 +142,19 @@ fn offset_and_scale_without_excursion_are_told_in_words() {
     );
     assert!(fit.correlations().iter().any(|c| c.first == "length-offset[1]" && c.coefficient < -0.95));
 }
+
+/// A column in the wrong unit is told before anyone wonders about anchors kilometres away.
+#[test]
+fn lengths_in_another_unit_are_suspected() {
+    let mut samples = exact(0.1);
+    for sample in 0..samples.len() {
+        samples.lengths[8 * sample + 2] *= 1e-3;
+    }
+    let fit = fit_anchors(&samples, &Settings::default());
+    assert!(
+        fit.warnings.iter().any(|w| w.starts_with("cable 3: the recorded lengths") && w.contains("unit")),
+        "{:?}",
+        fit.warnings
+    );
+    assert!(!fit.warnings.iter().any(|w| w.starts_with("cable 2:")));
+}

@@ -294,6 +294,7 @@ fn report(
         .collect();
     let (status, reason) = verdict(&analysis, parameters.len(), optimum.converged(), settings);
     let mut warnings = analysis.warnings.clone();
+    warnings.extend(suspicious_units(model, samples));
     warnings.extend(own_warnings(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
@@ -351,6 +352,31 @@ fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settin
         }
     };
     (Status::Converged, if count == 0 { "nothing was free".to_owned() } else { reason })
+}
+
+/// Cables whose recorded lengths are far from the modelled ones before the fit: a wrong unit, order or robot, which a fit
+/// would turn into absurd parameters.
+fn suspicious_units(model: &Model, samples: &Samples) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for cable in 0..model.cable_count() {
+        let (mut recorded, mut modelled) = (0.0, 0.0);
+        for (sample, pose) in samples.poses.iter().enumerate() {
+            recorded += samples.lengths_of(sample)[cable];
+            modelled +=
+                model.course(cable, pose).map_or(0.0, |(course, _)| model.recorded_length(cable, course.length));
+        }
+        let ratio = recorded / modelled;
+        if !(0.5..=2.0).contains(&ratio) {
+            let (number, count) = (cable + 1, samples.len() as f64);
+            warnings.push(format!(
+                "cable {number}: the recorded lengths ({:.4} m in the mean) are {ratio:.3e} of the modelled ones ({:.4} m): is \
+                 the unit in the column's name right, and the order of the cables?",
+                recorded / count,
+                modelled / count
+            ));
+        }
+    }
+    warnings
 }
 
 fn own_warnings(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {

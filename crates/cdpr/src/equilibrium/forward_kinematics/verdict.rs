@@ -4,6 +4,9 @@ use super::Status;
 use super::descent::{End, Problem, Stop};
 use crate::geometry::Pose;
 
+/// Residual relative to the mean length from which on a converged answer is remarked upon.
+const REMARKABLE_RESIDUAL: f64 = 0.01;
+
 impl Problem<'_> {
     /// True when nothing suggests that another start would do better.
     pub(super) fn is_good(&self, end: &End) -> bool {
@@ -61,8 +64,19 @@ impl Problem<'_> {
                     "no step lowers the residual of {rms:.3e} m rms any further, though the steps are not yet small"
                 )),
             ),
-            Stop::Stationary => (Status::Converged, None),
+            Stop::Stationary => (Status::Converged, self.remark(rms)),
         }
+    }
+
+    /// A least-squares pose for lengths that contradict each other by more than a percent deserves a word.
+    fn remark(&self, rms: f64) -> Option<String> {
+        (rms > REMARKABLE_RESIDUAL * self.mean_length).then(|| {
+            let share = 100.0 * rms / self.mean_length;
+            format!(
+                "the lengths contradict each other by {rms:.3} m rms ({share:.1} % of their mean): this is the pose that fits \
+                 them best; an uncalibrated scale or offset, or the wrong robot, would explain it"
+            )
+        })
     }
 
     fn degenerate_reason(&self, pose: &Pose) -> String {
