@@ -155,7 +155,7 @@ fn pattern_words(pattern: MotionPattern) -> String {
 fn sigma_words(sigmas: &SensorSigmas) -> String {
     let known = [
         sigmas.position.map(|sigma| format!("position {} mm per axis", number::short(1e3 * sigma))),
-        sigmas.rotation.map(|sigma| format!("rotation {}° per axis", number::short(sigma.to_degrees()))),
+        sigmas.rotation.map(|sigma| format!("rotation {}° per axis", number::significant(sigma.to_degrees(), 3))),
         sigmas.length.map(|sigma| format!("cable length {} mm", number::short(1e3 * sigma))),
     ];
     let known: Vec<String> = known.into_iter().flatten().collect();

@@ -146,3 +146,19 @@ fn identify_writes_a_report() {
     let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
     assert!(page.contains("all 24 parameters are determined"), "the reason in words");
 }
+
+/// Poses may come from a file with the pose columns of measurements; other columns are ignored.
+#[test]
+fn a_study_takes_its_poses_from_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    cdpr_in(folder.path(), "demo --out data");
+    let study = "[control]\nrobot = \"cablerobot-simulator-helicopter\"\n[machine]\nrobot = \"data/calibrated.toml\"\n\
+                 [initial]\npose = [0, 0, 1.5, 0, 0, 0]\n[poses.file]\npath = \"data/validation.csv\"\nset = \"train\"\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let run = cdpr_in(folder.path(), "simulate study.toml --out again.csv --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    assert_eq!(run.json()["samples"], 60);
+    // without noise the machine's own model explains the samples to the tolerance of forward kinematics
+    let run = cdpr_in(folder.path(), "evaluate data/calibrated.toml again.csv --format json");
+    assert!(run.json()["position_error_m"]["max"].as_f64().unwrap() < 1e-9, "{}", run.stdout);
+}

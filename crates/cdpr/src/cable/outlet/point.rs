@@ -12,8 +12,8 @@ pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<
     let mut direction_gradient = [[zero; 3]; 3];
     for row in 0..3 {
         for column in 0..3 {
-            let outer = u[row] * u[column];
-            direction_gradient[row][column] = if row == column { outer - q.constant(1.0) } else { outer } * inverse;
+            let identity = q.constant(if row == column { 1.0 } else { 0.0 });
+            direction_gradient[row][column] = (u[row] * u[column] - identity) * inverse;
         }
     }
     Course {

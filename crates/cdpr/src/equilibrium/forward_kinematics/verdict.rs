@@ -68,8 +68,13 @@ impl Problem<'_> {
         }
     }
 
-    /// A least-squares pose for lengths that contradict each other by more than a percent deserves a word.
+    /// With m = n there may be other exact solutions; for m > n a least-squares pose of lengths that contradict each other
+    /// by more than a percent deserves a word.
     fn remark(&self, rms: f64) -> Option<String> {
+        if self.is_square() {
+            let text = "exact: the pose has these lengths; with as many cables as degrees of freedom other poses may have them too";
+            return Some(text.to_owned());
+        }
         (rms > REMARKABLE_RESIDUAL * self.mean_length).then(|| {
             let share = 100.0 * rms / self.mean_length;
             format!(
