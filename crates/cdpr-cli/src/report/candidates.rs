@@ -6,7 +6,7 @@ use minijinja::Value;
 
 use super::chart::{Ladder, Rung};
 use super::table::{Cell, Table};
-use super::{Report, criterion, number};
+use super::{Purpose, Report, criterion, number};
 
 /// Every candidate with its figures.
 pub(super) fn table(report: &Report<'_>) -> Value {
@@ -68,7 +68,7 @@ fn remarks(report: &Report<'_>, index: usize, judgement: &Judgement) -> String {
     let selection = report.selection;
     let mut remarks = Vec::new();
     if selection.recommended == Some(index) && selection.candidates.len() > 1 {
-        remarks.push("recommended".to_owned());
+        remarks.push(if report.purpose == Purpose::Selection { "recommended" } else { "identified" }.to_owned());
     }
     if selection.best == Some(index) && selection.candidates.len() > 1 {
         remarks.push("smallest error".to_owned());

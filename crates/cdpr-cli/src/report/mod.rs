@@ -23,8 +23,19 @@ use table::{printable, prose};
 const TEMPLATE: &str = include_str!("report.html");
 const STYLE: &str = include_str!("report.css");
 
+/// What was asked: which model to take, or the parameters of one that was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// Candidates were compared and one may be recommended.
+    Selection,
+    /// One model was identified; another candidate is there to compare it with.
+    Identification,
+}
+
 /// What a report tells about.
 pub(crate) struct Report<'a> {
+    /// What was asked.
+    pub(crate) purpose: Purpose,
     /// Heading.
     pub(crate) title: &'a str,
     /// The command that makes the same result again.
@@ -95,6 +106,7 @@ pub(crate) fn render(input: &Report<'_>) -> Result<String, Error> {
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
         ladder => parameters::chart_value(candidates::chart(input)),
+        is_selection => input.purpose == Purpose::Selection,
         shown => shown.as_ref().map(|shown| details(input, shown)),
         warnings => warnings(input, shown.as_ref()),
         command => plain(input.command),

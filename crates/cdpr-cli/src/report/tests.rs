@@ -113,6 +113,7 @@ fn selected(robot: &Robot, samples: &Samples, candidates: &str, requirements: &[
 
 fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
     render(&Report {
+        purpose: Purpose::Selection,
         title: &format!("Control model of {}", robot.name),
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
         robot,

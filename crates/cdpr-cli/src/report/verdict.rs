@@ -5,7 +5,7 @@ use cdpr::identification::selection::RequirementOutcome;
 use minijinja::{Value, context};
 
 use super::table::{Cell, prose};
-use super::{Report, Shown, criterion, number};
+use super::{Purpose, Report, Shown, criterion, number};
 
 /// The first thing a reader sees.
 pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
@@ -16,7 +16,7 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     };
     let judgement = shown.judgement;
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
-    let single = report.selection.candidates.len() == 1;
+    let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
     let (class, heading) = match (report.selection.recommended.is_some(), single) {
         (true, false) => ("good", "Recommended control model"),
         (_, true) if met && judgement.fit.status == Status::Converged => ("good", "Identified control model"),

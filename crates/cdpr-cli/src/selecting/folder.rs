@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 use super::{Compared, Selected};
 use crate::failure::Failure;
 use crate::files;
-use crate::report::{Report, render};
+use crate::report::{Purpose, Report, render};
 
 /// A file by its name in the folder.
 pub(crate) struct NamedFile {
@@ -129,6 +129,7 @@ fn result(compared: &Compared) -> Result<String, Failure> {
 fn report(compared: &Compared) -> Result<String, Failure> {
     let comparison = &compared.comparison;
     let report = Report {
+        purpose: Purpose::Selection,
         title: &format!("Control models for {}", comparison.robot.name),
         command: &comparison.command,
         robot: &comparison.robot,

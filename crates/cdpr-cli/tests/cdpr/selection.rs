@@ -145,6 +145,10 @@ fn identify_writes_a_report() {
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
     assert!(page.contains("all 24 parameters are determined"), "the reason in words");
+    assert!(
+        page.contains("Identified control model") && !page.contains("Recommended control model"),
+        "nobody asked which to take"
+    );
 }
 
 /// Poses may come from a file with the pose columns of measurements; other columns are ignored.

@@ -9,7 +9,7 @@ use cdpr::model::FreeParameters;
 use super::Task;
 use crate::command_line;
 use crate::failure::Failure;
-use crate::report::{Report, render};
+use crate::report::{Purpose, Report, render};
 use crate::selecting::two_files;
 
 /// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
@@ -43,6 +43,7 @@ pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, 
     selection.reason = reason.to_owned();
     let validation = task.validation_name();
     let report = Report {
+        purpose: Purpose::Identification,
         title: &format!("Identification of {}", task.model.robot().name),
         command: &command_line(),
         robot: task.model.robot(),
