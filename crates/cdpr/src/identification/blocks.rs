@@ -114,7 +114,11 @@ impl Block {
 
     /// Weighted normal equations at `values`.
     pub(super) fn normal<const P: usize>(&self, poses: &PoseLanes, values: &CableValues) -> NormalEquations<P> {
-        dispatch(Accumulate::<P> { block: self, poses, values })
+        // the first places of a row, as for anchors alone, stay in registers; others are looked up in memory
+        match self.slots.iter().copied().eq(0..P) {
+            true => dispatch(Accumulate::<P, true> { block: self, poses, values }),
+            false => dispatch(Accumulate::<P, false> { block: self, poses, values }),
+        }
     }
 
     /// Weighted residuals and the columns of the weighted Jacobian, for analysis after the fit.
@@ -172,13 +176,14 @@ pub(super) struct NormalEquations<const P: usize> {
     pub(super) matrix: [[f64; P]; P],
 }
 
-pub(super) struct Accumulate<'a, const P: usize> {
+/// The sums over all samples. `FIRST` promises that the free parameters are the first P places of a row, in order.
+pub(super) struct Accumulate<'a, const P: usize, const FIRST: bool> {
     pub(super) block: &'a Block,
     pub(super) poses: &'a PoseLanes,
     pub(super) values: &'a CableValues,
 }
 
-impl<const P: usize> Kernel for Accumulate<'_, P> {
+impl<const P: usize, const FIRST: bool> Kernel for Accumulate<'_, P, FIRST> {
     type Output = NormalEquations<P>;
 
     #[inline(always)]
@@ -191,7 +196,7 @@ impl<const P: usize> Kernel for Accumulate<'_, P> {
             let (residual, row) = self.block.row(l, self.poses, self.values, group);
             let mut entries = [zero; P];
             for i in 0..P {
-                entries[i] = row[slots[i]];
+                entries[i] = row[if FIRST { i } else { slots[i] }];
             }
             cost = cost + residual * residual;
             for i in 0..P {
