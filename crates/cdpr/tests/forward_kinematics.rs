@@ -57,7 +57,7 @@ fn tally(robot: &Robot, composition: Composition) -> Tally {
                 tally.found += 1;
                 tally.worst = tally.worst.max(error);
             }
-            Status::Converged if solution.residual_rms <= 1e-9 * scale.max(1.0) => {
+            Status::Converged if solution.residual_rms <= 1e-9 => {
                 assert!(solution.reason.is_some_and(|words| words.contains("other poses may have them too")));
                 tally.other_exact += 1;
             }
