@@ -26,7 +26,7 @@
 //! ```
 //!
 //! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
-//! [`equilibrium`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
+//! [`statics`], [`equilibrium`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
 //! file reader. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
 pub use nalgebra;
@@ -45,3 +45,4 @@ pub mod notation {
 pub mod reading;
 pub mod robot;
 pub mod scalar;
+pub mod statics;

@@ -1,6 +1,7 @@
 //! What one cable does, one file per effect, written once over [`crate::scalar::Real`].
 
 mod course;
+pub mod elasticity;
 pub mod outlet;
 
 pub use course::{Course, DegenerateCourse};

@@ -10,23 +10,34 @@ use thiserror::Error;
 pub struct Composition {
     /// Cables leave over swivelling pulleys.
     pub pulley: bool,
+    /// Cables stretch (linear elasticity).
+    pub elastic: bool,
 }
 
 impl Composition {
     /// Point outlets, rigid straight cables.
-    pub const STANDARD: Self = Self { pulley: false };
+    pub const STANDARD: Self = Self { pulley: false, elastic: false };
     /// Swivelling pulleys, rigid straight cables.
-    pub const PULLEY: Self = Self { pulley: true };
+    pub const PULLEY: Self = Self { pulley: true, elastic: false };
+    /// Point outlets, elastic straight cables.
+    pub const ELASTIC: Self = Self { pulley: false, elastic: true };
+    /// Swivelling pulleys, elastic straight cables.
+    pub const PULLEY_ELASTIC: Self = Self { pulley: true, elastic: true };
 
     /// Number of effects: the first measure of how complex a model is.
     pub fn effect_count(self) -> usize {
-        usize::from(self.pulley)
+        usize::from(self.pulley) + usize::from(self.elastic)
     }
 }
 
 impl fmt::Display for Composition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(if self.pulley { "pulley" } else { "standard" })
+        f.write_str(match (self.pulley, self.elastic) {
+            (false, false) => "standard",
+            (true, false) => "pulley",
+            (false, true) => "elastic",
+            (true, true) => "pulley+elastic",
+        })
     }
 }
 
@@ -34,13 +45,13 @@ impl fmt::Display for Composition {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CompositionError {
     /// Not an effect.
-    #[error("`{found}` is not a model effect; known are `standard` and `pulley`, joined by `+`")]
+    #[error("`{found}` is not a model effect; known are `standard`, `pulley` and `elastic`, joined by `+`")]
     Unknown {
         /// The word found.
         found: String,
     },
     /// An effect of the contract that this version does not have.
-    #[error("the effect `{found}` is not part of this version; it has `standard` and `pulley`")]
+    #[error("the effect `{found}` is not part of this version; it has `standard`, `pulley` and `elastic`")]
     NotYet {
         /// The effect asked for.
         found: String,
@@ -54,7 +65,7 @@ pub enum CompositionError {
 }
 
 /// Effects of the command-line contract that later versions bring.
-const LATER_EFFECTS: [&str; 6] = ["drum", "elastic", "polynomial", "hysteresis", "catenary", "finite-element"];
+const LATER_EFFECTS: [&str; 5] = ["drum", "polynomial", "hysteresis", "catenary", "finite-element"];
 
 impl FromStr for Composition {
     type Err = CompositionError;
@@ -66,7 +77,10 @@ impl FromStr for Composition {
             match word {
                 "standard" if words.len() == 1 => {}
                 "pulley" if !composition.pulley => composition.pulley = true,
-                "standard" | "pulley" => return Err(CompositionError::Misplaced { found: word.to_owned() }),
+                "elastic" if !composition.elastic => composition.elastic = true,
+                "standard" | "pulley" | "elastic" => {
+                    return Err(CompositionError::Misplaced { found: word.to_owned() });
+                }
                 later if LATER_EFFECTS.contains(&later) => {
                     return Err(CompositionError::NotYet { found: later.to_owned() });
                 }
@@ -84,12 +98,16 @@ mod tests {
     #[test]
     fn compositions_are_read_and_written() {
         assert_eq!("standard".parse(), Ok(Composition::STANDARD));
-        assert_eq!("pulley".parse::<Composition>().unwrap().to_string(), "pulley");
+        for text in ["standard", "pulley", "elastic", "pulley+elastic"] {
+            assert_eq!(text.parse::<Composition>().unwrap().to_string(), text);
+        }
+        // the order in which effects are named means nothing
+        assert_eq!("elastic + pulley".parse(), Ok(Composition::PULLEY_ELASTIC));
     }
 
     #[test]
     fn what_cannot_be_composed_is_refused_by_name() {
-        for text in ["", "pully", "standard+pulley", "pulley+pulley", "pulley+elastic"] {
+        for text in ["", "pully", "standard+pulley", "pulley+pulley", "elastic+standard", "pulley+drum"] {
             assert!(text.parse::<Composition>().is_err(), "{text}");
         }
     }

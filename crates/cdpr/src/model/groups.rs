@@ -1,5 +1,6 @@
 //! Cables packed eight at a time into lanes, for single poses.
 
+use crate::cable::elasticity::Elasticity;
 use crate::cable::{Course, outlet};
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
@@ -13,6 +14,8 @@ pub(crate) struct CableGroup {
     /// 1 for a cable, 0 for a copy that fills the group.
     pub(crate) weight: [f64; LANES],
     pub(crate) has_pulley: bool,
+    /// κ_q, κ_θ, c₀ of [`Elasticity`]; all 0 in a model without elasticity.
+    pub(crate) elasticity: [[f64; LANES]; 3],
 }
 
 impl CableGroup {
@@ -28,6 +31,13 @@ impl CableGroup {
             false => outlet::point::course(frame_anchor, anchor),
         };
         (course, lever)
+    }
+
+    /// The elasticity of the group's cables.
+    #[inline(always)]
+    pub(crate) fn elasticity<L: Lanes>(&self, l: L) -> Elasticity<L> {
+        let [by_length, by_controlled_length, constant] = load(l, &self.elasticity);
+        Elasticity { by_length, by_controlled_length, constant }
     }
 }
 

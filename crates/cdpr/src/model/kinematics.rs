@@ -5,6 +5,7 @@ use thiserror::Error;
 
 use super::CableGroup;
 use super::composition::Composition;
+use crate::cable::elasticity::Elasticity;
 use crate::cable::{Course, DegenerateCourse, outlet};
 use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Robot};
@@ -18,6 +19,7 @@ pub struct Model {
     twist_basis: Vec<Twist>,
     axes: Vec<Vector3<f64>>,
     groups: Vec<CableGroup>,
+    elasticity: Vec<Elasticity<f64>>,
 }
 
 /// A robot that cannot carry the effects asked for.
@@ -70,15 +72,22 @@ impl Model {
         }
         if composition.pulley {
             for (index, cable) in robot.cables.iter().enumerate() {
-                require(cable.pulley_swivel_axis.is_some(), "pulley_swivel_axis", index, cable)?;
-                require(cable.pulley_radius.is_some(), "pulley_radius_m", index, cable)?;
+                let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
+                require(cable.pulley_swivel_axis.is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
+                require(cable.pulley_radius.is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
             }
         }
+        let elasticity = match composition.elastic {
+            true => elasticity_of(&robot)?,
+            false => vec![Elasticity::RIGID; robot.cables.len()],
+        };
         let twist_basis = robot.motion_pattern.twist_basis(robot.plane);
         let axes =
             twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
-        let groups = robot.cables.chunks(LANES).map(|cables| group(cables, composition)).collect();
-        Ok(Self { robot, composition, twist_basis, axes, groups })
+        let laws = elasticity.chunks(LANES);
+        let groups =
+            robot.cables.chunks(LANES).zip(laws).map(|(cables, laws)| group(cables, laws, composition)).collect();
+        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity })
     }
 
     /// The robot.
@@ -109,6 +118,11 @@ impl Model {
     /// World directions in which an anchor of this pattern can lie: e₁, e₂ of a planar robot, else x, y, z.
     pub fn axes(&self) -> &[Vector3<f64>] {
         &self.axes
+    }
+
+    /// Elasticity of one cable (0-based); [`Elasticity::RIGID`] in a model without the effect `elastic`.
+    pub fn elasticity(&self, cable: usize) -> &Elasticity<f64> {
+        &self.elasticity[cable]
     }
 
     pub(crate) fn groups(&self) -> &[CableGroup] {
@@ -194,6 +208,18 @@ impl Model {
         (recorded - data.length_offset.unwrap_or(0.0)) / data.length_scale.unwrap_or(1.0)
     }
 
+    /// Tension that the robot records for a real one: tension_scale · f + tension_offset (N).
+    pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
+        let data = &self.robot.cables[cable];
+        data.tension_scale.unwrap_or(1.0) * tension + data.tension_offset.unwrap_or(0.0)
+    }
+
+    /// Real tension behind a recorded one: the inverse of [`Model::recorded_tension`] (N).
+    pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
+        let data = &self.robot.cables[cable];
+        (recorded - data.tension_offset.unwrap_or(0.0)) / data.tension_scale.unwrap_or(1.0)
+    }
+
     /// Derivatives of the recorded length of a cable by that cable's parameters.
     pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, DegenerateCourse> {
         let (course, _) = self.course(cable, pose)?;
@@ -218,15 +244,28 @@ impl Model {
     }
 }
 
-fn require(present: bool, key: &'static str, index: usize, cable: &Cable) -> Result<(), ModelError> {
-    let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
-    let (effect, name) = ("pulley", cable.name.clone());
+/// Effect, key and hint of something that a cable of the file must have.
+type Need = (&'static str, &'static str, &'static str);
+
+fn require(present: bool, (effect, key, hint): Need, index: usize, cable: &Cable) -> Result<(), ModelError> {
+    let name = cable.name.clone();
     if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
 }
 
+fn elasticity_of(robot: &Robot) -> Result<Vec<Elasticity<f64>>, ModelError> {
+    let hint = " (or axial_compliance_per_N, or spring_constant_N_per_m)";
+    let law = |(index, cable): (usize, &Cable)| {
+        let law = Elasticity::of(cable);
+        require(law.is_some(), ("elastic", "axial_stiffness_EA_N", hint), index, cable)?;
+        Ok(law.unwrap_or(Elasticity::RIGID))
+    };
+    robot.cables.iter().enumerate().map(law).collect()
+}
+
 /// Packs up to eight cables; the last one fills the rest with weight 0.
-fn group(cables: &[Cable], composition: Composition) -> CableGroup {
+fn group(cables: &[Cable], laws: &[Elasticity<f64>], composition: Composition) -> CableGroup {
     let at = |lane: usize| &cables[lane.min(cables.len() - 1)];
+    let law = |lane: usize| laws[lane.min(laws.len() - 1)];
     let vectors =
         |of: &dyn Fn(&Cable) -> Vector3<f64>| [0, 1, 2].map(|axis| std::array::from_fn(|lane| of(at(lane))[axis]));
     CableGroup {
@@ -236,5 +275,10 @@ fn group(cables: &[Cable], composition: Composition) -> CableGroup {
         radius: std::array::from_fn(|lane| at(lane).pulley_radius.unwrap_or(0.0)),
         weight: std::array::from_fn(|lane| if lane < cables.len() { 1.0 } else { 0.0 }),
         has_pulley: composition.pulley,
+        elasticity: [
+            std::array::from_fn(|lane| law(lane).by_length),
+            std::array::from_fn(|lane| law(lane).by_controlled_length),
+            std::array::from_fn(|lane| law(lane).constant),
+        ],
     }
 }
