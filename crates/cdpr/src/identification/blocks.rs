@@ -73,6 +73,8 @@ impl Block {
                 ParameterKind::LengthOffset => values.offset += amount,
                 ParameterKind::LengthScale => values.scale += amount,
                 ParameterKind::PulleyRadius => values.radius += amount,
+                // what needs elasticity belongs to the elastostatic problem
+                _ => {}
             }
         }
         values
@@ -86,30 +88,8 @@ impl Block {
             ParameterKind::LengthOffset => values.offset,
             ParameterKind::LengthScale => values.scale,
             ParameterKind::PulleyRadius => values.radius,
-        }
-    }
-
-    /// Unit direction that moves frame anchor and platform anchor together along one of the pattern's axes, for a
-    /// platform that keeps this rotation; `None` unless all components of both are free.
-    pub(super) fn anchors_together(
-        &self,
-        axis: usize,
-        rotation: &nalgebra::Matrix3<f64>,
-    ) -> Option<nalgebra::DVector<f64>> {
-        let count = |kind| self.parameters.iter().filter(|p| p.kind == kind).count();
-        let (frame, platform) = (ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor);
-        if axis >= self.axes.len() || count(frame) < self.axes.len() || count(platform) < self.axes.len() {
-            return None;
-        }
-        let along = nalgebra::Vector3::from(self.axes[axis]);
-        let in_platform = rotation.transpose() * along;
-        let component = |parameter: &Parameter| match parameter.kind {
-            ParameterKind::FrameAnchor => f64::from(u8::from(parameter.axis == axis)),
-            ParameterKind::PlatformAnchor => dot(self.axes[parameter.axis], in_platform.into()),
             _ => 0.0,
-        };
-        let direction = nalgebra::DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(component));
-        Some(direction.normalize())
+        }
     }
 
     /// Weighted normal equations at `values`.
@@ -164,7 +144,7 @@ fn slot(model: &Model, parameter: &Parameter) -> usize {
         ParameterKind::PlatformAnchor => 3 + model.axes()[parameter.axis].iamax(),
         ParameterKind::LengthOffset => 6,
         ParameterKind::LengthScale => 7,
-        ParameterKind::PulleyRadius => 8,
+        _ => 8,
     }
 }
 

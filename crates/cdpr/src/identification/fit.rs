@@ -4,18 +4,20 @@ mod descent;
 mod optimum;
 #[cfg(test)]
 mod tests;
-mod warnings;
+pub(super) mod warnings;
 
 use std::str::FromStr;
 
 use serde::Serialize;
 use thiserror::Error;
 
+use super::elastostatic::{self, Basin};
 use super::identifiability::{Analysis, Correlation, analyse};
 use super::weights::Weights;
 use crate::cable::DegenerateCourse;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind};
+use crate::statics::LoadError;
 
 /// What is assumed, and when the fit stops.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +32,11 @@ pub struct Settings {
     pub max_iterations: u32,
     /// A direction in parameter space with a larger standard deviation is reported as weak (m).
     pub weak_direction_limit: f64,
+    /// Starts of an elastostatic identification: the file's values and others, anchors up to 0.5 m away and compliances up
+    /// to 10/3 times larger or smaller. Kinematic identification needs no other starts.
+    pub starts: u32,
+    /// Seed of the other starts.
+    pub seed: u64,
 }
 
 impl Default for Settings {
@@ -40,6 +47,8 @@ impl Default for Settings {
             tolerance: 1e-10,
             max_iterations: 200,
             weak_direction_limit: 0.1,
+            starts: 1,
+            seed: 0,
         }
     }
 }
@@ -126,6 +135,8 @@ pub struct Fit {
     /// Root mean square of the residuals in units of their standard deviation; near 1 when model and sensors agree with
     /// the data. Standard deviations of parameters are multiplied by it when it exceeds 1 or no sensor accuracy is known.
     pub noise_factor: f64,
+    /// The optima that the starts of an elastostatic identification led to, best first; empty for a kinematic one.
+    pub basins: Vec<Basin>,
     /// What a careful reader should know.
     pub warnings: Vec<String>,
 }
@@ -169,6 +180,19 @@ pub enum InputError {
         /// Samples.
         samples: usize,
     },
+    /// Fewer rows than parameters of an elastic model.
+    #[error(
+        "{parameters} parameters are free, but {samples} samples give only {rows} rows of wrenches and lengths: measure more poses, \
+         free fewer parameters, or give every kind a prior"
+    )]
+    TooFewRows {
+        /// Free parameters without prior.
+        parameters: usize,
+        /// Rows.
+        rows: usize,
+        /// Samples.
+        samples: usize,
+    },
     /// A measured pose at which the model has no length.
     #[error("sample {sample}: {reason}")]
     Degenerate {
@@ -185,6 +209,33 @@ pub enum InputError {
         /// The text.
         text: String,
     },
+    /// An elastic model without recorded tensions.
+    #[error(
+        "identifying an elastic model needs recorded tensions: add the columns tension_N_1, tension_N_2, … to the data, or choose a \
+         model without `elastic`"
+    )]
+    NoTensions,
+    /// Recorded tensions of cables that push.
+    #[error(
+        "negative tensions: cable {cable} is recorded with {tension} N in sample {}{}; cables can only pull, so check the sign and \
+         the zero of the force sensors (tension_offset_N), or remove the samples", .samples[0], others(.samples)
+    )]
+    NegativeTension {
+        /// Samples concerned, from 1.
+        samples: Vec<usize>,
+        /// Cable of the first one, from 1.
+        cable: usize,
+        /// Its recorded tension (N).
+        tension: f64,
+    },
+    /// The load on the platform is unknown.
+    #[error("{0}; or free `wrench`")]
+    Load(#[from] LoadError),
+    /// Numbers that overflow.
+    #[error(
+        "the residuals are not finite numbers: check the units of poses, lengths, tensions and of the robot's file"
+    )]
+    NotFinite,
     /// A setting that means nothing.
     #[error("the setting `{name}` is {value}; it must be a number above 0")]
     Setting {
@@ -193,6 +244,16 @@ pub enum InputError {
         /// Its value.
         value: f64,
     },
+}
+
+/// Words for the samples after the first.
+fn others(samples: &[usize]) -> String {
+    let listed: Vec<String> = samples.iter().skip(1).take(8).map(usize::to_string).collect();
+    match samples.len() {
+        0 | 1 => String::new(),
+        count if count <= 9 => format!(", and others in {}", listed.join(", ")),
+        count => format!(", and others in {} and {} more", listed.join(", "), count - 9),
+    }
 }
 
 /// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
@@ -204,6 +265,10 @@ pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 /// within the parameters' bounds. Without free parameters it only tells how well the model fits.
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
+    if model.composition().elastic {
+        let optimum = elastostatic::find(model, samples, &parameters, settings)?;
+        return Ok(elastostatic::report(samples, &parameters, optimum, settings));
+    }
     let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
     report(model, samples, &parameters, &weights, optimum, settings)
 }
@@ -232,6 +297,16 @@ pub fn optimal_parameters(
     settings: &Settings,
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
+    if model.composition().elastic {
+        let optimum = elastostatic::find(model, samples, &parameters, settings)?;
+        return Ok(OptimalParameters {
+            model: optimum.calibrated().clone(),
+            converged: optimum.converged(),
+            iterations: optimum.iterations(),
+            history: optimum.history().to_vec(),
+            parameters,
+        });
+    }
     let (optimum, _) = optimum::find(model, samples, &parameters, settings)?;
     Ok(OptimalParameters {
         model: optimum.calibrated(model)?,
@@ -261,6 +336,15 @@ fn checked_parameters(
         return Err(InputError::CableCount { robot, data });
     }
     let parameters = free.parameters(model, &settings.hold)?;
+    let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
+    if model.composition().elastic {
+        let (rows, count) =
+            (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
+        return match count > rows {
+            true => Err(InputError::TooFewRows { parameters: count, rows, samples: samples.len() }),
+            false => Ok(parameters),
+        };
+    }
     for cable in 0..model.cable_count() {
         let without_prior = |p: &&Parameter| p.cable == cable && prior_sigma(settings, p.kind).is_none();
         let count = parameters.iter().filter(without_prior).count();
@@ -306,11 +390,12 @@ fn report(
         parameters: estimates,
         analysis,
         noise_factor,
+        basins: Vec::new(),
         warnings,
     })
 }
 
-fn estimate(
+pub(super) fn estimate(
     model: &Model,
     calibrated: &Model,
     parameter: Parameter,
@@ -321,7 +406,7 @@ fn estimate(
     let (lower, upper) = parameter.bounds();
     Estimate {
         name: parameter.name(model.robot()),
-        unit: parameter.kind.unit(),
+        unit: parameter.unit(model.robot()),
         start,
         value,
         sigma,
@@ -332,7 +417,7 @@ fn estimate(
     }
 }
 
-fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settings) -> (Status, String) {
+pub(super) fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settings) -> (Status, String) {
     if !converged {
         let limit = settings.max_iterations;
         return (

@@ -1,6 +1,8 @@
 //! What the data determine: rank, condition, standard deviations, weak directions, correlations.
 
-use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use serde::Serialize;
 
 use super::autocorrelation::correlation_time;
@@ -50,9 +52,9 @@ pub struct Analysis {
 /// Correlations above this are reported.
 const CORRELATION_LIMIT: f64 = 0.95;
 
-/// Singular value of one block with its right singular vector.
-struct Spectrum {
-    values: Vec<f64>,
+/// Singular values with their right singular vectors.
+pub(super) struct Spectrum {
+    pub(super) values: Vec<f64>,
     vectors: DMatrix<f64>,
 }
 
@@ -91,7 +93,15 @@ pub(super) fn analyse(
         analysis.undetermined += uncertainty.undetermined;
         analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
         let rotation = mean_rotation(samples);
-        directions.extend(uncertainty.weak_directions(block, &rotation, settings.weak_direction_limit));
+        let length = block.mean_length();
+        let worth = |p: &Parameter| if p.kind == ParameterKind::LengthScale { length } else { 1.0 };
+        let named = Named {
+            parameters: &block.parameters,
+            axes: model.axes(),
+            cables: block.cable..block.cable + 1,
+            worth: DVector::from_iterator(block.parameters.len(), block.parameters.iter().map(worth)),
+        };
+        directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
         analysis.sigmas.extend(uncertainty.sigmas);
     }
     (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
@@ -110,7 +120,7 @@ pub(super) fn analyse(
 }
 
 /// Singular values and right singular vectors of a tall matrix, by way of its QR factor.
-fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
+pub(super) fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
     let columns = matrix.ncols();
     let mut factor = DMatrix::zeros(columns.max(matrix.nrows()), columns);
     factor.view_mut((0, 0), matrix.shape()).copy_from(matrix);
@@ -119,7 +129,7 @@ fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
     Spectrum { values: decomposition.singular_values.iter().copied().collect(), vectors }
 }
 
-fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     for mut column in matrix.column_iter_mut() {
         let norm = column.norm();
         if norm > 0.0 {
@@ -129,7 +139,7 @@ fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     matrix
 }
 
-fn with_priors(weighted: DMatrix<f64>, parameters: &[Parameter], settings: &Settings) -> DMatrix<f64> {
+pub(super) fn with_priors(weighted: DMatrix<f64>, parameters: &[Parameter], settings: &Settings) -> DMatrix<f64> {
     let (rows, columns) = weighted.shape();
     let mut stacked = weighted.resize(rows + columns, columns, 0.0);
     for (k, parameter) in parameters.iter().enumerate() {
@@ -143,7 +153,7 @@ fn rank_tolerance(rows: usize) -> f64 {
     10.0 * rows as f64 * f64::EPSILON
 }
 
-fn rank_and_condition(values: &[f64], rows: usize) -> (usize, f64) {
+pub(super) fn rank_and_condition(values: &[f64], rows: usize) -> (usize, f64) {
     let largest = values.iter().copied().fold(0.0, f64::max);
     let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
     let rank = values.iter().filter(|&&value| value > rank_tolerance(rows) * largest).count();
@@ -151,24 +161,24 @@ fn rank_and_condition(values: &[f64], rows: usize) -> (usize, f64) {
     (rank, if values.is_empty() { 1.0 } else { condition })
 }
 
-fn mean_rotation(samples: &Samples) -> nalgebra::Matrix3<f64> {
-    let sum: nalgebra::Matrix3<f64> = samples.poses.iter().map(|pose| pose.rotation_matrix()).sum();
+pub(super) fn mean_rotation(samples: &Samples) -> Matrix3<f64> {
+    let sum: Matrix3<f64> = samples.poses.iter().map(|pose| pose.rotation_matrix()).sum();
     sum / samples.len() as f64
 }
 
-/// Posterior of one block.
-struct Uncertainty {
+/// Posterior of parameters that are judged together.
+pub(super) struct Uncertainty {
     /// Covariance in the determined directions.
     covariance: DMatrix<f64>,
-    sigmas: Vec<Option<f64>>,
-    undetermined: usize,
+    pub(super) sigmas: Vec<Option<f64>>,
+    pub(super) undetermined: usize,
     /// Standard deviation along each singular vector; infinite where undetermined.
     deviations: Vec<f64>,
     vectors: DMatrix<f64>,
 }
 
 impl Uncertainty {
-    fn new(posterior: &Spectrum, factor: f64) -> Self {
+    pub(super) fn new(posterior: &Spectrum, factor: f64) -> Self {
         let count = posterior.values.len();
         let largest = posterior.values.iter().copied().fold(0.0, f64::max);
         let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
@@ -191,7 +201,7 @@ impl Uncertainty {
         Self { covariance, sigmas, undetermined, deviations, vectors: posterior.vectors.clone() }
     }
 
-    fn correlations(&self, model: &Model, parameters: &[Parameter]) -> Vec<Correlation> {
+    pub(super) fn correlations(&self, model: &Model, parameters: &[Parameter]) -> Vec<Correlation> {
         let mut found = Vec::new();
         for i in 0..parameters.len() {
             for j in 0..i {
@@ -206,17 +216,12 @@ impl Uncertainty {
         found
     }
 
-    /// Directions whose standard deviation exceeds the limit (m, scales times the mean length): first the translations of
-    /// frame anchor and platform anchor together that explain them, then what is left, each as coefficients.
-    fn weak_directions(&self, block: &Block, rotation: &nalgebra::Matrix3<f64>, limit: f64) -> Vec<Direction> {
-        let parameters = &block.parameters;
-        let worth = DVector::from_iterator(
-            parameters.len(),
-            parameters.iter().map(|p| if p.kind == ParameterKind::LengthScale { block.mean_length() } else { 1.0 }),
-        );
-        let mut open: Vec<(DVector<f64>, f64)> = Vec::new(); // orthonormal but for the worth of scales
+    /// Directions whose standard deviation exceeds the limit (m, by what the parameters are worth): first the translations
+    /// of frame anchor and platform anchor together that explain them, then what is left, each as coefficients.
+    pub(super) fn weak_directions(&self, named: &Named<'_>, rotation: &Matrix3<f64>, limit: f64) -> Vec<Direction> {
+        let mut open: Vec<(DVector<f64>, f64)> = Vec::new(); // orthonormal but for the worth of parameters
         for (j, &deviation) in self.deviations.iter().enumerate() {
-            let direction = self.vectors.column(j).component_mul(&worth);
+            let direction = self.vectors.column(j).component_mul(&named.worth);
             let deviation = deviation * direction.norm();
             if deviation > limit {
                 open.push((direction.normalize(), deviation));
@@ -224,24 +229,56 @@ impl Uncertainty {
         }
         let mut found = Vec::new();
         let mut rest: Vec<(DVector<f64>, f64)> = open.clone();
-        for axis in 0..3 {
-            let Some(together) = block.anchors_together(axis, rotation) else { continue };
+        for (cable, axis) in named.cables.clone().flat_map(|cable| (0..3).map(move |axis| (cable, axis))) {
+            let Some(together) = named.anchors_together(cable, axis, rotation) else { continue };
             let inside: f64 = open.iter().map(|(vector, _)| vector.dot(&together).powi(2)).sum();
             if inside < 0.9 {
                 continue;
             }
             // the deviation along it, from the open directions it is made of
             let variance: f64 = open.iter().map(|(vector, s)| (vector.dot(&together) * s).powi(2)).sum();
-            found.push(Direction::AnchorsTogether { cable: block.cable, axis, deviation: variance.sqrt() });
+            found.push(Direction::AnchorsTogether { cable, axis, deviation: variance.sqrt() });
             rest.iter_mut().for_each(|(vector, _)| *vector -= &together * vector.dot(&together));
         }
         // as many directions are left as the translations do not explain: those that keep most of their length
         rest.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
         rest.truncate(open.len().saturating_sub(found.len()));
         for (vector, deviation) in rest {
-            let coefficients = parameters.iter().copied().zip(vector.normalize().iter().copied()).collect();
+            let coefficients = named.parameters.iter().copied().zip(vector.normalize().iter().copied()).collect();
             found.push(Direction::Combination { coefficients, deviation });
         }
         found
+    }
+}
+
+/// Parameters that are judged together, and what gives their directions names.
+pub(super) struct Named<'a> {
+    pub(super) parameters: &'a [Parameter],
+    /// Axes of the motion pattern (world and platform).
+    pub(super) axes: &'a [Vector3<f64>],
+    /// Cables that the parameters belong to.
+    pub(super) cables: Range<usize>,
+    /// Metres that one unit of each parameter is worth.
+    pub(super) worth: DVector<f64>,
+}
+
+impl Named<'_> {
+    /// Unit direction that moves frame anchor and platform anchor of a cable together along one of the pattern's axes, for
+    /// a platform that keeps this rotation; `None` unless all components of both are free.
+    fn anchors_together(&self, cable: usize, axis: usize, rotation: &Matrix3<f64>) -> Option<DVector<f64>> {
+        let count = |kind| self.parameters.iter().filter(|p| p.cable == cable && p.kind == kind).count();
+        let (frame, platform) = (ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor);
+        if axis >= self.axes.len() || count(frame) < self.axes.len() || count(platform) < self.axes.len() {
+            return None;
+        }
+        let in_platform = rotation.transpose() * self.axes[axis];
+        let component = |parameter: &Parameter| match parameter.kind {
+            _ if parameter.cable != cable => 0.0,
+            ParameterKind::FrameAnchor => f64::from(u8::from(parameter.axis == axis)),
+            ParameterKind::PlatformAnchor => self.axes[parameter.axis].dot(&in_platform),
+            _ => 0.0,
+        };
+        let direction = DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(component));
+        Some(direction.normalize())
     }
 }

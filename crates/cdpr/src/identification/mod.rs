@@ -7,6 +7,7 @@ mod autocorrelation;
 mod blocks;
 mod bootstrap;
 pub mod candidate;
+mod elastostatic;
 pub mod evaluation;
 pub mod fit;
 mod identifiability;
@@ -16,6 +17,7 @@ mod weights;
 mod words;
 
 pub use candidate::Candidate;
+pub use elastostatic::Basin;
 pub use evaluation::{ErrorBlocks, Evaluation, evaluate};
 pub use fit::{Fit, Prior};
 pub use identifiability::{Analysis, Correlation};

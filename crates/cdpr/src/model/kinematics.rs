@@ -138,7 +138,8 @@ impl Model {
         }
     }
 
-    fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
+    /// [`Model::course`] without the question whether it exists: numbers that are not finite where it does not.
+    pub(crate) fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
         let data = &self.robot.cables[cable];
         let lever = rotate(&pose.rotation_rows(), data.platform_anchor.into());
         let anchor = add(pose.position.into(), lever);

@@ -11,6 +11,6 @@ mod tests;
 pub use composition::{Composition, CompositionError};
 pub(crate) use groups::CableGroup;
 pub use kinematics::{CableGradient, Model, ModelError};
-pub(crate) use parameter::axis_name;
 pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};
+pub(crate) use parameter::{axis_name, specific_compliance};
 pub use placement::{PlacePulleysError, place_pulleys};

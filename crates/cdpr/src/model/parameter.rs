@@ -7,9 +7,10 @@ use serde::{Serialize, Serializer};
 use thiserror::Error;
 
 use super::Model;
-use crate::robot::Robot;
+use crate::geometry::Wrench;
+use crate::robot::{Cable, ExternalWrench, Robot};
 
-/// A kind of parameter, one group per cable.
+/// A kind of parameter: one group per cable, but for the wrench, which the platform has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ParameterKind {
@@ -23,15 +24,32 @@ pub enum ParameterKind {
     LengthScale,
     /// Pulley radius r_p (m).
     PulleyRadius,
+    /// Specific compliance 1/EA (1/N): its inverse, the stiffness, runs away where data say little (see the book).
+    Compliance,
+    /// Strained length between winch and outlet q_h (m).
+    HiddenLength,
+    /// f_recorded = tension_scale · f + tension_offset; without unit.
+    TensionScale,
+    /// See [`ParameterKind::TensionScale`] (N).
+    TensionOffset,
+    /// The constant external wrench in world axes, weight included (N, N·m).
+    Wrench,
 }
-
-/// Names of the contract that belong to effects of later versions.
-const LATER_NAMES: [&str; 5] = ["compliance", "hidden-length", "wrench", "tension-scale", "tension-offset"];
 
 impl ParameterKind {
     /// Every kind, in the order of a parameter vector.
-    pub const ALL: [Self; 5] =
-        [Self::FrameAnchor, Self::PlatformAnchor, Self::LengthOffset, Self::LengthScale, Self::PulleyRadius];
+    pub const ALL: [Self; 10] = [
+        Self::FrameAnchor,
+        Self::PlatformAnchor,
+        Self::LengthOffset,
+        Self::LengthScale,
+        Self::PulleyRadius,
+        Self::Compliance,
+        Self::HiddenLength,
+        Self::TensionScale,
+        Self::TensionOffset,
+        Self::Wrench,
+    ];
 
     /// The name used by `--free` and in results.
     pub fn name(self) -> &'static str {
@@ -41,12 +59,27 @@ impl ParameterKind {
             Self::LengthOffset => "length-offset",
             Self::LengthScale => "length-scale",
             Self::PulleyRadius => "pulley-radius",
+            Self::Compliance => "compliance",
+            Self::HiddenLength => "hidden-length",
+            Self::TensionScale => "tension-scale",
+            Self::TensionOffset => "tension-offset",
+            Self::Wrench => "wrench",
         }
     }
 
-    /// Unit of the value, empty for a ratio.
+    /// Unit of the value, empty for a ratio; a wrench is in N, its moments in N·m.
     pub fn unit(self) -> &'static str {
-        if self == Self::LengthScale { "" } else { "m" }
+        match self {
+            Self::LengthScale | Self::TensionScale => "",
+            Self::Compliance => "1/N",
+            Self::TensionOffset | Self::Wrench => "N",
+            _ => "m",
+        }
+    }
+
+    /// True for what only a model with elastic cables and recorded tensions can tell.
+    pub fn needs_elasticity(self) -> bool {
+        matches!(self, Self::Compliance | Self::HiddenLength | Self::TensionScale | Self::TensionOffset | Self::Wrench)
     }
 
     /// True for the anchors, which have a component along each axis of the pattern.
@@ -62,9 +95,6 @@ impl FromStr for ParameterKind {
         if let Some(kind) = Self::ALL.into_iter().find(|kind| kind.name() == name) {
             return Ok(kind);
         }
-        if LATER_NAMES.contains(&name) {
-            return Err(ParameterError::NotYet { name: name.to_owned() });
-        }
         Err(ParameterError::UnknownName { name: name.to_owned() })
     }
 }
@@ -78,11 +108,12 @@ impl fmt::Display for ParameterKind {
 /// One number that can be identified.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Parameter {
-    /// Cable it belongs to, from 0.
+    /// Cable it belongs to, from 0; 0 for the wrench, which belongs to none.
     pub cable: usize,
     /// What it is.
     pub kind: ParameterKind,
-    /// Component of an anchor along the pattern's axes, from 0; 0 for the rest.
+    /// Component of an anchor along the pattern's axes, or of the wrench along its degrees of freedom, from 0; 0 for the
+    /// rest.
     pub axis: usize,
 }
 
@@ -90,10 +121,24 @@ impl Parameter {
     /// Name for people and files, e.g. `frame-anchor[1].x`.
     pub fn name(&self, robot: &Robot) -> String {
         let cable = self.cable + 1;
-        match self.kind.is_anchor() {
-            true => format!("{}[{cable}].{}", self.kind, axis_name(robot, self.axis)),
-            false => format!("{}[{cable}]", self.kind),
+        match self.kind {
+            ParameterKind::Wrench => {
+                let translations = robot.motion_pattern.translations();
+                match self.axis.checked_sub(translations) {
+                    None => format!("wrench.force_{}", axis_name(robot, self.axis)),
+                    Some(_) if robot.motion_pattern.is_planar() => "wrench.moment".to_owned(),
+                    Some(axis) => format!("wrench.moment_{}", axis_name(robot, axis)),
+                }
+            }
+            kind if kind.is_anchor() => format!("{kind}[{cable}].{}", axis_name(robot, self.axis)),
+            kind => format!("{kind}[{cable}]"),
         }
+    }
+
+    /// Unit of the value, empty for a ratio.
+    pub fn unit(&self, robot: &Robot) -> &'static str {
+        let is_moment = self.kind == ParameterKind::Wrench && self.axis >= robot.motion_pattern.translations();
+        if is_moment { "N·m" } else { self.kind.unit() }
     }
 
     /// Its value in a model's robot: what the file says, else the neutral value (scale 1, offset 0).
@@ -105,6 +150,14 @@ impl Parameter {
             ParameterKind::LengthOffset => cable.length_offset.unwrap_or(0.0),
             ParameterKind::LengthScale => cable.length_scale.unwrap_or(1.0),
             ParameterKind::PulleyRadius => cable.pulley_radius.unwrap_or(0.0),
+            ParameterKind::Compliance => specific_compliance(cable),
+            ParameterKind::HiddenLength => cable.hidden_length.unwrap_or(0.0),
+            ParameterKind::TensionScale => cable.tension_scale.unwrap_or(1.0),
+            ParameterKind::TensionOffset => cable.tension_offset.unwrap_or(0.0),
+            ParameterKind::Wrench => {
+                let wrench = model.robot().external_wrench.as_ref().map_or_else(Wrench::zeros, |w| w.wrench);
+                model.twist_basis()[self.axis].dot(&wrench)
+            }
         }
     }
 
@@ -123,17 +176,38 @@ impl Parameter {
             ParameterKind::LengthOffset => cable.length_offset = Some(value),
             ParameterKind::LengthScale => cable.length_scale = Some(value),
             ParameterKind::PulleyRadius => cable.pulley_radius = Some(value),
+            ParameterKind::Compliance => (cable.axial_compliance, cable.axial_stiffness) = (Some(value), None),
+            ParameterKind::HiddenLength => cable.hidden_length = Some(value),
+            ParameterKind::TensionScale => cable.tension_scale = Some(value),
+            ParameterKind::TensionOffset => cable.tension_offset = Some(value),
+            ParameterKind::Wrench => {
+                let direction = model.twist_basis()[self.axis];
+                let external = robot.external_wrench.get_or_insert_with(|| ExternalWrench {
+                    wrench: Wrench::zeros(),
+                    includes_gravity: true,
+                    note: Some("identified".to_owned()),
+                });
+                external.wrench += direction * (value - direction.dot(&external.wrench));
+                external.includes_gravity = true;
+            }
         }
     }
 
-    /// Values it may take: radii not below 0, scales positive.
+    /// Values it may take: radii, compliances and hidden lengths not below 0, scales positive.
     pub fn bounds(&self) -> (f64, f64) {
         match self.kind {
-            ParameterKind::PulleyRadius => (0.0, f64::INFINITY),
-            ParameterKind::LengthScale => (1e-3, f64::INFINITY),
+            ParameterKind::PulleyRadius | ParameterKind::Compliance | ParameterKind::HiddenLength => {
+                (0.0, f64::INFINITY)
+            }
+            ParameterKind::LengthScale | ParameterKind::TensionScale => (1e-3, f64::INFINITY),
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
+}
+
+/// 1/EA as the file states it (1/N); 0 where it states neither stiffness nor compliance.
+pub(crate) fn specific_compliance(cable: &Cable) -> f64 {
+    cable.axial_compliance.or_else(|| cable.axial_stiffness.map(|stiffness| 1.0 / stiffness)).unwrap_or(0.0)
 }
 
 /// Name of a pattern axis in the world: x, y or z.
@@ -153,15 +227,9 @@ pub struct FreeParameters {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
-        name: String,
-    },
-    /// A parameter of the contract that this version does not have.
-    #[error("`{name}` needs tensions or elasticity, which are not part of this version")]
-    NotYet {
-        /// The parameter asked for.
         name: String,
     },
     /// Text around the brackets that makes no sense.
@@ -181,11 +249,28 @@ pub enum ParameterError {
         cable_count: usize,
     },
     /// A parameter of an effect that the model does not have.
-    #[error("`pulley-radius` is free, but the model is `{model}`; choose the model `pulley`")]
+    #[error("`{kind}` is free, but the model is `{model}`; choose a model with the effect `{effect}`")]
     NotInModel {
+        /// The parameter.
+        kind: ParameterKind,
         /// The model's composition.
         model: String,
+        /// The effect it belongs to.
+        effect: &'static str,
     },
+    /// A cable whose law has no specific compliance.
+    #[error(
+        "`{kind}[{cable}]` is free, but cable {cable} has a constant spring (`spring_constant_N_per_m`), which has no {kind}; state          `axial_stiffness_EA_N` instead, or restrict the list to other cables"
+    )]
+    ConstantSpring {
+        /// The parameter.
+        kind: ParameterKind,
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// The wrench belongs to no cable.
+    #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
+    WrenchOfCable,
 }
 
 fn suggestion(name: &str) -> String {
@@ -218,21 +303,42 @@ impl FreeParameters {
         hold.check_cables(model)?;
         let mut parameters = Vec::new();
         for cable in 0..model.cable_count() {
-            for kind in ParameterKind::ALL {
+            for kind in ParameterKind::ALL.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
                 if self.contains(kind, cable) && !hold.contains(kind, cable) {
                     let count = if kind.is_anchor() { model.axes().len() } else { 1 };
                     parameters.extend((0..count).map(|axis| Parameter { cable, kind, axis }));
                 }
             }
         }
+        let kind = ParameterKind::Wrench;
+        if self.contains(kind, 0) && !hold.contains(kind, 0) {
+            parameters.extend((0..model.dof()).map(|axis| Parameter { cable: 0, kind, axis }));
+        }
         Ok(parameters)
+    }
+
+    /// True when this kind is free for some cable.
+    pub fn names(&self, kind: ParameterKind) -> bool {
+        self.selections.iter().any(|(other, _)| *other == kind)
     }
 
     fn check(&self, model: &Model) -> Result<(), ParameterError> {
         self.check_cables(model)?;
-        let radius_is_free = self.selections.iter().any(|(kind, _)| *kind == ParameterKind::PulleyRadius);
-        if radius_is_free && !model.composition().pulley {
-            return Err(ParameterError::NotInModel { model: model.composition().to_string() });
+        let composition = model.composition();
+        for &(kind, _) in &self.selections {
+            let effect = match kind {
+                ParameterKind::PulleyRadius if !composition.pulley => "pulley",
+                kind if kind.needs_elasticity() && !composition.elastic => "elastic",
+                _ => continue,
+            };
+            return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
+        }
+        for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
+            let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant.is_some();
+            if let Some(cable) = (0..model.cable_count()).find(|cable| self.contains(kind, *cable) && is_spring(cable))
+            {
+                return Err(ParameterError::ConstantSpring { kind, cable: cable + 1 });
+            }
         }
         Ok(())
     }
@@ -240,6 +346,9 @@ impl FreeParameters {
     fn check_cables(&self, model: &Model) -> Result<(), ParameterError> {
         let cable_count = model.cable_count();
         for (kind, cables) in &self.selections {
+            if *kind == ParameterKind::Wrench && cables.is_some() {
+                return Err(ParameterError::WrenchOfCable);
+            }
             if let Some(&cable) = cables.iter().flatten().find(|&&cable| cable >= cable_count) {
                 return Err(ParameterError::NoSuchCable { kind: *kind, cable: cable + 1, cable_count });
             }
@@ -308,7 +417,13 @@ mod tests {
 
     #[test]
     fn the_free_language_survives_the_round_trip() {
-        for text in ["", "frame-anchor", "frame-anchor[1,3],length-offset", "length-scale,pulley-radius[8]"] {
+        for text in [
+            "",
+            "frame-anchor",
+            "frame-anchor[1,3],length-offset",
+            "length-scale,pulley-radius[8]",
+            "compliance,wrench",
+        ] {
             let free: FreeParameters = text.parse().unwrap();
             assert_eq!(free.to_string(), text);
         }
@@ -324,7 +439,7 @@ mod tests {
             "frame-anchor]",
             "length-offset,",
             "frame-anchor[1]x",
-            "compliance",
+            "complience",
             ",",
             "frame-anchor[-1]",
             "frame-anchor[99999999999999999999999]",

@@ -239,7 +239,8 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
     let robot = robot_of(vec![tilted_pulley_cable()]);
     let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
     let gradient = model.cable_gradient(0, &tilted_pose()).unwrap();
-    let free = FreeParameters::of(&ParameterKind::ALL);
+    let kinds: Vec<_> = ParameterKind::ALL.into_iter().filter(|kind| !kind.needs_elasticity()).collect();
+    let free = FreeParameters::of(&kinds);
     for parameter in free.parameters(&model, &FreeParameters::default()).unwrap() {
         let recorded = |value: f64| {
             let mut changed = robot.clone();
@@ -255,6 +256,7 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
             ParameterKind::LengthOffset => gradient.length_offset,
             ParameterKind::LengthScale => gradient.length_scale,
             ParameterKind::PulleyRadius => gradient.pulley_radius,
+            other => unreachable!("{other} is not free here"),
         };
         assert!((slope - analytic).abs() < 1e-8, "{}: {slope} {analytic}", parameter.name(&robot));
     }

@@ -7,7 +7,7 @@ use crate::model::Model;
 
 /// Cables whose recorded lengths are far from the modelled ones before the fit: a wrong unit, order or robot, which a fit
 /// would turn into absurd parameters.
-pub(super) fn suspicious_units(model: &Model, samples: &Samples) -> Vec<String> {
+pub(in crate::identification) fn suspicious_units(model: &Model, samples: &Samples) -> Vec<String> {
     let mut warnings = Vec::new();
     for cable in 0..model.cable_count() {
         let (mut recorded, mut modelled) = (0.0, 0.0);
@@ -30,16 +30,12 @@ pub(super) fn suspicious_units(model: &Model, samples: &Samples) -> Vec<String> 
     warnings
 }
 
-/// What the noise, the weights and the bounds give reason to say.
+/// What the noise and the bounds of a kinematic fit give reason to say.
 pub(super) fn of_fit(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {
     let mut warnings = Vec::new();
-    if weights.absolute && noise_factor > 2.0 {
-        warnings.push(format!(
-            "the residuals are {noise_factor:.1} times larger than the sensor accuracies explain: the model lacks something, \
-             or the accuracies are too optimistic; standard deviations are enlarged by this factor"
-        ));
-    }
-    if !weights.absolute && !estimates.is_empty() {
+    if weights.absolute {
+        warnings.extend(of_noise(true, noise_factor, estimates.len()));
+    } else if !estimates.is_empty() {
         // equal weights: the first one is that of all
         let noise = weights.of_cable(0).first().map_or(f64::NAN, |weight| 1e3 * noise_factor / weight);
         warnings.push(format!(
@@ -47,8 +43,27 @@ pub(super) fn of_fit(weights: &Weights, noise_factor: f64, estimates: &[Estimate
              standard deviations come from the residuals of {noise:.2} mm"
         ));
     }
-    for estimate in estimates.iter().filter(|estimate| estimate.at_bound) {
-        warnings.push(format!("{} lies on its bound {}", estimate.name, estimate.value));
-    }
+    warnings.extend(of_bounds(estimates));
     warnings
+}
+
+/// Residuals larger than the sensors explain, or accuracies that nobody stated.
+pub(in crate::identification) fn of_noise(absolute: bool, noise_factor: f64, parameter_count: usize) -> Option<String> {
+    match absolute {
+        true if noise_factor > 2.0 => Some(format!(
+            "the residuals are {noise_factor:.1} times larger than the sensor accuracies explain: the model lacks something, \
+             or the accuracies are too optimistic; standard deviations are enlarged by this factor"
+        )),
+        false if parameter_count > 0 => Some(format!(
+            "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): 1 mm for lengths and 1 % of the \
+             mean for tensions are assumed, and standard deviations multiplied by {noise_factor:.2} to agree with the residuals"
+        )),
+        _ => None,
+    }
+}
+
+/// Parameters on a bound.
+pub(in crate::identification) fn of_bounds(estimates: &[Estimate]) -> Vec<String> {
+    let at_bound = estimates.iter().filter(|estimate| estimate.at_bound);
+    at_bound.map(|estimate| format!("{} lies on its bound {}", estimate.name, estimate.value)).collect()
 }

@@ -1,0 +1,18 @@
+//! Elastostatic identification in inverse form (eq. 4.38): each sample gives n wrench rows Aᵀ(x_M) f_M + w and m length
+//! rows, the recorded length that the model expects at the measured pose and tension minus the recorded one.
+//!
+//! Pose and tension enter several rows of a sample, so their noise is shared: the rows are weighed with their full
+//! covariance, to first order Σ = N diag(σ²) Nᵀ with N the rows' derivatives by everything that is measured.
+
+mod analysis;
+mod covariance;
+mod descent;
+mod normal;
+mod optimum;
+mod rows;
+#[cfg(test)]
+mod tests;
+
+pub(super) use analysis::report;
+pub use optimum::Basin;
+pub(super) use optimum::find;

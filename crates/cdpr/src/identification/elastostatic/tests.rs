@@ -1,0 +1,187 @@
+//! Rows against dual numbers, and optima of exact data.
+
+use nalgebra::{Const, DVector, SVector, Vector3};
+use num_dual::DualVec;
+
+use super::rows::{RowModel, SampleRows};
+use crate::cable::elasticity::Elasticity;
+use crate::cable::outlet;
+use crate::geometry::Pose;
+use crate::identification::fit::{Prior, Settings, Status, fit};
+use crate::measurement::{Samples, SensorSigmas};
+use crate::model::{Composition, FreeParameters, Model, Parameter, ParameterKind};
+use crate::robot::{Robot, StiffnessBasis};
+use crate::scalar::{add, cross, rotate};
+use crate::statics::Load;
+
+/// Derivatives by frame anchor, platform anchor, offset, scale, radius, compliance, hidden length, tension scale and offset.
+const PARAMETERS: usize = 13;
+type Dual = DualVec<f64, Const<PARAMETERS>>;
+
+fn variable(value: f64, index: usize) -> Dual {
+    Dual::new(value, num_dual::Derivative::some(SVector::<f64, PARAMETERS>::ith(index, 1.0)))
+}
+
+/// The first cable of a robot with pulleys, every kind of parameter away from its neutral value.
+fn odd_robot(basis: StiffnessBasis) -> Robot {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
+    for cable in &mut robot.cables {
+        cable.pulley_swivel_axis = Some(Vector3::new(0.1, -0.2, 0.9).normalize());
+        cable.stiffness_by = Some(basis);
+        cable.hidden_length = Some(3.0);
+        cable.series_compliance = Some(1e-7);
+        (cable.length_scale, cable.length_offset) = (Some(1.03), Some(-0.2));
+        (cable.tension_scale, cable.tension_offset) = (Some(0.97), Some(40.0));
+    }
+    robot
+}
+
+fn pose() -> Pose {
+    Pose::from_xyz_angles(Vector3::new(0.3, -0.2, 1.4), [0.05, -0.1, 0.08])
+}
+
+/// Rows of the first cable in dual numbers: \[u; b × u\] f and the recorded length.
+fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
+    let cable = &robot.cables[0];
+    let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
+    let lever = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 3));
+    let anchor = add([0, 1, 2].map(|k| Dual::from(pose.position[k])), lever);
+    let axis = cable.pulley_swivel_axis.unwrap();
+    let radius = variable(cable.pulley_radius.unwrap(), 8);
+    let course =
+        outlet::pulley::course(numbers(cable.frame_anchor, 0), [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor);
+    let tension = (Dual::from(recorded_tension) - variable(cable.tension_offset.unwrap(), 12))
+        / variable(cable.tension_scale.unwrap(), 11);
+    let specific = variable(1.0 / cable.axial_stiffness.unwrap(), 9);
+    let constant = specific * variable(cable.hidden_length.unwrap(), 10) + cable.series_compliance.unwrap();
+    let zero = Dual::from(0.0);
+    let law = match cable.stiffness_by {
+        Some(StiffnessBasis::Unstrained) => Elasticity { by_length: zero, by_controlled_length: specific, constant },
+        _ => Elasticity { by_length: specific, by_controlled_length: zero, constant },
+    };
+    let controlled = law.controlled_length(course.length, tension);
+    let length = variable(cable.length_scale.unwrap(), 7) * controlled + variable(cable.length_offset.unwrap(), 6);
+    let moment = cross(lever, course.direction);
+    let u = course.direction;
+    [
+        u[0] * tension,
+        u[1] * tension,
+        u[2] * tension,
+        moment[0] * tension,
+        moment[1] * tension,
+        moment[2] * tension,
+        length,
+    ]
+}
+
+#[test]
+fn the_rows_derivatives_agree_with_dual_numbers() {
+    for basis in [StiffnessBasis::Actual, StiffnessBasis::Unstrained] {
+        let robot = odd_robot(basis);
+        let model = Model::new(robot.clone(), Composition::PULLEY_ELASTIC).unwrap();
+        let free = FreeParameters::of(&ParameterKind::ALL);
+        let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
+        let mut rows = SampleRows::new(&model, parameters.len());
+        let samples = Samples { poses: vec![pose()], lengths: vec![8.0; 8], cable_count: 8, ..Samples::default() };
+        let tensions = vec![3000.0; 8];
+        let load = Load::of(&robot).unwrap();
+        RowModel::new(&model, load, &parameters).write(&samples, &tensions, 0, &mut rows);
+        let expected = dual_rows(&robot, &pose(), tensions[0]);
+        for (column, Parameter { kind, axis, .. }) in parameters.iter().take(PARAMETERS).enumerate() {
+            let place = match kind {
+                ParameterKind::FrameAnchor => *axis,
+                ParameterKind::PlatformAnchor => 3 + axis,
+                ParameterKind::LengthOffset => 6,
+                ParameterKind::LengthScale => 7,
+                ParameterKind::PulleyRadius => 8,
+                ParameterKind::Compliance => 9,
+                ParameterKind::HiddenLength => 10,
+                ParameterKind::TensionScale => 11,
+                _ => 12,
+            };
+            for (row, dual) in expected.iter().enumerate() {
+                let exact = dual.eps.unwrap_generic(Const, Const::<1>)[place];
+                let found = rows.entries[row * rows.stride + column];
+                // rounding, relative to the size of the entry; exact zeros may be rounding of terms that cancel
+                assert!(
+                    (found - exact).abs() <= 1e-11 * exact.abs().max(1.0),
+                    "{kind} {axis} row {row}: {found} {exact}"
+                );
+            }
+        }
+    }
+}
+
+/// Poses, tensions and lengths that contradict nothing: tensions balance the load, lengths follow from them.
+fn exact_samples(machine: &Model, count: usize) -> Samples {
+    let load = Load::of(machine.robot()).unwrap();
+    let mut samples = Samples { cable_count: machine.cable_count(), ..Samples::default() };
+    let mut tensions = Vec::new();
+    for index in 0..count {
+        let t = index as f64;
+        let position = Vector3::new(1.3 * (1.7 * t).sin(), 1.2 * (2.3 * t).cos(), 1.6 + 0.4 * (0.9 * t).sin());
+        let turns = [0.06 * (1.1 * t).cos(), 0.07 * (0.7 * t).sin(), 0.05 * (3.1 * t).sin()];
+        let pose = Pose::from_xyz_angles(position, turns);
+        let structure = machine.structure_matrix(&pose).unwrap();
+        // another level of tension at every pose tells the stiffness
+        let middle = DVector::from_fn(8, |cable, _| 3500.0 + 1500.0 * (t + 1.3 * cable as f64).sin());
+        let missing = &structure * &middle + load.in_pattern(machine, &pose);
+        let tension = &middle - structure.pseudo_inverse(1e-12).unwrap() * missing;
+        for cable in 0..8 {
+            let length = machine.course(cable, &pose).unwrap().0.length;
+            let controlled = machine.elasticity(cable).controlled_length(length, tension[cable]);
+            samples.lengths.push(machine.recorded_length(cable, controlled));
+            tensions.push(machine.recorded_tension(cable, tension[cable]));
+        }
+        samples.poses.push(pose);
+    }
+    samples.tensions = Some(tensions);
+    samples.sigmas =
+        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: Some(50.0) };
+    samples
+}
+
+/// 62 parameters of exact data come back whatever the start.
+#[test]
+fn exact_data_give_the_true_parameters_back_from_every_start() {
+    let truth = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let machine = Model::new(truth.clone(), Composition::ELASTIC).unwrap();
+    let samples = exact_samples(&machine, 60);
+    let mut start = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    start.cables.iter_mut().zip(&truth.cables).for_each(|(cable, true_cable)| {
+        cable.axial_stiffness = Some(2e6);
+        // the anchors' common shift is weak: only a prior at the true place makes the truth the optimum
+        cable.platform_anchor = true_cable.platform_anchor;
+    });
+    let model = Model::new(start, Composition::ELASTIC).unwrap();
+    let free: FreeParameters = "frame-anchor,platform-anchor,compliance,wrench".parse().unwrap();
+    let settings = Settings {
+        priors: vec![Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 }],
+        starts: 10,
+        ..Settings::default()
+    };
+    let found = fit(&model, &samples, &free, &settings).unwrap();
+    assert_eq!((found.status, found.parameters.len()), (Status::Converged, 62), "{}", found.reason);
+    assert_eq!((found.basins.len(), found.basins[0].starts), (1, 10), "{:?}", found.basins);
+    for (cable, true_cable) in found.model.robot().cables.iter().zip(&truth.cables) {
+        // the data are exact: only the tolerance of the fit is left
+        assert!((cable.frame_anchor - true_cable.frame_anchor).norm() < 1e-6, "{}", cable.name);
+        let ratio = cable.axial_compliance.unwrap() * true_cable.axial_stiffness.unwrap();
+        assert!((ratio - 1.0).abs() < 1e-4, "cable {}: {ratio}", cable.name);
+    }
+    let wrench = found.model.robot().external_wrench.as_ref().unwrap().wrench;
+    assert!((wrench - truth.external_wrench.unwrap().wrench).amax() < 1e-2, "{wrench}");
+}
+
+#[test]
+fn tensions_that_push_are_refused_with_their_rows() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let mut samples = exact_samples(&model, 12);
+    samples.tensions.as_mut().unwrap()[3 * 8 + 4] = -900.0;
+    let error = fit(&model, &samples, &"compliance".parse().unwrap(), &Settings::default()).unwrap_err().to_string();
+    assert!(error.contains("cable 5") && error.contains("sample 4") && error.contains("-900"), "{error}");
+    samples.tensions = None;
+    let error = fit(&model, &samples, &"compliance".parse().unwrap(), &Settings::default()).unwrap_err().to_string();
+    assert!(error.contains("tension_N_1"), "{error}");
+}
