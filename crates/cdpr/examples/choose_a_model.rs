@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let mut pose = home;
             pose.position +=
                 Vector3::new(f64::from(k % 5) - 2.0, f64::from(k / 5 % 5) - 2.0, f64::from(k / 25) - 2.0) * 0.4;
-            CommandedPose { pose, set: None }
+            CommandedPose::at(pose)
         })
         .collect();
     let noise = SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: None };

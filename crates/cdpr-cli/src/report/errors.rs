@@ -1,7 +1,7 @@
 //! Error tables: before and after, and fold by fold.
 
 use cdpr::identification::ErrorBlocks;
-use cdpr::identification::evaluation::PoseError;
+use cdpr::metamodel::errors::PoseError;
 use minijinja::Value;
 
 use super::table::{Cell, Table};

@@ -1,5 +1,6 @@
 //! A control model on a machine: what emerges when one model's lengths drive another.
 
+pub mod errors;
 pub mod simulate;
 pub mod study;
 

@@ -146,6 +146,24 @@ pub struct CommandedPose {
     pub pose: Pose,
     /// Name of the subset.
     pub set: Option<String>,
+    /// A cable whose winch pulls in more than the control model asks for.
+    pub shortened: Option<Shortening>,
+}
+
+/// One cable of a tension test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shortening {
+    /// The cable, from 0.
+    pub cable: usize,
+    /// By how much it is shortened (m).
+    pub by: f64,
+}
+
+impl CommandedPose {
+    /// This pose, in no subset and with all cables as the control model wants them.
+    pub fn at(pose: Pose) -> Self {
+        Self { pose, set: None, shortened: None }
+    }
 }
 
 /// JSON Schema of study files.
@@ -248,12 +266,17 @@ impl Study {
     ) -> Result<Vec<CommandedPose>, crate::geometry::PatternError> {
         let Some(poses) = &self.poses else { return Ok(Vec::new()) };
         let file_set = poses.file.as_ref().and_then(|file| file.set.clone());
-        let mut all: Vec<CommandedPose> =
-            from_file.into_iter().map(|pose| CommandedPose { pose, set: file_set.clone() }).collect();
+        let mut all: Vec<CommandedPose> = from_file
+            .into_iter()
+            .map(|pose| CommandedPose { set: file_set.clone(), ..CommandedPose::at(pose) })
+            .collect();
         let Some(grid) = &poses.grid else { return Ok(all) };
         let pattern = robot.motion_pattern;
         for components in grid.points() {
-            all.push(CommandedPose { pose: pattern.pose(robot.plane, &components)?, set: grid.set.clone() });
+            all.push(CommandedPose {
+                set: grid.set.clone(),
+                ..CommandedPose::at(pattern.pose(robot.plane, &components)?)
+            });
         }
         // an empty grid still has to fit the pattern
         pattern.pose(robot.plane, &grid.min)?;
@@ -261,7 +284,10 @@ impl Study {
             let mut rng = ChaCha8Rng::seed_from_u64(seed);
             for _ in 0..random.count {
                 let components = random.components(grid, pattern.translations(), &mut rng);
-                all.push(CommandedPose { pose: pattern.pose(robot.plane, &components)?, set: random.set.clone() });
+                all.push(CommandedPose {
+                    set: random.set.clone(),
+                    ..CommandedPose::at(pattern.pose(robot.plane, &components)?)
+                });
             }
         }
         Ok(all)

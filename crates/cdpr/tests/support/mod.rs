@@ -61,7 +61,7 @@ pub(crate) fn displaced(pose: &Pose, shift: f64, turn: f64, rng: &mut ChaCha8Rng
 
 pub(crate) fn random_poses(robot: &Robot, count: usize, angle: f64, seed: u64) -> Vec<CommandedPose> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    (0..count).map(|_| CommandedPose { pose: random_pose(robot, angle, &mut rng), set: None }).collect()
+    (0..count).map(|_| CommandedPose::at(random_pose(robot, angle, &mut rng))).collect()
 }
 
 /// What a machine records at random poses with orientations within ± `angle` (rad).

@@ -6,7 +6,8 @@ use std::str::FromStr;
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::identification::evaluation::{ErrorBlocks, PoseError};
+use crate::identification::evaluation::ErrorBlocks;
+use crate::metamodel::errors::PoseError;
 
 /// An upper limit on one error figure, e.g. `position_mean_m=0.005`.
 #[derive(Clone, Debug, PartialEq)]
