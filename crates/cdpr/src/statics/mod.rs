@@ -1,5 +1,18 @@
-//! Forces at one pose: the load on the platform and what balances it.
+//! Forces at one pose: the load on the platform, what balances it, and how stiffly.
+//!
+//! Everything is asked at a given pose with given tensions, in the motion pattern's degrees of freedom. Tensions are pull
+//! positive and never negative; the law that made them is that of the model (see [`crate::cable::elasticity`]).
 
+mod balance;
+mod error;
 mod load;
+mod sections;
+mod stiffness;
+#[cfg(test)]
+mod tests;
 
+pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_residual};
+pub use error::StaticsError;
 pub use load::{Load, LoadError};
+pub use sections::section_wrench;
+pub use stiffness::{Stability, Stiffness};

@@ -1,0 +1,116 @@
+//! Balance of cable tensions and load: Aᵀ f + w = 0 read in both directions.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::error::{StaticsError, check_tensions};
+use super::{Load, section_wrench};
+use crate::geometry::{Pose, Wrench};
+use crate::model::Model;
+
+/// Tensions in two parts that add up to them (eq. 2.38–2.40).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Split {
+    /// f_int = H λ: the part that tightens the cables against each other, without wrench, Aᵀ f_int = 0 (N).
+    pub internal: Vec<f64>,
+    /// f_ext = A⁺ᵀ Aᵀ f: the part that carries the load, the shortest tensions with the wrench of f (N). Entries may be
+    /// negative: only the sum of both parts is a tension.
+    pub external: Vec<f64>,
+    /// Rank of the structure matrix; the internal part has m − rank dimensions.
+    pub rank: usize,
+}
+
+/// The constant external wrench that these tensions balance, w = −Aᵀ f (world axes, moment about the platform origin;
+/// N, N·m).
+///
+/// With measured tensions it is the load estimation of Miermeister 2021, eq. 6.22 and 6.23. Components that the motion
+/// pattern does not have are zero: out of the plane, and the moment on a point platform.
+pub fn balanced_wrench(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Wrench, StaticsError> {
+    let all: Vec<usize> = (0..model.cable_count()).collect();
+    Ok(-section_wrench(model, pose, tensions, &all)?)
+}
+
+/// What is missing to equilibrium, Aᵀ f + w, in the n degrees of freedom of the model (N, N·m): zero when the tensions
+/// balance the load. The platform starts to move in its direction.
+pub fn wrench_residual(
+    model: &Model,
+    pose: &Pose,
+    tensions: &[f64],
+    load: &Load,
+) -> Result<DVector<f64>, StaticsError> {
+    let missing = load.wrench(pose) - balanced_wrench(model, pose, tensions)?;
+    Ok(DVector::from_iterator(model.dof(), model.twist_basis().iter().map(|twist| twist.dot(&missing))))
+}
+
+/// The internal and the external part of tensions at a pose (eq. 2.40).
+///
+/// With full rank n the external part is A (AᵀA)⁻¹ Aᵀ f (eq. 2.39). Where Aᵀ has less rank, AᵀA has no inverse; the
+/// projector onto the row space of Aᵀ still exists and is used: the external part is then the shortest set of tensions with
+/// the same wrench. A row of which the others leave less than 10·max(n, m)·ε of the longest row (moment rows divided by the
+/// platform radius, so that all are without unit) counts as dependent: that much is rounding of the matrix. Scaling rows
+/// does not change the row space, so the radius matters for the rank alone.
+pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Split, StaticsError> {
+    check_tensions(model, tensions)?;
+    let mut matrix = model.structure_matrix(pose)?;
+    for row in model.robot().motion_pattern.translations()..model.dof() {
+        matrix.row_mut(row).scale_mut(1.0 / model.platform_radius());
+    }
+    let basis = column_space(matrix.transpose());
+    let f = DVector::from_column_slice(tensions);
+    let external = &basis * basis.tr_mul(&f);
+    let internal = &f - &external;
+    Ok(Split { internal: internal.as_slice().to_vec(), external: external.as_slice().to_vec(), rank: basis.ncols() })
+}
+
+/// Orthonormal columns that span the columns of a matrix: modified Gram–Schmidt with pivoting. Ends after n steps whatever
+/// the numbers are.
+fn column_space(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
+    let (rows, columns) = matrix.shape();
+    let longest = |matrix: &DMatrix<f64>, from: usize| {
+        (from..columns).map(|column| (column, matrix.column(column).norm())).max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let reference = longest(&matrix, 0).map_or(0.0, |(_, norm)| norm);
+    let tolerance = 10.0 * rows.max(columns) as f64 * f64::EPSILON * reference;
+    let mut rank = 0;
+    while let Some((pivot, norm)) = longest(&matrix, rank)
+        && norm > tolerance
+    {
+        matrix.swap_columns(rank, pivot);
+        // a second time: what a first removal leaves is rounding beside a short column
+        (0..rank).for_each(|unit| remove_share(&mut matrix, rank, unit));
+        let norm = matrix.column(rank).norm();
+        matrix.column_mut(rank).scale_mut(1.0 / norm);
+        (rank + 1..columns).for_each(|column| remove_share(&mut matrix, column, rank));
+        rank += 1;
+    }
+    matrix.columns(0, rank).into_owned()
+}
+
+/// Takes from a column what it has of a unit column.
+fn remove_share(matrix: &mut DMatrix<f64>, column: usize, unit: usize) {
+    let unit = matrix.column(unit).into_owned();
+    let share = matrix.column(column).dot(&unit);
+    matrix.column_mut(column).axpy(-share, &unit, 1.0);
+}
+
+/// Controlled lengths q_θ with which the cables have these tensions at this pose (m): the exact inverse of the elastic law
+/// (eq. 2.37, 2.41); the geometric lengths where the model does not stretch.
+///
+/// Whether the tensions balance a load is not asked (see [`wrench_residual`]).
+pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
+    check_tensions(model, tensions)?;
+    let length = |(index, &tension): (usize, &f64)| {
+        let q = model.course(index, pose)?.0.length;
+        controlled_length(model, index, q, tension)
+    };
+    tensions.iter().enumerate().map(length).collect()
+}
+
+/// q_θ of one cable, which must be positive.
+pub(super) fn controlled_length(model: &Model, index: usize, length: f64, tension: f64) -> Result<f64, StaticsError> {
+    let controlled = model.elasticity(index).controlled_length(length, tension);
+    // written so that NaN is refused too
+    if !(controlled > 0.0) {
+        return Err(StaticsError::Overstretched { cable: index + 1, tension, length });
+    }
+    Ok(controlled)
+}

@@ -1,0 +1,91 @@
+//! Input that the statics of a robot cannot use.
+
+use thiserror::Error;
+
+use crate::cable::DegenerateCourse;
+use crate::model::Model;
+
+/// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no course.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StaticsError {
+    /// Another number of tensions than cables.
+    #[error("expected {expected} cable tensions, one per cable, found {found}")]
+    TensionCount {
+        /// Number of cables.
+        expected: usize,
+        /// Number of tensions.
+        found: usize,
+    },
+    /// A tension that is NaN or infinite.
+    #[error("cable {cable}: the tension is {value}; a tension is a finite number (N)")]
+    NotFinite {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// What was given.
+        value: f64,
+    },
+    /// A tension with which the cable would push.
+    #[error("cable {cable}: a tension of {value} N would push, which a cable cannot; pull is positive, slack is 0")]
+    Negative {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// What was given (N).
+        value: f64,
+    },
+    /// A tension that leaves no unstretched cable.
+    #[error(
+        "cable {cable}: a tension of {tension} N would stretch it by its whole length of {length} m; check the units of tension (N) and stiffness (axial_stiffness_EA_N in N)"
+    )]
+    Overstretched {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Tension (N).
+        tension: f64,
+        /// Geometric length (m).
+        length: f64,
+    },
+    /// A stiffness was asked of a cable that does not stretch.
+    #[error("cable {cable} does not stretch, so its stiffness is infinite; {cure}")]
+    Rigid {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// How to get a finite one.
+        cure: String,
+    },
+    /// A cable group names a cable that the robot does not have.
+    #[error("the group names cable {cable}, but the robot has the cables 1 to {count}")]
+    UnknownCable {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Number of cables.
+        count: usize,
+    },
+    /// A cable group names a cable twice.
+    #[error("the group names cable {cable} twice")]
+    RepeatedCable {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// A cable has no unique course at the pose.
+    #[error(transparent)]
+    Course(#[from] DegenerateCourse),
+}
+
+/// One finite tension of zero or more per cable, or an error that names the cable.
+pub(super) fn check_tensions(model: &Model, tensions: &[f64]) -> Result<(), StaticsError> {
+    let (expected, found) = (model.cable_count(), tensions.len());
+    if expected != found {
+        return Err(StaticsError::TensionCount { expected, found });
+    }
+    for (index, &value) in tensions.iter().enumerate() {
+        let cable = index + 1;
+        if !value.is_finite() {
+            return Err(StaticsError::NotFinite { cable, value });
+        }
+        if value < 0.0 {
+            return Err(StaticsError::Negative { cable, value });
+        }
+    }
+    Ok(())
+}

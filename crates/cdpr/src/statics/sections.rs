@@ -1,0 +1,33 @@
+//! Wrenches of groups of cables: what a part of the platform has to carry.
+
+use super::error::{StaticsError, check_tensions};
+use crate::geometry::{Pose, Wrench};
+use crate::model::Model;
+use crate::scalar::cross;
+
+/// Wrench that a group of cables (0-based) exerts on the platform, A₁ᵀ f₁ (eq. 5.11; world axes, moment about the platform
+/// origin; N, N·m).
+///
+/// Where the group's cables hold on to one mounting unit, the section between that unit and the rest of the platform
+/// carries this wrench, as far as no other load acts on the unit: the wrenches of groups that make up all cables add up
+/// to −w. Components that the motion pattern does not have are zero.
+pub fn section_wrench(model: &Model, pose: &Pose, tensions: &[f64], cables: &[usize]) -> Result<Wrench, StaticsError> {
+    check_tensions(model, tensions)?;
+    let count = model.cable_count();
+    let mut wrench = Wrench::zeros();
+    for (place, &index) in cables.iter().enumerate() {
+        let cable = index + 1;
+        if index >= count {
+            return Err(StaticsError::UnknownCable { cable, count });
+        }
+        if cables[..place].contains(&index) {
+            return Err(StaticsError::RepeatedCable { cable });
+        }
+        let (course, lever) = model.course(index, pose)?;
+        let u = course.direction;
+        let moment = cross(lever.into(), u);
+        wrench += Wrench::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]) * tensions[index];
+    }
+    // the basis is orthonormal, so this keeps what the pattern has
+    Ok(model.twist_basis().iter().map(|twist| twist * twist.dot(&wrench)).sum())
+}

@@ -1,0 +1,202 @@
+//! Stiffness of the platform at a pose with given tensions: K_C, K_G, the load's share, and what follows from them.
+
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
+
+use super::Load;
+use super::balance::controlled_length;
+use super::error::{StaticsError, check_tensions};
+use crate::cable::Course;
+use crate::geometry::{Pose, Twist};
+use crate::model::Model;
+use crate::scalar::cross;
+
+/// How the wrench on the platform answers to small displacements at fixed controlled lengths.
+///
+/// All matrices are in the motion pattern's n degrees of freedom: forces by displacements in N/m, mixed parts in N, moments
+/// by turns in N·m/rad. Balance Aᵀ f(q, q_θ) + w = 0, differentiated (eq. 2.66, 2.74), reads
+///
+/// (K_G + ∂w/∂x − K_C) δx − K_wq δq_θ + δw = 0,  so  δx = K_wx⁻¹ (δw − K_wq δq_θ)  with  K_wx = K_C − K_G − ∂w/∂x.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stiffness {
+    /// K_C = Aᵀ K A from the stretch of the cables, n × n (eq. 2.75).
+    pub cable: DMatrix<f64>,
+    /// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x from turning cables and levers, n × n (eq. 2.67).
+    pub geometric: DMatrix<f64>,
+    /// ∂w/∂x: the weight's moment turns with the platform, n × n.
+    pub load: DMatrix<f64>,
+    /// K_wx = K_C − K_G − ∂w/∂x, n × n: the stiffness of the system.
+    pub system: DMatrix<f64>,
+    /// K_wq = Aᵀ K_θ, n × m (eq. 2.79).
+    pub by_controlled_length: DMatrix<f64>,
+    /// Diagonal of K: ∂fᵢ/∂qᵢ at fixed controlled length (N/m).
+    pub cable_stiffness: Vec<f64>,
+    /// Diagonal of K_θ: −∂fᵢ/∂q_θ,ᵢ at fixed geometric length (N/m). It differs from K by 1 + strain.
+    pub controlled_length_stiffness: Vec<f64>,
+    /// Controlled lengths q_θ that belong to the tensions (m).
+    pub controlled_lengths: Vec<f64>,
+    /// Scales twists to \[δr; ρ δφ\], all metres: 1 for translations, 1/ρ for turns.
+    scaling: DVector<f64>,
+}
+
+/// What small displacements do to an equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// The platform is driven back in all directions.
+    Stable,
+    /// In some direction nothing drives it back, to within rounding.
+    Indifferent,
+    /// In some direction it is driven away.
+    Unstable,
+}
+
+/// Eigenvalues this small beside the largest, and singular values beside the largest, cannot be told from rounding.
+const ROUNDING: f64 = 1e-13;
+
+impl Stiffness {
+    /// Stiffness where the cables have these tensions (N) and the platform carries this load.
+    ///
+    /// Controlled lengths are those that belong to the tensions and stay fixed. A cable without tension is slack: it
+    /// neither stretches nor turns a force, so it adds nothing. Balance of tensions and load is not required, but only at an
+    /// equilibrium do the matrices say what the platform does.
+    pub fn at(model: &Model, pose: &Pose, tensions: &[f64], load: &Load) -> Result<Self, StaticsError> {
+        check_tensions(model, tensions)?;
+        let (n, m) = (model.dof(), model.cable_count());
+        let structure_matrix = model.structure_matrix(pose)?;
+        let mut stiffness = Self {
+            cable: DMatrix::zeros(n, n),
+            geometric: DMatrix::zeros(n, n),
+            load: in_pattern(model, &load.gradient(pose)),
+            system: DMatrix::zeros(n, n),
+            by_controlled_length: structure_matrix.clone(),
+            cable_stiffness: Vec::with_capacity(m),
+            controlled_length_stiffness: Vec::with_capacity(m),
+            controlled_lengths: Vec::with_capacity(m),
+            scaling: scaling(model),
+        };
+        let mut geometric = Matrix6::zeros();
+        for (index, &tension) in tensions.iter().enumerate() {
+            let (course, lever) = model.course(index, pose)?;
+            stiffness.stretch(model, index, course.length, tension)?;
+            geometric += turning(&course, lever.into()) * tension;
+            let column = structure_matrix.column(index);
+            stiffness.cable.ger(stiffness.cable_stiffness[index], &column, &column, 1.0);
+            stiffness.by_controlled_length.column_mut(index).scale_mut(stiffness.controlled_length_stiffness[index]);
+        }
+        stiffness.geometric = in_pattern(model, &geometric);
+        stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
+        Ok(stiffness)
+    }
+
+    /// Appends controlled length, K and K_θ of the next cable.
+    fn stretch(&mut self, model: &Model, index: usize, length: f64, tension: f64) -> Result<(), StaticsError> {
+        let law = model.elasticity(index);
+        if law.is_rigid() {
+            return Err(StaticsError::Rigid { cable: index + 1, cure: cure(model, index) });
+        }
+        let controlled = controlled_length(model, index, length, tension)?;
+        let derivatives = law.tension(length, controlled);
+        let taut = if tension > 0.0 { 1.0 } else { 0.0 };
+        self.controlled_lengths.push(controlled);
+        self.cable_stiffness.push(taut * derivatives.by_length);
+        self.controlled_length_stiffness.push(-taut * derivatives.by_controlled_length);
+        Ok(())
+    }
+
+    /// Compliance K_wx⁻¹, the displacement per wrench, δx = K_wx⁻¹ δw (m/N, 1/N, rad/(N·m)); `None` when the stiffness is
+    /// singular: then some displacement meets no resistance.
+    ///
+    /// The sign is that of δx = +K_wx⁻¹ δw; eq. 2.78 prints the other.
+    pub fn compliance(&self) -> Option<DMatrix<f64>> {
+        let scaled = self.scaled(&self.system);
+        let values = finite(&scaled)?.clone().try_svd(false, false, f64::EPSILON, ITERATIONS)?.singular_values;
+        if !(values.min() > ROUNDING * values.max()) {
+            return None;
+        }
+        // (S K S)⁻¹ = S⁻¹ K⁻¹ S⁻¹
+        Some(self.scaled(&scaled.try_inverse()?))
+    }
+
+    /// Displacement of the platform per change of the controlled lengths, −K_wx⁻¹ K_wq, n × m (eq. 2.80); `None` as for
+    /// [`Stiffness::compliance`].
+    pub fn pose_by_controlled_lengths(&self) -> Option<DMatrix<f64>> {
+        Some(-(self.compliance()? * &self.by_controlled_length))
+    }
+
+    /// Eigenvalues of the symmetric part of K_wx, ascending (N/m), turns counted as the way of a point at the platform
+    /// radius. Empty when the numbers overflow.
+    ///
+    /// Moments of constant direction add a skew part to K_wx; the work of a displacement, and so stability, sees only the
+    /// symmetric part.
+    pub fn eigenvalues(&self) -> Vec<f64> {
+        let symmetric = self.scaled(&((&self.system + self.system.transpose()) * 0.5));
+        let decomposed = finite(&symmetric).and_then(|m| SymmetricEigen::try_new(m.clone(), f64::EPSILON, ITERATIONS));
+        let mut values = decomposed.map_or_else(Vec::new, |eigen| eigen.eigenvalues.as_slice().to_vec());
+        values.sort_by(f64::total_cmp);
+        values
+    }
+
+    /// Judges an equilibrium by the smallest of the [eigenvalues](Stiffness::eigenvalues).
+    pub fn stability(&self) -> Stability {
+        let values = self.eigenvalues();
+        let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        match values.first() {
+            Some(&smallest) if smallest > ROUNDING * largest => Stability::Stable,
+            Some(&smallest) if smallest < -ROUNDING * largest => Stability::Unstable,
+            _ => Stability::Indifferent,
+        }
+    }
+
+    /// S M S.
+    fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] * self.scaling[i] * self.scaling[j])
+    }
+}
+
+/// Far more than a matrix of six rows needs.
+const ITERATIONS: usize = 1000;
+
+fn finite(matrix: &DMatrix<f64>) -> Option<&DMatrix<f64>> {
+    matrix.iter().all(|x| x.is_finite()).then_some(matrix)
+}
+
+fn scaling(model: &Model) -> DVector<f64> {
+    let translations = model.robot().motion_pattern.translations();
+    let radius = model.platform_radius();
+    DVector::from_fn(model.dof(), |row, _| if row < translations { 1.0 } else { 1.0 / radius })
+}
+
+/// ∂\[u; b × u\]/∂\[δr; δφ\]: the direction changes with the platform anchor, and the lever turns, δb = δφ × b.
+fn turning(course: &Course<f64>, lever: [f64; 3]) -> Matrix6<f64> {
+    let (_, rows) = course.by_pose(lever);
+    let mut matrix = Matrix6::zeros();
+    for axis in 0..6 {
+        let direction = [rows[0][axis], rows[1][axis], rows[2][axis]];
+        let mut moment = cross(lever, direction);
+        if axis >= 3 {
+            let unit = [0, 1, 2].map(|k| if k == axis - 3 { 1.0 } else { 0.0 });
+            let of_lever = cross(cross(unit, lever), course.direction);
+            moment = [0, 1, 2].map(|k| moment[k] + of_lever[k]);
+        }
+        for k in 0..3 {
+            matrix[(k, axis)] = direction[k];
+            matrix[(3 + k, axis)] = moment[k];
+        }
+    }
+    matrix
+}
+
+/// Bᵀ M B for the twist basis B.
+fn in_pattern(model: &Model, matrix: &Matrix6<f64>) -> DMatrix<f64> {
+    let basis: &[Twist] = model.twist_basis();
+    DMatrix::from_fn(basis.len(), basis.len(), |i, j| basis[i].dot(&(matrix * basis[j])))
+}
+
+fn cure(model: &Model, index: usize) -> String {
+    let mut composition = model.composition();
+    if composition.elastic {
+        let name = &model.robot().cables[index].name;
+        return format!("cable \"{name}\" has the compliance 0 in the robot file, give it an axial_stiffness_EA_N");
+    }
+    composition.elastic = true;
+    format!("the model `{}` knows rigid cables only, use `--model {composition}`", model.composition())
+}

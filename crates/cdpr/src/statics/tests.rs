@@ -1,0 +1,1 @@
+//! Derivatives against dual numbers and finite differences, and the laws of statics.
