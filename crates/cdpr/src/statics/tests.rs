@@ -1,1 +1,0 @@
-//! Derivatives against dual numbers and finite differences, and the laws of statics.
