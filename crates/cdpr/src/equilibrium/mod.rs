@@ -1,3 +1,5 @@
 //! Forward problems: which pose follows from the cables.
 
+pub mod elastostatics;
 pub mod forward_kinematics;
+mod restarts;

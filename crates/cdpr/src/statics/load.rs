@@ -81,6 +81,16 @@ impl Load {
         gradient
     }
 
+    /// The constant part (world axes, moment about the platform origin; N, N·m).
+    pub fn constant_part(&self) -> &Wrench {
+        &self.constant
+    }
+
+    /// The weight m g (world, N) and the centre of mass c it acts in (platform frame, m).
+    pub fn weight(&self) -> (&Vector3<f64>, &Vector3<f64>) {
+        (&self.weight, &self.center_of_mass)
+    }
+
     /// The wrench in the degrees of freedom of a model, the n rows of its structure matrix.
     pub fn in_pattern(&self, model: &Model, pose: &Pose) -> DVector<f64> {
         let wrench = self.wrench(pose);

@@ -7,7 +7,6 @@
 
 mod curvature;
 mod descent;
-mod restarts;
 #[cfg(test)]
 mod tests;
 mod verdict;
@@ -15,6 +14,7 @@ mod verdict;
 use descent::{Problem, Residuals};
 use thiserror::Error;
 
+use super::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::LANES;
@@ -209,7 +209,7 @@ fn search(problem: &Problem<'_>, guess: &Pose, residuals: &mut Residuals, soluti
     residuals.unpack(&mut solution.residuals);
     (solution.iterations, solution.restarts) = (best.iterations, 0);
     if !problem.is_good(&best) {
-        for start in problem.restart_poses(guess).take(problem.settings.max_restarts as usize) {
+        for start in restart_poses(problem.model, guess).take(problem.settings.max_restarts as usize) {
             let other = problem.descend(&start, residuals);
             solution.iterations += other.iterations;
             solution.restarts += 1;
@@ -226,7 +226,7 @@ fn search(problem: &Problem<'_>, guess: &Pose, residuals: &mut Residuals, soluti
     (solution.status, solution.reason) = problem.judge(&best, solution.restarts);
 }
 
-fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Result<(), InputError> {
+pub(super) fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Result<(), InputError> {
     let (expected, found) = (model.cable_count(), lengths.len());
     if expected != found {
         return Err(InputError::LengthCount { expected, found });

@@ -1,0 +1,203 @@
+//! Residual wrench, stiffness and energy at one pose, cables in lanes.
+
+use super::Problem;
+use crate::geometry::Pose;
+use crate::scalar::{LANES, Lanes, cross, dot};
+
+/// Springs that eight cables are, with the law f = k₀ e/(1 + κ_q k₀ e) of the stretch e = q − q_θ.
+///
+/// This is (q − q_θ)/c of [`crate::cable::elasticity`] with the compliance split at rest: c = 1/k₀ + κ_q e.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Springs {
+    /// Length without tension (m).
+    pub(super) rest_length: [f64; LANES],
+    /// k₀, stiffness without stretch (N/m); 0 for the copies that fill a group.
+    pub(super) stiffness: [f64; LANES],
+}
+
+/// Forces and their derivatives at one pose.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Balance {
+    /// Aᵀ f + w (N, N·m; world axes): minus the gradient of the energy.
+    pub(super) residual: [f64; 6],
+    /// Symmetric part of K_wx = K_C − K_G − ∂w/∂x, lower triangle.
+    pub(super) stiffness: [[f64; 6]; 6],
+    /// Elastic energy of the cables minus the work of forces and weight (N·m); constant moments have none.
+    pub(super) energy: f64,
+}
+
+/// Terms that one group of cables contributes: energy 1, residual 6, stiffness 6 + 9 + 6.
+const TERMS: usize = 28;
+/// The first terms, energy and residual, rounded up to whole fours.
+const FORCE_TERMS: usize = 8;
+
+impl Problem<'_> {
+    /// The balance at a pose, with tensions packed like the model's groups; without stiffness that is left at zero.
+    #[inline(always)]
+    pub(super) fn balance<L: Lanes>(
+        &self,
+        lanes: L,
+        pose: &Pose,
+        tensions: &mut [[f64; LANES]],
+        with_stiffness: bool,
+    ) -> Balance {
+        let rotation = pose.rotation_rows();
+        let position = pose.position.into();
+        let mut totals = [0.0; TERMS];
+        for ((group, springs), tensions) in self.model.groups().iter().zip(self.springs).zip(tensions) {
+            let (course, lever) = group.courses(lanes, position, &rotation);
+            let pull = self.pull(course.length, group.elasticity(lanes).by_length, springs);
+            pull.tension.store(tensions);
+            let zero = lanes.constant(0.0);
+            let mut terms = [zero; TERMS];
+            let (u, f) = (course.direction, pull.tension);
+            let moment = cross(lever, u);
+            terms[0] = pull.energy;
+            for k in 0..3 {
+                terms[1 + k] = f * u[k];
+                terms[4 + k] = f * moment[k];
+            }
+            if with_stiffness {
+                stiffness_terms(&mut terms, &course.direction_gradient, u, lever, &pull);
+            }
+            let count = if with_stiffness { TERMS } else { FORCE_TERMS };
+            for first in (0..count).step_by(4) {
+                let sums = L::sums([terms[first], terms[first + 1], terms[first + 2], terms[first + 3]]);
+                for k in 0..4 {
+                    totals[first + k] += sums[k];
+                }
+            }
+        }
+        let mut balance = unpack(&totals);
+        if !with_stiffness {
+            balance.stiffness = [[0.0; 6]; 6];
+        }
+        self.add_load(&mut balance, position, &rotation);
+        balance
+    }
+
+    #[inline(always)]
+    fn pull<L: Lanes>(&self, length: L, by_length: L, springs: &Springs) -> Pull<L> {
+        let lanes = length;
+        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let floor = lanes.constant(self.floor);
+        let at_rest = lanes.load(&springs.stiffness);
+        let stretch = (length - lanes.load(&springs.rest_length)).max(floor);
+        let taut = floor.is_less(stretch);
+        let force_at_rest = at_rest * stretch;
+        let strain = by_length * force_at_rest;
+        let softer = one / (one + strain);
+        // (z − ln(1 + z))/z² = ½ − z/3 + z²/4 − …, by a quotient that agrees to third order: the energy only judges steps
+        let share = (one + strain * lanes.constant(1.0 / 12.0)) / (one + strain * lanes.constant(0.75));
+        Pull {
+            tension: force_at_rest * softer,
+            stiffness: (at_rest * softer * softer).select(taut, zero),
+            energy: lanes.constant(0.5) * force_at_rest * stretch * share,
+        }
+    }
+
+    /// Adds forces, weight and constant moment; weight acts in R c and turns with the platform.
+    #[inline(always)]
+    fn add_load(&self, balance: &mut Balance, position: [f64; 3], rotation: &[[f64; 3]; 3]) {
+        let load = &self.load;
+        let c = [
+            dot(rotation[0], load.center_of_mass),
+            dot(rotation[1], load.center_of_mass),
+            dot(rotation[2], load.center_of_mass),
+        ];
+        let g = load.weight;
+        let moment = cross(c, g);
+        for k in 0..3 {
+            balance.residual[k] += load.constant[k] + g[k];
+            balance.residual[3 + k] += load.constant[3 + k] + moment[k];
+            balance.energy -= load.constant[k] * position[k] + g[k] * (position[k] + c[k]);
+        }
+        // symmetric part of ∂w/∂ω = c gᵀ − (g · c) I
+        let product = dot(g, c);
+        for i in 0..3 {
+            for j in 0..=i {
+                balance.stiffness[3 + i][3 + j] -= 0.5 * (c[i] * g[j] + c[j] * g[i]);
+            }
+            balance.stiffness[3 + i][3 + i] += product;
+        }
+    }
+}
+
+/// What eight cables do at their lengths.
+struct Pull<L> {
+    tension: L,
+    /// ∂f/∂q; 0 where slack.
+    stiffness: L,
+    energy: L,
+}
+
+/// Fills in the terms of K_C − K_G.
+///
+/// With M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u and dp_B = \[I, −\[b\]×\] δx:
+/// \[I, −\[b\]×\]ᵀ M \[I, −\[b\]×\], and for the lever that turns f ((b·u) I − ½ (b uᵀ + u bᵀ)).
+#[inline(always)]
+fn stiffness_terms<L: Lanes>(
+    terms: &mut [L; TERMS],
+    direction_gradient: &[[L; 3]; 3],
+    u: [L; 3],
+    lever: [L; 3],
+    pull: &Pull<L>,
+) {
+    let f = pull.tension;
+    let ku = [pull.stiffness * u[0], pull.stiffness * u[1], pull.stiffness * u[2]];
+    let zero = f.constant(0.0);
+    let mut tangent = [[zero; 3]; 3];
+    for i in 0..3 {
+        for j in 0..=i {
+            tangent[i][j] = ku[i] * u[j] - f * direction_gradient[i][j];
+            tangent[j][i] = tangent[i][j];
+        }
+    }
+    // columns of [b]× M, then its rows
+    let columns = [cross(lever, tangent[0]), cross(lever, tangent[1]), cross(lever, tangent[2])];
+    let fu = [f * u[0], f * u[1], f * u[2]];
+    let half_b =
+        [lever[0] * lever[0].constant(0.5), lever[1] * lever[0].constant(0.5), lever[2] * lever[0].constant(0.5)];
+    let along = dot(lever, fu);
+    let mut count = 7;
+    for i in 0..3 {
+        let row = [columns[0][i], columns[1][i], columns[2][i]];
+        let turned = cross(lever, row);
+        for j in 0..=i {
+            terms[count] = tangent[i][j];
+            terms[count + 1] = turned[j] - (half_b[i] * fu[j] + half_b[j] * fu[i]);
+            if i == j {
+                terms[count + 1] = terms[count + 1] + along;
+            }
+            count += 2;
+        }
+    }
+    for i in 0..3 {
+        for j in 0..3 {
+            terms[count] = columns[j][i];
+            count += 1;
+        }
+    }
+}
+
+/// The order of the terms, undone.
+#[inline(always)]
+fn unpack(totals: &[f64; TERMS]) -> Balance {
+    let mut balance = Balance { residual: [0.0; 6], stiffness: [[0.0; 6]; 6], energy: totals[0] };
+    balance.residual.copy_from_slice(&totals[1..7]);
+    let mut count = 7;
+    for i in 0..3 {
+        for j in 0..=i {
+            balance.stiffness[i][j] = totals[count];
+            balance.stiffness[3 + i][3 + j] = totals[count + 1];
+            count += 2;
+        }
+    }
+    for i in 0..3 {
+        for j in 0..3 {
+            balance.stiffness[3 + i][j] = totals[count];
+            count += 1;
+        }
+    }
+    balance
+}

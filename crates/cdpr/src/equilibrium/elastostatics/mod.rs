@@ -1,0 +1,251 @@
+//! Elastostatic forward problem: pose and tensions that follow from controlled lengths and load (eq. 2.42–2.43).
+//!
+//! Find (x, f) with Aᵀ(x) f + w(x) = 0 and fᵢ = max(0, (qᵢ(x) − q_θ,ᵢ)/cᵢ): the platform rests where the elastic energy of
+//! the cables minus the work of the load is least. Damped Newton steps descend this energy with the symmetric part of
+//! its Hessian K_wx = K_C − K_G − ∂w/∂x; near the end the constant moments' skew part joins in, so that convergence is
+//! quadratic. A first descent lets cables push, since where none has to that finds the same pose in fewer steps.
+//!
+//! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs whose rest lengths follow their tensions until
+//! no cable is longer than its controlled length: the method of multipliers.
+
+mod balance;
+mod descent;
+mod multipliers;
+mod search;
+mod stability;
+#[cfg(test)]
+mod tests;
+mod unsymmetric;
+mod verdict;
+
+use balance::Springs;
+use descent::Tensions;
+use thiserror::Error;
+
+use super::forward_kinematics;
+use crate::geometry::Pose;
+use crate::model::Model;
+use crate::scalar::LANES;
+use crate::statics::Load;
+
+/// When the elastostatic forward problem stops, and what it accepts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Stop once the pose is this near to the equilibrium, judged by the last steps (m, relative to the mean length above
+    /// 1 m; angles times the platform radius).
+    pub pose_tolerance: f64,
+    /// For rigid cables: how much longer than its controlled length a cable may remain (m).
+    pub length_tolerance: f64,
+    /// Steps allowed for each descent.
+    pub max_iterations: u32,
+    /// Other starts that may be tried when the first one does not lead to a stable equilibrium.
+    pub max_restarts: u32,
+    /// A cable that stretches by more than this share of its controlled length deserves a remark.
+    pub remarkable_strain: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            pose_tolerance: 1e-11,
+            length_tolerance: 1e-10,
+            max_iterations: 200,
+            max_restarts: 16,
+            remarkable_strain: 0.1,
+        }
+    }
+}
+
+/// Why the search stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose is a stable equilibrium.
+    Converged,
+    /// No equilibrium was found; the pose is the best one and `reason` says what stands in the way.
+    NotConverged,
+    /// An equilibrium that lengths and load do not determine: the platform can move without resistance.
+    Singular,
+    /// An equilibrium that the smallest disturbance ends, and no stable one was found.
+    Unstable,
+}
+
+/// Outcome of the elastostatic forward problem; `pose` is the best one found even when it did not converge.
+#[must_use = "check `status` before using the pose"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Platform pose.
+    pub pose: Pose,
+    /// Tension per cable (N); 0 where slack.
+    pub tensions: Vec<f64>,
+    /// Why the search stopped.
+    pub status: Status,
+    /// Size of Aᵀ f + w, moments divided by the platform radius (N).
+    pub wrench_residual: f64,
+    /// Geometric minus controlled length per cable (m): the stretch, negative where slack.
+    pub residuals: Vec<f64>,
+    /// Steps of all starts, accepted and rejected.
+    pub iterations: u32,
+    /// Starts tried beyond the guess.
+    pub restarts: u32,
+    /// Number of slack cables.
+    pub slack: usize,
+    /// Smallest eigenvalue of the symmetric part of K_wx, rotations times the platform radius (N/m): positive where stable.
+    ///
+    /// Of what taut rigid cables leave free; infinite where that is nothing.
+    pub stability: f64,
+    /// The reason in words unless converged; also set where a converged answer needs a remark.
+    pub reason: Option<String>,
+}
+
+/// Input that no elastostatic forward problem can accept.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InputError {
+    /// Lengths, guess or settings, as for forward kinematics.
+    #[error(transparent)]
+    Kinematic(#[from] forward_kinematics::InputError),
+    /// More rigid cables than degrees of freedom: their tensions do not follow from their lengths.
+    #[error(
+        "{rigid} rigid cables at {dof} degrees of freedom: their tensions do not follow from their lengths; use the effect \
+         `elastic`, or forward kinematics for the pose that fits the lengths best"
+    )]
+    RigidRedundant {
+        /// Number of cables without compliance.
+        rigid: usize,
+        /// Degrees of freedom.
+        dof: usize,
+    },
+}
+
+impl Settings {
+    /// Refuses tolerances that are not positive numbers.
+    pub fn validate(&self) -> Result<(), InputError> {
+        for (name, value) in [
+            ("pose_tolerance", self.pose_tolerance),
+            ("length_tolerance", self.length_tolerance),
+            ("remarkable_strain", self.remarkable_strain),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(forward_kinematics::InputError::Setting { name, value }.into());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Finds pose and tensions for controlled lengths q_θ (m, one per cable) under a load, from a guess.
+///
+/// Lengths are those of the model, without the recorded scale and offset ([`Model::controlled_length`] removes them).
+/// The motion pattern holds: what the pattern cannot move keeps the guess's value. Cables cannot push.
+///
+/// Many poses of one model are faster with one [`Solver`].
+pub fn solve(
+    model: &Model,
+    controlled_lengths: &[f64],
+    load: &Load,
+    guess: &Pose,
+    settings: &Settings,
+) -> Result<Solution, InputError> {
+    let mut solver = Solver::new(model, load, settings)?;
+    solver.solve(controlled_lengths, guess)?;
+    Ok(solver.solution)
+}
+
+/// A solver for many poses of one model: its memory is claimed once and reused.
+#[derive(Clone, Debug)]
+pub struct Solver<'a> {
+    model: &'a Model,
+    settings: Settings,
+    load: LoadParts,
+    platform_radius: f64,
+    is_rigid: Vec<bool>,
+    springs: Vec<Springs>,
+    tensions: Tensions,
+    solution: Solution,
+}
+
+/// The load in plain arrays, for the kernel.
+#[derive(Clone, Copy, Debug)]
+struct LoadParts {
+    constant: [f64; 6],
+    weight: [f64; 3],
+    center_of_mass: [f64; 3],
+}
+
+impl LoadParts {
+    fn of(load: &Load) -> Self {
+        let (weight, center_of_mass) = load.weight();
+        Self {
+            constant: (*load.constant_part()).into(),
+            weight: (*weight).into(),
+            center_of_mass: (*center_of_mass).into(),
+        }
+    }
+}
+
+/// A model with lengths to obey and a load to carry.
+#[derive(Clone, Copy, Debug)]
+struct Problem<'a> {
+    model: &'a Model,
+    settings: &'a Settings,
+    load: LoadParts,
+    /// A constant moment makes the stiffness unsymmetric.
+    has_moment: bool,
+    springs: &'a [Springs],
+    /// Least stretch with a force (m): 0 for cables, −∞ for bars.
+    floor: f64,
+    /// Sum of the cables' stiffness (N/m): the unit of damping.
+    stiffness_scale: f64,
+    mean_length: f64,
+    platform_radius: f64,
+}
+
+impl<'a> Solver<'a> {
+    /// A solver for this model and load.
+    pub fn new(model: &'a Model, load: &Load, settings: &Settings) -> Result<Self, InputError> {
+        settings.validate()?;
+        let cables = model.cable_count();
+        let is_rigid: Vec<bool> = (0..cables).map(|cable| model.elasticity(cable).is_rigid()).collect();
+        let (rigid, dof) = (is_rigid.iter().filter(|rigid| **rigid).count(), model.dof());
+        if rigid > dof {
+            return Err(InputError::RigidRedundant { rigid, dof });
+        }
+        let groups = model.groups().len();
+        let room = vec![[0.0; LANES]; groups];
+        Ok(Self {
+            model,
+            settings: settings.clone(),
+            load: LoadParts::of(load),
+            platform_radius: model.platform_radius(),
+            is_rigid,
+            springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
+            tensions: Tensions { accepted: room.clone(), trial: room },
+            solution: Solution {
+                pose: Pose::identity(),
+                tensions: vec![f64::NAN; cables],
+                status: Status::NotConverged,
+                wrench_residual: f64::NAN,
+                residuals: vec![f64::NAN; cables],
+                iterations: 0,
+                restarts: 0,
+                slack: 0,
+                stability: f64::NAN,
+                reason: None,
+            },
+        })
+    }
+
+    /// Another load from now on.
+    pub fn set_load(&mut self, load: &Load) {
+        self.load = LoadParts::of(load);
+    }
+
+    /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.
+    pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
+        forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
+        self.search(controlled_lengths, guess);
+        Ok(&self.solution)
+    }
+}

@@ -1,0 +1,90 @@
+//! Rigid cables: the method of multipliers.
+
+use super::Problem;
+use super::balance::Springs;
+use super::descent::{Stop, Tensions};
+use super::search::Attempt;
+use super::stability;
+use crate::geometry::Pose;
+use crate::scalar::LANES;
+
+/// Which cables do not stretch, and the lengths they may have at most.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rigid<'a> {
+    pub(super) lengths: &'a [f64],
+    pub(super) is_rigid: &'a [bool],
+}
+
+/// Corrections of the tensions that are tried.
+const MAX_CORRECTIONS: u32 = 60;
+/// An excess that shrinks less than to this share makes the virtual springs ten times stiffer.
+const SLOW: f64 = 0.1;
+
+impl Rigid<'_> {
+    pub(super) fn any(&self) -> bool {
+        self.is_rigid.contains(&true)
+    }
+
+    /// Numbers of the rigid cables, from 0.
+    pub(super) fn cables(&self) -> impl Iterator<Item = usize> {
+        (0..self.lengths.len()).filter(|&cable| self.is_rigid[cable])
+    }
+}
+
+/// Descends with virtual springs whose rest lengths follow the tensions: q_θ − f/k_v, until q ≤ q_θ where taut.
+///
+/// At the end f = max(0, f + k_v (q − q_θ)) holds, which is balance with rigid cables.
+pub(super) fn attempt(
+    base: &Problem<'_>,
+    rigid: &Rigid<'_>,
+    start: &Pose,
+    springs: &mut [Springs],
+    tensions: &mut Tensions,
+) -> Attempt {
+    for cable in rigid.cables() {
+        springs[cable / LANES].rest_length[cable % LANES] = rigid.lengths[cable];
+    }
+    let (mut pose, mut iterations, mut last_excess) = (*start, 0, f64::INFINITY);
+    let mut stiffening = 1.0;
+    for correction in 0.. {
+        let mut end = Problem { springs, ..*base }.descend(&pose, tensions);
+        iterations += end.iterations;
+        end.iterations = iterations;
+        let mut excess = 0.0_f64;
+        for cable in rigid.cables() {
+            let (group, lane) = (cable / LANES, cable % LANES);
+            let spring = &mut springs[group];
+            let tension = tensions.accepted[group][lane];
+            // q − q_θ from the spring's own law, exact where taut; slack cables are short enough
+            let stretch = tension / spring.stiffness[lane] + spring.rest_length[lane] - rigid.lengths[cable];
+            let is_or_was_taut = tension > 0.0 || spring.rest_length[lane] < rigid.lengths[cable];
+            if is_or_was_taut {
+                excess = excess.max(stretch.abs());
+            }
+        }
+        let done = excess <= base.settings.length_tolerance;
+        let hopeless = end.stop != Stop::Stationary || correction >= MAX_CORRECTIONS || stiffening > 1e6;
+        if done || hopeless {
+            let stability = stability::beside_rigid_cables(base, rigid, tensions, &end);
+            reset(rigid, springs, stiffening);
+            return Attempt { end, stability, excess };
+        }
+        let stiffer = if excess > SLOW * last_excess { 10.0 } else { 1.0 };
+        for cable in rigid.cables() {
+            let (group, lane) = (cable / LANES, cable % LANES);
+            springs[group].stiffness[lane] *= stiffer;
+            let rest = rigid.lengths[cable] - tensions.accepted[group][lane] / springs[group].stiffness[lane];
+            springs[group].rest_length[lane] = rest;
+        }
+        stiffening *= stiffer;
+        (pose, last_excess) = (end.pose, excess);
+    }
+    unreachable!("the loop ends by its own count")
+}
+
+/// Back to the softness that a descent starts with.
+fn reset(rigid: &Rigid<'_>, springs: &mut [Springs], stiffening: f64) {
+    for cable in rigid.cables() {
+        springs[cable / LANES].stiffness[cable % LANES] /= stiffening;
+    }
+}

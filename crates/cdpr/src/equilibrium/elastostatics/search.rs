@@ -1,0 +1,180 @@
+//! From one start to an end, and from several starts to the best of their ends.
+
+use super::balance::Springs;
+use super::descent::{End, Stop, Tensions};
+use super::multipliers::{self, Rigid};
+use super::{Problem, Solver, stability};
+use crate::equilibrium::restarts::restart_poses;
+use crate::geometry::Pose;
+use crate::scalar::LANES;
+
+/// What one start led to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt {
+    pub(super) end: End,
+    /// Smallest eigenvalue of the stiffness (N/m).
+    pub(super) stability: f64,
+    /// Largest excess of a rigid cable over its controlled length (m).
+    pub(super) excess: f64,
+}
+
+impl Attempt {
+    /// True for a stable equilibrium.
+    pub(super) fn is_good(&self, problem: &Problem<'_>) -> bool {
+        self.is_equilibrium(problem) && self.stability > problem.indifferent_stiffness()
+    }
+
+    /// True where forces balance and rigid cables have their lengths.
+    pub(super) fn is_equilibrium(&self, problem: &Problem<'_>) -> bool {
+        self.end.stop == Stop::Stationary && self.excess <= problem.settings.length_tolerance
+    }
+
+    /// Equilibria before others, then by stability or by what is left.
+    fn is_better(&self, other: &Self, problem: &Problem<'_>) -> bool {
+        match (self.is_equilibrium(problem), other.is_equilibrium(problem)) {
+            (true, true) => self.stability > other.stability,
+            (true, false) => true,
+            (false, true) => false,
+            (false, false) => {
+                let left = |attempt: &Self| (attempt.excess, problem.wrench_size(&attempt.end.residual));
+                left(self) < left(other) || left(other).1.is_nan()
+            }
+        }
+    }
+}
+
+impl Problem<'_> {
+    /// Size of a wrench, moments divided by the platform radius (N).
+    pub(super) fn wrench_size(&self, wrench: &[f64; 6]) -> f64 {
+        let basis = self.model.twist_basis();
+        let translations = self.model.axes().len();
+        let mut sum = 0.0;
+        for (index, direction) in basis.iter().enumerate() {
+            let entry: f64 = direction.iter().zip(wrench).map(|(d, w)| d * w).sum();
+            let entry = if index < translations { entry } else { entry / self.platform_radius };
+            sum += entry * entry;
+        }
+        sum.sqrt()
+    }
+
+    /// Stiffness below which a direction counts as free (N/m).
+    pub(super) fn indifferent_stiffness(&self) -> f64 {
+        1e-9 * self.stiffness_scale
+    }
+
+    /// Descends from one start, first with cables that may push, then as cables.
+    fn elastic_attempt(&self, start: &Pose, tensions: &mut Tensions) -> Attempt {
+        let mut iterations = 0;
+        let mut from = *start;
+        if self.model.cable_count() >= self.model.dof() {
+            let bars = Self { floor: f64::NEG_INFINITY, ..*self };
+            let end = bars.descend(start, tensions);
+            iterations = end.iterations;
+            if end.stop == Stop::Stationary {
+                if tensions.accepted.as_flattened().iter().all(|&tension| tension >= 0.0) {
+                    return self.attempt(end, iterations);
+                }
+                from = end.pose;
+            }
+        }
+        let mut end = self.descend(&from, tensions);
+        iterations += end.iterations;
+        if end.stop != Stop::Stationary && from != *start {
+            end = self.descend(start, tensions);
+            iterations += end.iterations;
+        }
+        self.attempt(end, iterations)
+    }
+
+    fn attempt(&self, end: End, iterations: u32) -> Attempt {
+        let stability = stability::smallest_eigenvalue(self, &end.stiffness);
+        Attempt { end: End { iterations, ..end }, stability, excess: 0.0 }
+    }
+}
+
+impl Solver<'_> {
+    /// Starts from the guess, and from other poses while no stable equilibrium is found.
+    pub(super) fn search(&mut self, lengths: &[f64], guess: &Pose) {
+        let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        self.set_springs(lengths, mean_length);
+        let Self { model, settings, springs, tensions, solution, is_rigid, .. } = self;
+        let stiffness_scale = springs.iter().flat_map(|springs| springs.stiffness).sum();
+        let base = Problem {
+            model,
+            settings,
+            load: self.load,
+            has_moment: self.load.constant[3..].iter().any(|&moment| moment != 0.0),
+            springs: &[],
+            floor: 0.0,
+            stiffness_scale,
+            mean_length,
+            platform_radius: self.platform_radius,
+        };
+        let rigid = Rigid { lengths, is_rigid };
+        let mut attempt = |start: &Pose, tensions: &mut Tensions| match rigid.any() {
+            true => multipliers::attempt(&base, &rigid, start, springs, tensions),
+            false => Problem { springs, ..base }.elastic_attempt(start, tensions),
+        };
+        let mut best = attempt(guess, tensions);
+        solution.take_tensions(tensions);
+        (solution.iterations, solution.restarts) = (best.end.iterations, 0);
+        if !best.is_good(&base) {
+            let escapes = stability::escapes(&base, &best);
+            let starts = escapes.into_iter().flatten().chain(restart_poses(model, guess));
+            for start in starts.take(settings.max_restarts as usize) {
+                let other = attempt(&start, tensions);
+                solution.iterations += other.end.iterations;
+                solution.restarts += 1;
+                if other.is_better(&best, &base) {
+                    best = other;
+                    solution.take_tensions(tensions);
+                }
+                if best.is_good(&base) {
+                    break;
+                }
+            }
+        }
+        base.judge(&best, &rigid, solution);
+    }
+
+    /// The cables as springs; rigid ones with a stiffness that the multipliers correct.
+    fn set_springs(&mut self, lengths: &[f64], mean_length: f64) {
+        let mut stiffest = 0.0_f64;
+        for (cable, &length) in lengths.iter().enumerate() {
+            let law = self.model.elasticity(cable);
+            let lane = &mut self.springs[cable / LANES];
+            let at = cable % LANES;
+            lane.rest_length[at] = length;
+            if !self.is_rigid[cable] {
+                lane.stiffness[at] = 1.0 / law.compliance(length, length);
+                stiffest = stiffest.max(lane.stiffness[at]);
+            }
+        }
+        // stiff against what bends under the load, soft enough for the descent
+        let force: f64 = (0..3).map(|k| (self.load.constant[k] + self.load.weight[k]).abs()).sum();
+        let virtual_stiffness = f64::max(1e3 * force / mean_length, 10.0 * stiffest).max(1.0);
+        for cable in (0..lengths.len()).filter(|&cable| self.is_rigid[cable]) {
+            self.springs[cable / LANES].stiffness[cable % LANES] = virtual_stiffness;
+        }
+        self.fill(lengths.len());
+    }
+
+    /// Copies the last cable's lengths into the lanes that fill a group, where they weigh nothing.
+    fn fill(&mut self, cables: usize) {
+        if let Some(Springs { rest_length, .. }) = self.springs.last_mut() {
+            let last = (cables - 1) % LANES;
+            for lane in last + 1..LANES {
+                rest_length[lane] = rest_length[last];
+            }
+        }
+    }
+}
+
+impl super::Solution {
+    /// Unpacks the tensions of the last descent.
+    fn take_tensions(&mut self, tensions: &Tensions) {
+        for (chunk, lanes) in self.tensions.chunks_mut(LANES).zip(&tensions.accepted) {
+            chunk.copy_from_slice(&lanes[..chunk.len()]);
+        }
+    }
+}
