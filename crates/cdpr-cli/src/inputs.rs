@@ -1,11 +1,12 @@
-//! The robot that most commands are about.
+//! The robot that most commands are about, its pose and its load.
 
 use std::path::{Path, PathBuf};
 
-use cdpr::geometry::Pose;
+use cdpr::geometry::{MotionPattern, Pose, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::reading::did_you_mean;
 use cdpr::robot::{Robot, builtin};
+use cdpr::statics::Load;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -86,4 +87,35 @@ pub(crate) fn pose_of(robot: &Robot, option: &str, numbers: &NumberList) -> Resu
 /// The pose that an option gives, or the robot's home pose.
 pub(crate) fn pose_or_home(robot: &Robot, option: &str, numbers: Option<&NumberList>) -> Result<Pose, Failure> {
     numbers.map_or_else(|| Ok(robot.home_or_middle()), |numbers| pose_of(robot, option, numbers))
+}
+
+/// The load that `--wrench` gives, or the robot's own.
+pub(crate) fn load_of(robot: &Robot, wrench: Option<&NumberList>) -> Result<Load, Failure> {
+    match wrench {
+        Some(numbers) => Ok(Load::constant(wrench_of(robot, "--wrench", numbers)?)),
+        None => Load::of(robot).map_err(|error| Failure::refused("ROBOT", &error)),
+    }
+}
+
+/// The wrench that an option gives by its components: world axes, those of the file for a planar robot.
+pub(crate) fn wrench_of(robot: &Robot, option: &str, numbers: &NumberList) -> Result<Wrench, Failure> {
+    let pattern = robot.motion_pattern;
+    if numbers.0.len() != pattern.dof() {
+        let (name, components, found) = (pattern.name(), wrench_components(pattern), numbers.0.len());
+        let message =
+            format!("{option}: motion pattern {name} takes the wrench components {components}, found {found} numbers");
+        return Err(Failure::input(message, "forces in N, moments about the platform origin in N·m, world axes"));
+    }
+    let basis = pattern.twist_basis(robot.plane);
+    Ok(basis.iter().zip(&numbers.0).map(|(unit, number)| unit * *number).sum())
+}
+
+/// Names of the components of a wrench, as `--wrench` takes them.
+pub(crate) fn wrench_components(pattern: MotionPattern) -> &'static str {
+    match pattern {
+        MotionPattern::PlanarPoint => "fx,fy",
+        MotionPattern::SpatialPoint => "fx,fy,fz",
+        MotionPattern::Planar => "fx,fy,m",
+        _ => "fx,fy,fz,mx,my,mz",
+    }
 }

@@ -13,7 +13,9 @@ mod pose_answer;
 mod progress;
 mod report;
 mod selecting;
+mod statics_failure;
 mod table;
+mod wrench_answer;
 
 use std::process::ExitCode;
 

@@ -31,6 +31,7 @@ commands! {
     check: Check,
     ik: Ik,
     fk: Fk,
+    load: Load,
     place_pulleys: PlacePulleys,
     select: Select,
     simulate: Simulate,

@@ -2,8 +2,20 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 11] =
-    ["select", "simulate", "demo", "robots", "check", "ik", "fk", "place-pulleys", "identify", "evaluate", "schema"];
+const COMMANDS: [&str; 12] = [
+    "select",
+    "simulate",
+    "demo",
+    "robots",
+    "check",
+    "ik",
+    "fk",
+    "load",
+    "place-pulleys",
+    "identify",
+    "evaluate",
+    "schema",
+];
 
 #[test]
 fn help_of_every_command_shows_an_example() {
