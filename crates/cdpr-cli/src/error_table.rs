@@ -1,4 +1,4 @@
-//! Error blocks side by side, for people: mm and degrees.
+//! Error blocks side by side, for people: mm, degrees, N.
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::ErrorBlocks;
@@ -23,6 +23,9 @@ pub(crate) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks
         rows("rotation", "°", 1.0_f64.to_degrees(), 4, &ROTATION);
     }
     rows("length", "mm", 1e3, 3, &LENGTH);
+    if columns.iter().any(|(_, blocks)| blocks.tension_error.is_some()) {
+        rows("tension", "N", 1.0, 1, &TENSION);
+    }
     table.text()
 }
 
@@ -51,6 +54,13 @@ const ROTATION: [Statistic; 5] = [
     ("median", |blocks| blocks.rotation_error_rad.median),
     ("p95", |blocks| blocks.rotation_error_rad.p95),
     ("max", |blocks| blocks.rotation_error_rad.max),
+];
+
+const TENSION: [Statistic; 4] = [
+    ("mean norm", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.mean_norm)),
+    ("mean", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.mean_abs)),
+    ("rms", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.rms)),
+    ("max", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.max)),
 ];
 
 const LENGTH: [Statistic; 4] = [

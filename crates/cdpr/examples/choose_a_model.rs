@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // ANCHOR: choose
     let folds = Split::KFold(5).folds(&samples, 1)?;
-    let candidates = candidate::defaults(&drawing);
+    let candidates = candidate::defaults(&drawing, candidate::Ladder::default());
     let selection = select(&drawing, &candidates, &samples, &folds, &Settings::default(), &|| ())?;
     let recommended = &selection.candidates[selection.recommended.ok_or("none is good enough")?];
     assert_eq!(recommended.name, "standard:length-offset");

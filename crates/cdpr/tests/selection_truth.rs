@@ -28,7 +28,8 @@ fn selection(start: &Robot, samples: &Samples) -> Selection {
         train: (0..TRAIN).collect(),
         validation: (TRAIN..TRAIN + VALIDATION).collect(),
     };
-    select(start, &candidate::defaults(start), samples, &[fold], &Settings::default(), &|| ()).unwrap()
+    select(start, &candidate::defaults(start, Default::default()), samples, &[fold], &Settings::default(), &|| ())
+        .unwrap()
 }
 
 fn judgement(selection: &Selection, index: usize) -> &Judgement {

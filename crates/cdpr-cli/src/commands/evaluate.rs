@@ -22,12 +22,13 @@ const EXAMPLES: &str = "\
 Examples:
   cdpr evaluate robot.toml samples.csv
   cdpr evaluate calibrated.toml validation.csv --model pulley --format json
-  cdpr evaluate robot.toml samples.csv --out-errors errors.csv";
+  cdpr evaluate robot.toml samples.csv --model elastic --out-errors errors.csv";
 
 /// Compare a model with measurements: predicted against measured poses, modelled against recorded lengths.
 ///
 /// Position and rotation errors compare the pose that the model predicts from the recorded lengths with the measured one;
-/// length errors compare the model's lengths at the measured pose with the recorded ones.
+/// length errors compare the model's lengths at the measured pose with the recorded ones. An elastic model predicts under the
+/// load that the robot's file states; its tension errors compare predicted with recorded tensions.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -61,7 +62,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let model = arguments.model.read()?;
     let samples = arguments.data.read(model.robot(), output)?;
     let progress = Progress::spinner("predicting poses");
-    let evaluation = evaluate(&model, &samples);
+    let evaluation =
+        evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
     drop(progress);
     if let Some(path) = &arguments.out_errors {
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;
@@ -94,6 +96,8 @@ fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
     let cables = model.cable_count();
     let mut text = "sample,position_error_m,error_x_m,error_y_m,error_z_m,rotation_error_rad".to_owned();
     (1..=cables).for_each(|cable| text.push_str(&format!(",length_error_m_{cable}")));
+    let has_tensions = !evaluation.tension.is_empty();
+    (1..=cables).filter(|_| has_tensions).for_each(|cable| text.push_str(&format!(",tension_error_N_{cable}")));
     text.push_str(",converged\n");
     let failed: Vec<usize> = evaluation.not_converged.iter().map(|(sample, _)| *sample).collect();
     for sample in 0..evaluation.len() {
@@ -101,6 +105,9 @@ fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
         numbers.extend(evaluation.position_vector[sample]);
         numbers.push(evaluation.rotation[sample]);
         numbers.extend(&evaluation.length[sample * cables..][..cables]);
+        if has_tensions {
+            numbers.extend(&evaluation.tension[sample * cables..][..cables]);
+        }
         text.push_str(&(sample + 1).to_string());
         for number in numbers {
             // writing to a String cannot fail

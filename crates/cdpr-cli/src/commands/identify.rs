@@ -8,9 +8,9 @@ use std::process::ExitCode;
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, fit};
-use cdpr::identification::{Analysis, ErrorBlocks, Evaluation, evaluate};
+use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate};
 use cdpr::measurement::{Samples, Split};
-use cdpr::model::{FreeParameters, Model};
+use cdpr::model::{FreeParameters, Model, ParameterKind};
 use clap::Args;
 use serde::Serialize;
 
@@ -29,11 +29,14 @@ Examples:
   cdpr identify robot.toml samples.csv --free pulley-radius --model pulley \\
       --validation other.csv --sigma position_m=0.001,length_m=0.0002
   cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
-      --prior platform-anchor=0.02";
+      --prior platform-anchor=0.02
+  cdpr identify robot.toml samples.csv --model elastic --starts 10 \\
+      --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02";
 
 const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius; \
-`frame-anchor[1,3]` frees cables 1 and 3 only";
+with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
+tension-scale, tension-offset; `frame-anchor[1,3]` frees cables 1 and 3 only";
 
 /// Identify the parameters of a model from measured poses and recorded lengths.
 ///
@@ -66,7 +69,12 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SPLIT")]
     split: Option<Split>,
 
-    /// Seed of the split kfold:K.
+    /// Starts of an elastic model: the file's values and others (anchors up to 0.5 m away, compliances up to 10/3 times
+    /// larger or smaller); the optima they lead to are listed.
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    starts: u32,
+
+    /// Seed of the split kfold:K and of other starts.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
 
@@ -94,6 +102,8 @@ struct Identified {
     analysis: Analysis,
     parameters: Vec<Estimate>,
     noise_factor: f64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    basins: Vec<Basin>,
     history: Vec<f64>,
     train: ErrorBlocks,
     train_before: ErrorBlocks,
@@ -121,7 +131,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let progress = Progress::spinner("identifying");
     let result = task.identify(other.as_ref())?;
     let calibrated = result.fit.model.robot().to_toml();
-    let answer = task.answer(result);
+    let answer = task.answer(result)?;
     drop(progress);
     if let Some(path) = &arguments.out {
         files::write(path, calibrated.as_bytes())?;
@@ -158,7 +168,7 @@ impl Task<'_> {
     fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
         if let Some(other) = other {
             let fit = self.fit(self.samples)?;
-            let validation = Some((evaluate(&fit.model, other), evaluate(self.model, other)));
+            let validation = Some((self.evaluate(&fit.model, other)?, self.evaluate_given(other)?));
             return Ok(Identification { fit, train: self.samples.clone(), validation });
         }
         let Some(split) = self.arguments.split else {
@@ -172,8 +182,8 @@ impl Task<'_> {
         for fold in &folds {
             let (train, held) = (self.samples.subset(&fold.train), self.samples.subset(&fold.validation));
             let fit = self.fit(&train)?;
-            after.extend(&evaluate(&fit.model, &held));
-            before.extend(&evaluate(self.model, &held));
+            after.extend(&self.evaluate(&fit.model, &held)?);
+            before.extend(&self.evaluate_given(&held)?);
             single = Some((fit, train));
         }
         let (fit, train) = match single {
@@ -184,12 +194,30 @@ impl Task<'_> {
     }
 
     fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
-        let Arguments { free, hold, prior, data, .. } = self.arguments;
-        let settings = fit::Settings { hold: hold.clone(), priors: prior.clone(), ..fit::Settings::default() };
+        let Arguments { free, hold, prior, data, starts, seed, .. } = self.arguments;
+        let settings = fit::Settings {
+            hold: hold.clone(),
+            priors: prior.clone(),
+            starts: *starts,
+            seed: *seed,
+            ..fit::Settings::default()
+        };
         fit(self.model, samples, free, &settings).map_err(|error| match error {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&data.name(), &error),
         })
+    }
+
+    fn evaluate(&self, model: &Model, samples: &Samples) -> Result<Evaluation, Failure> {
+        evaluate(model, samples).map_err(|error| Failure::refused(&self.model.robot().name, &error))
+    }
+
+    /// Errors of the model as given; none where a file that a free wrench completes says nothing of the load.
+    fn evaluate_given(&self, samples: &Samples) -> Result<Evaluation, Failure> {
+        match evaluate(self.model, samples) {
+            Err(EvaluationError::Load(_)) if self.arguments.free.names(ParameterKind::Wrench) => Ok(Evaluation::default()),
+            other => other.map_err(|error| Failure::refused(&self.model.robot().name, &error)),
+        }
     }
 
     /// What the validation errors are of.
@@ -199,15 +227,16 @@ impl Task<'_> {
         file.or_else(|| split.map(|split| format!("held-out parts ({split})")))
     }
 
-    fn answer(&self, result: Identification) -> Identified {
+    fn answer(&self, result: Identification) -> Result<Identified, Failure> {
         let Identification { fit, train, validation } = result;
-        let (train_after, train_before) = (evaluate(&fit.model, &train).blocks(), evaluate(self.model, &train).blocks());
+        let train_after = self.evaluate(&fit.model, &train)?.blocks();
+        let train_before = self.evaluate_given(&train)?.blocks();
         let (validation, validation_before) =
             validation.map(|(after, before)| (after.blocks(), before.blocks())).unzip();
         let mut warnings = fit.warnings;
         warnings.extend(convergence_remark(&train_after, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
-        Identified {
+        Ok(Identified {
             robot: self.model.robot().name.clone(),
             model: self.model.composition().to_string(),
             free: self.arguments.free.to_string(),
@@ -220,6 +249,7 @@ impl Task<'_> {
             analysis: fit.analysis,
             parameters: fit.parameters,
             noise_factor: fit.noise_factor,
+            basins: fit.basins,
             history: fit.history,
             train: train_after,
             train_before,
@@ -229,7 +259,7 @@ impl Task<'_> {
             warnings,
             out: self.arguments.out.as_ref().map(|path| path.display().to_string()),
             pattern: self.model.robot().motion_pattern,
-        }
+        })
     }
 }
 

@@ -10,7 +10,7 @@ use super::{Purpose, Report, criterion, number};
 
 /// Every candidate with its figures.
 pub(super) fn table(report: &Report<'_>) -> Value {
-    let unit = criterion::unit(report.criterion);
+    let unit = report.criterion.unit();
     let (train, validation) = (format!("#fit, {unit}"), format!("#validation, {unit}"));
     let error = format!("#± standard error, {unit}");
     let columns = [
@@ -50,7 +50,7 @@ pub(super) fn table(report: &Report<'_>) -> Value {
 
 fn figures(report: &Report<'_>, judgement: &Judgement) -> [Cell; 6] {
     let (value, error) = criterion::number_and_error(report.criterion, judgement.criterion, judgement.standard_error);
-    let train = criterion::in_unit(report.criterion, criterion::of_blocks(report.criterion, &judgement.train));
+    let train = report.criterion.in_unit(report.criterion.of_blocks(&judgement.train));
     let (analysis, count) = (&judgement.fit.analysis, judgement.fit.parameters.len());
     let none = || number::NONE.to_owned();
     [
@@ -97,7 +97,7 @@ pub(super) fn chart(report: &Report<'_>) -> Option<String> {
         return None;
     }
     let judgement = |candidate: &'_ Judged| candidate.outcome.as_ref().ok().map(|j| (j.criterion, j.standard_error));
-    let shown = |value: f64| criterion::in_unit(report.criterion, value);
+    let shown = |value: f64| report.criterion.in_unit(value);
     let rung = |(index, candidate): (usize, &Judged)| {
         let (value, error) = judgement(candidate).unwrap_or((f64::NAN, f64::NAN));
         Rung {
@@ -113,7 +113,7 @@ pub(super) fn chart(report: &Report<'_>) -> Option<String> {
     let ladder = Ladder {
         rungs: selection.candidates.iter().enumerate().map(rung).collect(),
         limit: shown(limit),
-        axis_label: format!("{} on validation data in {}", report.criterion.words(), criterion::unit(report.criterion)),
+        axis_label: format!("{} on validation data in {}", report.criterion.words(), report.criterion.unit()),
     };
     ladder.svg()
 }

@@ -1,7 +1,7 @@
 //! Error tables: before and after, and fold by fold.
 
 use cdpr::identification::ErrorBlocks;
-use cdpr::metamodel::errors::PoseError;
+use cdpr::metamodel::errors::{PoseError, TensionError};
 use minijinja::Value;
 
 use super::table::{Cell, Table};
@@ -43,6 +43,16 @@ const LENGTH: Quantity = Quantity {
     write: number::millimetres,
 };
 
+const TENSION: Quantity = Quantity {
+    title: "tension, N",
+    read: |e| {
+        let none = TensionError { mean_norm: f64::NAN, mean_abs: f64::NAN, rms: f64::NAN, max: f64::NAN };
+        let TensionError { mean_abs, rms, max, .. } = e.tension_error.unwrap_or(none);
+        Figures { mean: mean_abs, rms, median: f64::NAN, p95: f64::NAN, max }
+    },
+    write: number::newtons,
+};
+
 /// Errors of the robot as given and of the model shown, on the data of the fit and on validation data.
 pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value {
     let columns = [
@@ -63,7 +73,8 @@ pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value 
         .flat_map(|(model, judgement)| [(model, "fit", &judgement.train), (model, "validation", &judgement.validation)])
         .filter(|(_, _, blocks)| blocks.samples > 0)
         .collect();
-    for quantity in quantities(report) {
+    let has_tensions = lines.iter().any(|(_, _, blocks)| blocks.tension_error.is_some());
+    for quantity in quantities(report).into_iter().chain(has_tensions.then_some(TENSION)) {
         for (index, (model, data, blocks)) in lines.iter().enumerate() {
             let title = if index == 0 { quantity.title } else { "" };
             let mut cells = vec![Cell::text(title), Cell::text(*model), Cell::text(*data)];
@@ -127,7 +138,7 @@ pub(super) fn folds(report: &Report<'_>, shown: &Shown<'_>) -> Value {
 fn best_in_fold(report: &Report<'_>, fold: usize) -> Cell {
     let values = report.selection.candidates.iter().filter_map(|candidate| {
         let (_, blocks) = candidate.outcome.as_ref().ok()?.folds.get(fold)?;
-        let value = criterion::of_blocks(report.criterion, blocks);
+        let value = report.criterion.of_blocks(blocks);
         value.is_finite().then_some((value, &candidate.name))
     });
     values.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(Cell::text(number::NONE), |(_, name)| Cell::code(name))

@@ -58,6 +58,11 @@ pub(super) fn millimetres(value: f64) -> String {
     significant(1e3 * value, 4)
 }
 
+/// A force in newtons, without the unit.
+pub(super) fn newtons(value: f64) -> String {
+    significant(value, 4)
+}
+
 /// An angle in radians as degrees, without the unit.
 pub(super) fn degrees(value: f64) -> String {
     significant(value.to_degrees(), 4)

@@ -35,7 +35,7 @@ fn figure(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let words = report.criterion.words();
     match judgement.validation.samples {
         0 => {
-            let value = criterion::of_blocks(report.criterion, &judgement.train);
+            let value = report.criterion.of_blocks(&judgement.train);
             format!("{words} on training data: {}", criterion::words(report.criterion, value))
         }
         _ => {
@@ -49,7 +49,7 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let Some(given) = shown.as_given.filter(|given| given.name != shown.name) else { return String::new() };
     let (before, after) = match shown.judgement.validation.samples {
         0 => {
-            let of = |blocks| criterion::of_blocks(report.criterion, blocks);
+            let of = |blocks| report.criterion.of_blocks(blocks);
             (of(&given.judgement.train), of(&shown.judgement.train))
         }
         _ => (given.judgement.criterion, shown.judgement.criterion),

@@ -180,15 +180,8 @@ impl Answer for Selected {
 
 impl Selected {
     fn table(&self) -> String {
-        let (unit, factor) = match self.criterion {
-            Criterion::Rotation => ("°", 1.0_f64.to_degrees()),
-            _ => ("mm", 1e3),
-        };
-        let of = |blocks: &ErrorBlocks| match self.criterion {
-            Criterion::Rotation => blocks.rotation_error_rad.mean,
-            Criterion::Length => blocks.length_error_m.mean_abs,
-            _ => blocks.position_error_m.mean,
-        };
+        let criterion = self.criterion;
+        let unit = criterion.unit();
         let mut table = Table::with_heading(vec![
             "candidate".to_owned(),
             "free".to_owned(),
@@ -205,9 +198,9 @@ impl Selected {
             match &candidate.judged {
                 Some(judged) => cells.extend([
                     judged.parameter_count.to_string(),
-                    cell(Some(factor * of(&judged.train)), 3),
-                    cell(Some(factor * judged.criterion), 3),
-                    cell(Some(factor * judged.standard_error), 3),
+                    cell(Some(criterion.in_unit(criterion.of_blocks(&judged.train))), 3),
+                    cell(Some(criterion.in_unit(judged.criterion)), 3),
+                    cell(Some(criterion.in_unit(judged.standard_error)), 3),
                     cell(Some(1e3 * judged.validation.length_error_m.rms), 3),
                     judged.rank.to_string(),
                     cell(Some(judged.condition), 1),

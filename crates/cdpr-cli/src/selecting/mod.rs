@@ -5,11 +5,11 @@ mod folder;
 
 use std::time::Instant;
 
-use cdpr::identification::candidate::{self, Candidate};
+use cdpr::identification::candidate::{self, Candidate, Ladder};
 use cdpr::identification::fit::{self, Prior};
 use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, select};
 use cdpr::measurement::{Fold, Samples, Split};
-use cdpr::model::FreeParameters;
+use cdpr::model::{FreeParameters, ParameterKind};
 use cdpr::robot::Robot;
 use clap::{Args, ValueEnum};
 
@@ -64,6 +64,8 @@ enum CriterionName {
     Rotation,
     /// Mean difference between modelled and recorded cable lengths.
     Length,
+    /// Mean 2-norm of the differences between predicted and recorded tensions.
+    Tension,
 }
 
 impl From<CriterionName> for Criterion {
@@ -72,6 +74,7 @@ impl From<CriterionName> for Criterion {
             CriterionName::Position => Self::Position,
             CriterionName::Rotation => Self::Rotation,
             CriterionName::Length => Self::Length,
+            CriterionName::Tension => Self::Tension,
         }
     }
 }
@@ -106,16 +109,29 @@ pub(crate) struct Compared {
 }
 
 impl SelectionArguments {
+    /// Which rungs the default ladder has.
+    fn ladder(&self, samples: &Samples) -> Ladder {
+        let has_prior = |prior: &Prior| prior.kind == ParameterKind::PlatformAnchor;
+        Ladder { with_tensions: samples.tensions.is_some(), with_platform_anchors: self.prior.iter().any(has_prior) }
+    }
+
     /// Identifies and judges every candidate.
     pub(crate) fn compare(&self, comparison: Comparison) -> Result<Compared, Failure> {
         let candidates = match &self.candidates {
             Some(list) => list.0.clone(),
-            None => candidate::defaults(&comparison.robot),
+            None => candidate::defaults(&comparison.robot, self.ladder(&comparison.samples)),
         };
         let criterion = Criterion::from(self.criterion);
         if criterion == Criterion::Rotation && !comparison.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
             return Err(Failure::input(message, "use --criterion position or length"));
+        }
+        if criterion == Criterion::Tension && comparison.samples.tensions.is_none() {
+            let message = format!("{}: --criterion tension needs recorded tensions", comparison.data_name);
+            return Err(Failure::input(
+                &message,
+                "add the columns tension_N_1, tension_N_2, …, or use another criterion",
+            ));
         }
         let fit = fit::Settings { hold: self.hold.clone(), priors: self.prior.clone(), ..fit::Settings::default() };
         let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use crate::cable::elasticity::Elasticity;
 use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, ParameterKind};
 use crate::robot::Robot;
 
@@ -77,15 +78,27 @@ pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
     items.into_iter().map(str::parse).collect()
 }
 
+/// What decides which rungs the default ladder has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ladder {
+    /// The data have recorded tensions: elastic models join where the robot's file states stiffness.
+    pub with_tensions: bool,
+    /// Platform anchors have a prior: elastic models may free them.
+    pub with_platform_anchors: bool,
+}
+
 /// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
-/// offsets, with both; and with pulleys at the same rungs where the robot's file describes pulleys.
+/// offsets, with both; then elastic models as given, with compliance and wrench, with anchors too. Every rung also with
+/// pulleys where the robot's file describes them.
 ///
-/// Platform anchors stay out of it: unless the orientation varies much, they only repeat the frame anchors.
-pub fn defaults(robot: &Robot) -> Vec<Candidate> {
-    use ParameterKind::{FrameAnchor, LengthOffset, LengthScale, PulleyRadius};
+/// Platform anchors stay out of it unless they have a prior: where the orientation varies little, they only repeat the frame
+/// anchors.
+pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
+    use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
     let has_pulleys =
         robot.cables.iter().all(|cable| cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_some());
-    let rungs: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
+    let is_elastic = robot.cables.iter().all(|cable| Elasticity::of(cable).is_some_and(|law| !law.is_rigid()));
+    let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
         (&[], &[&[], &[PulleyRadius]]),
         (&[LengthOffset], &[&[LengthOffset], &[LengthOffset, PulleyRadius]]),
         (&[LengthOffset, LengthScale], &[&[LengthOffset, LengthScale]]),
@@ -93,18 +106,28 @@ pub fn defaults(robot: &Robot) -> Vec<Candidate> {
         (&[FrameAnchor, LengthOffset], &[&[FrameAnchor, LengthOffset]]),
         (&[FrameAnchor, LengthOffset, LengthScale], &[&[FrameAnchor, LengthOffset, LengthScale]]),
     ];
-    let mut ladder = Vec::new();
-    for (standard, pulley) in rungs {
-        ladder.push(Candidate { composition: Composition::STANDARD, free: FreeParameters::of(standard) });
-        if has_pulleys {
-            ladder.extend(
-                pulley
-                    .iter()
-                    .map(|free| Candidate { composition: Composition::PULLEY, free: FreeParameters::of(free) }),
-            );
+    let elastic: [&[ParameterKind]; 4] = [
+        &[],
+        &[Compliance, Wrench],
+        &[FrameAnchor, Compliance, Wrench],
+        &[FrameAnchor, PlatformAnchor, Compliance, Wrench],
+    ];
+    let candidate = |composition, free| Candidate { composition, free: FreeParameters::of(free) };
+    let mut rungs = Vec::new();
+    for (standard, pulley) in rigid {
+        rungs.push(candidate(Composition::STANDARD, standard));
+        rungs.extend(pulley.iter().filter(|_| has_pulleys).map(|free| candidate(Composition::PULLEY, free)));
+    }
+    if ladder.with_tensions && is_elastic {
+        for free in elastic {
+            if free.contains(&PlatformAnchor) && !ladder.with_platform_anchors {
+                continue;
+            }
+            rungs.push(candidate(Composition::ELASTIC, free));
+            rungs.extend(has_pulleys.then(|| candidate(Composition::PULLEY_ELASTIC, free)));
         }
     }
-    ladder
+    rungs
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! From measurements to calibrated models, their uncertainty, and the choice between them.
 //!
-//! Residuals live in joint space: modelled minus recorded cable lengths at the measured poses (eq. 4.8). Every parameter
-//! belongs to one cable, so the problem falls into one small block per cable.
+//! Rigid models have residuals in joint space: modelled minus recorded cable lengths at the measured poses (eq. 4.8). Every
+//! parameter belongs to one cable, so the problem falls into one small block per cable. Elastic models have rows of wrenches
+//! besides (eq. 4.38), which tie the cables together.
 
 mod autocorrelation;
 mod blocks;
@@ -18,6 +19,6 @@ mod words;
 
 pub use candidate::Candidate;
 pub use elastostatic::Basin;
-pub use evaluation::{ErrorBlocks, Evaluation, evaluate};
+pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate};
 pub use fit::{Fit, Prior};
 pub use identifiability::{Analysis, Correlation};

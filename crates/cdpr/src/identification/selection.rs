@@ -26,6 +26,8 @@ pub enum Criterion {
     Rotation,
     /// Mean over samples of the mean length error of the cables (m).
     Length,
+    /// Mean over samples of the 2-norm of the tension errors (N); only models that know tensions have it.
+    Tension,
 }
 
 impl Criterion {
@@ -35,14 +37,45 @@ impl Criterion {
             Self::Position => "mean position error",
             Self::Rotation => "mean rotation error",
             Self::Length => "mean cable-length error",
+            Self::Tension => "mean tension error (2-norm over cables)",
         }
     }
 
-    /// A value for people: mm or degrees.
-    pub fn format(self, value: f64) -> String {
+    /// Unit for people.
+    pub fn unit(self) -> &'static str {
         match self {
-            Self::Rotation => format!("{:.4}°", value.to_degrees()),
-            Self::Position | Self::Length => format!("{:.3} mm", 1e3 * value),
+            Self::Rotation => "°",
+            Self::Position | Self::Length => "mm",
+            Self::Tension => "N",
+        }
+    }
+
+    /// A value (SI) in the unit for people.
+    pub fn in_unit(self, value: f64) -> f64 {
+        match self {
+            Self::Rotation => value.to_degrees(),
+            Self::Position | Self::Length => 1e3 * value,
+            Self::Tension => value,
+        }
+    }
+
+    /// The criterion out of error blocks (SI); NaN for a model that has none.
+    pub fn of_blocks(self, blocks: &ErrorBlocks) -> f64 {
+        match self {
+            Self::Position => blocks.position_error_m.mean,
+            Self::Rotation => blocks.rotation_error_rad.mean,
+            Self::Length => blocks.length_error_m.mean_abs,
+            Self::Tension => blocks.tension_error.map_or(f64::NAN, |error| error.mean_norm),
+        }
+    }
+
+    /// A value for people: mm, degrees or N.
+    pub fn format(self, value: f64) -> String {
+        let value = self.in_unit(value);
+        match self {
+            Self::Rotation => format!("{value:.4}°"),
+            Self::Position | Self::Length => format!("{value:.3} mm"),
+            Self::Tension => format!("{value:.1} N"),
         }
     }
 
@@ -55,6 +88,7 @@ impl Criterion {
                 let mean = |errors: &[f64]| errors.iter().map(|x| x.abs()).sum::<f64>() / errors.len() as f64;
                 evaluation.length.chunks(evaluation.cable_count.max(1)).map(mean).collect()
             }
+            Self::Tension => (0..evaluation.len()).map(|sample| evaluation.tension_norm_of(sample)).collect(),
         }
     }
 }
@@ -204,7 +238,8 @@ fn judge(
     for fold in folds {
         let train = samples.subset(&fold.train);
         let fitted = fit_to(&train)?;
-        let evaluation = evaluate(&fitted.model, &samples.subset(&fold.validation));
+        let evaluation =
+            evaluate(&fitted.model, &samples.subset(&fold.validation)).map_err(|error| error.to_string())?;
         fold_blocks.push((fold.name.clone(), evaluation.blocks()));
         errors.extend(&evaluation);
         validation_samples.extend(&fold.validation);
@@ -217,7 +252,7 @@ fn judge(
     let series = settings.criterion.of(&errors);
     let validation = errors.blocks();
     Ok(Judgement {
-        train: evaluate(&reported.model, &train).blocks(),
+        train: evaluate(&reported.model, &train).map_err(|error| error.to_string())?.blocks(),
         fit: reported,
         requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
         validation,
@@ -234,7 +269,13 @@ fn recommend(candidates: Vec<Judged>, criterion: Criterion) -> Selection {
         candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
     let finite = || judged.iter().filter(|(_, judgement)| judgement.criterion.is_finite());
     let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
-        let reason = "no candidate predicts a pose for every validation sample".to_owned();
+        let reason = match criterion {
+            Criterion::Tension => {
+                "no candidate predicts a tension for every validation sample: that takes an elastic model and recorded tensions"
+            }
+            _ => "no candidate predicts a pose for every validation sample",
+        };
+        let reason = reason.to_owned();
         return Selection { candidates, best: None, recommended: None, reason };
     };
     let error = if best_judgement.standard_error.is_finite() { best_judgement.standard_error } else { 0.0 };

@@ -30,6 +30,19 @@ pub struct LengthError {
     pub max: f64,
 }
 
+/// Error of the tensions over poses and cables (N).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TensionError {
+    /// Mean over poses of the 2-norm over cables.
+    pub mean_norm: f64,
+    /// Mean of the magnitudes.
+    pub mean_abs: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Largest magnitude.
+    pub max: f64,
+}
+
 impl PoseError {
     /// Statistics of magnitudes; NaN without any.
     pub fn of(values: &[f64]) -> Self {
@@ -55,6 +68,21 @@ impl LengthError {
             rms: mean_square(values).sqrt(),
             p95: quantile(&sorted, 0.95),
             max: sorted.last().copied().unwrap_or(f64::NAN),
+        }
+    }
+}
+
+impl TensionError {
+    /// Statistics of signed errors, sample by sample; NaN without any.
+    pub fn of(values: &[f64], cable_count: usize) -> Self {
+        let norm = |errors: &[f64]| errors.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let norms: Vec<f64> = values.chunks(cable_count.max(1)).map(norm).collect();
+        let magnitudes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
+        Self {
+            mean_norm: mean(&norms),
+            mean_abs: mean(&magnitudes),
+            rms: mean_square(values).sqrt(),
+            max: magnitudes.iter().copied().fold(f64::NAN, f64::max),
         }
     }
 }
@@ -94,5 +122,7 @@ mod tests {
         let error = LengthError::of(&[-3.0, 4.0]);
         assert_eq!((error.mean_abs, error.max), (3.5, 4.0));
         assert!((error.rms - 12.5_f64.sqrt()).abs() < 1e-15);
+        let error = TensionError::of(&[3.0, -4.0, 0.0, 1.0], 2);
+        assert_eq!((error.mean_norm, error.mean_abs, error.max), (3.0, 2.0, 4.0));
     }
 }

@@ -140,9 +140,20 @@ impl Model {
 
     /// [`Model::course`] without the question whether it exists: numbers that are not finite where it does not.
     pub(crate) fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
+        self.course_at(cable, pose.position.into(), &pose.rotation_rows())
+    }
+
+    /// [`Model::course_or_nan`] for a pose given by position and rotation rows, when many cables share it.
+    #[inline]
+    pub(crate) fn course_at(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> (Course<f64>, Vector3<f64>) {
         let data = &self.robot.cables[cable];
-        let lever = rotate(&pose.rotation_rows(), data.platform_anchor.into());
-        let anchor = add(pose.position.into(), lever);
+        let lever = rotate(rotation, data.platform_anchor.into());
+        let anchor = add(position, lever);
         let course = match (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius) {
             (true, Some(axis), Some(radius)) => {
                 outlet::pulley::course(data.frame_anchor.into(), axis.into(), radius, anchor)

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::descent::Problem;
 use super::normal::whiten;
-use super::optimum::{Optimum, noise_factor};
+use super::optimum::Optimum;
 use super::rows::{RowModel, SampleRows};
 use crate::identification::autocorrelation::correlation_time;
 use crate::identification::fit::{Estimate, Fit, Settings, estimate, verdict, warnings};
@@ -22,7 +22,7 @@ const CONFLICT: f64 = 2.0;
 /// The fit in full: uncertainty, weak directions, warnings.
 pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optimum, settings: &Settings) -> Fit {
     let model = &optimum.start_model;
-    let factor = noise_factor(optimum.end.cost, samples, model, parameters.len());
+    let factor = Problem::new(model, samples, &optimum.tensions, parameters, settings).noise_factor(optimum.end.cost);
     let inflation = if optimum.whitening.absolute { factor.max(1.0) } else { factor };
     let analysis = analyse(&optimum, samples, parameters, inflation, settings);
     let estimates: Vec<Estimate> = parameters

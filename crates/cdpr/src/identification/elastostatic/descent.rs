@@ -34,6 +34,16 @@ pub(super) struct End {
     pub(super) converged: bool,
 }
 
+/// An undamped Gauss–Newton step.
+pub(super) struct PlainStep {
+    /// Where it leads.
+    pub(super) values: Vec<f64>,
+    /// What it promises to gain (twice that of the quadratic model).
+    pub(super) promise: f64,
+    /// Cost where it started.
+    pub(super) cost: f64,
+}
+
 impl<'a> Problem<'a> {
     pub(super) fn new(
         model: &'a Model,
@@ -106,8 +116,32 @@ impl<'a> Problem<'a> {
         equations.cost().is_finite()
     }
 
-    /// Descends from these values.
-    pub(super) fn descend(&self, from: &[f64], whitening: &Whitening) -> End {
+    /// Root of the weighted sum of squares per degree of freedom.
+    pub(super) fn noise_factor(&self, cost: f64) -> f64 {
+        let rows = (self.samples.len() * (self.model.dof() + self.model.cable_count())) as f64;
+        (cost / (rows - self.parameters.len() as f64).max(1.0)).sqrt()
+    }
+
+    /// One undamped step; `None` where it is not determined or a bound is in its way.
+    pub(super) fn plain_step(&self, from: &[f64], whitening: &Whitening) -> Option<PlainStep> {
+        let mut rows = SampleRows::new(self.model, self.parameters.len());
+        let mut equations = NormalEquations::new(&rows);
+        if !self.equations(from, whitening, &mut rows, &mut equations) {
+            return None;
+        }
+        let step = solve(&equations, &vec![false; from.len()], 0.0)?;
+        let values: Vec<f64> = from.iter().zip(&step).map(|(value, step)| value + step).collect();
+        let inside = |(parameter, value): (&Parameter, &f64)| {
+            let (low, high) = parameter.bounds();
+            *value > low && *value < high
+        };
+        let promise = -(0..step.len()).map(|k| step[k] * equations.gradient(k)).sum::<f64>();
+        let all_inside = self.parameters.iter().zip(&values).all(inside);
+        all_inside.then_some(PlainStep { values, promise, cost: equations.cost() })
+    }
+
+    /// Descends from these values until the next step promises no more than this share of the cost.
+    pub(super) fn descend(&self, from: &[f64], whitening: &Whitening, stop: f64) -> End {
         let mut rows = SampleRows::new(self.model, self.parameters.len());
         let mut current = NormalEquations::new(&rows);
         let mut next = current.clone();
@@ -130,7 +164,7 @@ impl<'a> Problem<'a> {
             let promise: f64 = -(0..step.len()).map(|k| step[k] * current.gradient(k)).sum::<f64>();
             let trial: Vec<f64> = end.values.iter().zip(&step).map(|(value, step)| value + step).collect();
             // no reduction that the rounding of the cost would show
-            if settled || promise <= 1e-13 * current.cost() || size <= 1e-3 * self.settings.tolerance {
+            if settled || promise <= stop * current.cost() || size <= 1e-3 * self.settings.tolerance {
                 if damping == 0.0 {
                     end.values = trial;
                 }

@@ -86,43 +86,79 @@ impl Kernel for AddSample<'_> {
     fn run<L: Lanes>(self, l: L) {
         substitute(l, self.factor, self.rows);
         let (count, stride) = (self.rows.count, self.rows.stride);
-        let rows = &self.rows.entries;
-        // four rows of the sum at a time, so that each load of a row of J serves four products
-        for first in (0..stride).step_by(4) {
-            for block in (0..first + 4).step_by(LANES) {
-                let at = |k: usize| (first + k) * stride + block;
-                let mut sums = [
-                    l.load(&self.sums[at(0)..]),
-                    l.load(&self.sums[at(1)..]),
-                    l.load(&self.sums[at(2)..]),
-                    l.load(&self.sums[at(3)..]),
-                ];
+        let blocks = stride / LANES;
+        let (rows, _) = self.rows.entries.as_chunks::<LANES>();
+        let (sums, _) = self.sums.as_chunks_mut::<LANES>();
+        let (rows, sums) = (&rows[..count * blocks], &mut sums[..stride * blocks]);
+        // eight rows of the sum at a time, so that each load of a row of J serves eight products
+        for first in 0..blocks {
+            for block in 0..=first {
+                let zero = l.constant(0.0);
+                let mut tile = [zero; LANES];
                 for row in 0..count {
-                    let values = l.load(&rows[row * stride + block..]);
-                    let factors = &rows[row * stride + first..][..4];
-                    for k in 0..4 {
-                        sums[k] = sums[k] + l.constant(factors[k]) * values;
+                    let values = l.load(&rows[row * blocks + block]);
+                    let factors = &rows[row * blocks + first];
+                    for k in 0..LANES {
+                        tile[k] = tile[k] + l.constant(factors[k]) * values;
                     }
                 }
-                for k in 0..4 {
-                    sums[k].store(&mut self.sums[at(k)..]);
+                for k in 0..LANES {
+                    let sum = &mut sums[(first * LANES + k) * blocks + block];
+                    (l.load(sum) + tile[k]).store(sum);
                 }
             }
         }
     }
 }
 
-/// Forward substitution with the lower factor, one block of columns at a time.
+/// Columns whose substitution runs side by side: each waits for its own earlier rows.
+const SIDE_BY_SIDE: usize = 4;
+
+/// Forward substitution with the lower factor, some blocks of columns side by side.
 #[inline(always)]
 fn substitute<L: Lanes>(l: L, factor: &[f64], rows: &mut SampleRows) {
-    let (count, stride) = (rows.count, rows.stride);
-    for block in (0..stride).step_by(LANES) {
-        for row in 0..count {
-            let mut value = l.load(&rows.entries[row * stride + block..]);
-            for k in 0..row {
-                value = value - l.constant(factor[row * count + k]) * l.load(&rows.entries[k * stride + block..]);
+    let (count, blocks) = (rows.count, rows.stride / LANES);
+    let (entries, _) = rows.entries.as_chunks_mut::<LANES>();
+    let entries = &mut entries[..count * blocks];
+    let mut block = 0;
+    while block < blocks {
+        match blocks - block {
+            SIDE_BY_SIDE.. => substitute_blocks::<L, SIDE_BY_SIDE>(l, factor, entries, count, blocks, block),
+            2.. => substitute_blocks::<L, 2>(l, factor, entries, count, blocks, block),
+            _ => substitute_blocks::<L, 1>(l, factor, entries, count, blocks, block),
+        }
+        block += match blocks - block {
+            SIDE_BY_SIDE.. => SIDE_BY_SIDE,
+            2.. => 2,
+            _ => 1,
+        };
+    }
+}
+
+#[inline(always)]
+fn substitute_blocks<L: Lanes, const B: usize>(
+    l: L,
+    factor: &[f64],
+    entries: &mut [[f64; LANES]],
+    count: usize,
+    blocks: usize,
+    first: usize,
+) {
+    for row in 0..count {
+        let own = &factor[row * count..][..count];
+        let mut values = [l.constant(0.0); B];
+        for b in 0..B {
+            values[b] = l.load(&entries[row * blocks + first + b]);
+        }
+        for k in 0..row {
+            let weight = l.constant(own[k]);
+            for b in 0..B {
+                values[b] = values[b] - weight * l.load(&entries[k * blocks + first + b]);
             }
-            (value * l.constant(factor[row * count + row])).store(&mut rows.entries[row * stride + block..]);
+        }
+        let inverse = l.constant(own[row]);
+        for b in 0..B {
+            (values[b] * inverse).store(&mut entries[row * blocks + first + b]);
         }
     }
 }

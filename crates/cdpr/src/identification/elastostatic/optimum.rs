@@ -15,7 +15,17 @@ use crate::robot::{ExternalWrench, Robot};
 use crate::statics::Load;
 
 /// Most repetitions of a fit with weights from its own optimum.
-const REWEIGHTINGS: u32 = 6;
+const REWEIGHTINGS: u32 = 8;
+/// Most steps with weights renewed at each; each gains about a digit.
+const POLISHING_STEPS: u32 = 15;
+/// Share of the cost that a step with renewed weights may gain once they stay as they are: all parameters together move by
+/// a tenth of a standard deviation or less.
+const SETTLED_PROMISE: f64 = 1e-5;
+/// Share of the cost that the next step may still promise when a descent stops: near the optimum, near enough to compare
+/// optima, and far below any standard deviation.
+const NEAR_PROMISE: f64 = 1e-1;
+const SEARCH_PROMISE: f64 = 1e-9;
+const FINAL_PROMISE: f64 = 1e-11;
 /// How far other starts move anchors from the file's values, in every direction (m).
 const ANCHOR_SPREAD: f64 = 0.5;
 /// By which factor other starts change compliances, up or down.
@@ -75,41 +85,100 @@ pub(crate) fn find(
     check_courses(&start_model, samples)?;
     let (sigmas, absolute) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
-    let mut whitening = weigh(&problem, &start_model, &sigmas, absolute)?;
+    let weigh = Weigh { problem: &problem, given: model, sigmas, absolute };
+    let mut whitening = weigh.at(&start_model)?;
     let (mut end, basins) = search(&problem, &whitening);
-    for _ in 0..REWEIGHTINGS {
-        let Some(here) = problem.model_at(&end.values) else { break };
-        let again = weigh(&problem, &with_given_levers(&here, model)?, &sigmas, absolute)?;
-        let again = match absolute {
-            true => again,
-            false => again.scaled(1.0 / noise_factor(end.cost, samples, model, parameters.len()).max(1e-6)),
-        };
-        if parameters.is_empty() || whitening.distance_to(&again) < 1e-6 {
-            break;
-        }
-        whitening = again;
-        let more = problem.descend(&end.values, &whitening);
-        end = End { iterations: end.iterations + more.iterations, ..more };
+    if !parameters.is_empty() && !weigh.polish(&mut end, &mut whitening)? {
+        weigh.repeat(&mut end, &mut whitening)?;
     }
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
     Ok(Optimum { calibrated, whitening, end, basins, tensions, start_model })
 }
 
-/// Root of the weighted sum of squares per degree of freedom.
-pub(super) fn noise_factor(cost: f64, samples: &Samples, model: &Model, parameter_count: usize) -> f64 {
-    let rows = (samples.len() * (model.dof() + model.cable_count())) as f64;
-    (cost / (rows - parameter_count as f64).max(1.0)).sqrt()
+/// Weights that agree with the optimum they lead to.
+struct Weigh<'a> {
+    problem: &'a Problem<'a>,
+    /// The model as the caller gave it.
+    given: &'a Model,
+    sigmas: Sigmas,
+    absolute: bool,
+}
+
+impl Weigh<'_> {
+    fn at(&self, model: &Model) -> Result<Whitening, InputError> {
+        let Problem { parameters, samples, tensions, .. } = *self.problem;
+        let rows = RowModel::new(model, Load::of(model.robot())?, parameters);
+        Whitening::new(&rows, samples, tensions, &self.sigmas, self.absolute).ok_or(InputError::NotFinite)
+    }
+
+    /// Weights for the parameters where a descent ended.
+    fn at_end(&self, end: &End) -> Result<Whitening, InputError> {
+        let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
+        let again = self.at(&with_given_levers(&here, self.given)?)?;
+        Ok(match self.absolute {
+            true => again,
+            false => again.scaled(1.0 / self.problem.noise_factor(end.cost).max(1e-6)),
+        })
+    }
+
+    /// Gauss–Newton steps with weights renewed at each until they hardly matter, then the optimum for the last ones; false
+    /// when the steps do not contract, or need damping.
+    fn polish(&self, end: &mut End, whitening: &mut Whitening) -> Result<bool, InputError> {
+        if !self.absolute {
+            return Ok(false);
+        }
+        let mut last_promise = f64::INFINITY;
+        for _ in 0..POLISHING_STEPS {
+            *whitening = self.at_end(end)?;
+            let Some(step) = self.problem.plain_step(&end.values, whitening) else { return Ok(false) };
+            end.iterations += 1;
+            end.history.push(step.cost);
+            (end.values, end.cost) = (step.values, step.cost);
+            if step.promise <= SETTLED_PROMISE * step.cost {
+                *whitening = self.at_end(end)?;
+                let last = self.problem.descend(&end.values, whitening, FINAL_PROMISE);
+                end.history.extend(&last.history[1..]);
+                *end = End {
+                    iterations: end.iterations + last.iterations,
+                    history: std::mem::take(&mut end.history),
+                    ..last
+                };
+                return Ok(true);
+            }
+            if !(step.promise < 0.25 * last_promise) {
+                return Ok(false);
+            }
+            last_promise = step.promise;
+        }
+        Ok(false)
+    }
+
+    /// Whole descents with weights renewed between them.
+    fn repeat(&self, end: &mut End, whitening: &mut Whitening) -> Result<(), InputError> {
+        for round in 0..REWEIGHTINGS {
+            let again = self.at_end(end)?;
+            if round > 0 && whitening.distance_to(&again) < 1e-6 {
+                break;
+            }
+            *whitening = again;
+            let more = self.problem.descend(&end.values, whitening, FINAL_PROMISE);
+            *end = End { iterations: end.iterations + more.iterations, ..more };
+        }
+        Ok(())
+    }
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
 fn search(problem: &Problem<'_>, whitening: &Whitening) -> (End, Vec<Basin>) {
-    let mut best = problem.descend(&problem.start, whitening);
+    // one start only has to come near; several must be told apart
+    let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
+    let mut best = problem.descend(&problem.start, whitening, stop);
     let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
     let mut random = ChaCha8Rng::seed_from_u64(problem.settings.seed);
     for _ in 1..problem.settings.starts {
         let from: Vec<f64> =
             problem.parameters.iter().zip(&problem.start).map(|(p, &value)| moved(p, value, &mut random)).collect();
-        let end = problem.descend(&from, whitening);
+        let end = problem.descend(&from, whitening, stop);
         if !end.cost.is_finite() {
             continue;
         }
@@ -133,12 +202,6 @@ fn moved(parameter: &Parameter, value: f64, random: &mut ChaCha8Rng) -> f64 {
         ParameterKind::Compliance => value * COMPLIANCE_SPREAD.powf(amount),
         _ => value,
     }
-}
-
-fn weigh(problem: &Problem<'_>, at: &Model, sigmas: &Sigmas, absolute: bool) -> Result<Whitening, InputError> {
-    let load = Load::of(at.robot())?;
-    let rows = RowModel::new(at, load, problem.parameters);
-    Whitening::new(&rows, problem.samples, problem.tensions, sigmas, absolute).ok_or(InputError::NotFinite)
 }
 
 /// Recorded tensions, refused where they are missing or cables push by more than the sensors' noise.

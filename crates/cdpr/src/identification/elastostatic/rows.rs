@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
-use crate::geometry::Pose;
+use crate::geometry::{Twist, Wrench};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind, specific_compliance};
 use crate::robot::StiffnessBasis;
@@ -65,9 +65,9 @@ impl<'a> RowModel<'a> {
         Self { model, load, parameters, first: (0..=model.cable_count()).map(before).collect() }
     }
 
-    fn cable(&self, cable: usize, pose: &Pose, recorded_tension: f64) -> CableRows {
+    fn cable(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3], recorded_tension: f64) -> CableRows {
         let data = &self.model.robot().cables[cable];
-        let (course, lever) = self.model.course_or_nan(cable, pose);
+        let (course, lever) = self.model.course_at(cable, position, rotation);
         let tension = self.model.real_tension(cable, recorded_tension);
         let law: &Elasticity<f64> = self.model.elasticity(cable);
         let controlled = law.controlled_length_gradient(
@@ -85,36 +85,41 @@ impl<'a> RowModel<'a> {
     pub(super) fn write(&self, samples: &Samples, tensions: &[f64], sample: usize, rows: &mut SampleRows) {
         rows.entries.fill(0.0);
         let pose = &samples.poses[sample];
-        let rotation = pose.rotation_matrix();
+        let (position, rotation_rows, rotation) = (pose.position.into(), pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
         let (stride, residual) = (rows.stride, rows.parameter_count);
-        let wrench = self.load.wrench(pose);
-        for (row, basis) in self.model.twist_basis().iter().enumerate() {
-            rows.entries[row * stride + residual] = basis.dot(&wrench);
-        }
+        let mut wrench = self.load.wrench(pose);
         let recorded = samples.lengths_of(sample);
         for cable in 0..m {
-            let data = self.cable(cable, pose, tensions[sample * m + cable]);
-            for (row, basis) in self.model.twist_basis().iter().enumerate() {
-                rows.entries[row * stride + residual] += data.tension * data.column().dot(basis);
-            }
+            let data = self.cable(cable, position, &rotation_rows, tensions[sample * m + cable]);
+            wrench += data.column() * data.tension;
             let expected = self.model.recorded_length(cable, data.controlled.value);
             let length_row = (n + cable) * stride;
             rows.entries[length_row + residual] = expected - recorded[cable];
             for column in self.first[cable]..self.first[cable + 1] {
                 let (wrench_change, length_change) = data.by(&self.parameters[column], self.model, &rotation);
-                for (row, basis) in self.model.twist_basis().iter().enumerate() {
-                    rows.entries[row * stride + column] = basis.dot(&wrench_change);
-                }
+                self.write_wrench(&wrench_change, column, rows);
                 rows.entries[length_row + column] = length_change;
             }
         }
+        self.write_wrench(&wrench, residual, rows);
         for column in self.first[m]..self.parameters.len() {
             rows.entries[self.parameters[column].axis * stride + column] = 1.0;
         }
     }
 
-    /// Adds N diag(σ²) Nᵀ of a sample to `covariance` (row-major, n + m).
+    /// Writes a wrench (world) to the wrench rows of a column, in the degrees of freedom of the pattern.
+    #[inline]
+    fn write_wrench(&self, wrench: &Wrench, column: usize, rows: &mut SampleRows) {
+        let basis = self.model.twist_basis();
+        for row in 0..basis.len() {
+            // the directions of a spatial pattern are the world's own
+            rows.entries[row * rows.stride + column] =
+                if basis.len() == 6 { wrench[row] } else { basis[row].dot(wrench) };
+        }
+    }
+
+    /// Adds N diag(σ²) Nᵀ of a sample to the lower triangle of `covariance` (row-major, n + m).
     pub(super) fn add_covariance(
         &self,
         samples: &Samples,
@@ -124,46 +129,54 @@ impl<'a> RowModel<'a> {
         covariance: &mut [f64],
     ) {
         let pose = &samples.poses[sample];
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         let (m, n) = (self.model.cable_count(), self.model.dof());
         let count = n + m;
-        // rows' derivatives by the pose's n directions, to be scaled by their σ
-        let mut by_pose = nalgebra::DMatrix::zeros(count, n);
-        let gravity = self.load.gradient(pose);
         let basis = self.model.twist_basis();
-        for column in 0..n {
-            let change = gravity * basis[column];
-            (0..n).for_each(|row| by_pose[(row, column)] = basis[row].dot(&change));
-        }
-        for cable in 0..m {
-            let data = self.cable(cable, pose, tensions[sample * m + cable]);
-            let by_twist = data.column_by_pose();
-            for column in 0..n {
-                let change = by_twist * basis[column] * data.tension;
-                (0..n).for_each(|row| by_pose[(row, column)] += basis[row].dot(&change));
-                let length_change = -data.column().dot(&basis[column]);
-                by_pose[(n + cable, column)] = data.length_scale * data.controlled.by_length * length_change;
-            }
+        let cables: Vec<CableRows> =
+            (0..m).map(|cable| self.cable(cable, position, &rotation, tensions[sample * m + cable])).collect();
+        // ∂(wrench)/∂\[δr; δφ\] of load and cables together
+        let mut by_twist = self.load.gradient(pose);
+        for (cable, data) in cables.iter().enumerate() {
+            by_twist += data.column_by_pose() * data.tension;
             // the recorded tension enters n wrench rows and one length row
             let real_sigma = sigmas.tension / data.tension_scale;
-            let place = |k: usize| if k < n { k } else { n + cable };
-            let by_tension = |k: usize| match k < n {
-                true => basis[k].dot(&data.column()) * real_sigma,
-                false => data.length_scale * data.controlled.by_tension * real_sigma,
-            };
-            for i in 0..=n {
-                for j in 0..=n {
-                    covariance[place(i) * count + place(j)] += by_tension(i) * by_tension(j);
+            let column = data.column();
+            let mut by_tension = [0.0; 7];
+            (0..n).for_each(|k| by_tension[k] = basis[k].dot(&column) * real_sigma);
+            by_tension[n] = data.length_scale * data.controlled.by_tension * real_sigma;
+            for i in 0..n {
+                for j in 0..=i {
+                    covariance[i * count + j] += by_tension[i] * by_tension[j];
                 }
             }
-            covariance[(n + cable) * count + n + cable] += sigmas.length * sigmas.length;
+            let length_row = &mut covariance[(n + cable) * count..][..count];
+            (0..n).for_each(|j| length_row[j] += by_tension[n] * by_tension[j]);
+            length_row[n + cable] += by_tension[n] * by_tension[n] + sigmas.length * sigmas.length;
         }
-        for (column, twist) in basis.iter().enumerate() {
-            let turns = twist.fixed_rows::<3>(3).norm() > 0.0;
-            by_pose.column_mut(column).scale_mut(if turns { sigmas.rotation } else { sigmas.position });
-        }
+        let sigma = |twist: &Twist| match twist.fixed_rows::<3>(3).norm_squared() > 0.0 {
+            true => sigmas.rotation,
+            false => sigmas.position,
+        };
+        let by_direction: [Twist; 6] = std::array::from_fn(|k| match basis.get(k) {
+            Some(twist) => by_twist * twist * sigma(twist),
+            None => Twist::zeros(),
+        });
+        let row_of = |row: usize| -> [f64; 6] {
+            match row.checked_sub(n) {
+                None => std::array::from_fn(|k| if k < n { basis[row].dot(&by_direction[k]) } else { 0.0 }),
+                Some(cable) => {
+                    let data = &cables[cable];
+                    let slope = -data.length_scale * data.controlled.by_length;
+                    let column = data.column();
+                    std::array::from_fn(|k| basis.get(k).map_or(0.0, |t| slope * column.dot(t) * sigma(t)))
+                }
+            }
+        };
+        let by_pose: Vec<[f64; 6]> = (0..count).map(row_of).collect();
         for i in 0..count {
-            for j in 0..count {
-                covariance[i * count + j] += by_pose.row(i).dot(&by_pose.row(j));
+            for j in 0..=i {
+                covariance[i * count + j] += (0..6).map(|k| by_pose[i][k] * by_pose[j][k]).sum::<f64>();
             }
         }
     }
@@ -184,7 +197,7 @@ pub(super) struct Sigmas {
 
 impl CableRows {
     /// Column of the structure matrix in the world, \[u; b × u\].
-    fn column(&self) -> nalgebra::Vector6<f64> {
+    fn column(&self) -> Wrench {
         let u = Vector3::from(self.course.direction);
         stacked(u, self.lever.cross(&u))
     }
@@ -203,7 +216,7 @@ impl CableRows {
     }
 
     /// Change of the wrench (world) and of the length row by one of the cable's parameters.
-    fn by(&self, parameter: &Parameter, model: &Model, rotation: &Matrix3<f64>) -> (nalgebra::Vector6<f64>, f64) {
+    fn by(&self, parameter: &Parameter, model: &Model, rotation: &Matrix3<f64>) -> (Wrench, f64) {
         let u = Vector3::from(self.course.direction);
         let gradient = Matrix3::from(self.course.direction_gradient).transpose();
         let by_length = self.length_scale * self.controlled.by_length;
@@ -211,7 +224,7 @@ impl CableRows {
         let wrench = |direction: Vector3<f64>, lever: Vector3<f64>| {
             stacked(direction, lever.cross(&u) + self.lever.cross(&direction)) * self.tension
         };
-        let none = nalgebra::Vector6::zeros();
+        let none = Wrench::zeros();
         match parameter.kind {
             ParameterKind::FrameAnchor => {
                 let axis = model.axes()[parameter.axis];
@@ -235,11 +248,11 @@ impl CableRows {
         }
     }
 
-    fn by_tension(&self, change: f64) -> (nalgebra::Vector6<f64>, f64) {
+    fn by_tension(&self, change: f64) -> (Wrench, f64) {
         (self.column() * change, self.length_scale * self.controlled.by_tension * change)
     }
 }
 
-fn stacked(force: Vector3<f64>, moment: Vector3<f64>) -> nalgebra::Vector6<f64> {
-    nalgebra::Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
+fn stacked(force: Vector3<f64>, moment: Vector3<f64>) -> Wrench {
+    Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
 }

@@ -22,7 +22,7 @@ pub struct Requirement {
 type Metric = (&'static str, fn(&ErrorBlocks) -> f64);
 
 /// Every figure that can be limited.
-const METRICS: [Metric; 14] = [
+const METRICS: [Metric; 18] = [
     ("position_mean_m", |e| e.position_error_m.mean),
     ("position_rms_m", |e| e.position_error_m.rms),
     ("position_median_m", |e| e.position_error_m.median),
@@ -37,6 +37,10 @@ const METRICS: [Metric; 14] = [
     ("length_rms_m", |e| e.length_error_m.rms),
     ("length_p95_m", |e| e.length_error_m.p95),
     ("length_max_m", |e| e.length_error_m.max),
+    ("tension_mean_norm_N", |e| e.tension_error.map_or(f64::NAN, |t| t.mean_norm)),
+    ("tension_mean_abs_N", |e| e.tension_error.map_or(f64::NAN, |t| t.mean_abs)),
+    ("tension_rms_N", |e| e.tension_error.map_or(f64::NAN, |t| t.rms)),
+    ("tension_max_N", |e| e.tension_error.map_or(f64::NAN, |t| t.max)),
 ];
 
 fn rotation(errors: &ErrorBlocks) -> &PoseError {
