@@ -54,6 +54,9 @@ pub enum EvaluationError {
     /// An elastic model of a robot whose load is unknown.
     #[error("an elastic model predicts poses and tensions under load: {0}")]
     Load(#[from] LoadError),
+    /// An elastic model whose forward problem has no answer, such as one of rigid cables.
+    #[error("the model cannot predict poses: {0}")]
+    Forward(#[from] elastostatics::InputError),
     /// Not one length per cable.
     #[error("the robot has {robot} cables, the data have {data}")]
     CableCount {
@@ -84,8 +87,7 @@ impl<'a> Predictor<'a> {
         if model.composition().elastic {
             let load = Load::of(model.robot())?;
             let settings = elastostatics::Settings::default();
-            let solver = elastostatics::Solver::new(model, &load, &settings).expect("the default settings are valid");
-            return Ok(Self::Elastic(solver));
+            return Ok(Self::Elastic(elastostatics::Solver::new(model, &load, &settings)?));
         }
         // the measured pose is near the solution: a residual there is the model's, not a wrong minimum's
         let defaults = forward_kinematics::Settings::default();
