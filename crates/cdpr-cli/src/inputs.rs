@@ -37,12 +37,17 @@ impl RobotArgument {
     pub(crate) fn read(&self) -> Result<Robot, Failure> {
         read_robot(&self.robot)
     }
+
+    /// The robot with these effects.
+    pub(crate) fn model(&self, composition: Composition) -> Result<Model, Failure> {
+        Model::new(self.read()?, composition).map_err(|error| Failure::refused(&self.robot, &error))
+    }
 }
 
 impl ModelArguments {
     /// The robot with the effects asked for.
     pub(crate) fn read(&self) -> Result<Model, Failure> {
-        Model::new(self.robot.read()?, self.model).map_err(|error| Failure::refused(&self.robot.robot, &error))
+        self.robot.model(self.model)
     }
 }
 

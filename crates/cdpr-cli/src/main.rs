@@ -15,6 +15,7 @@ mod report;
 mod selecting;
 mod statics_failure;
 mod table;
+mod tension_choice;
 mod wrench_answer;
 
 use std::process::ExitCode;

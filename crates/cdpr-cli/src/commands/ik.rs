@@ -1,28 +1,37 @@
-//! `cdpr ik`: cable lengths and directions at a pose.
+//! `cdpr ik`: cable lengths and directions at a pose, and the lengths that winches must pay out.
 
 use std::process::ExitCode;
 
 use cdpr::cable::DegenerateCourse;
 use cdpr::geometry::Pose;
-use cdpr::model::Model;
+use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
+use cdpr::robot::Cable;
+use cdpr::statics::{check_tensions, controlled_lengths};
 use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, pose_of};
+use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
 use crate::pose_answer::{PoseAnswer, axis_names, components};
+use crate::statics_failure::refused;
 use crate::table::{Table, cell};
+use crate::tension_choice::{Chosen, tensions_of};
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr ik planar-example --pose 0.5,4
   cdpr ik cogiro --pose 0,0,1.5,0,0,0.1 --format json
-  cdpr ik robot.toml --pose=-1,2 --model pulley";
+  cdpr ik robot.toml --pose=-1,2 --model pulley
+  cdpr ik planar-example --pose 0.5,4 --model elastic
+  cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400";
 
 /// Inverse kinematics: cable lengths, directions and wrap angles at a pose.
+///
+/// Elastic cables need less length than the geometry says, by their stretch under the tensions. These are given, or those
+/// that balance the load within the robot's tension limits.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -32,9 +41,19 @@ pub(crate) struct Arguments {
     /// Platform pose (m, rad): x,y | x,y,angle | x,y,z | x,y,z,rx,ry,rz, as the robot's motion pattern has it.
     #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
     pose: NumberList,
+
+    /// Cable tensions of an elastic model, one per cable (N), not judged against limits; those nearest the middle of the
+    /// limits that balance the load when left out.
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
+    tensions: Option<NumberList>,
+
+    /// Load that the tensions of an elastic model balance, in place of the robot's wrench and weight: fx,fy | fx,fy,m |
+    /// fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m).
+    #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
+    wrench: Option<NumberList>,
 }
 
-/// Entries are null where a cable has no unique course.
+/// Entries are null where a cable has no unique course, controlled lengths also where no tensions balance the load.
 #[derive(Serialize)]
 struct InverseKinematics {
     robot: String,
@@ -49,6 +68,8 @@ struct InverseKinematics {
     wrap_angles_rad: Option<Vec<Option<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     recorded_lengths_m: Option<Vec<Option<f64>>>,
+    #[serde(rename = "tensions_N", skip_serializing_if = "Option::is_none")]
+    tensions: Option<Vec<f64>>,
     #[serde(skip)]
     cable_names: Vec<String>,
     #[serde(skip)]
@@ -58,7 +79,27 @@ struct InverseKinematics {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
-    output.answer(&solve(&model, &pose)?)
+    check_forces(&model, &arguments)?;
+    let mut answer = solve(&model, &pose)?;
+    if model.composition().elastic {
+        answer.stretch(&model, &pose, &arguments)?;
+    } else if arguments.tensions.is_some() || arguments.wrench.is_some() {
+        let elastic = Composition { elastic: true, ..model.composition() };
+        output.remark(&format!(
+            "the cables of model `{}` are rigid: tensions and wrench change nothing; `--model {elastic}` asks for elastic ones",
+            model.composition()
+        ));
+    }
+    answer.record(&model);
+    output.answer(&answer)
+}
+
+/// Tensions and wrench are right in number and kind, whether they are needed or not.
+fn check_forces(model: &Model, arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(NumberList(tensions)) = &arguments.tensions {
+        check_tensions(model, tensions).map_err(|error| refused("--tensions", &error))?;
+    }
+    arguments.wrench.iter().try_for_each(|numbers| wrench_of(model.robot(), "--wrench", numbers).map(|_| ()))
 }
 
 fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
@@ -71,9 +112,6 @@ fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
     let reason = reasons.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
     let courses: Vec<_> = courses.iter().map(|course| course.as_ref().ok()).collect();
     let lengths: Vec<_> = courses.iter().map(|course| course.map(|course| course.length)).collect();
-    let has_calibration =
-        robot.cables.iter().any(|cable| cable.length_scale.is_some() || cable.length_offset.is_some());
-    let recorded = lengths.iter().enumerate().map(|(cable, q)| q.map(|q| model.recorded_length(cable, q)));
     let direction = |course: &cdpr::cable::Course<f64>| components(robot, &Vector3::from(course.direction));
     Ok(InverseKinematics {
         robot: robot.name.clone(),
@@ -81,16 +119,47 @@ fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
         status: if reason.is_empty() { "solved" } else { "singular" },
         reason: (!reason.is_empty()).then_some(reason),
         pose: PoseAnswer::new(robot, pose),
-        recorded_lengths_m: has_calibration.then(|| recorded.collect()),
+        recorded_lengths_m: None,
         // a rigid cable is as long as its course
         controlled_lengths_m: lengths.clone(),
         cable_lengths_m: lengths,
         directions: courses.iter().map(|course| course.map(direction)).collect(),
         wrap_angles_rad: (model.composition().pulley)
             .then(|| courses.iter().map(|course| course.map(|course| course.wrap_angle)).collect()),
+        tensions: None,
         cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
         axes: axis_names(robot),
     })
+}
+
+impl InverseKinematics {
+    /// Controlled lengths of elastic cables, under the tensions given or those of the load.
+    fn stretch(&mut self, model: &Model, pose: &Pose, arguments: &Arguments) -> Result<(), Failure> {
+        let geometric = std::mem::replace(&mut self.controlled_lengths_m, vec![None; model.cable_count()]);
+        if geometric.contains(&None) {
+            return Ok(());
+        }
+        let chosen = tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())?;
+        match chosen {
+            Chosen::Tensions(tensions) => {
+                let lengths = controlled_lengths(model, pose, &tensions).map_err(|error| refused("--tensions", &error))?;
+                self.controlled_lengths_m = lengths.into_iter().map(Some).collect();
+                self.tensions = Some(tensions);
+            }
+            Chosen::None { status, reason } => (self.status, self.reason) = (status, Some(reason)),
+        }
+        Ok(())
+    }
+
+    /// What the robot would record, where its file says that this is something else.
+    fn record(&mut self, model: &Model) {
+        let is_calibrated = |cable: &Cable| cable.length_scale.is_some() || cable.length_offset.is_some();
+        if model.robot().cables.iter().any(is_calibrated) {
+            let controlled = self.controlled_lengths_m.iter().enumerate();
+            let recorded = controlled.map(|(cable, length)| length.map(|length| model.recorded_length(cable, length)));
+            self.recorded_lengths_m = Some(recorded.collect());
+        }
+    }
 }
 
 impl Answer for InverseKinematics {
@@ -101,16 +170,21 @@ impl Answer for InverseKinematics {
     fn words(&self) -> String {
         let mut text = format!("{}, model {}, at {}\n", self.robot, self.model, self.pose.words());
         if let Some(reason) = &self.reason {
-            text.push_str(&format!("singular: {reason}\n"));
+            text.push_str(&format!("{}: {reason}\n", self.status));
         }
         let mut heading = vec!["cable".to_owned(), "length m".to_owned()];
+        let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
+        heading.extend(is_elastic.then(|| "controlled m".to_owned()));
         heading.extend(self.recorded_lengths_m.iter().map(|_| "recorded m".to_owned()));
+        heading.extend(self.tensions.iter().map(|_| "tension N".to_owned()));
         heading.extend(self.axes.iter().map(|axis| format!("pull {axis}")));
         heading.extend(self.wrap_angles_rad.iter().map(|_| "wrap °".to_owned()));
         let mut table = Table::with_heading(heading);
         for (cable, name) in self.cable_names.iter().enumerate() {
             let mut cells = vec![name.clone(), cell(self.cable_lengths_m[cable], 6)];
+            cells.extend(is_elastic.then(|| cell(self.controlled_lengths_m[cable], 6)));
             cells.extend(self.recorded_lengths_m.iter().map(|recorded| cell(recorded[cable], 6)));
+            cells.extend(self.tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
             let direction = self.directions[cable].as_ref();
             cells.extend((0..self.axes.len()).map(|axis| cell(direction.map(|u| u[axis]), 6)));
             cells.extend(self.wrap_angles_rad.iter().map(|angles| cell(angles[cable].map(f64::to_degrees), 3)));

@@ -32,6 +32,7 @@ commands! {
     ik: Ik,
     fk: Fk,
     load: Load,
+    stiffness: Stiffness,
     place_pulleys: PlacePulleys,
     select: Select,
     simulate: Simulate,

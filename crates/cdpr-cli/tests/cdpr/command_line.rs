@@ -2,7 +2,7 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
     "select",
     "simulate",
     "demo",
@@ -11,6 +11,7 @@ const COMMANDS: [&str; 12] = [
     "ik",
     "fk",
     "load",
+    "stiffness",
     "place-pulleys",
     "identify",
     "evaluate",

@@ -73,7 +73,7 @@ pub enum StaticsError {
 }
 
 /// One finite tension of zero or more per cable, or an error that names the cable.
-pub(super) fn check_tensions(model: &Model, tensions: &[f64]) -> Result<(), StaticsError> {
+pub fn check_tensions(model: &Model, tensions: &[f64]) -> Result<(), StaticsError> {
     let (expected, found) = (model.cable_count(), tensions.len());
     if expected != found {
         return Err(StaticsError::TensionCount { expected, found });

@@ -12,7 +12,7 @@ mod stiffness;
 mod tests;
 
 pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_residual};
-pub use error::StaticsError;
+pub use error::{StaticsError, check_tensions};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
 pub use stiffness::{Stability, Stiffness};
