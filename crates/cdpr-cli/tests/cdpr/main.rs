@@ -7,6 +7,7 @@ mod command_line;
 mod kinematics;
 mod measurements;
 mod selection;
+mod statics;
 
 use std::path::{Path, PathBuf};
 
