@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::descent::Problem;
-use super::normal::whiten;
 use super::optimum::Optimum;
 use super::rows::{RowModel, SampleRows};
 use crate::identification::autocorrelation::correlation_time;
@@ -23,7 +22,7 @@ const CONFLICT: f64 = 2.0;
 pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optimum, settings: &Settings) -> Fit {
     let model = &optimum.start_model;
     let factor = Problem::new(model, samples, &optimum.tensions, parameters, settings).noise_factor(optimum.end.cost);
-    let inflation = if optimum.whitening.absolute { factor.max(1.0) } else { factor };
+    let inflation = if optimum.absolute { factor.max(1.0) } else { factor };
     let analysis = analyse(&optimum, samples, parameters, inflation, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
@@ -33,7 +32,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     let (status, reason) = verdict(&analysis, parameters.len(), optimum.converged(), settings);
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
-    all_warnings.extend(warnings::of_noise(optimum.whitening.absolute, factor, parameters.len()));
+    all_warnings.extend(warnings::of_noise(optimum.absolute, factor, parameters.len()));
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(prior_conflicts(&estimates));
     Fit {
@@ -114,9 +113,9 @@ fn stacked(
     let mut weighted = plain.clone();
     let mut residuals = vec![Vec::with_capacity(samples.len()); count];
     for sample in 0..samples.len() {
-        row_model.write(samples, &optimum.tensions, sample, &mut rows);
+        optimum.linearization.write(&row_model, samples, sample, &mut rows);
         copy(&rows, sample, &mut plain);
-        whiten(optimum.whitening.factor(sample), &mut rows);
+        optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
         copy(&rows, sample, &mut weighted);
         (0..count).for_each(|row| residuals[row].push(rows.residual(row)));
     }

@@ -1,22 +1,11 @@
-//! Cholesky factors of the rows' covariances, sample by sample.
+//! Sensor accuracies that the weights use, and Cholesky factors of the rows' covariances.
 
-use super::rows::{RowModel, Sigmas};
+use super::rows::Sigmas;
 use crate::identification::fit::ASSUMED_NOISE;
 use crate::measurement::Samples;
 
 /// Share of the mean tension assumed as the force sensors' noise where none is stated.
 const ASSUMED_TENSION_SHARE: f64 = 0.01;
-
-/// Whitening of every sample: the lower Cholesky factor of its covariance, each diagonal entry inverted.
-#[derive(Clone, Debug)]
-pub(super) struct Whitening {
-    /// Rows of one sample.
-    pub(super) count: usize,
-    /// Row-major factors, one after the other.
-    factors: Vec<f64>,
-    /// False when no sensor accuracy is known, so that only the ratio of the rows' weights is assumed.
-    pub(super) absolute: bool,
-}
 
 /// What the weights take for the sensors' accuracies, and whether any of it was stated.
 ///
@@ -36,57 +25,25 @@ pub(super) fn sigmas(samples: &Samples, mean_tension: f64) -> (Sigmas, bool) {
     (sigmas, absolute)
 }
 
-impl Whitening {
-    /// The factors at a model's parameters; `None` when a covariance is not positive definite, which only numbers that are
-    /// not finite can make it.
-    pub(super) fn new(
-        model: &RowModel<'_>,
-        samples: &Samples,
-        tensions: &[f64],
-        sigmas: &Sigmas,
-        absolute: bool,
-    ) -> Option<Self> {
-        let count = model.model.dof() + model.model.cable_count();
-        let mut factors = vec![0.0; samples.len() * count * count];
-        for (sample, factor) in factors.chunks_mut(count * count).enumerate() {
-            model.add_covariance(samples, tensions, sample, sigmas, factor);
-            factorize(factor, count)?;
+/// Solves L Lᵀ x = right in place with the factor of [`factorize`].
+pub(super) fn solve(factor: &[f64], right: &mut [f64]) {
+    let count = right.len();
+    for row in 0..count {
+        for k in 0..row {
+            right[row] -= factor[row * count + k] * right[k];
         }
-        Some(Self { count, factors, absolute })
+        right[row] *= factor[row * count + row];
     }
-
-    /// Factor of one sample.
-    pub(super) fn factor(&self, sample: usize) -> &[f64] {
-        let size = self.count * self.count;
-        &self.factors[sample * size..][..size]
-    }
-
-    /// The factors for covariances multiplied by the square of `scale`.
-    pub(super) fn scaled(mut self, scale: f64) -> Self {
-        for factor in self.factors.chunks_mut(self.count * self.count) {
-            for row in 0..self.count {
-                for column in 0..row {
-                    factor[row * self.count + column] *= scale;
-                }
-                factor[row * self.count + row] /= scale;
-            }
+    for row in (0..count).rev() {
+        for k in row + 1..count {
+            right[row] -= factor[k * count + row] * right[k];
         }
-        self
-    }
-
-    /// Largest relative change of a row's own weight.
-    pub(super) fn distance_to(&self, other: &Self) -> f64 {
-        let size = self.count * self.count;
-        let diagonal = |index: &usize| (index % size) % (self.count + 1) == 0;
-        (0..self.factors.len())
-            .filter(diagonal)
-            .map(|index| (other.factors[index] / self.factors[index] - 1.0).abs())
-            .fold(0.0, f64::max)
+        right[row] *= factor[row * count + row];
     }
 }
 
 /// Replaces a symmetric matrix by its lower Cholesky factor with inverted diagonal.
-fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
+pub(super) fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
     for column in 0..count {
         let mut pivot = matrix[column * count + column];
         for k in 0..column {

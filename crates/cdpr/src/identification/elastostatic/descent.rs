@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::covariance::Whitening;
+use super::linearization::Linearization;
 use super::normal::NormalEquations;
 use super::rows::{RowModel, SampleRows};
 use crate::identification::fit::{Settings, prior_sigma};
@@ -93,7 +93,7 @@ impl<'a> Problem<'a> {
     fn equations(
         &self,
         values: &[f64],
-        whitening: &Whitening,
+        at: &Linearization,
         rows: &mut SampleRows,
         equations: &mut NormalEquations,
     ) -> bool {
@@ -101,10 +101,7 @@ impl<'a> Problem<'a> {
         let Some(model) = self.model_at(values) else { return false };
         let Ok(load) = Load::of(model.robot()) else { return false };
         let row_model = RowModel::new(&model, load, self.parameters);
-        for sample in 0..self.samples.len() {
-            row_model.write(self.samples, self.tensions, sample, rows);
-            equations.add(whitening.factor(sample), rows);
-        }
+        at.add_to(&row_model, self.samples, rows, equations);
         for (k, parameter) in self.parameters.iter().enumerate() {
             if let Some(sigma) = prior_sigma(self.settings, parameter.kind) {
                 let (weight, change) = (1.0 / (sigma * sigma), values[k] - self.start[k]);
@@ -123,10 +120,10 @@ impl<'a> Problem<'a> {
     }
 
     /// One undamped step; `None` where it is not determined or a bound is in its way.
-    pub(super) fn plain_step(&self, from: &[f64], whitening: &Whitening) -> Option<PlainStep> {
+    pub(super) fn plain_step(&self, from: &[f64], at: &Linearization) -> Option<PlainStep> {
         let mut rows = SampleRows::new(self.model, self.parameters.len());
         let mut equations = NormalEquations::new(&rows);
-        if !self.equations(from, whitening, &mut rows, &mut equations) {
+        if !self.equations(from, at, &mut rows, &mut equations) {
             return None;
         }
         let step = solve(&equations, &vec![false; from.len()], 0.0)?;
@@ -141,13 +138,13 @@ impl<'a> Problem<'a> {
     }
 
     /// Descends from these values until the next step promises no more than this share of the cost.
-    pub(super) fn descend(&self, from: &[f64], whitening: &Whitening, stop: f64) -> End {
+    pub(super) fn descend(&self, from: &[f64], at: &Linearization, stop: f64) -> End {
         let mut rows = SampleRows::new(self.model, self.parameters.len());
         let mut current = NormalEquations::new(&rows);
         let mut next = current.clone();
         let mut end =
             End { values: from.to_vec(), cost: f64::NAN, iterations: 0, history: Vec::new(), converged: false };
-        if !self.equations(from, whitening, &mut rows, &mut current) {
+        if !self.equations(from, at, &mut rows, &mut current) {
             return end;
         }
         end.history.push(current.cost());
@@ -171,7 +168,7 @@ impl<'a> Problem<'a> {
                 end.converged = true;
                 break;
             }
-            let is_finite = self.equations(&trial, whitening, &mut rows, &mut next);
+            let is_finite = self.equations(&trial, at, &mut rows, &mut next);
             if is_finite && next.cost() <= current.cost() * (1.0 + 1e-12) {
                 let contraction = size / last_size;
                 settled = contraction < 0.5 && size * contraction <= self.settings.tolerance * (1.0 - contraction);

@@ -7,6 +7,7 @@
 mod analysis;
 mod covariance;
 mod descent;
+mod linearization;
 mod normal;
 mod optimum;
 mod rows;

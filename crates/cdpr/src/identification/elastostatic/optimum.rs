@@ -4,8 +4,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use super::covariance::{Whitening, sigmas};
+use super::covariance::sigmas;
 use super::descent::{End, Problem};
+use super::linearization::Linearization;
 use super::rows::{RowModel, Sigmas};
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
@@ -14,13 +15,10 @@ use crate::model::{Model, Parameter, ParameterKind};
 use crate::robot::{ExternalWrench, Robot};
 use crate::statics::Load;
 
-/// Most repetitions of a fit with weights from its own optimum.
-const REWEIGHTINGS: u32 = 8;
-/// Most steps with weights renewed at each; each gains about a digit.
+/// Most descents with corrections between them.
+const ADJUSTMENTS: u32 = 12;
+/// Most steps with corrections at each; each gains some digits.
 const POLISHING_STEPS: u32 = 15;
-/// Share of the cost that a step with renewed weights may gain once they stay as they are: all parameters together move by
-/// a tenth of a standard deviation or less.
-const SETTLED_PROMISE: f64 = 1e-5;
 /// Share of the cost that the next step may still promise when a descent stops: near the optimum, near enough to compare
 /// optima, and far below any standard deviation.
 const NEAR_PROMISE: f64 = 1e-1;
@@ -50,7 +48,9 @@ pub(crate) struct Optimum {
     pub(super) start_model: Model,
     pub(super) calibrated: Model,
     pub(super) tensions: Vec<f64>,
-    pub(super) whitening: Whitening,
+    pub(super) linearization: Linearization,
+    /// False when no sensor accuracy is known, so that only the ratio of the rows' weights is assumed.
+    pub(super) absolute: bool,
     pub(super) end: End,
     pub(super) basins: Vec<Basin>,
 }
@@ -85,64 +85,56 @@ pub(crate) fn find(
     check_courses(&start_model, samples)?;
     let (sigmas, absolute) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
-    let weigh = Weigh { problem: &problem, given: model, sigmas, absolute };
-    let mut whitening = weigh.at(&start_model)?;
-    let (mut end, basins) = search(&problem, &whitening);
-    if !parameters.is_empty() && !weigh.polish(&mut end, &mut whitening)? {
-        weigh.repeat(&mut end, &mut whitening)?;
+    let adjust = Adjust { problem: &problem, sigmas, absolute };
+    let mut linearization = adjust.measured(&start_model)?;
+    let (mut end, basins) = search(&problem, &linearization);
+    if !parameters.is_empty() && !adjust.polish(&mut end, &mut linearization)? {
+        adjust.repeat(&mut end, &mut linearization)?;
     }
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { calibrated, whitening, end, basins, tensions, start_model })
+    Ok(Optimum { calibrated, linearization, absolute, end, basins, tensions, start_model })
 }
 
-/// Weights that agree with the optimum they lead to.
-struct Weigh<'a> {
+/// Weights and points of linearisation that agree with the optimum they lead to.
+struct Adjust<'a> {
     problem: &'a Problem<'a>,
-    /// The model as the caller gave it.
-    given: &'a Model,
     sigmas: Sigmas,
     absolute: bool,
 }
 
-impl Weigh<'_> {
-    fn at(&self, model: &Model) -> Result<Whitening, InputError> {
+impl Adjust<'_> {
+    fn measured(&self, model: &Model) -> Result<Linearization, InputError> {
         let Problem { parameters, samples, tensions, .. } = *self.problem;
         let rows = RowModel::new(model, Load::of(model.robot())?, parameters);
-        Whitening::new(&rows, samples, tensions, &self.sigmas, self.absolute).ok_or(InputError::NotFinite)
+        Linearization::measured(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)
     }
 
-    /// Weights for the parameters where a descent ended.
-    fn at_end(&self, end: &End) -> Result<Whitening, InputError> {
+    /// Corrects the linearisation for the parameters where a descent ended.
+    fn correct(&self, end: &End, linearization: &mut Linearization) -> Result<(), InputError> {
+        let Problem { parameters, samples, tensions, .. } = *self.problem;
         let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-        let again = self.at(&with_given_levers(&here, self.given)?)?;
-        Ok(match self.absolute {
-            true => again,
-            false => again.scaled(1.0 / self.problem.noise_factor(end.cost).max(1e-6)),
-        })
+        let rows = RowModel::new(&here, Load::of(here.robot())?, parameters);
+        linearization.correct(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)?;
+        if !self.absolute {
+            linearization.scale_weights(1.0 / self.problem.noise_factor(end.cost).max(1e-6));
+        }
+        Ok(())
     }
 
-    /// Gauss–Newton steps with weights renewed at each until they hardly matter, then the optimum for the last ones; false
-    /// when the steps do not contract, or need damping.
-    fn polish(&self, end: &mut End, whitening: &mut Whitening) -> Result<bool, InputError> {
+    /// Gauss–Newton steps with corrections at each; false when they do not contract, or need damping.
+    fn polish(&self, end: &mut End, linearization: &mut Linearization) -> Result<bool, InputError> {
         if !self.absolute {
             return Ok(false);
         }
         let mut last_promise = f64::INFINITY;
         for _ in 0..POLISHING_STEPS {
-            *whitening = self.at_end(end)?;
-            let Some(step) = self.problem.plain_step(&end.values, whitening) else { return Ok(false) };
+            self.correct(end, linearization)?;
+            let Some(step) = self.problem.plain_step(&end.values, linearization) else { return Ok(false) };
             end.iterations += 1;
             end.history.push(step.cost);
             (end.values, end.cost) = (step.values, step.cost);
-            if step.promise <= SETTLED_PROMISE * step.cost {
-                *whitening = self.at_end(end)?;
-                let last = self.problem.descend(&end.values, whitening, FINAL_PROMISE);
-                end.history.extend(&last.history[1..]);
-                *end = End {
-                    iterations: end.iterations + last.iterations,
-                    history: std::mem::take(&mut end.history),
-                    ..last
-                };
+            if step.promise <= FINAL_PROMISE * step.cost {
+                end.converged = true;
                 return Ok(true);
             }
             if !(step.promise < 0.25 * last_promise) {
@@ -153,32 +145,33 @@ impl Weigh<'_> {
         Ok(false)
     }
 
-    /// Whole descents with weights renewed between them.
-    fn repeat(&self, end: &mut End, whitening: &mut Whitening) -> Result<(), InputError> {
-        for round in 0..REWEIGHTINGS {
-            let again = self.at_end(end)?;
-            if round > 0 && whitening.distance_to(&again) < 1e-6 {
+    /// Whole descents with corrections between them.
+    fn repeat(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
+        for round in 0..ADJUSTMENTS {
+            let before = linearization.clone();
+            self.correct(end, linearization)?;
+            let more = self.problem.descend(&end.values, linearization, FINAL_PROMISE);
+            let gained = (more.cost - end.cost).abs();
+            *end = End { iterations: end.iterations + more.iterations, ..more };
+            if round > 0 && before.distance_to(linearization) < 1e-6 && gained <= 1e-9 * end.cost {
                 break;
             }
-            *whitening = again;
-            let more = self.problem.descend(&end.values, whitening, FINAL_PROMISE);
-            *end = End { iterations: end.iterations + more.iterations, ..more };
         }
         Ok(())
     }
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
-fn search(problem: &Problem<'_>, whitening: &Whitening) -> (End, Vec<Basin>) {
+fn search(problem: &Problem<'_>, linearization: &Linearization) -> (End, Vec<Basin>) {
     // one start only has to come near; several must be told apart
     let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
-    let mut best = problem.descend(&problem.start, whitening, stop);
+    let mut best = problem.descend(&problem.start, linearization, stop);
     let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
     let mut random = ChaCha8Rng::seed_from_u64(problem.settings.seed);
     for _ in 1..problem.settings.starts {
         let from: Vec<f64> =
             problem.parameters.iter().zip(&problem.start).map(|(p, &value)| moved(p, value, &mut random)).collect();
-        let end = problem.descend(&from, whitening, stop);
+        let end = problem.descend(&from, linearization, stop);
         if !end.cost.is_finite() {
             continue;
         }
@@ -269,14 +262,4 @@ fn pull(model: &Model, samples: &Samples, tensions: &[f64], sample: usize) -> Wr
         sum += Wrench::new(u.x, u.y, u.z, moment.x, moment.y, moment.z) * tension;
     }
     sum
-}
-
-/// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance
-/// that grows with the lever would reward them for it.
-fn with_given_levers(calibrated: &Model, given: &Model) -> Result<Model, InputError> {
-    let mut robot = calibrated.robot().clone();
-    for (cable, given) in robot.cables.iter_mut().zip(&given.robot().cables) {
-        cable.platform_anchor = given.platform_anchor;
-    }
-    Ok(Model::new(robot, calibrated.composition())?)
 }

@@ -4,8 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
-use crate::geometry::{Twist, Wrench};
-use crate::measurement::Samples;
+use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::{Model, Parameter, ParameterKind, specific_compliance};
 use crate::robot::StiffnessBasis;
 use crate::scalar::LANES;
@@ -56,6 +55,10 @@ impl SampleRows {
     pub(super) fn residual(&self, row: usize) -> f64 {
         self.entries[row * self.stride + self.parameter_count]
     }
+
+    pub(super) fn add_to_residual(&mut self, row: usize, amount: f64) {
+        self.entries[row * self.stride + self.parameter_count] += amount;
+    }
 }
 
 impl<'a> RowModel<'a> {
@@ -81,17 +84,15 @@ impl<'a> RowModel<'a> {
         CableRows { course, lever, tension, tension_scale, length_scale, controlled }
     }
 
-    /// Writes residuals and Jacobian of a sample.
-    pub(super) fn write(&self, samples: &Samples, tensions: &[f64], sample: usize, rows: &mut SampleRows) {
+    /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
+    pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: &[f64], rows: &mut SampleRows) {
         rows.entries.fill(0.0);
-        let pose = &samples.poses[sample];
         let (position, rotation_rows, rotation) = (pose.position.into(), pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
         let (stride, residual) = (rows.stride, rows.parameter_count);
         let mut wrench = self.load.wrench(pose);
-        let recorded = samples.lengths_of(sample);
         for cable in 0..m {
-            let data = self.cable(cable, position, &rotation_rows, tensions[sample * m + cable]);
+            let data = self.cable(cable, position, &rotation_rows, tensions[cable]);
             wrench += data.column() * data.tension;
             let expected = self.model.recorded_length(cable, data.controlled.value);
             let length_row = (n + cable) * stride;
@@ -119,32 +120,71 @@ impl<'a> RowModel<'a> {
         }
     }
 
-    /// Adds N diag(σ²) Nᵀ of a sample to the lower triangle of `covariance` (row-major, n + m).
-    pub(super) fn add_covariance(
-        &self,
-        samples: &Samples,
-        tensions: &[f64],
-        sample: usize,
-        sigmas: &Sigmas,
-        covariance: &mut [f64],
-    ) {
-        let pose = &samples.poses[sample];
+    /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
+    /// standard deviation of what it is by.
+    pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
-        let (m, n) = (self.model.cable_count(), self.model.dof());
-        let count = n + m;
         let basis = self.model.twist_basis();
-        let cables: Vec<CableRows> =
-            (0..m).map(|cable| self.cable(cable, position, &rotation, tensions[sample * m + cable])).collect();
+        let n = basis.len();
         // ∂(wrench)/∂\[δr; δφ\] of load and cables together
         let mut by_twist = self.load.gradient(pose);
-        for (cable, data) in cables.iter().enumerate() {
+        for (cable, &recorded) in tensions.iter().enumerate() {
+            let data = self.cable(cable, position, &rotation, recorded);
             by_twist += data.column_by_pose() * data.tension;
-            // the recorded tension enters n wrench rows and one length row
-            let real_sigma = sigmas.tension / data.tension_scale;
             let column = data.column();
-            let mut by_tension = [0.0; 7];
-            (0..n).for_each(|k| by_tension[k] = basis[k].dot(&column) * real_sigma);
+            let real_sigma = sigmas.tension / data.tension_scale;
+            let slope = -data.length_scale * data.controlled.by_length;
+            let (by_tension, by_pose) = (&mut noise.by_tension[cable], &mut noise.by_pose[n + cable]);
+            for k in 0..n {
+                let along = basis[k].dot(&column);
+                by_tension[k] = along * real_sigma;
+                by_pose[k] = slope * along * sigmas.along(&basis[k]);
+            }
             by_tension[n] = data.length_scale * data.controlled.by_tension * real_sigma;
+            // the law says nothing of the length of a slack cable
+            let is_slack = data.tension <= SLACK_SIGMAS * real_sigma;
+            noise.length[cable] = if is_slack { SLACK_SIGMA } else { sigmas.length };
+        }
+        for k in 0..n {
+            let change = by_twist * basis[k] * sigmas.along(&basis[k]);
+            (0..n).for_each(|row| noise.by_pose[row][k] = basis[row].dot(&change));
+        }
+    }
+}
+
+/// Tensions below this many standard deviations of the force sensor may be those of a slack cable.
+const SLACK_SIGMAS: f64 = 4.0;
+/// Standard deviation of a length row that says nothing (m).
+const SLACK_SIGMA: f64 = 1e3;
+
+/// Derivatives of one sample's rows by what is measured, scaled to standard deviations.
+#[derive(Clone, Debug)]
+pub(super) struct Noise {
+    /// Each row by the directions of the pattern.
+    pub(super) by_pose: Vec<[f64; 6]>,
+    /// For each cable the n wrench rows and its length row by its tension.
+    pub(super) by_tension: Vec<[f64; 7]>,
+    /// Standard deviation of each length row by the recorded length itself.
+    pub(super) length: Vec<f64>,
+}
+
+impl Noise {
+    pub(super) fn new(model: &Model) -> Self {
+        let (m, n) = (model.cable_count(), model.dof());
+        Self { by_pose: vec![[0.0; 6]; n + m], by_tension: vec![[0.0; 7]; m], length: vec![0.0; m] }
+    }
+
+    /// Writes N diag(σ²) Nᵀ, lower triangle, to a row-major matrix.
+    pub(super) fn covariance(&self, covariance: &mut [f64]) {
+        let (count, m) = (self.by_pose.len(), self.length.len());
+        let n = count - m;
+        for i in 0..count {
+            for j in 0..=i {
+                let products = (0..6).map(|k| self.by_pose[i][k] * self.by_pose[j][k]);
+                covariance[i * count + j] = products.sum::<f64>();
+            }
+        }
+        for (cable, by_tension) in self.by_tension.iter().enumerate() {
             for i in 0..n {
                 for j in 0..=i {
                     covariance[i * count + j] += by_tension[i] * by_tension[j];
@@ -152,32 +192,28 @@ impl<'a> RowModel<'a> {
             }
             let length_row = &mut covariance[(n + cable) * count..][..count];
             (0..n).for_each(|j| length_row[j] += by_tension[n] * by_tension[j]);
-            length_row[n + cable] += by_tension[n] * by_tension[n] + sigmas.length * sigmas.length;
+            length_row[n + cable] += by_tension[n] * by_tension[n] + self.length[cable] * self.length[cable];
         }
-        let sigma = |twist: &Twist| match twist.fixed_rows::<3>(3).norm_squared() > 0.0 {
-            true => sigmas.rotation,
-            false => sigmas.position,
-        };
-        let by_direction: [Twist; 6] = std::array::from_fn(|k| match basis.get(k) {
-            Some(twist) => by_twist * twist * sigma(twist),
-            None => Twist::zeros(),
-        });
-        let row_of = |row: usize| -> [f64; 6] {
-            match row.checked_sub(n) {
-                None => std::array::from_fn(|k| if k < n { basis[row].dot(&by_direction[k]) } else { 0.0 }),
-                Some(cable) => {
-                    let data = &cables[cable];
-                    let slope = -data.length_scale * data.controlled.by_length;
-                    let column = data.column();
-                    std::array::from_fn(|k| basis.get(k).map_or(0.0, |t| slope * column.dot(t) * sigma(t)))
-                }
-            }
-        };
-        let by_pose: Vec<[f64; 6]> = (0..count).map(row_of).collect();
-        for i in 0..count {
-            for j in 0..=i {
-                covariance[i * count + j] += (0..6).map(|k| by_pose[i][k] * by_pose[j][k]).sum::<f64>();
-            }
+    }
+
+    /// Nᵀ y in standard deviations: along the directions of the pose, then per cable.
+    pub(super) fn back(&self, y: &[f64], pose: &mut [f64; 6], tensions: &mut [f64]) {
+        let n = self.by_pose.len() - self.length.len();
+        *pose = std::array::from_fn(|k| self.by_pose.iter().zip(y).map(|(row, y)| row[k] * y).sum());
+        for (cable, by_tension) in self.by_tension.iter().enumerate() {
+            tensions[cable] = (0..n).map(|k| by_tension[k] * y[k]).sum::<f64>() + by_tension[n] * y[n + cable];
+        }
+    }
+
+    /// N z for displacements in standard deviations, added to `rows`.
+    pub(super) fn forth(&self, pose: &[f64; 6], tensions: &[f64], rows: &mut [f64]) {
+        let n = self.by_pose.len() - self.length.len();
+        for (row, by_pose) in rows.iter_mut().zip(&self.by_pose) {
+            *row += (0..6).map(|k| by_pose[k] * pose[k]).sum::<f64>();
+        }
+        for (cable, by_tension) in self.by_tension.iter().enumerate() {
+            (0..n).for_each(|k| rows[k] += by_tension[k] * tensions[cable]);
+            rows[n + cable] += by_tension[n] * tensions[cable];
         }
     }
 }
@@ -193,6 +229,13 @@ pub(super) struct Sigmas {
     pub(super) length: f64,
     /// (N)
     pub(super) tension: f64,
+}
+
+impl Sigmas {
+    /// Of the direction of a motion pattern: a turn or a shift.
+    pub(super) fn along(&self, twist: &Twist) -> f64 {
+        if twist.fixed_rows::<3>(3).norm_squared() > 0.0 { self.rotation } else { self.position }
+    }
 }
 
 impl CableRows {

@@ -82,10 +82,9 @@ fn the_rows_derivatives_agree_with_dual_numbers() {
         let free = FreeParameters::of(&ParameterKind::ALL);
         let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
         let mut rows = SampleRows::new(&model, parameters.len());
-        let samples = Samples { poses: vec![pose()], lengths: vec![8.0; 8], cable_count: 8, ..Samples::default() };
-        let tensions = vec![3000.0; 8];
+        let tensions = [3000.0; 8];
         let load = Load::of(&robot).unwrap();
-        RowModel::new(&model, load, &parameters).write(&samples, &tensions, 0, &mut rows);
+        RowModel::new(&model, load, &parameters).write(&pose(), &tensions, &[8.0; 8], &mut rows);
         let expected = dual_rows(&robot, &pose(), tensions[0]);
         for (column, Parameter { kind, axis, .. }) in parameters.iter().take(PARAMETERS).enumerate() {
             let place = match kind {

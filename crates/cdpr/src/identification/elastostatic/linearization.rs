@@ -1,0 +1,155 @@
+//! Where the rows are linearised: at the poses and tensions that the model and the measurements agree on best.
+//!
+//! Derivatives at the measured values are themselves noisy, and their noise is that of the residuals: taken there, they pull
+//! parameters towards wrong values however many samples there are. So poses and tensions are corrected along with the
+//! parameters, z = z_M − D Nᵀ Σ⁻¹ (r + N (z_M − z)), the adjustment of observations known from geodesy (Gauss–Helmert model)
+//! and orthogonal distance regression.
+
+use super::covariance::{factorize, solve};
+use super::normal::{NormalEquations, whiten};
+use super::rows::{Noise, RowModel, SampleRows, Sigmas};
+use crate::geometry::{Pose, Twist};
+use crate::measurement::Samples;
+
+/// Points of linearisation with the weights there.
+#[derive(Clone, Debug)]
+pub(super) struct Linearization {
+    /// Rows of one sample.
+    count: usize,
+    /// Corrected poses.
+    poses: Vec<Pose>,
+    /// Corrected recorded tensions, sample by sample (N).
+    tensions: Vec<f64>,
+    /// N (z_M − z) of every row.
+    shifts: Vec<f64>,
+    /// Lower Cholesky factors of Σ, row-major with inverted diagonals, sample by sample.
+    factors: Vec<f64>,
+}
+
+impl Linearization {
+    /// At the measured values, with the weights at a model's parameters; `None` when a covariance is not positive definite,
+    /// which only numbers that are not finite can make it.
+    pub(super) fn measured(model: &RowModel<'_>, samples: &Samples, tensions: &[f64], sigmas: &Sigmas) -> Option<Self> {
+        let count = model.model.dof() + model.model.cable_count();
+        let mut linearization = Self {
+            count,
+            poses: samples.poses.clone(),
+            tensions: tensions.to_vec(),
+            shifts: vec![0.0; samples.len() * count],
+            factors: vec![0.0; samples.len() * count * count],
+        };
+        let m = model.model.cable_count();
+        let mut noise = Noise::new(model.model);
+        for (sample, factor) in linearization.factors.chunks_mut(count * count).enumerate() {
+            model.noise(&samples.poses[sample], &tensions[sample * m..][..m], sigmas, &mut noise);
+            noise.covariance(factor);
+            factorize(factor, count)?;
+        }
+        Some(linearization)
+    }
+
+    /// Corrects poses and tensions for a model's parameters, and weighs there.
+    pub(super) fn correct(
+        &mut self,
+        model: &RowModel<'_>,
+        samples: &Samples,
+        tensions: &[f64],
+        sigmas: &Sigmas,
+    ) -> Option<()> {
+        let (count, m) = (self.count, model.model.cable_count());
+        let basis = model.model.twist_basis();
+        let mut noise = Noise::new(model.model);
+        let mut rows = SampleRows::new(model.model, 0);
+        let (mut residual, mut shift) = (vec![0.0; count], ([0.0; 6], vec![0.0; m]));
+        let bare = RowModel::new(model.model, model.load, &[]);
+        for sample in 0..samples.len() {
+            let factor = &mut self.factors[sample * count * count..][..count * count];
+            let corrected = &mut self.tensions[sample * m..][..m];
+            model.noise(&self.poses[sample], corrected, sigmas, &mut noise);
+            bare.write(&self.poses[sample], corrected, samples.lengths_of(sample), &mut rows);
+            noise.covariance(factor);
+            factorize(factor, count)?;
+            // r + N (z_M − z), with the displacement in standard deviations
+            let towards = self.poses[sample].displacement_to(&samples.poses[sample]);
+            let per_sigma = |along: f64, sigma: f64| if sigma > 0.0 { along / sigma } else { 0.0 };
+            for (k, twist) in basis.iter().enumerate() {
+                shift.0[k] = per_sigma(twist.dot(&towards), sigmas.along(twist));
+            }
+            for cable in 0..m {
+                shift.1[cable] = per_sigma(tensions[sample * m + cable] - corrected[cable], sigmas.tension);
+            }
+            (0..count).for_each(|row| residual[row] = rows.residual(row));
+            noise.forth(&shift.0, &shift.1, &mut residual);
+            solve(factor, &mut residual);
+            // z_M − z = D Nᵀ Σ⁻¹ (r + N (z_M − z))
+            noise.back(&residual, &mut shift.0, &mut shift.1);
+            let mut back = Twist::zeros();
+            basis.iter().zip(shift.0).for_each(|(twist, amount)| back -= twist * (amount * sigmas.along(twist)));
+            self.poses[sample] = samples.poses[sample].displaced(&back);
+            for cable in 0..m {
+                corrected[cable] = tensions[sample * m + cable] - sigmas.tension * shift.1[cable];
+            }
+            let shifts = &mut self.shifts[sample * count..][..count];
+            shifts.fill(0.0);
+            noise.forth(&shift.0, &shift.1, shifts);
+        }
+        Some(())
+    }
+
+    /// Writes the rows of a sample.
+    pub(super) fn write(&self, model: &RowModel<'_>, samples: &Samples, sample: usize, rows: &mut SampleRows) {
+        let m = model.model.cable_count();
+        let tensions = &self.tensions[sample * m..][..m];
+        model.write(&self.poses[sample], tensions, samples.lengths_of(sample), rows);
+        for (row, shift) in self.shifts[sample * self.count..][..self.count].iter().enumerate() {
+            rows.add_to_residual(row, *shift);
+        }
+    }
+
+    /// Writes the rows of a sample, whitened.
+    pub(super) fn write_whitened(&self, model: &RowModel<'_>, samples: &Samples, sample: usize, rows: &mut SampleRows) {
+        self.write(model, samples, sample, rows);
+        whiten(self.factor(sample), rows);
+    }
+
+    /// Adds all samples to normal equations.
+    pub(super) fn add_to(
+        &self,
+        model: &RowModel<'_>,
+        samples: &Samples,
+        rows: &mut SampleRows,
+        equations: &mut NormalEquations,
+    ) {
+        for sample in 0..samples.len() {
+            self.write(model, samples, sample, rows);
+            equations.add(self.factor(sample), rows);
+        }
+    }
+
+    fn factor(&self, sample: usize) -> &[f64] {
+        let size = self.count * self.count;
+        &self.factors[sample * size..][..size]
+    }
+
+    /// The same for covariances multiplied by the square of `scale`.
+    pub(super) fn scale_weights(&mut self, scale: f64) {
+        for factor in self.factors.chunks_mut(self.count * self.count) {
+            for row in 0..self.count {
+                for column in 0..row {
+                    factor[row * self.count + column] *= scale;
+                }
+                factor[row * self.count + row] /= scale;
+            }
+        }
+    }
+
+    /// Largest relative change of a row's own weight.
+    pub(super) fn distance_to(&self, other: &Self) -> f64 {
+        let size = self.count * self.count;
+        let diagonal = |index: &usize| (index % size) % (self.count + 1) == 0;
+        (0..self.factors.len())
+            .filter(diagonal)
+            .map(|index| (other.factors[index] / self.factors[index] - 1.0).abs())
+            .fold(0.0, f64::max)
+    }
+}
