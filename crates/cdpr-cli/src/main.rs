@@ -7,6 +7,7 @@ mod error_table;
 mod failure;
 mod files;
 mod inputs;
+mod laboratory;
 mod measurements;
 mod numbers;
 mod pose_answer;

@@ -35,6 +35,7 @@ commands! {
     stiffness: Stiffness,
     place_pulleys: PlacePulleys,
     select: Select,
+    accuracy: Accuracy,
     simulate: Simulate,
     demo: Demo,
     identify: Identify,

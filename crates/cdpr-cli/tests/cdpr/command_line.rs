@@ -2,8 +2,9 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "select",
+    "accuracy",
     "simulate",
     "demo",
     "robots",

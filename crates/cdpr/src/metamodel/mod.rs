@@ -1,7 +1,16 @@
 //! A control model on a machine: what emerges when one model's lengths drive another.
 
+pub mod accuracy;
+mod control;
 pub mod errors;
+mod input_error;
+mod machine;
+mod operate;
 pub mod simulate;
 pub mod study;
+mod winches;
 
+pub use input_error::InputError;
+pub use operate::{Operation, Outcome, Status, operate};
 pub use study::Study;
+pub use winches::{initial_tensions, winch_offsets};

@@ -1,0 +1,136 @@
+//! `cdpr accuracy`: how accurately a control model drives a machine.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use cdpr::geometry::MotionPattern;
+use cdpr::metamodel::Status;
+use cdpr::metamodel::accuracy::{Accuracy, Assessment};
+use clap::Args;
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::laboratory::Laboratory;
+use crate::table::{Table, cell};
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr accuracy study.toml
+  cdpr accuracy studies/twin-nominal.toml --format json
+  cdpr accuracy study.toml --seed 7";
+
+/// Drive a machine by a control model through the poses of a study, and compare what emerges with what was commanded.
+///
+/// Position and rotation errors compare the emerging with the commanded pose; length errors compare what the control model
+/// would send for the emerging pose with what it sent (eq. 6.6). Sensor noise and tension tests of the study do not count.
+/// The answer is negative (exit code 1) when a pose has no answer; tensions outside the limits are told, not judged.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Study file (TOML); `cdpr schema study` describes it.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+
+    /// Seed of random poses.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+}
+
+#[derive(Serialize)]
+struct Assessed {
+    status: &'static str,
+    reason: Option<String>,
+    control: String,
+    machine: String,
+    #[serde(flatten)]
+    accuracy: Accuracy,
+    winch_offsets_m: Vec<f64>,
+    seed: u64,
+    #[serde(skip)]
+    pattern: MotionPattern,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let laboratory = Laboratory::read(&arguments.study)?;
+    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let assessment = laboratory.assess(arguments.seed)?;
+    let reason = reason(&assessment);
+    let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
+    output.answer(&Assessed {
+        status: if reason.is_none() { "converged" } else { "not-converged" },
+        reason,
+        control: title(&laboratory.control),
+        machine: title(&laboratory.machine),
+        pattern: laboratory.machine.robot().motion_pattern,
+        accuracy: assessment.accuracy,
+        winch_offsets_m: laboratory.offsets,
+        seed: arguments.seed,
+    })
+}
+
+/// Why poses have no answer, by the first of them.
+fn reason(assessment: &Assessment) -> Option<String> {
+    let outcomes = &assessment.outcomes;
+    let failed = outcomes.iter().filter(|outcome| outcome.status != Status::Converged).count();
+    let (pose, first) = outcomes.iter().enumerate().find(|(_, outcome)| outcome.status != Status::Converged)?;
+    let why = first.reason.as_deref().unwrap_or("no reason is known");
+    let all = outcomes.len();
+    Some(format!("{failed} of {all} poses have no answer, first pose {} ({}): {why}", pose + 1, first.status.name()))
+}
+
+impl Answer for Assessed {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self) -> String {
+        let Self { control, machine, accuracy, .. } = self;
+        let mut text = format!("{control} drives {machine} to {} poses\n", accuracy.samples);
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}; the others count\n"));
+        }
+        text.push_str(&format!("\n{}", self.errors()));
+        text.push_str(&self.tensions());
+        let offsets: Vec<String> =
+            self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
+        text.push_str(&format!("\nwinch offsets  {} mm\n", offsets.join(", ")));
+        text
+    }
+}
+
+impl Assessed {
+    fn errors(&self) -> String {
+        let Accuracy { position_error_m, rotation_error_rad, length_error_m, .. } = &self.accuracy;
+        let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
+        let mut row = |name: &str, unit: &str, factor: f64, decimals: usize, numbers: [Option<f64>; 5]| {
+            let cells = numbers.map(|number| cell(number.map(|number| factor * number), decimals));
+            table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
+        };
+        let e = position_error_m;
+        row("position", "mm", 1e3, 3, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
+        if self.pattern.has_rotation() {
+            let e = rotation_error_rad;
+            row("rotation", "°", 1.0_f64.to_degrees(), 4, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
+        }
+        let e = length_error_m;
+        row("length", "mm", 1e3, 3, [Some(e.mean_abs), Some(e.rms), None, Some(e.p95), Some(e.max)]);
+        table.text()
+    }
+
+    /// One paragraph; empty for a rigid machine.
+    fn tensions(&self) -> String {
+        let (Some(min), Some(max)) = (self.accuracy.tension_min_N, self.accuracy.tension_max_N) else {
+            return String::new();
+        };
+        let mut text = format!("\ntensions  {min:.0} N to {max:.0} N");
+        if let Some(share) = self.accuracy.outside_limits_share {
+            text.push_str(&format!(", outside the limits at {:.0} % of the poses", 100.0 * share));
+        }
+        if self.accuracy.slack_samples > 0 {
+            text.push_str(&format!(", with slack cables at {} of them", self.accuracy.slack_samples));
+        }
+        text.push('\n');
+        text
+    }
+}

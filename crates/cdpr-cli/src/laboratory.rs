@@ -1,0 +1,121 @@
+//! Studies with their robots: what `accuracy`, `simulate` and `demo` run.
+
+use std::path::{Path, PathBuf};
+
+use cdpr::geometry::Pose;
+use cdpr::measurement::{Provenance, Sidecar, poses_from_csv};
+use cdpr::metamodel::accuracy::{Assessment, assess};
+use cdpr::metamodel::simulate::{Simulation, simulate};
+use cdpr::metamodel::study::{CommandedPose, RobotModel};
+use cdpr::metamodel::{Study, winch_offsets};
+use cdpr::model::{Composition, CompositionError, Model};
+use cdpr::robot::Robot;
+
+use crate::failure::Failure;
+use crate::files;
+use crate::inputs::read_robot;
+
+/// A study with its models and winch offsets.
+pub(crate) struct Laboratory {
+    /// The study as its file states it.
+    pub(crate) study: Study,
+    /// The model that computes the lengths.
+    pub(crate) control: Model,
+    /// What answers.
+    pub(crate) machine: Model,
+    /// What is added to the lengths (m).
+    pub(crate) offsets: Vec<f64>,
+    /// Name of the study file, for messages.
+    name: String,
+    /// Paths in the study start here.
+    folder: PathBuf,
+}
+
+/// Where the robots of a study come from.
+pub(crate) type RobotSource<'a> = &'a dyn Fn(&str) -> Result<Robot, Failure>;
+
+impl Laboratory {
+    /// Reads a study and its robots; their paths are relative to its folder.
+    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let study = Study::from_toml_bytes(&files::read(path)?, &name)?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let from_folder = |robot: &str| read_robot(&robot_path(robot, &folder));
+        Self::new(study, &name, &folder, &from_folder)
+    }
+
+    /// A study whose robots a caller provides.
+    pub(crate) fn new(study: Study, name: &str, folder: &Path, robots: RobotSource<'_>) -> Result<Self, Failure> {
+        let control = model_of(&study, &study.control, robots)?;
+        let machine = model_of(&study, &study.machine, robots)?;
+        let pose = study.initial_pose(machine.robot()).map_err(|error| Failure::refused(name, &error))?;
+        let former = study
+            .initial
+            .offset_robot
+            .as_ref()
+            .map(|robot| RobotModel { robot: robot.clone(), model: study.control.model.clone() });
+        let former = former.map(|side| model_of(&study, &side, robots)).transpose()?;
+        let offsets = winch_offsets(&study.initial, former.as_ref().unwrap_or(&control), &machine, &pose)
+            .map_err(|error| Failure::refused(name, &error))?;
+        Ok(Self { study, control, machine, offsets, name: name.to_owned(), folder: folder.to_owned() })
+    }
+
+    /// Virtual measurements of all poses and tension tests.
+    pub(crate) fn record(&self, seed: u64) -> Result<Simulation, Failure> {
+        let noise = self.study.noise.unwrap_or_default();
+        simulate(&self.control, &self.machine, &self.offsets, &self.poses(seed)?, &noise, seed)
+            .map_err(|error| self.refused(&error))
+    }
+
+    /// How accurately the control model drives the machine; tension tests leave their pose on purpose and do not count.
+    pub(crate) fn assess(&self, seed: u64) -> Result<Assessment, Failure> {
+        let mut poses = self.poses(seed)?;
+        poses.retain(|command| command.shortened.is_none());
+        assess(&self.control, &self.machine, &self.offsets, &poses).map_err(|error| self.refused(&error))
+    }
+
+    /// Something that is wrong with the study.
+    pub(crate) fn refused(&self, error: &dyn std::error::Error) -> Failure {
+        Failure::refused(&self.name, error)
+    }
+
+    /// What is known about the samples.
+    pub(crate) fn sidecar(&self, seed: u64) -> Sidecar {
+        Sidecar {
+            layout_version: 1,
+            sigmas: self.study.noise.unwrap_or_default(),
+            frames: None,
+            provenance: Some(Provenance {
+                source: Some(format!("simulated by cdpr {}", env!("CARGO_PKG_VERSION"))),
+                robot: Some(self.machine.robot().name.clone()),
+                seed: Some(seed),
+                ..Provenance::default()
+            }),
+        }
+    }
+
+    fn poses(&self, seed: u64) -> Result<Vec<CommandedPose>, Failure> {
+        let robot = self.machine.robot();
+        let from_file: Vec<Pose> = match self.study.poses.as_ref().and_then(|poses| poses.file.as_ref()) {
+            Some(file) => {
+                let path = self.folder.join(&file.path);
+                poses_from_csv(&files::read(&path)?, &path.display().to_string(), robot)?
+            }
+            None => Vec::new(),
+        };
+        self.study.commanded_poses(robot, from_file, seed).map_err(|error| self.refused(&error))
+    }
+}
+
+/// A path is relative to the study, a built-in name stands for itself.
+fn robot_path(robot: &str, folder: &Path) -> String {
+    let is_path = robot.contains(['/', '\\', '.']);
+    if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
+}
+
+fn model_of(study: &Study, side: &RobotModel, robots: RobotSource<'_>) -> Result<Model, Failure> {
+    let robot = study.limited(robots(&side.robot)?);
+    let refused = |error: &dyn std::error::Error| Failure::refused(&side.robot, error);
+    let composition: Composition = side.model.parse().map_err(|error: CompositionError| refused(&error))?;
+    Model::new(robot, composition).map_err(|error| refused(&error))
+}

@@ -1,0 +1,88 @@
+//! Studies that cannot be run.
+
+use thiserror::Error;
+
+use crate::cable::DegenerateCourse;
+use crate::equilibrium::elastostatics;
+use crate::model::Model;
+use crate::statics::{LoadError, StaticsError};
+
+/// What no control model can do on a machine.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum InputError {
+    /// Control model and machine are different robots.
+    #[error(
+        "the control model has {control} cables and the pattern {control_pattern}, the machine {machine} cables and {machine_pattern}"
+    )]
+    DifferentRobots {
+        /// Cables of the control model.
+        control: usize,
+        /// Its motion pattern.
+        control_pattern: &'static str,
+        /// Cables of the machine.
+        machine: usize,
+        /// Its motion pattern.
+        machine_pattern: &'static str,
+    },
+    /// Not one offset or tension per cable.
+    #[error("{key} has {found} entries; the robot has {expected} cables")]
+    Count {
+        /// Key of the study.
+        key: &'static str,
+        /// Cables of the robot.
+        expected: usize,
+        /// Entries given.
+        found: usize,
+    },
+    /// The winches cannot be set at the initial pose.
+    #[error("at the initial pose, {0}")]
+    Initial(#[from] DegenerateCourse),
+    /// The initial tensions are no tensions of the cables.
+    #[error("at the initial pose, {0}")]
+    InitialTensions(#[from] StaticsError),
+    /// Offsets of elastic cables need the tensions that they bring.
+    #[error(
+        "the winch offsets of elastic cables depend on the initial tensions: add tensions_N or tension_method to [initial], or say offset = \"none\""
+    )]
+    NoTensions,
+    /// No tensions balance the load at the initial pose.
+    #[error("at the initial pose no tensions balance the load: {reason}; choose another pose or other tensions")]
+    NotBalanced {
+        /// Why not.
+        reason: String,
+    },
+    /// The load on an elastic robot is unknown.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// An elastic machine that cannot answer.
+    #[error("the machine cannot answer: {0}")]
+    Machine(#[from] elastostatics::InputError),
+    /// The tension limits of a cable are unknown.
+    #[error(
+        "cable {cable} has no tension limits: add tension_min_N and tension_max_N to [limits], or to the robot's file"
+    )]
+    NoLimits {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// An elastic control model has to choose tensions.
+    #[error("an elastic control model needs a tension distribution, which is not part of this version")]
+    ElasticControl,
+    /// No poses to command.
+    #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
+    NoPoses,
+}
+
+/// Refuses models of different cable counts or motion patterns.
+pub(super) fn check_same_robot(control: &Model, machine: &Model) -> Result<(), InputError> {
+    let pattern = |model: &Model| model.robot().motion_pattern.name();
+    if control.cable_count() == machine.cable_count() && pattern(control) == pattern(machine) {
+        return Ok(());
+    }
+    Err(InputError::DifferentRobots {
+        control: control.cable_count(),
+        control_pattern: pattern(control),
+        machine: machine.cable_count(),
+        machine_pattern: pattern(machine),
+    })
+}

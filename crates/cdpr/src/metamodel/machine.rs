@@ -1,0 +1,100 @@
+//! A machine: what answers to lengths.
+
+use super::input_error::InputError;
+use super::operate::{Outcome, Status};
+use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::geometry::Pose;
+use crate::model::Model;
+use crate::statics::Load;
+
+/// A machine with the forward problem that it answers by.
+pub(super) struct Machine<'a> {
+    model: &'a Model,
+    forward: Forward<'a>,
+}
+
+enum Forward<'a> {
+    /// The platform goes to the least-squares pose.
+    Rigid(Box<forward_kinematics::Solver<'a>>),
+    /// Cables pull or are slack.
+    Elastic(Box<elastostatics::Solver<'a>>),
+}
+
+impl<'a> Machine<'a> {
+    pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
+        let forward = if model.composition().elastic {
+            let load = Load::of(model.robot())?;
+            Forward::Elastic(Box::new(elastostatics::Solver::new(model, &load, &elastostatics::Settings::default())?))
+        } else {
+            let settings = forward_kinematics::Settings::default();
+            let solver = forward_kinematics::Solver::new(model, &settings).expect("the default settings are valid");
+            Forward::Rigid(Box::new(solver))
+        };
+        Ok(Self { model, forward })
+    }
+
+    /// What emerges when the winches are told these lengths (m, in the units of the encoders), sought from a pose.
+    pub(super) fn answer(&mut self, sent: Vec<f64>, guess: &Pose) -> Outcome {
+        let controlled: Vec<f64> =
+            sent.iter().enumerate().map(|(cable, &length)| self.model.controlled_length(cable, length)).collect();
+        let mut outcome = Outcome {
+            pose: *guess,
+            recorded: sent.clone(),
+            sent,
+            tensions: None,
+            status: Status::NotConverged,
+            reason: None,
+        };
+        let refused = match &mut self.forward {
+            Forward::Rigid(solver) => solver
+                .solve(&controlled, guess)
+                .map(|solution| outcome.rigid(self.model, solution))
+                .err()
+                .map(|e| e.to_string()),
+            Forward::Elastic(solver) => {
+                solver.solve(&controlled, guess).map(|solution| outcome.elastic(solution)).err().map(|e| e.to_string())
+            }
+        };
+        if refused.is_some() {
+            outcome.reason = refused;
+        }
+        outcome
+    }
+}
+
+impl Outcome {
+    /// The platform of a rigid machine goes to the least-squares pose, and the winches take up what is slack there.
+    fn rigid(&mut self, machine: &Model, solution: &forward_kinematics::Solution) {
+        self.pose = solution.pose;
+        self.status = match solution.status {
+            forward_kinematics::Status::Converged => Status::Converged,
+            forward_kinematics::Status::NotConverged => Status::NotConverged,
+            forward_kinematics::Status::Singular => Status::Singular,
+        };
+        self.reason = self.reason_of(&solution.reason);
+        if let Ok(lengths) = machine.cable_lengths(&solution.pose) {
+            let recorded = |(cable, &length): (usize, &f64)| machine.recorded_length(cable, length);
+            self.recorded = lengths.iter().enumerate().map(recorded).collect();
+        }
+    }
+
+    fn elastic(&mut self, solution: &elastostatics::Solution) {
+        self.pose = solution.pose;
+        self.tensions = Some(solution.tensions.clone());
+        self.status = match solution.status {
+            elastostatics::Status::Converged => Status::Converged,
+            elastostatics::Status::NotConverged => Status::NotConverged,
+            elastostatics::Status::Singular => Status::Singular,
+            elastostatics::Status::Unstable => Status::Unstable,
+        };
+        self.reason = self.reason_of(&solution.reason);
+    }
+
+    /// A solver's remark on a converged answer is no reason.
+    fn reason_of(&self, remark: &Option<String>) -> Option<String> {
+        match self.status {
+            Status::Converged => None,
+            _ => Some(remark.clone().unwrap_or_else(|| "the machine's forward problem has no solution".to_owned())),
+        }
+    }
+}

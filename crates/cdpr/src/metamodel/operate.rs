@@ -1,0 +1,125 @@
+//! What emerges when a control model drives a machine: (x̂, f̂) = υ̂(φ(x) + q_off).
+
+use super::control::Controller;
+use super::input_error::{InputError, check_same_robot};
+use super::machine::Machine;
+use super::study::CommandedPose;
+use crate::geometry::Pose;
+use crate::model::Model;
+
+/// What a machine answers to one command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The pose that emerges: the best one found where the status is not [`Status::Converged`], the commanded one where
+    /// nothing was sent.
+    pub pose: Pose,
+    /// What the winches are told: the control model's lengths with the offsets, as the machine records them (m); empty where
+    /// the control model has none.
+    pub sent: Vec<f64>,
+    /// What the encoders read once the platform has come to rest (m): what was sent, or the lengths of a rigid machine, whose
+    /// winches take up what is slack.
+    pub recorded: Vec<f64>,
+    /// Tensions that emerge (N); `None` for a rigid machine.
+    pub tensions: Option<Vec<f64>>,
+    /// How the answer was found.
+    pub status: Status,
+    /// The reason in words where the status is not [`Status::Converged`].
+    pub reason: Option<String>,
+}
+
+/// How the answer of a machine was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The platform comes to rest at the pose.
+    Converged,
+    /// The control model has no lengths for the pose: a cable has no course, or no tensions within the limits balance the
+    /// load.
+    NotCommanded,
+    /// The forward problem of the machine found no equilibrium.
+    NotConverged,
+    /// The machine's lengths do not determine its pose.
+    Singular,
+    /// The equilibrium found would not last.
+    Unstable,
+}
+
+impl Status {
+    /// The word that answers use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::NotCommanded => "not-commanded",
+            Self::NotConverged => "not-converged",
+            Self::Singular => "singular",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
+/// Sends poses through a control model to a machine and tells what emerges, pose by pose.
+///
+/// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
+/// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
+/// distribution of `cdpr tension`). Both send them in the units of their own encoders, length_scale · q_θ + length_offset.
+/// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
+/// its own encoders away and answers by its forward problem: elastic cables pull or are slack, rigid ones fit best.
+pub fn operate(
+    control: &Model,
+    machine: &Model,
+    offsets: &[f64],
+    poses: &[CommandedPose],
+) -> Result<Vec<Outcome>, InputError> {
+    let mut operation = Operation::new(control, machine, offsets)?;
+    Ok(poses.iter().map(|command| operation.answer(command)).collect())
+}
+
+/// A control model on a machine whose winches are set, to be asked pose by pose (see [`operate`]).
+pub struct Operation<'a> {
+    control: Controller<'a>,
+    machine: Machine<'a>,
+    offsets: Vec<f64>,
+}
+
+impl<'a> Operation<'a> {
+    /// Refuses different robots, and elastic ones whose load or limits are unknown.
+    pub fn new(control: &'a Model, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+        check_same_robot(control, machine)?;
+        let (expected, found) = (machine.cable_count(), offsets.len());
+        if expected != found {
+            return Err(InputError::Count { key: "offset_m", expected, found });
+        }
+        let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
+        Ok(Self { control, machine, offsets: offsets.to_vec() })
+    }
+
+    /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
+    pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
+        self.control.lengths(pose)
+    }
+
+    /// What emerges for one command.
+    pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
+        let mut sent = match self.control.lengths(&command.pose) {
+            Ok(lengths) => lengths,
+            Err(reason) => return nothing_sent(&command.pose, reason),
+        };
+        sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
+        if let Some(test) = command.shortened {
+            sent[test.cable] -= test.by;
+        }
+        self.machine.answer(sent, &command.pose)
+    }
+}
+
+fn nothing_sent(commanded: &Pose, reason: String) -> Outcome {
+    Outcome {
+        pose: *commanded,
+        sent: Vec::new(),
+        recorded: Vec::new(),
+        tensions: None,
+        status: Status::NotCommanded,
+        reason: Some(reason),
+    }
+}

@@ -1,0 +1,132 @@
+//! What a study file may not say, with the place where it says it.
+
+use super::{Grid, Study, TensionTests};
+use crate::model::Composition;
+use crate::reading::{ReadError, Step, TomlDocument};
+
+/// Most poses a study may ask for.
+const POSE_LIMIT: usize = 1_000_000;
+
+/// Complains at the value that is wrong.
+pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), ReadError> {
+    let place = Place { document };
+    check_models(study, &place)?;
+    check_initial(study, &place)?;
+    check_limits(study, &place)?;
+    if let Some(tests) = study.poses.as_ref().and_then(|poses| poses.tension_tests.as_ref()) {
+        check_tension_tests(study, tests, &place)?;
+    }
+    check_poses(study, &place)
+}
+
+/// Makes errors at places of the file.
+struct Place<'a> {
+    document: &'a TomlDocument<'a>,
+}
+
+impl Place<'_> {
+    fn error(&self, path: &[&str], message: String) -> ReadError {
+        let steps: Vec<Step<'_>> = path.iter().map(|key| Step::Key(key)).collect();
+        self.document.error_at(&steps, "study::value", message)
+    }
+}
+
+fn check_models(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
+    for (section, side) in [("control", &study.control), ("machine", &study.machine)] {
+        if let Err(reason) = side.model.parse::<Composition>() {
+            return Err(place.error(&[section, "model"], reason.to_string()));
+        }
+    }
+    Ok(())
+}
+
+fn check_initial(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
+    let initial = &study.initial;
+    if let Some(word) = initial.offset.as_ref().filter(|word| *word != "none") {
+        let message = format!("`{word}` is not an offset; the only word is \"none\"");
+        return Err(place.error(&["initial", "offset"], message));
+    }
+    let choices = [initial.offset.is_some(), initial.offset_m.is_some(), initial.offset_robot.is_some()];
+    if choices.iter().filter(|&&chosen| chosen).count() > 1 {
+        let message = "offset, offset_m and offset_robot exclude each other".to_owned();
+        return Err(place.error(&["initial"], message).with_help("keep one of them"));
+    }
+    if initial.tensions_N.is_some() && initial.tension_method.is_some() {
+        let message = "tensions_N and tension_method exclude each other".to_owned();
+        return Err(place.error(&["initial"], message).with_help("keep one of them"));
+    }
+    for (key, numbers) in [("tensions_N", &initial.tensions_N), ("offset_m", &initial.offset_m)] {
+        let is_wrong = |value: &f64| !value.is_finite() || (key == "tensions_N" && *value < 0.0);
+        if let Some(index) = numbers.as_ref().and_then(|numbers| numbers.iter().position(is_wrong)) {
+            let message = format!("cable {}: {key} is a finite number, and a cable cannot push", index + 1);
+            return Err(place.error(&["initial", key], message));
+        }
+    }
+    Ok(())
+}
+
+fn check_limits(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
+    let Some(limits) = &study.limits else { return Ok(()) };
+    for (key, value) in [
+        ("tension_min_N", limits.tension_min_N),
+        ("tension_max_N", limits.tension_max_N),
+        ("position_error_max_m", limits.position_error_max_m),
+    ] {
+        // written so that NaN is refused too
+        if value.is_some_and(|value| !(value >= 0.0 && value.is_finite())) {
+            return Err(place.error(&["limits", key], format!("{key} is a finite number of 0 or more")));
+        }
+    }
+    match (limits.tension_min_N, limits.tension_max_N) {
+        (Some(min), Some(max)) if min > max => {
+            Err(place.error(&["limits", "tension_min_N"], format!("tension_min_N {min} is above tension_max_N {max}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_tension_tests(study: &Study, tests: &TensionTests, place: &Place<'_>) -> Result<(), ReadError> {
+    let path = ["poses", "tension_tests"];
+    if tests.count > 0 && !study.machine.composition().is_some_and(|effects| effects.elastic) {
+        let message = format!("tension tests need an elastic machine; its model is `{}`", study.machine.model);
+        return Err(place
+            .error(&path, message)
+            .with_help("write model = \"elastic\" in [machine], or remove [poses.tension_tests]"));
+    }
+    if !(tests.shorten_m > 0.0 && tests.shorten_m.is_finite()) {
+        let message = format!("shorten_m is a finite number above 0, found {}", tests.shorten_m);
+        return Err(place.error(&["poses", "tension_tests", "shorten_m"], message));
+    }
+    Ok(())
+}
+
+fn check_poses(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
+    let Some(poses) = &study.poses else { return Ok(()) };
+    let Some(grid) = &poses.grid else {
+        return match poses.random {
+            Some(_) => Err(place.error(&["poses", "random"], "random poses need the box of [poses.grid]".to_owned())),
+            None => Ok(()),
+        };
+    };
+    let error = |message: String| place.error(&["poses", "grid"], message);
+    check_grid(grid).map_err(error)?;
+    let points = grid.count.iter().try_fold(1_usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX);
+    let random = poses.random.as_ref().map_or(0, |random| random.count);
+    if points.saturating_add(random) > POSE_LIMIT {
+        return Err(error(format!("the study asks for more than {POSE_LIMIT} poses")));
+    }
+    Ok(())
+}
+
+fn check_grid(grid: &Grid) -> Result<(), String> {
+    let (dimension, max, count) = (grid.min.len(), grid.max.len(), grid.count.len());
+    if max != dimension || count != dimension {
+        return Err(format!("min has {dimension} components, max {max}, count {count}; they must be equally many"));
+    }
+    for (index, (min, max)) in grid.min.iter().zip(&grid.max).enumerate() {
+        if !(min <= max) {
+            return Err(format!("component {}: min {min} is above max {max}", index + 1));
+        }
+    }
+    Ok(())
+}

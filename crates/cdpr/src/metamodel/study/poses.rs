@@ -1,0 +1,141 @@
+//! The poses that a study commands.
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::{Grid, Random, Study, TensionTests};
+use crate::geometry::{PatternError, Pose};
+use crate::robot::Robot;
+
+/// A pose to command, with the subset its sample belongs to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CommandedPose {
+    /// The pose.
+    pub pose: Pose,
+    /// Name of the subset.
+    pub set: Option<String>,
+    /// A cable whose winch pulls in more than the control model asks for.
+    pub shortened: Option<Shortening>,
+}
+
+/// One cable of a tension test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shortening {
+    /// The cable, from 0.
+    pub cable: usize,
+    /// By how much it is shortened (m).
+    pub by: f64,
+}
+
+impl CommandedPose {
+    /// This pose, in no subset and with all cables as the control model wants them.
+    pub fn at(pose: Pose) -> Self {
+        Self { pose, set: None, shortened: None }
+    }
+}
+
+impl Study {
+    /// All poses to command: those of the file (given by the caller), the grid, the random ones, then the tension tests.
+    pub fn commanded_poses(
+        &self,
+        robot: &Robot,
+        from_file: Vec<Pose>,
+        seed: u64,
+    ) -> Result<Vec<CommandedPose>, PatternError> {
+        let mut all = self.plain_poses(robot, from_file, seed)?;
+        if let Some(tests) = self.poses.as_ref().and_then(|poses| poses.tension_tests.as_ref()) {
+            all.extend(tests.commands(&all, robot.cable_count()));
+        }
+        Ok(all)
+    }
+
+    fn plain_poses(&self, robot: &Robot, from_file: Vec<Pose>, seed: u64) -> Result<Vec<CommandedPose>, PatternError> {
+        let Some(poses) = &self.poses else { return Ok(Vec::new()) };
+        let in_set = |pose: Pose, set: &Option<String>| CommandedPose { set: set.clone(), ..CommandedPose::at(pose) };
+        let file_set = poses.file.as_ref().and_then(|file| file.set.clone());
+        let mut all: Vec<CommandedPose> = from_file.into_iter().map(|pose| in_set(pose, &file_set)).collect();
+        let Some(grid) = &poses.grid else { return Ok(all) };
+        let pattern = robot.motion_pattern;
+        for components in grid.points() {
+            all.push(in_set(pattern.pose(robot.plane, &components)?, &grid.set));
+        }
+        // an empty grid still has to fit the pattern
+        pattern.pose(robot.plane, &grid.min)?;
+        if let Some(random) = &poses.random {
+            let mut rng = ChaCha8Rng::seed_from_u64(seed);
+            for _ in 0..random.count {
+                let components = random.components(grid, pattern.translations(), &mut rng);
+                all.push(in_set(pattern.pose(robot.plane, &components)?, &random.set));
+            }
+        }
+        Ok(all)
+    }
+}
+
+impl TensionTests {
+    /// Every cable shortened in turn at the middles of `count` equal parts of the list; at every pose where there are fewer.
+    fn commands(&self, poses: &[CommandedPose], cable_count: usize) -> Vec<CommandedPose> {
+        let count = self.count.min(poses.len());
+        let chosen = (0..count).map(|part| &poses[(2 * part + 1) * poses.len() / (2 * count)]);
+        let shortened = |pose: &CommandedPose, cable: usize| CommandedPose {
+            pose: pose.pose,
+            set: self.set.clone().or_else(|| pose.set.clone()),
+            shortened: Some(Shortening { cable, by: self.shorten_m }),
+        };
+        chosen.flat_map(|pose| (0..cable_count).map(move |cable| shortened(pose, cable))).collect()
+    }
+}
+
+impl Grid {
+    fn points(&self) -> Vec<Vec<f64>> {
+        let mut points = vec![Vec::new()];
+        for ((&min, &max), &count) in self.min.iter().zip(&self.max).zip(&self.count) {
+            let value = |index: usize| match count {
+                1 => 0.5 * (min + max),
+                _ => min + (max - min) * index as f64 / (count - 1) as f64,
+            };
+            let extended =
+                |point: &Vec<f64>| (0..count).map(|index| [point.as_slice(), &[value(index)]].concat()).collect();
+            points = points.iter().flat_map(|point| -> Vec<Vec<f64>> { extended(point) }).collect();
+        }
+        points
+    }
+}
+
+impl Random {
+    fn components(&self, grid: &Grid, translations: usize, rng: &mut ChaCha8Rng) -> Vec<f64> {
+        let mut uniform = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
+        let component = |(index, (&min, &max)): (usize, (&f64, &f64))| {
+            let angle = index.checked_sub(translations).and_then(|angle| self.rotation_rad.as_ref()?.get(angle));
+            angle.map_or_else(|| (min, max), |&limit| (-limit.abs(), limit.abs()))
+        };
+        let ranges: Vec<(f64, f64)> = grid.min.iter().zip(&grid.max).enumerate().map(component).collect();
+        ranges.into_iter().map(|(low, high)| uniform(low, high)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tension_tests_are_spread_over_the_poses_and_shorten_every_cable_once() {
+        let poses: Vec<CommandedPose> = (0..91)
+            .map(|k| {
+                let mut pose = Pose::identity();
+                pose.position.x = f64::from(k);
+                CommandedPose::at(pose)
+            })
+            .collect();
+        let tests = TensionTests { shorten_m: 0.03, count: 8, set: None };
+        let commands = tests.commands(&poses, 8);
+        assert_eq!(commands.len(), 64);
+        let at: Vec<f64> = commands.iter().step_by(8).map(|command| command.pose.position.x).collect();
+        assert_eq!(at, [5.0, 17.0, 28.0, 39.0, 51.0, 62.0, 73.0, 85.0]);
+        let cables: Vec<usize> = commands[8..16].iter().filter_map(|c| c.shortened).map(|test| test.cable).collect();
+        assert_eq!(cables, (0..8).collect::<Vec<_>>());
+        // more tests than poses: every pose once
+        assert_eq!(tests.commands(&poses[..2], 8).len(), 16);
+        assert!(tests.commands(&[], 8).is_empty());
+    }
+}
