@@ -37,10 +37,17 @@ pub(super) fn table(shown: &Shown<'_>) -> Value {
 fn row(estimate: &Estimate) -> Vec<Cell> {
     let (factor, unit) = match estimate.unit {
         "m" => (1e3, "mm"),
+        // compliances per newton have more zeros than anybody wants to count
+        "1/N" => (1e9, "1/GN"),
         other => (1.0, other),
     };
     let sigma = estimate.sigma.map(|sigma| factor * sigma);
-    let plain = if unit == "mm" { 3 } else { 6 };
+    let plain = match unit {
+        "mm" => 3,
+        "1/GN" => 2,
+        "N" | "N·m" => 1,
+        _ => 6,
+    };
     let decimals = if sigma.is_some_and(|s| s > 0.0) { decimals_for(sigma) } else { plain };
     let number = |value: f64| Cell::number(fixed(value, decimals));
     let value = factor * estimate.value;

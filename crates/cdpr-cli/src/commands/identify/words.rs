@@ -25,6 +25,16 @@ pub(super) fn of(answer: &Identified) -> String {
         text.push_str("\nwarnings\n");
         answer.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
     }
+    if answer.basins.len() > 1 {
+        text.push_str("\nthe starts led to different optima; the one with the lowest cost is reported\n");
+        let list = answer.basins.iter().map(|basin| {
+            let note = if basin.converged { "" } else { ", not converged" };
+            format!("  cost {:.4e} from {} starts{note}\n", basin.cost, basin.starts)
+        });
+        text.extend(list);
+    } else if let Some(basin) = answer.basins.first().filter(|basin| basin.starts > 1) {
+        text.push_str(&format!("\nall {} starts led to the same optimum\n", basin.starts));
+    }
     if let Some(path) = &answer.out {
         text.push_str(&format!("\ncalibrated robot written to {path}\n"));
     }
@@ -34,13 +44,19 @@ pub(super) fn of(answer: &Identified) -> String {
 fn parameters(answer: &Identified) -> String {
     let mut table = Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
     for estimate in &answer.parameters {
+        // compliances per newton have more zeros than anybody wants to count
+        let (unit, factor, decimals) = match estimate.unit {
+            "1/N" => ("1/GN", 1e9, 2),
+            unit @ ("N" | "N·m") => (unit, 1.0, 1),
+            unit => (unit, 1.0, 6),
+        };
         table.row(vec![
             estimate.name.clone(),
-            estimate.unit.to_owned(),
-            cell(Some(estimate.start), 6),
-            cell(Some(estimate.value), 6),
-            cell(estimate.sigma, 6),
-            cell(Some(estimate.change), 6),
+            unit.to_owned(),
+            cell(Some(factor * estimate.start), decimals),
+            cell(Some(factor * estimate.value), decimals),
+            cell(estimate.sigma.map(|sigma| factor * sigma), decimals),
+            cell(Some(factor * estimate.change), decimals),
             if estimate.at_bound { "at its bound".to_owned() } else { String::new() },
         ]);
     }

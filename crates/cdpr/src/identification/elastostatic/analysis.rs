@@ -130,20 +130,19 @@ fn copy(rows: &SampleRows, sample: usize, matrix: &mut DMatrix<f64>) {
     }
 }
 
-/// Cables whose compliance the data do not tell from 0: their stiffness is unknown.
+/// Cables whose compliance has a 95 % interval wider than ± half of it: their stiffness is not known to a factor of two.
 fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], sigmas: &[Option<f64>]) -> Option<String> {
     let mut cables = Vec::new();
     for (parameter, sigma) in parameters.iter().zip(sigmas) {
         let value = parameter.value(&optimum.calibrated);
-        if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > value) {
-            let deviation = sigma.map_or("not determined at all".to_owned(), |sigma| format!("± {sigma:.1e}"));
-            cables.push(format!("{} ({value:.1e} {deviation} 1/N)", parameter.cable + 1));
+        if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > 0.5 * value) {
+            let deviation = sigma.map_or("not determined at all".to_owned(), |sigma| format!("± {:.0}", 1e9 * sigma));
+            cables.push(format!("{} (compliance {:.0} {deviation} 1/GN)", parameter.cable + 1, 1e9 * value));
         }
     }
     (!cables.is_empty()).then(|| {
         format!(
-            "the stiffness of cables {}, whose compliance the data do not tell from that of a rigid cable: record tension \
-             tests (shorten single cables)",
+            "the stiffness of cables {} is unknown, not even to a factor of two: record tension tests (shorten single cables)",
             cables.join(", ")
         )
     })
