@@ -130,19 +130,19 @@ fn copy(rows: &SampleRows, sample: usize, matrix: &mut DMatrix<f64>) {
     }
 }
 
-/// Cables whose compliance has a 95 % interval wider than ± half of it: their stiffness is not known to a factor of two.
+/// Cables whose compliance has a 95 % interval wider than ± a quarter of it: too little for a controller that relies on it.
 fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], sigmas: &[Option<f64>]) -> Option<String> {
     let mut cables = Vec::new();
     for (parameter, sigma) in parameters.iter().zip(sigmas) {
         let value = parameter.value(&optimum.calibrated);
-        if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > 0.5 * value) {
+        if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > 0.25 * value) {
             let deviation = sigma.map_or("not determined at all".to_owned(), |sigma| format!("± {:.0}", 1e9 * sigma));
             cables.push(format!("{} (compliance {:.0} {deviation} 1/GN)", parameter.cable + 1, 1e9 * value));
         }
     }
     (!cables.is_empty()).then(|| {
         format!(
-            "the stiffness of cables {} is unknown, not even to a factor of two: record tension tests (shorten single cables)",
+            "the stiffness of cables {} is unknown, not even to ± 25 %: record tension tests (shorten single cables)",
             cables.join(", ")
         )
     })
