@@ -46,3 +46,4 @@ pub mod reading;
 pub mod robot;
 pub mod scalar;
 pub mod statics;
+pub mod tension;

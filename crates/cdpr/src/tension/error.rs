@@ -1,0 +1,76 @@
+//! Input that no method of tension distribution can accept.
+
+use nalgebra::DMatrix;
+use thiserror::Error;
+
+use super::Limits;
+
+/// Sizes that do not fit together, or numbers that cannot be calculated with.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InputError {
+    /// The structure matrix has another shape than asked for.
+    #[error("expected a structure matrix of {expected_rows} × {expected_columns}, found {rows} × {columns}")]
+    MatrixShape {
+        /// Degrees of freedom n.
+        expected_rows: usize,
+        /// Number of cables m.
+        expected_columns: usize,
+        /// Rows given.
+        rows: usize,
+        /// Columns given.
+        columns: usize,
+    },
+    /// Not one wrench component per degree of freedom.
+    #[error("expected {expected} wrench components, one per row of the structure matrix, found {found}")]
+    WrenchLength {
+        /// Rows of the structure matrix.
+        expected: usize,
+        /// Components given.
+        found: usize,
+    },
+    /// Not one pair of limits per cable.
+    #[error("expected tension limits of {expected} cables, one per column of the structure matrix, found {found}")]
+    LimitCount {
+        /// Columns of the structure matrix.
+        expected: usize,
+        /// Limits given.
+        found: usize,
+    },
+    /// Not one reference tension per cable.
+    #[error("expected {expected} reference tensions, one per cable, found {found}")]
+    ReferenceLength {
+        /// Number of cables.
+        expected: usize,
+        /// Tensions given.
+        found: usize,
+    },
+    /// NaN, infinite, or so large that its square is.
+    #[error("the {what} is not finite, or too large to calculate with")]
+    NotFinite {
+        /// Which input.
+        what: &'static str,
+    },
+}
+
+/// Checks sizes only: numbers are checked where they are read anyway.
+pub(super) fn check_sizes(
+    structure_matrix: &DMatrix<f64>,
+    wrench: &[f64],
+    limits: &Limits,
+    reference: Option<&[f64]>,
+) -> Result<(), InputError> {
+    let (rows, columns) = structure_matrix.shape();
+    if wrench.len() != rows {
+        return Err(InputError::WrenchLength { expected: rows, found: wrench.len() });
+    }
+    if limits.cable_count() != columns {
+        return Err(InputError::LimitCount { expected: columns, found: limits.cable_count() });
+    }
+    match reference {
+        Some(reference) if reference.len() != columns => {
+            Err(InputError::ReferenceLength { expected: columns, found: reference.len() })
+        }
+        _ => Ok(()),
+    }
+}

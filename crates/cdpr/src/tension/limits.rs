@@ -1,0 +1,147 @@
+//! Least and largest tension of every cable.
+
+use thiserror::Error;
+
+use crate::robot::Robot;
+
+/// Tension limits, one pair per cable, finite and in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    minimum: Vec<f64>,
+    maximum: Vec<f64>,
+    /// Largest limit by amount (N): what "small" is measured against.
+    scale: f64,
+    /// Norm of maximum − minimum (N): no two allowed distributions are further apart.
+    diameter: f64,
+}
+
+/// Limits that leave no tension to choose, or that are unknown.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum LimitsError {
+    /// Lists of different length.
+    #[error("{minimum} least and {maximum} largest tensions do not make one pair per cable")]
+    Count {
+        /// Number of least tensions.
+        minimum: usize,
+        /// Number of largest tensions.
+        maximum: usize,
+    },
+    /// A limit that is NaN or infinite.
+    #[error("cable {cable}: the tension limits {minimum} N to {maximum} N are not finite")]
+    NotFinite {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Least tension (N).
+        minimum: f64,
+        /// Largest tension (N).
+        maximum: f64,
+    },
+    /// A least tension above the largest one.
+    #[error("cable {cable}: the least tension {minimum} N is above the largest {maximum} N")]
+    EmptyRange {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Least tension (N).
+        minimum: f64,
+        /// Largest tension (N).
+        maximum: f64,
+    },
+    /// The robot's file does not say it.
+    #[error(
+        "the tension limits of cable {cable} (\"{name}\") are unknown: the file of \"{robot}\" lacks {key}; add it, or give the limit for all cables ({option})"
+    )]
+    MissingKey {
+        /// Name of the robot.
+        robot: String,
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+        /// The key that is missing.
+        key: &'static str,
+        /// The option of the command that stands for it.
+        option: &'static str,
+    },
+}
+
+impl Limits {
+    /// Limits from two lists with one entry per cable (N).
+    pub fn new(minimum: Vec<f64>, maximum: Vec<f64>) -> Result<Self, LimitsError> {
+        if minimum.len() != maximum.len() {
+            return Err(LimitsError::Count { minimum: minimum.len(), maximum: maximum.len() });
+        }
+        let (mut scale, mut diameter) = (0.0_f64, 0.0);
+        for (index, (&minimum, &maximum)) in minimum.iter().zip(&maximum).enumerate() {
+            let cable = index + 1;
+            if !(minimum.is_finite() && maximum.is_finite()) {
+                return Err(LimitsError::NotFinite { cable, minimum, maximum });
+            }
+            if minimum > maximum {
+                return Err(LimitsError::EmptyRange { cable, minimum, maximum });
+            }
+            scale = scale.max(minimum.abs()).max(maximum.abs());
+            diameter += (maximum - minimum).powi(2);
+        }
+        Ok(Self { minimum, maximum, scale, diameter: diameter.sqrt() })
+    }
+
+    /// The same limits for all cables (N).
+    pub fn uniform(cable_count: usize, minimum: f64, maximum: f64) -> Result<Self, LimitsError> {
+        Self::new(vec![minimum; cable_count], vec![maximum; cable_count])
+    }
+
+    /// The limits that a robot's file states, or these for all its cables (N).
+    pub fn of(robot: &Robot, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, LimitsError> {
+        let (mut least, mut largest) = (Vec::new(), Vec::new());
+        for (index, cable) in robot.cables.iter().enumerate() {
+            let missing = |key, option| LimitsError::MissingKey {
+                robot: robot.name.clone(),
+                cable: index + 1,
+                name: cable.name.clone(),
+                key,
+                option,
+            };
+            least.push(minimum.or(cable.tension_min).ok_or_else(|| missing("`tension_min_N`", "--min"))?);
+            largest.push(maximum.or(cable.tension_max).ok_or_else(|| missing("`tension_max_N`", "--max"))?);
+        }
+        Self::new(least, largest)
+    }
+
+    /// Number of cables m.
+    pub fn cable_count(&self) -> usize {
+        self.minimum.len()
+    }
+
+    /// Least tension per cable (N).
+    pub fn minimum(&self) -> &[f64] {
+        &self.minimum
+    }
+
+    /// Largest tension per cable (N).
+    pub fn maximum(&self) -> &[f64] {
+        &self.maximum
+    }
+
+    /// f_m = ½ (f_min + f_max) of one cable (N).
+    pub fn middle(&self, cable: usize) -> f64 {
+        0.5 * (self.minimum[cable] + self.maximum[cable])
+    }
+
+    /// True when every tension keeps its limits, within `tolerance` (N).
+    pub fn contain(&self, tensions: &[f64], tolerance: f64) -> bool {
+        let within = |(index, &f): (usize, &f64)| {
+            f >= self.minimum[index] - tolerance && f <= self.maximum[index] + tolerance
+        };
+        tensions.len() == self.cable_count() && tensions.iter().enumerate().all(within)
+    }
+
+    /// Rounding of tensions (N): a limit missed by less is kept.
+    pub fn tolerance(&self) -> f64 {
+        1e-10 * self.scale
+    }
+
+    pub(super) fn diameter(&self) -> f64 {
+        self.diameter
+    }
+}

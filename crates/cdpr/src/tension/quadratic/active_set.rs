@@ -1,0 +1,340 @@
+//! The nearest point of a box within the solutions of the balance, by a dual active set (Goldfarb and Idnani 1983).
+//!
+//! The search starts at the nearest point f of the affine space f + H λ and adds the limit that is missed most, until none
+//! is: every point on the way is the nearest one that keeps the limits in the active set, so the distance grows with every
+//! limit added, no set comes twice, and the last point is the optimum. Where a limit can neither be met nor exchanged
+//! against an active one, the multipliers prove that no tensions keep these limits.
+
+use super::block::{Block, LANES, add_scaled, dot, fill, rotate};
+use crate::tension::Limits;
+
+/// A limit: the least tension (`sign` 1) or the largest (`sign` −1) of a cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bound {
+    pub(super) cable: usize,
+    pub(super) sign: f64,
+}
+
+impl Bound {
+    fn limit(self, limits: &Limits) -> f64 {
+        if self.sign > 0.0 { limits.minimum()[self.cable] } else { limits.maximum()[self.cable] }
+    }
+}
+
+/// How the search ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    /// The optimum.
+    Optimum,
+    /// This limit contradicts active ones; the weights of the latter are in `weights`.
+    Contradiction(Bound),
+    /// So many steps that rounding must be at work.
+    TooLong,
+}
+
+/// Buffers and state of the search.
+#[derive(Clone, Debug)]
+pub(super) struct ActiveSet {
+    cable_count: usize,
+    blocks: usize,
+    /// m − rank, the columns of `basis`.
+    dimension: usize,
+    /// Orthonormal basis of the null space. Its first columns span the active limits; the point's buffer follows the basis.
+    pub(super) basis: Vec<Block>,
+    /// R of the active limits' rows in `basis`, by columns of m entries.
+    triangle: Vec<f64>,
+    pub(super) active: Vec<Bound>,
+    multipliers: Vec<f64>,
+    /// The active limits of the last search.
+    remembered: Vec<Bound>,
+    /// The row of `basis` of the limit that is being added, times its sign.
+    row: Vec<f64>,
+    /// How fast the multipliers of active limits fall while the limit is being added.
+    pub(super) weights: Vec<f64>,
+    /// Tensions (N).
+    pub(super) point: Vec<Block>,
+    step: Vec<Block>,
+    minimum: Vec<Block>,
+    maximum: Vec<Block>,
+    pub(super) iterations: u32,
+}
+
+/// Squared length that is zero for a row of an orthonormal basis, whatever the limits.
+const ZERO: f64 = 1e-30;
+/// Squared length below which the limits decide whether it is zero.
+const SMALL: f64 = 1e-16;
+/// Weight below which a multiplier does not fall.
+const NO_WEIGHT: f64 = 1e-12;
+
+impl ActiveSet {
+    pub(super) fn new(cable_count: usize) -> Self {
+        let blocks = cable_count.div_ceil(LANES);
+        let vector = vec![[0.0; LANES]; blocks];
+        Self {
+            cable_count,
+            blocks,
+            dimension: 0,
+            basis: vec![[0.0; LANES]; (cable_count + 1) * blocks],
+            triangle: vec![0.0; cable_count * cable_count],
+            active: Vec::with_capacity(cable_count),
+            multipliers: Vec::with_capacity(cable_count),
+            remembered: Vec::with_capacity(cable_count),
+            row: vec![0.0; cable_count],
+            weights: vec![0.0; cable_count],
+            point: vector.clone(),
+            step: vector.clone(),
+            minimum: vector.clone(),
+            maximum: vector,
+            iterations: 0,
+        }
+    }
+}
+
+impl ActiveSet {
+    /// The nearest point to `reference`; `basis` holds the null space and after it a solution, as `Balance` writes them.
+    pub(super) fn search(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> End {
+        let tolerance = limits.tolerance();
+        self.begin(dimension, limits, reference);
+        self.resume(limits);
+        let mut refined = false;
+        loop {
+            match self.most_missed(tolerance) {
+                Some(bound) => match self.add(bound, limits) {
+                    None => {}
+                    Some(end) => return end,
+                },
+                None if refined || self.active_limits_are_met(limits, tolerance) => return End::Optimum,
+                None => {
+                    self.start(reference);
+                    self.resume(limits);
+                    refined = true;
+                }
+            }
+        }
+    }
+
+    /// Sets the point to the nearest one that balances the load, whatever the limits.
+    pub(super) fn begin(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) {
+        self.dimension = dimension;
+        self.iterations = 0;
+        fill(&mut self.minimum, limits.minimum().iter().copied());
+        fill(&mut self.maximum, limits.maximum().iter().copied());
+        self.start(reference);
+    }
+
+    /// Combination of cables that has its largest value within the limits where they contradict the balance.
+    ///
+    /// The balance fixes it at a larger value. The buffer is the caller's to use up.
+    pub(super) fn write_contradiction(&mut self, bound: Bound) -> &mut [Block] {
+        self.step.fill([0.0; LANES]);
+        self.step[bound.cable / LANES][bound.cable % LANES] = -bound.sign;
+        for (bound, &weight) in self.active.iter().zip(&self.weights) {
+            // it is at most rounding above 0
+            self.step[bound.cable / LANES][bound.cable % LANES] = weight.min(0.0) * bound.sign;
+        }
+        &mut self.step
+    }
+
+    /// Forgets which limits were active.
+    pub(super) fn forget(&mut self) {
+        self.active.clear();
+    }
+
+    /// Starts from the active set of the last search, less the limits that push the wrong way.
+    fn resume(&mut self, limits: &Limits) {
+        let known = self.active.len();
+        self.remembered.clear();
+        self.remembered.extend_from_slice(&self.active);
+        self.active.clear();
+        self.multipliers.clear();
+        for index in 0..known {
+            let bound = self.remembered[index];
+            let free = self.look_along(bound);
+            // nearly dependent limits are left to the search
+            if free > 1e-8 {
+                self.insert(bound, 0.0);
+            }
+        }
+        while !self.active.is_empty() {
+            self.solve_for_active(limits);
+            let least = (0..self.active.len()).min_by(|&a, &b| self.multipliers[a].total_cmp(&self.multipliers[b]));
+            match least {
+                Some(least) if self.multipliers[least] < 0.0 => self.remove(least),
+                _ => break,
+            }
+        }
+        for j in 0..self.active.len() {
+            add_scaled(&mut self.point, self.row[j], &self.basis[j * self.blocks..(j + 1) * self.blocks]);
+        }
+    }
+
+    /// The nearest point of the affine space to the reference, by default the middle of the limits.
+    fn start(&mut self, reference: Option<&[f64]>) {
+        let (blocks, end) = (self.blocks, self.dimension * self.blocks);
+        match reference {
+            Some(reference) => fill(&mut self.step, reference.iter().copied()),
+            None => {
+                for ((middle, least), largest) in self.step.iter_mut().zip(&self.minimum).zip(&self.maximum) {
+                    for k in 0..LANES {
+                        middle[k] = 0.5 * (least[k] + largest[k]);
+                    }
+                }
+            }
+        }
+        self.point.copy_from_slice(&self.basis[end..end + blocks]);
+        for column in self.basis[..end].chunks_exact(blocks) {
+            add_scaled(&mut self.point, dot(column, &self.step), column);
+        }
+    }
+
+    /// Multipliers of the active limits, and in `row` the way to the point that meets them all.
+    fn solve_for_active(&mut self, limits: &Limits) {
+        let (q, m) = (self.active.len(), self.cable_count);
+        for j in 0..q {
+            let Bound { cable, sign } = self.active[j];
+            let mut missed = sign * (self.active[j].limit(limits) - self.point[cable / LANES][cable % LANES]);
+            for i in 0..j {
+                missed -= self.triangle[j * m + i] * self.row[i];
+            }
+            self.row[j] = missed / self.triangle[j * m + j];
+        }
+        for i in (0..q).rev() {
+            let mut value = self.row[i];
+            for j in i + 1..q {
+                value -= self.triangle[j * m + i] * self.multipliers[j];
+            }
+            self.multipliers[i] = value / self.triangle[i * m + i];
+        }
+    }
+
+    fn most_missed(&self, tolerance: f64) -> Option<Bound> {
+        let (mut worst, mut found) = (tolerance, None);
+        let limits = self.minimum.as_flattened().iter().zip(self.maximum.as_flattened());
+        for (cable, (&f, (&least, &largest))) in self.point.as_flattened().iter().zip(limits).enumerate() {
+            let missed = (least - f).max(f - largest);
+            if missed > worst {
+                worst = missed;
+                found = Some(Bound { cable, sign: if least > f { 1.0 } else { -1.0 } });
+            }
+        }
+        found
+    }
+
+    fn active_limits_are_met(&self, limits: &Limits, tolerance: f64) -> bool {
+        self.active.iter().all(|bound| {
+            let f = self.point[bound.cable / LANES][bound.cable % LANES];
+            (f - bound.limit(limits)).abs() <= tolerance
+        })
+    }
+
+    /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
+    fn add(&mut self, bound: Bound, limits: &Limits) -> Option<End> {
+        let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
+        let limit = bound.limit(limits);
+        let mut multiplier = 0.0;
+        loop {
+            self.iterations += 1;
+            if self.iterations > 100 + 20 * self.cable_count as u32 {
+                return Some(End::TooLong);
+            }
+            let free = self.look_along(bound);
+            let missed = (bound.sign * (limit - self.point[block][lane])).max(0.0);
+            // no allowed tensions are further away than the diameter: a limit that asks for more cannot be met this way
+            let is_open = free > SMALL || (free > ZERO && missed < 4.0 * free.sqrt() * limits.diameter());
+            let whole = if is_open { missed / free } else { f64::INFINITY };
+            let (part, blocking) = self.first_to_vanish();
+            if whole.is_infinite() && blocking.is_none() {
+                return Some(End::Contradiction(bound));
+            }
+            let length = whole.min(part);
+            add_scaled(&mut self.point, length, &self.step);
+            multiplier += length;
+            for (u, weight) in self.multipliers.iter_mut().zip(&self.weights) {
+                *u = (*u - length * weight).max(0.0);
+            }
+            match blocking {
+                Some(blocking) if part < whole => self.remove(blocking),
+                _ => {
+                    self.insert(bound, multiplier);
+                    return None;
+                }
+            }
+        }
+    }
+
+    /// Writes the row, the step and the weights of a limit; returns the squared length of the part that active limits
+    /// leave free.
+    fn look_along(&mut self, bound: Bound) -> f64 {
+        let (q, m, blocks) = (self.active.len(), self.cable_count, self.blocks);
+        let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
+        self.step.fill([0.0; LANES]);
+        let mut free = 0.0;
+        for j in 0..self.dimension {
+            let column = &self.basis[j * blocks..(j + 1) * blocks];
+            let entry = bound.sign * column[block][lane];
+            self.row[j] = entry;
+            if j >= q {
+                free += entry * entry;
+                add_scaled(&mut self.step, entry, column);
+            }
+        }
+        for i in (0..q).rev() {
+            let mut value = self.row[i];
+            for j in i + 1..q {
+                value -= self.triangle[j * m + i] * self.weights[j];
+            }
+            self.weights[i] = value / self.triangle[i * m + i];
+        }
+        free
+    }
+
+    /// The active limit whose multiplier is the first to reach zero, and the step to there.
+    fn first_to_vanish(&self) -> (f64, Option<usize>) {
+        let mut first = (f64::INFINITY, None);
+        for (j, (&u, &weight)) in self.multipliers.iter().zip(&self.weights).enumerate() {
+            // weights below rounding are zero: rows of the basis have length 1
+            if weight > NO_WEIGHT && u < first.0 * weight {
+                first = (u / weight, Some(j));
+            }
+        }
+        first
+    }
+
+    /// Adds a limit whose `row` is written: rotates the free columns so that one alone has a part in it.
+    fn insert(&mut self, bound: Bound, multiplier: f64) {
+        let (q, m, blocks) = (self.active.len(), self.cable_count, self.blocks);
+        for j in (q + 1..self.dimension).rev() {
+            let length = self.row[j - 1].hypot(self.row[j]);
+            if self.row[j] != 0.0 {
+                let turn = [self.row[j - 1] / length, self.row[j] / length];
+                let (first, second) = self.basis.split_at_mut(j * blocks);
+                rotate(&mut first[(j - 1) * blocks..], &mut second[..blocks], turn);
+                self.row[j - 1] = length;
+            }
+        }
+        self.triangle[q * m..q * m + q + 1].copy_from_slice(&self.row[..q + 1]);
+        self.active.push(bound);
+        self.multipliers.push(multiplier);
+    }
+
+    /// Removes an active limit and rotates R back to a triangle.
+    fn remove(&mut self, index: usize) {
+        let (m, blocks) = (self.cable_count, self.blocks);
+        self.active.remove(index);
+        self.multipliers.remove(index);
+        let q = self.active.len();
+        self.triangle.copy_within((index + 1) * m..(q + 1) * m, index * m);
+        for j in index..q {
+            let [above, below] = [self.triangle[j * m + j], self.triangle[j * m + j + 1]];
+            let length = above.hypot(below);
+            let [cos, sin] = [above / length, below / length];
+            for column in j..q {
+                let [above, below] = [self.triangle[column * m + j], self.triangle[column * m + j + 1]];
+                self.triangle[column * m + j] = cos * above + sin * below;
+                self.triangle[column * m + j + 1] = cos * below - sin * above;
+            }
+            let (first, second) = self.basis.split_at_mut((j + 1) * blocks);
+            rotate(&mut first[j * blocks..], &mut second[..blocks], [cos, sin]);
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! The equations Aᵀ f + w = 0: their solutions are f = p + H λ, with H an orthonormal basis of the null space of Aᵀ.
+
+use nalgebra::DMatrix;
+
+use super::block::{Block, LANES, add_scaled, dot};
+use crate::tension::InputError;
+
+/// Below this length (rows have length 1) what a row adds to the rows before it is rounding: the rank is lost.
+const LOST: f64 = 1e-12;
+
+/// Above this length the rank is certain without looking for the best order of the rows.
+const CERTAIN: f64 = 1e-5;
+
+/// Loads above this, in newtons, cannot be calculated with.
+const LARGEST: f64 = 1e100;
+
+/// A rest of the load below this part of load and tensions is rounding, where rows depend on each other.
+const INCONSISTENT: f64 = 1e-9;
+
+/// Householder factors of the rows of a structure matrix, A = Q R.
+#[derive(Clone, Debug)]
+pub(super) struct Balance {
+    cable_count: usize,
+    dof: usize,
+    blocks: usize,
+    /// What a row is multiplied by to have length 1: forces and moments have different units.
+    row_scales: Vec<f64>,
+    /// The rows, then the reflectors.
+    columns: Vec<Block>,
+    /// 2/‖v‖² of the reflectors.
+    factors: Vec<f64>,
+    /// R by columns, n each, with the reciprocal on the diagonal.
+    triangle: Vec<f64>,
+    /// Row of the structure matrix at each place.
+    order: Vec<usize>,
+    rank: usize,
+    /// Coordinates of the particular solution in the columns of Q.
+    coordinates: Vec<f64>,
+}
+
+/// What is left of a load that no tensions balance.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unreachable {
+    /// Place (in the order of the factors) of the row that stays unbalanced.
+    place: usize,
+    /// What is missing there.
+    rest: f64,
+}
+
+impl Balance {
+    pub(super) fn new(cable_count: usize, dof: usize) -> Self {
+        let blocks = cable_count.div_ceil(LANES);
+        Self {
+            cable_count,
+            dof,
+            blocks,
+            row_scales: vec![0.0; dof],
+            columns: vec![[0.0; LANES]; dof * blocks],
+            factors: vec![0.0; dof],
+            triangle: vec![0.0; dof * dof],
+            order: (0..dof).collect(),
+            rank: 0,
+            coordinates: vec![0.0; dof],
+        }
+    }
+
+    pub(super) fn rank(&self) -> usize {
+        self.rank
+    }
+
+    /// Factors of this matrix; the order of rows is only looked for where the rank is in doubt.
+    pub(super) fn factorise(&mut self, structure_matrix: &DMatrix<f64>) -> Result<(), InputError> {
+        self.load(structure_matrix)?;
+        if !self.reflect(false) {
+            self.load(structure_matrix)?;
+            self.reflect(true);
+        }
+        Ok(())
+    }
+
+    fn load(&mut self, structure_matrix: &DMatrix<f64>) -> Result<(), InputError> {
+        let (dof, blocks) = (self.dof, self.blocks);
+        let columns = self.columns.as_flattened_mut();
+        for (cable, entries) in structure_matrix.as_slice().chunks_exact(dof).enumerate() {
+            for (row, entry) in entries.iter().enumerate() {
+                columns[row * blocks * LANES + cable] = *entry;
+            }
+        }
+        let mut largest = 0.0_f64;
+        for (row, place) in self.columns.chunks_exact(blocks).zip(&mut self.row_scales) {
+            *place = dot(row, row);
+            if !place.is_finite() {
+                return Err(InputError::NotFinite { what: "structure matrix" });
+            }
+            largest = largest.max(*place);
+        }
+        for (row, scale) in self.columns.chunks_exact_mut(blocks).zip(&mut self.row_scales) {
+            // a row of rounding must not become one of length 1
+            *scale = if *scale > LOST * LOST * largest { 1.0 / scale.sqrt() } else { 1.0 };
+            row.as_flattened_mut().iter_mut().for_each(|entry| *entry *= *scale);
+        }
+        self.order.iter_mut().enumerate().for_each(|(place, row)| *row = place);
+        Ok(())
+    }
+
+    /// False when the rank is in doubt and the rows were taken as they came.
+    fn reflect(&mut self, ordered: bool) -> bool {
+        let (dof, blocks) = (self.dof, self.blocks);
+        let most = dof.min(self.cable_count);
+        for k in 0..most {
+            self.rank = k;
+            if ordered {
+                self.bring_longest_to(k);
+            }
+            self.take_head(k, k);
+            let (done, rest) = self.columns.split_at_mut((k + 1) * blocks);
+            let v = &mut done[k * blocks..];
+            let length = dot(v, v).sqrt();
+            if length <= if ordered { LOST } else { CERTAIN } {
+                (k + 1..dof).for_each(|row| self.take_head(row, k));
+                return ordered;
+            }
+            let head = &mut v[k / LANES][k % LANES];
+            let signed = length.copysign(*head);
+            *head += signed;
+            let factor = 1.0 / (signed * *head);
+            self.triangle[k * dof + k] = -1.0 / signed;
+            self.factors[k] = factor;
+            for column in rest.chunks_exact_mut(blocks) {
+                let along = factor * dot(v, column);
+                add_scaled(column, -along, v);
+            }
+        }
+        self.rank = most;
+        (most..dof).for_each(|row| self.take_head(row, most));
+        true
+    }
+
+    /// Moves the first entries of a column to R.
+    fn take_head(&mut self, column: usize, count: usize) {
+        let entries = self.columns[column * self.blocks..(column + 1) * self.blocks].as_flattened_mut();
+        let target = &mut self.triangle[column * self.dof..];
+        target[..count].copy_from_slice(&entries[..count]);
+        entries[..count].fill(0.0);
+    }
+
+    fn bring_longest_to(&mut self, k: usize) {
+        let (dof, blocks) = (self.dof, self.blocks);
+        let tail = |column: &[Block]| column.as_flattened()[k..].iter().map(|entry| entry * entry).sum::<f64>();
+        let lengths = (k..dof).map(|j| (j, tail(&self.columns[j * blocks..(j + 1) * blocks])));
+        let longest = lengths.fold((k, -1.0), |best, next| if next.1 > best.1 { next } else { best }).0;
+        for block in 0..blocks {
+            self.columns.swap(k * blocks + block, longest * blocks + block);
+        }
+        self.order.swap(k, longest);
+    }
+
+    /// Solves Rᵀ y = −w for the rows that have rank; `Some` when another row contradicts them.
+    pub(super) fn balance(&mut self, wrench: &[f64]) -> Result<Option<Unreachable>, InputError> {
+        let (dof, rank) = (self.dof, self.rank);
+        let mut worst: Option<Unreachable> = None;
+        let (mut size, mut sum) = (0.0_f64, 0.0);
+        for place in 0..dof {
+            let row = self.order[place];
+            let column = &self.triangle[place * dof..(place + 1) * dof];
+            let mut rest = wrench[row] * self.row_scales[row];
+            size = size.max(rest.abs());
+            sum += rest.abs();
+            for (entry, y) in column[..rank.min(place)].iter().zip(&self.coordinates) {
+                rest += entry * y;
+            }
+            if place < rank {
+                self.coordinates[place] = -rest * column[place];
+                size = size.max(self.coordinates[place].abs());
+            } else if worst.is_none_or(|worst| rest.abs() > worst.rest.abs()) {
+                worst = Some(Unreachable { place, rest });
+            }
+        }
+        // the squares of tensions are needed too; NaN fails this as well
+        if !(sum.abs() < LARGEST) {
+            return Err(InputError::NotFinite { what: "wrench" });
+        }
+        Ok(worst.filter(|worst| worst.rest.abs() > INCONSISTENT * size))
+    }
+
+    /// Writes H (m − rank columns) and after it the shortest tensions p = Q y that balance the load.
+    pub(super) fn write_solutions(&self, columns: &mut [Block]) {
+        let (blocks, rank) = (self.blocks, self.rank);
+        let dimension = self.cable_count - rank;
+        let columns = &mut columns[..(dimension + 1) * blocks];
+        columns.fill([0.0; LANES]);
+        let (null_space, particular) = columns.split_at_mut(dimension * blocks);
+        for (j, column) in null_space.chunks_exact_mut(blocks).enumerate() {
+            column.as_flattened_mut()[rank + j] = 1.0;
+        }
+        particular.as_flattened_mut()[..rank].copy_from_slice(&self.coordinates[..rank]);
+        for k in (0..rank).rev() {
+            let (v, factor) = (&self.columns[k * blocks..(k + 1) * blocks], self.factors[k]);
+            for column in columns.chunks_exact_mut(blocks) {
+                let along = factor * dot(v, column);
+                add_scaled(column, -along, v);
+            }
+        }
+    }
+
+    /// The combination y of rows that comes nearest to `cables`, A y ≈ c; `cables` is used up.
+    pub(super) fn write_combination(&self, cables: &mut [Block], y: &mut [f64]) {
+        let blocks = self.blocks;
+        for k in 0..self.rank {
+            let v = &self.columns[k * blocks..(k + 1) * blocks];
+            let along = self.factors[k] * dot(v, cables);
+            add_scaled(cables, -along, v);
+        }
+        y.fill(0.0);
+        self.write_back_substituted(&cables.as_flattened()[..self.rank], y);
+    }
+
+    /// The combination y of rows that vanishes, Aᵀ's part, but not its load: yᵀ w < 0.
+    pub(super) fn write_contradiction(&self, unreachable: Unreachable, y: &mut [f64]) {
+        let place = unreachable.place;
+        let sign = -unreachable.rest.signum();
+        y.fill(0.0);
+        let column = &self.triangle[place * self.dof..];
+        self.write_back_substituted(&column[..self.rank], y);
+        y.iter_mut().for_each(|entry| *entry *= -sign);
+        let row = self.order[place];
+        y[row] = sign * self.row_scales[row];
+    }
+
+    /// y = R⁻¹ right, for the rows as the caller numbers and scales them.
+    fn write_back_substituted(&self, right: &[f64], y: &mut [f64]) {
+        let (dof, rank) = (self.dof, self.rank);
+        for place in (0..rank).rev() {
+            let mut value = right[place];
+            for later in place + 1..rank {
+                value -= self.triangle[later * dof + place] * y[self.order[later]];
+            }
+            y[self.order[place]] = value * self.triangle[place * dof + place];
+        }
+        for (entry, scale) in y.iter_mut().zip(&self.row_scales) {
+            *entry *= scale;
+        }
+    }
+}

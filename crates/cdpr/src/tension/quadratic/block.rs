@@ -1,0 +1,45 @@
+//! Vectors over cables in blocks of eight, filled up with zeros, so that the compiler puts them into vector registers.
+
+/// Eight numbers that are computed together.
+pub(super) type Block = [f64; LANES];
+
+/// Cables per block.
+pub(super) const LANES: usize = 8;
+
+pub(super) fn dot(a: &[Block], b: &[Block]) -> f64 {
+    let mut sum = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        for k in 0..LANES {
+            sum[k] += a[k] * b[k];
+        }
+    }
+    ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]))
+}
+
+/// target += factor · source
+pub(super) fn add_scaled(target: &mut [Block], factor: f64, source: &[Block]) {
+    for (target, source) in target.iter_mut().zip(source) {
+        for k in 0..LANES {
+            target[k] += factor * source[k];
+        }
+    }
+}
+
+/// (a, b) ← (cos a + sin b, cos b − sin a)
+pub(super) fn rotate(a: &mut [Block], b: &mut [Block], [cos, sin]: [f64; 2]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        for k in 0..LANES {
+            let (first, second) = (a[k], b[k]);
+            a[k] = cos * first + sin * second;
+            b[k] = cos * second - sin * first;
+        }
+    }
+}
+
+/// Copies numbers to the front and fills the rest with zeros.
+pub(super) fn fill(target: &mut [Block], source: impl Iterator<Item = f64>) {
+    target.fill([0.0; LANES]);
+    for (target, source) in target.as_flattened_mut().iter_mut().zip(source) {
+        *target = source;
+    }
+}

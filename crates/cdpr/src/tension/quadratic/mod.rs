@@ -1,0 +1,193 @@
+//! The exact quadratic programme: min ‖f − f_ref‖² such that Aᵀ f + w = 0 and f_min ≤ f ≤ f_max.
+//!
+//! The unknowns are reduced to the null space of Aᵀ by orthogonal factors, and a dual active set finds the optimum in
+//! finitely many steps, or a certificate that there is none: a direction y in which the load asks for more than the cables
+//! can give within their limits. Any number of cables will do, fewer than degrees of freedom too, and so will structure
+//! matrices without full rank: the load must then lie in their range, to 1e-9 of load and tensions (rows compared after
+//! division by their length).
+
+mod active_set;
+mod balance;
+mod block;
+mod certificate;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use active_set::{ActiveSet, End};
+use balance::Balance;
+pub use certificate::Certificate;
+use nalgebra::DMatrix;
+use serde::Serialize;
+
+use super::error::{InputError, check_sizes};
+use super::Limits;
+
+/// Whether the limits can be kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The tensions balance the load, keep their limits, and are the nearest to the reference that do.
+    Feasible,
+    /// No tensions balance the load and keep the limits: see [`Distribution::certificate`] and [`Distribution::reason`].
+    Infeasible,
+    /// Rounding kept the search from a verdict. It has not been seen to happen.
+    Undecided,
+}
+
+/// Tensions, or why there are none.
+#[must_use = "check `status` before using the tensions"]
+#[derive(Clone, Debug)]
+pub struct Distribution {
+    /// Whether the limits can be kept.
+    pub status: Status,
+    /// Tension per cable (N), within the limits. When infeasible not for use: they balance what they can of the load and
+    /// break limits.
+    pub tensions: Vec<f64>,
+    /// Aᵀ f + w (N, N·m): rounding when feasible.
+    pub wrench_residual: Vec<f64>,
+    /// Limits that were added or exchanged on the way.
+    pub iterations: u32,
+    certificate: Certificate,
+}
+
+impl Distribution {
+    /// The proof of infeasibility, for checking by other means.
+    pub fn certificate(&self) -> Option<&Certificate> {
+        (self.status == Status::Infeasible).then_some(&self.certificate)
+    }
+
+    /// Why there are no tensions: which cables would have to give how much, and what their limits allow.
+    pub fn reason(&self) -> Option<String> {
+        match self.status {
+            Status::Feasible => None,
+            Status::Infeasible => Some(self.certificate.words()),
+            Status::Undecided => Some("rounding errors are too large for a verdict".to_owned()),
+        }
+    }
+}
+
+/// A solver that keeps its memory and starts from the limits that were active last time.
+///
+/// The optimum is unique, so that the start changes the result by rounding only; [`Solver::forget`] makes it the same to
+/// the last bit.
+#[derive(Clone, Debug)]
+pub struct Solver {
+    dof: usize,
+    balance: Balance,
+    search: ActiveSet,
+    distribution: Distribution,
+}
+
+/// One distribution; see [`Solver`] for many.
+pub fn solve(
+    structure_matrix: &DMatrix<f64>,
+    wrench: &[f64],
+    limits: &Limits,
+    reference: Option<&[f64]>,
+) -> Result<Distribution, InputError> {
+    let (dof, cable_count) = structure_matrix.shape();
+    let mut solver = Solver::new(cable_count, dof);
+    solver.solve(structure_matrix, wrench, limits, reference)?;
+    Ok(solver.distribution)
+}
+
+impl Solver {
+    /// A solver for this many cables and degrees of freedom: all memory is claimed here.
+    pub fn new(cable_count: usize, dof: usize) -> Self {
+        Self {
+            dof,
+            balance: Balance::new(cable_count, dof),
+            search: ActiveSet::new(cable_count),
+            distribution: Distribution {
+                status: Status::Undecided,
+                tensions: vec![0.0; cable_count],
+                wrench_residual: vec![0.0; dof],
+                iterations: 0,
+                certificate: Certificate::new(cable_count, dof),
+            },
+        }
+    }
+
+    /// Forgets the limits that were active last time: the next result does not depend on what was solved before.
+    pub fn forget(&mut self) {
+        self.search.forget();
+    }
+
+    /// The tensions nearest to `reference` (by default the middle of the limits) that balance the wrench within limits.
+    ///
+    /// The wrench has one component per row of the structure matrix (N, N·m).
+    pub fn solve(
+        &mut self,
+        structure_matrix: &DMatrix<f64>,
+        wrench: &[f64],
+        limits: &Limits,
+        reference: Option<&[f64]>,
+    ) -> Result<&Distribution, InputError> {
+        self.check(structure_matrix, wrench, limits, reference)?;
+        self.balance.factorise(structure_matrix)?;
+        let unreachable = self.balance.balance(wrench)?;
+        self.balance.write_solutions(&mut self.search.basis);
+        let dimension = self.distribution.tensions.len() - self.balance.rank();
+        let certificate = &mut self.distribution.certificate;
+        self.distribution.status = match unreachable {
+            Some(unreachable) => {
+                self.search.begin(dimension, limits, reference);
+                self.balance.write_contradiction(unreachable, &mut certificate.direction);
+                Status::Infeasible
+            }
+            None => match self.search.search(dimension, limits, reference) {
+                End::Optimum => Status::Feasible,
+                End::TooLong => Status::Undecided,
+                End::Contradiction(bound) => {
+                    let combination = self.search.write_contradiction(bound);
+                    self.balance.write_combination(combination, &mut certificate.direction);
+                    Status::Infeasible
+                }
+            },
+        };
+        self.conclude(structure_matrix, wrench, limits);
+        Ok(&self.distribution)
+    }
+
+    fn check(
+        &self,
+        structure_matrix: &DMatrix<f64>,
+        wrench: &[f64],
+        limits: &Limits,
+        reference: Option<&[f64]>,
+    ) -> Result<(), InputError> {
+        let (rows, columns) = structure_matrix.shape();
+        let (expected_rows, expected_columns) = (self.dof, self.distribution.tensions.len());
+        if (rows, columns) != (expected_rows, expected_columns) {
+            return Err(InputError::MatrixShape { expected_rows, expected_columns, rows, columns });
+        }
+        if reference.is_some_and(|reference| !reference.iter().all(|tension| tension.is_finite())) {
+            return Err(InputError::NotFinite { what: "reference" });
+        }
+        check_sizes(structure_matrix, wrench, limits, reference)
+    }
+
+    /// Tensions, residual and certificate of the end of the search.
+    fn conclude(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) {
+        let Distribution { status, tensions, wrench_residual, iterations, certificate } = &mut self.distribution;
+        *iterations = self.search.iterations;
+        let cable_count = tensions.len();
+        tensions.copy_from_slice(&self.search.point.as_flattened()[..cable_count]);
+        if *status == Status::Feasible {
+            for (cable, tension) in tensions.iter_mut().enumerate() {
+                *tension = tension.clamp(limits.minimum()[cable], limits.maximum()[cable]);
+            }
+        }
+        wrench_residual.copy_from_slice(wrench);
+        for (column, tension) in structure_matrix.as_slice().chunks_exact(self.dof).zip(tensions.iter()) {
+            for (rest, entry) in wrench_residual.iter_mut().zip(column) {
+                *rest += entry * tension;
+            }
+        }
+        if *status == Status::Infeasible {
+            certificate.complete(structure_matrix, wrench, limits);
+        }
+    }
+}
