@@ -8,6 +8,7 @@ mod kinematics;
 mod measurements;
 mod selection;
 mod statics;
+mod studies;
 
 use std::path::{Path, PathBuf};
 

@@ -108,7 +108,7 @@ fn what_cannot_be_compared_is_refused_before_anything_is_written() {
         ("--require speed=1", "speed"),
         ("--split thirds", "thirds"),
         ("--split blocks:500", "500"),
-        ("--criterion tension", "tension"),
+        ("--criterion force", "force"),
         ("--prior platform-anchor=-1", "platform-anchor=-1"),
     ] {
         let run = cdpr_in(folder.path(), &format!("select data/robot.toml data/training.csv --out result {arguments}"));

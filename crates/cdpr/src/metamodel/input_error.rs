@@ -6,6 +6,7 @@ use crate::cable::DegenerateCourse;
 use crate::equilibrium::elastostatics;
 use crate::model::Model;
 use crate::statics::{LoadError, StaticsError};
+use crate::tension::{self, LimitsError};
 
 /// What no control model can do on a machine.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -57,17 +58,12 @@ pub enum InputError {
     /// An elastic machine that cannot answer.
     #[error("the machine cannot answer: {0}")]
     Machine(#[from] elastostatics::InputError),
-    /// The tension limits of a cable are unknown.
-    #[error(
-        "cable {cable} has no tension limits: add tension_min_N and tension_max_N to [limits], or to the robot's file"
-    )]
-    NoLimits {
-        /// Number of the cable, from 1.
-        cable: usize,
-    },
-    /// An elastic control model has to choose tensions.
-    #[error("an elastic control model needs a tension distribution, which is not part of this version")]
-    ElasticControl,
+    /// The tension limits are unknown or leave nothing to choose.
+    #[error("{0}; in a study, [limits] gives tension_min_N and tension_max_N for all cables")]
+    Limits(#[from] LimitsError),
+    /// Numbers that no tension distribution can use.
+    #[error("at the initial pose, {0}")]
+    Distribution(#[from] tension::InputError),
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,

@@ -78,6 +78,8 @@ pub struct Initial {
 pub enum TensionMethod {
     /// Balance nearest to the middle of the limits, whatever limits that breaks (eq. 3.41).
     ClosedForm,
+    /// Balance within the limits, nearest to their middle.
+    Qp,
 }
 
 /// Limits of the machine; they replace those of the robot files.

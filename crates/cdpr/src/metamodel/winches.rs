@@ -1,14 +1,12 @@
 //! How the winches are set: initial tensions and offsets.
 
-use nalgebra::{DMatrix, DVector};
-
 use super::control::lengths_at;
 use super::input_error::{InputError, check_same_robot};
 use super::study::{Initial, TensionMethod};
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::robot::Cable;
 use crate::statics::Load;
+use crate::tension::{Limits, closed_form, quadratic};
 
 /// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose with the
 /// initial tensions, q_off = φ̂(x_ini, f_ini) − φ(x_ini).
@@ -48,63 +46,45 @@ pub fn winch_offsets(
 /// The tensions f_ini that a study asks for at its initial pose, in balance with the load of the model's robot (N).
 ///
 /// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method `closed-form`,
-/// the middle of the limits (eq. 3.41).
+/// the middle of the limits (eq. 3.41), and neither asks for the limits. The method `qp` keeps them.
 pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
     let structure_matrix = model.structure_matrix(pose)?;
     let wrench = Load::of(model.robot())?.in_pattern(model, pose);
+    let nearest_to = |middle: &Limits| -> Result<Vec<f64>, InputError> {
+        let found = closed_form::solve(&structure_matrix, wrench.as_slice(), middle)?;
+        match found.balanced {
+            true => Ok(found.tensions),
+            false => Err(not_balanced("the cables leave a part of it whatever their tensions".to_owned())),
+        }
+    };
     let tensions = match (&initial.tensions_N, initial.tension_method) {
         (Some(tensions), _) => {
             let (expected, found) = (model.cable_count(), tensions.len());
             if expected != found {
                 return Err(InputError::Count { key: "tensions_N", expected, found });
             }
-            balanced(model, &structure_matrix, &wrench, tensions)?
+            nearest_to(&Limits::new(tensions.clone(), tensions.clone())?)?
         }
-        (None, Some(TensionMethod::ClosedForm)) => {
-            let middle = middle_of_limits(model)?;
-            balanced(model, &structure_matrix, &wrench, &middle)?
+        (None, Some(TensionMethod::ClosedForm)) => nearest_to(&Limits::of(model.robot(), None, None)?)?,
+        (None, Some(TensionMethod::Qp)) => {
+            let limits = Limits::of(model.robot(), None, None)?;
+            let found = quadratic::solve(&structure_matrix, wrench.as_slice(), &limits, None)?;
+            match found.reason() {
+                None => found.tensions,
+                Some(reason) => return Err(not_balanced(reason)),
+            }
         }
         (None, None) => return Err(InputError::NoTensions),
     };
     match tensions.iter().position(|&tension| tension < 0.0) {
         Some(cable) => {
-            let reason = format!("cable {} would have to push with {:.0} N", cable + 1, -tensions[cable]);
-            Err(InputError::NotBalanced { reason })
+            let push = -tensions[cable];
+            Err(not_balanced(format!("cable {} would have to push with {push:.0} N", cable + 1)))
         }
         None => Ok(tensions),
     }
 }
 
-/// The tensions nearest to these that balance the wrench: f − A⁺ᵀ (w + Aᵀ f).
-fn balanced(
-    model: &Model,
-    structure_matrix: &DMatrix<f64>,
-    wrench: &DVector<f64>,
-    tensions: &[f64],
-) -> Result<Vec<f64>, InputError> {
-    let f = DVector::from_column_slice(tensions);
-    // moments over the platform radius, so that rank and residual compare like with like
-    let (mut matrix, mut missing) = (structure_matrix.clone(), wrench + structure_matrix * &f);
-    for row in model.robot().motion_pattern.translations()..model.dof() {
-        matrix.row_mut(row).scale_mut(1.0 / model.platform_radius());
-        missing[row] /= model.platform_radius();
-    }
-    let size = missing.norm();
-    let decomposition = matrix.clone().svd(true, true);
-    let change = decomposition
-        .solve(&missing, 1e-12 * decomposition.singular_values.amax())
-        .expect("both sides of the decomposition were asked for");
-    // rounding of numbers of this size
-    let left = (&matrix * &change - &missing).norm();
-    if left > 1e-9 * size.max(f.norm()) {
-        let reason = format!("the cables leave {left:.3} N of it unbalanced whatever their tensions");
-        return Err(InputError::NotBalanced { reason });
-    }
-    Ok((f - change).as_slice().to_vec())
-}
-
-fn middle_of_limits(model: &Model) -> Result<Vec<f64>, InputError> {
-    let cables = model.robot().cables.iter().enumerate();
-    let middle = |limits: &Cable| Some((limits.tension_min? + limits.tension_max?) / 2.0);
-    cables.map(|(cable, limits)| middle(limits).ok_or(InputError::NoLimits { cable: cable + 1 })).collect()
+fn not_balanced(reason: String) -> InputError {
+    InputError::NotBalanced { reason }
 }

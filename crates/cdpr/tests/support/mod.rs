@@ -67,11 +67,8 @@ pub(crate) fn random_poses(robot: &Robot, count: usize, angle: f64, seed: u64) -
 /// What a machine records at random poses with orientations within ± `angle` (rad).
 pub(crate) fn measured(machine: &Robot, composition: Composition, count: usize, angle: f64, seed: u64) -> Samples {
     let model = Model::new(machine.clone(), composition).expect("is a model");
-    let offsets: Vec<f64> = {
-        // commands meant for the machine itself, so that its poses are the commanded ones
-        let zero = vec![0.0; model.cable_count()];
-        (0..zero.len()).map(|cable| model.recorded_length(cable, 0.0)).collect()
-    };
     let poses = random_poses(machine, count, angle, seed);
-    simulate(&model, &model, &offsets, &poses, &NOISE, seed).expect("machine and control model fit").samples
+    simulate(&model, &model, &vec![0.0; model.cable_count()], &poses, &NOISE, seed)
+        .expect("machine and control model fit")
+        .samples
 }

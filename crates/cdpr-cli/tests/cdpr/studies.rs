@@ -1,0 +1,120 @@
+//! Studies: `accuracy`, and `simulate` with elastic machines.
+
+use super::{cdpr, cdpr_in, numbers};
+
+/// The repository's study of this name.
+fn study(name: &str) -> String {
+    format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The study `twin-nominal` after a change, in a fresh folder.
+fn changed(from: &str, to: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(study("twin-nominal")).unwrap();
+    assert!(text.contains(from), "{from}");
+    std::fs::write(folder.path().join("study.toml"), text.replacen(from, to, 1)).unwrap();
+    folder
+}
+
+#[test]
+fn accuracy_answers_with_the_numbers_of_the_dissertations_machine() {
+    let run = cdpr(&format!("accuracy {} --format json", study("twin-nominal")));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let keys =
+        ["samples", "position_error_m", "rotation_error_rad", "length_error_m", "tension_min_N", "tension_max_N"];
+    let answer = run.json_with(&keys);
+    assert_eq!(answer["samples"], 75);
+    assert_eq!(answer["statuses"]["converged"], 75);
+    for (block, statistic, expected, tolerance) in [
+        ("position_error_m", "mean", 0.0388, 0.0003),
+        ("rotation_error_rad", "mean", 1.19_f64.to_radians(), 0.02_f64.to_radians()),
+        ("length_error_m", "mean_abs", 0.0237, 0.0003),
+    ] {
+        let found = answer[block][statistic].as_f64().unwrap();
+        assert!((found - expected).abs() < tolerance, "{block}: {found}");
+    }
+    assert_eq!(answer["tension_min_N"], 0.0, "some cables hang slack");
+    assert!(cdpr(&format!("accuracy {}", study("twin-nominal"))).stdout.contains("38.83"), "in mm, for people");
+}
+
+#[test]
+fn winch_offsets_of_the_planar_example_are_told() {
+    let run = cdpr(&format!("accuracy {} --format json", study("planar-wide-grid")));
+    let answer = run.json_with(&["winch_offsets_m"]);
+    assert!(numbers(&answer["winch_offsets_m"]).iter().all(|offset| *offset < 0.0), "cables are drawn in");
+    assert!((answer["position_error_m"]["mean"].as_f64().unwrap() - 0.05714).abs() < 2e-5);
+}
+
+#[test]
+fn measurements_of_an_elastic_machine_have_tensions_and_repeat_to_the_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    let record = |out: &str, seed: u32| {
+        let run = cdpr_in(
+            folder.path(),
+            &format!("simulate {} --out {out} --seed {seed} --format json", study("twin-measurements")),
+        );
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        // 75 poses of the grid, 16 turned ones, 8 cables at 8 poses
+        assert_eq!(run.json()["samples"], 155);
+        std::fs::read_to_string(folder.path().join(out)).unwrap()
+    };
+    let first = record("first.csv", 1);
+    assert!(first.lines().next().unwrap().contains("tension_N_8"));
+    assert_eq!(first, record("again.csv", 1));
+    assert_ne!(first, record("other.csv", 2));
+    let sidecar = std::fs::read_to_string(folder.path().join("first.meta.toml")).unwrap();
+    assert!(sidecar.contains("tension_N = 50"), "{sidecar}");
+}
+
+#[test]
+fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_the_key() {
+    let offset = "offset = \"none\"";
+    for (from, to, message) in [
+        (offset, "", "tensions_N or tension_method"),
+        (offset, "tension_method = \"centroid\"", "centroid"),
+        (offset, "tensions_N = [1, 2]", "tensions_N has 2 entries; the robot has 8 cables"),
+        (offset, "tensions_N = [-1, 1, 1, 1, 1, 1, 1, 1]", "cannot push"),
+        (offset, "tensions_N = [0, 0, 0, 0, 0, 0, 0, 0]", "would have to push"),
+        (offset, "tension_method = \"qp\"\ntensions_N = [1]", "exclude each other"),
+        (offset, "tension_method = \"qp\"\n[limits]\ntension_max_N = 1200", "at the initial pose no tensions balance"),
+        (offset, "offset = \"none\"\n[limits]\ntension_min_N = 9\ntension_max_N = 8", "study.toml:14:"),
+        (offset, "offset = \"none\"\n[limits]\ntension_min_N = -9", "0 or more"),
+        (
+            "model = \"elastic\"",
+            "model = \"standard\"\n[poses.tension_tests]\nshorten_m = 1\ncount = 1",
+            "elastic machine",
+        ),
+        (offset, "offset = \"none\"\n[poses.tension_tests]\nshorten_m = -1\ncount = 1", "above 0"),
+        ("model = \"elastic\"", "model = \"pulley+elastic\"", "pulley_swivel_axis"),
+        ("\"standard\"", "\"elastic\"", "axial_stiffness_EA_N"),
+    ] {
+        let folder = changed(from, to);
+        let run = cdpr_in(folder.path(), "accuracy study.toml");
+        assert_eq!(run.exit_code, 2, "{to}: {}{}", run.stdout, run.stderr);
+        assert!(run.stderr.contains(message), "{message}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn a_pose_without_an_answer_is_a_negative_answer_with_the_reason() {
+    // the platform anchor on the frame anchor: no length, no direction
+    let folder = changed("[poses.grid]", "[poses.file]\npath = \"poses.csv\"\n[poses.grid]");
+    let text = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    let (kept, _) = text.split_at(text.find("[poses.grid]").unwrap());
+    std::fs::write(folder.path().join("study.toml"), kept).unwrap();
+    let robot = cdpr::robot::Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let on_the_anchor = robot.cables[0].frame_anchor - robot.cables[0].platform_anchor;
+    let table = format!(
+        "x_m,y_m,z_m,qx,qy,qz,qw\n0,0,1.5,0,0,0,1\n{},{},{},0,0,0,1\n",
+        on_the_anchor.x, on_the_anchor.y, on_the_anchor.z
+    );
+    std::fs::write(folder.path().join("poses.csv"), table).unwrap();
+    let run = cdpr_in(folder.path(), "accuracy study.toml --format json");
+    assert_eq!(run.exit_code, 1, "{}{}", run.stdout, run.stderr);
+    let answer = run.json_with(&["status", "reason", "statuses"]);
+    assert!(
+        answer["reason"].as_str().unwrap().starts_with("1 of 2 poses have no answer, first pose 2"),
+        "{}",
+        run.stdout
+    );
+}
