@@ -2,10 +2,14 @@
 
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
+use cdpr::statics::StaticsError;
+use cdpr::tension::quadratic::{self, Status};
+use cdpr::tension::{Limits, LimitsError};
 
 use crate::failure::Failure;
 use crate::inputs::load_of;
 use crate::numbers::NumberList;
+use crate::statics_failure::{has_no_course, refused};
 
 /// Tensions, or why there are none.
 pub(crate) enum Chosen {
@@ -26,7 +30,37 @@ pub(crate) fn tensions_of(
     if let Some(numbers) = given {
         return Ok(Chosen::Tensions(numbers.0.clone()));
     }
+    let limits = limits_of(model)?;
     let load = load_of(model.robot(), wrench)?;
-    let _ = (model, pose, load);
-    Err(Failure::input("tensions are missing", "give --tensions"))
+    let matrix = match model.structure_matrix(pose).map_err(StaticsError::from) {
+        Ok(matrix) => matrix,
+        Err(error) if has_no_course(&error) => {
+            return Ok(Chosen::None { status: "singular", reason: error.to_string() });
+        }
+        Err(error) => return Err(refused("--pose", &error)),
+    };
+    let balance = load.in_pattern(model, pose);
+    let distribution = quadratic::solve(&matrix, balance.as_slice(), &limits, None)
+        .map_err(|error| Failure::numerical(format!("no tensions for this load: {error}")))?;
+    Ok(match (distribution.status, distribution.reason()) {
+        (Status::Feasible, _) => Chosen::Tensions(distribution.tensions),
+        (_, reason) => {
+            let reason = reason.unwrap_or_else(|| "no tensions within the limits balance the load".to_owned());
+            Chosen::None {
+                status: "infeasible",
+                reason: format!("{reason}; --tensions gives others, whatever the limits"),
+            }
+        }
+    })
+}
+
+/// The file's limits; what it lacks is named, with the way round it.
+fn limits_of(model: &Model) -> Result<Limits, Failure> {
+    Limits::of(model.robot(), None, None).map_err(|error| match error {
+        LimitsError::MissingKey { robot, cable, name, key, .. } => Failure::input(
+            format!("without --tensions they are chosen within limits, and cable {cable} (\"{name}\") of \"{robot}\" has no {key}"),
+            "add the key to its [[cable]] table, or give --tensions",
+        ),
+        error => Failure::refused("ROBOT", &error),
+    })
 }

@@ -4,9 +4,10 @@ mod support;
 
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};
-use cdpr::nalgebra::{DVector, Vector3};
+use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use cdpr::statics::{Load, balanced_wrench, controlled_lengths, section_wrench, wrench_residual};
+use cdpr::tension::{Limits, closed_form};
 use support::builtin;
 
 /// Tensions measured at the initial pose (eq. 6.22).
@@ -76,14 +77,14 @@ fn initial_tensions_give_the_printed_winch_offsets() {
     assert!(by_spring.fold(0.0, f64::max) > 0.01, "a constant spring of 2000 kN/m gives other offsets");
 }
 
-/// Central reference distribution of eq. 3.41 with the limits 1000 and 9000 N, for the robot's own load.
+/// Tensions of eq. 3.41 and 5.18 with the limits 1000 and 9000 N, for the robot's own load.
 fn central_distribution(model: &Model, pose: &Pose) -> Vec<f64> {
     let load = Load::of(model.robot()).expect("has a wrench");
     let matrix = model.structure_matrix(pose).expect("has courses");
-    let middle = DVector::from_element(8, 5000.0);
-    let missing = load.in_pattern(model, pose) + &matrix * &middle;
-    let gram = (&matrix * matrix.transpose()).try_inverse().expect("has full rank");
-    (middle - matrix.transpose() * gram * missing).as_slice().to_vec()
+    let limits = Limits::of(model.robot(), Some(1000.0), Some(9000.0)).expect("are limits");
+    let solution = closed_form::solve(&matrix, load.in_pattern(model, pose).as_slice(), &limits).expect("fits");
+    assert!(solution.balanced);
+    solution.tensions
 }
 
 /// Largest difference from eq. 5.19 and 5.20 (N, N·m).

@@ -126,6 +126,23 @@ fn rows(matrix: &DMatrix<f64>) -> Rows {
     matrix.row_iter().map(|row| row.iter().map(|x| x + 0.0).collect()).collect()
 }
 
+/// Stability in a word, and why where it is a no.
+fn verdict(model: &Model, stiffness: &Stiffness, tensions: &[f64]) -> (&'static str, Option<String>) {
+    match stiffness.stability() {
+        Stability::Stable => ("stable", None),
+        Stability::Unstable => {
+            let smallest = stiffness.eigenvalues().first().copied().unwrap_or(f64::NAN);
+            ("unstable", Some(format!("a displacement is driven on by {:.4} N/m instead of driven back", -smallest)))
+        }
+        Stability::Indifferent => {
+            let slack = tensions.iter().filter(|&&tension| tension == 0.0).count();
+            let (cables, dof) = (model.cable_count(), model.dof());
+            let counts = format!("{cables} cables, {slack} of them slack, for {dof} degrees of freedom");
+            ("indifferent", Some(format!("in some direction nothing drives the platform back ({counts})")))
+        }
+    }
+}
+
 impl StiffnessAnswer {
     fn empty(model: &Model, pose: PoseAnswer) -> Self {
         let robot = model.robot();
@@ -161,25 +178,8 @@ impl StiffnessAnswer {
         if !stiffness.system.iter().all(|x| x.is_finite()) {
             return Err(Failure::numerical("the stiffness overflows; check the units of tensions, stiffness and lengths"));
         }
-        let eigenvalues = stiffness.eigenvalues();
+        (self.status, self.reason) = verdict(model, stiffness, tensions);
         let compliance = stiffness.compliance();
-        let smallest = eigenvalues.first().copied().unwrap_or(f64::NAN);
-        let slack = tensions.iter().filter(|&&tension| tension == 0.0).count();
-        (self.status, self.reason) = match stiffness.stability() {
-            Stability::Stable => ("stable", None),
-            Stability::Unstable => (
-                "unstable",
-                Some(format!("a displacement is driven on by {:.4} N/m instead of driven back", -smallest)),
-            ),
-            Stability::Indifferent => (
-                "indifferent",
-                Some(format!(
-                    "in some direction nothing drives the platform back ({} cables, {slack} of them slack, for {} degrees of freedom)",
-                    model.cable_count(),
-                    model.dof()
-                )),
-            ),
-        };
         self.matrices = Matrices {
             stiffness: Some(rows(&stiffness.system)),
             geometric: Some(rows(&stiffness.geometric)),
@@ -187,7 +187,7 @@ impl StiffnessAnswer {
             gravity: Some(rows(&stiffness.load)),
             compliance: compliance.as_ref().map(rows),
             length_to_wrench: Some(rows(&stiffness.by_controlled_length)),
-            eigenvalues: Some(eigenvalues),
+            eigenvalues: Some(stiffness.eigenvalues()),
             length_scale_m: self.matrices.length_scale_m,
             cable_stiffness: Some(stiffness.cable_stiffness.clone()),
             controlled_lengths_m: Some(stiffness.controlled_lengths.clone()),

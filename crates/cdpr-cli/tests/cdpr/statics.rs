@@ -201,7 +201,7 @@ fn tensions_given_to_a_rigid_model_are_remarked_upon() {
 fn no_numbers_make_the_statics_panic() {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
     let words = ["0", "-1", "1e308", "-1e308", "1e-320", "5", "nan", "", "x", "1e200", "3000", "0.1"];
-    let mut list = |rng: &mut ChaCha8Rng, count: usize| {
+    let list = |rng: &mut ChaCha8Rng, count: usize| {
         let count = if rng.random_range(0..8) == 0 { count + 1 } else { count };
         // mostly numbers that get past the reader
         let word = |rng: &mut ChaCha8Rng| match rng.random_range(0..12) {
@@ -224,5 +224,47 @@ fn no_numbers_make_the_statics_panic() {
         assert!((0..=3).contains(&run.exit_code), "{line}: {}\n{}", run.exit_code, run.stderr);
         assert!(run.exit_code < 2 || !run.stderr.is_empty(), "{line}");
         assert!(run.exit_code != 0 || !run.stdout.contains("NaN"), "{line}: {}", run.stdout);
+    }
+}
+
+/// At the home pose the tensions nearest to the middle of the limits are the printed ones, and balance the load.
+#[test]
+fn tensions_default_to_the_distribution_within_limits() {
+    for command in ["ik --model elastic", "stiffness"] {
+        let run = cdpr(&format!("{command} planar-example --pose 0,5.2 --format json"));
+        assert_eq!(run.exit_code, 0, "{command}: {}", run.stderr);
+        let tensions = numbers(&run.json()["tensions_N"]);
+        let printed = PLANAR.split(',').map(|number| number.parse::<f64>().unwrap());
+        // printed as integers
+        assert!(tensions.iter().zip(printed).all(|(found, printed)| (found - printed).abs() < 0.5), "{tensions:?}");
+    }
+    let stiffness = cdpr("stiffness planar-example --pose 1,4 --wrench 300,-2500 --format json");
+    let residual = numbers(&stiffness.json()["wrench_residual"]);
+    assert!(residual.iter().all(|x| x.abs() < 1e-8), "{residual:?}");
+}
+
+#[test]
+fn without_tensions_that_balance_the_load_the_answer_is_no_with_a_reason() {
+    for command in ["ik --model elastic", "stiffness"] {
+        let run = cdpr(&format!("{command} planar-example --pose 0,5.2 --wrench 0,-50000 --format json"));
+        assert_eq!(run.exit_code, 1, "{command}: {}", run.stderr);
+        let answer = run.json_with(&["status", "reason", "controlled_lengths_m"]);
+        assert_eq!(answer["status"], "infeasible");
+        assert!(answer["reason"].as_str().unwrap().contains("cable"), "{answer}");
+        let singular = cdpr(&format!("{command} planar-example --pose -6,8 --format json"));
+        assert_eq!((singular.exit_code, singular.json()["status"].as_str()), (1, Some("singular")), "{command}");
+    }
+    // the geometry is answered all the same
+    let ik = cdpr("ik --model elastic planar-example --pose 0,5.2 --wrench 0,-50000 --format json").json();
+    assert!(ik["cable_lengths_m"][0].is_number() && ik["controlled_lengths_m"][0].is_null(), "{ik}");
+}
+
+#[test]
+fn missing_limits_are_named_where_tensions_are_not_given() {
+    let (folder, _) = file_with("square.toml", elastic_square().as_bytes());
+    for command in ["ik --model elastic", "stiffness"] {
+        let run = cdpr_in(folder.path(), &format!("{command} square.toml --pose 5,4"));
+        assert!(run.exit_code == 2 && run.stderr.contains("`tension_min_N`"), "{command}: {}", run.stderr);
+        assert!(run.stderr.contains("--tensions"), "{command}: {}", run.stderr);
     }
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::error::{InputError, check_sizes};
 use super::Limits;
+use super::error::{InputError, check_sizes};
 
 /// Tensions in closed form, and what they are worth.
 #[must_use = "check `within_limits` before using the tensions"]

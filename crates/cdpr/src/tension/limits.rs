@@ -130,9 +130,8 @@ impl Limits {
 
     /// True when every tension keeps its limits, within `tolerance` (N).
     pub fn contain(&self, tensions: &[f64], tolerance: f64) -> bool {
-        let within = |(index, &f): (usize, &f64)| {
-            f >= self.minimum[index] - tolerance && f <= self.maximum[index] + tolerance
-        };
+        let within =
+            |(index, &f): (usize, &f64)| f >= self.minimum[index] - tolerance && f <= self.maximum[index] + tolerance;
         tensions.len() == self.cable_count() && tensions.iter().enumerate().all(within)
     }
 

@@ -20,8 +20,8 @@ pub use certificate::Certificate;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
-use super::error::{InputError, check_sizes};
 use super::Limits;
+use super::error::{InputError, check_sizes};
 
 /// Whether the limits can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -51,7 +51,11 @@ fn the_reason_names_the_cables_and_the_newtons() {
             -10300.0,
             "even with cable 3 at the least tension, cables 1 and 2 would need 11.3 kN together, their limits allow 9.00 kN",
         ),
-        (tug_of_war(), -4000.0, "even with cable 2 at the least tension, cable 1 would need 5.00 kN, its limit allows 4.50 kN"),
+        (
+            tug_of_war(),
+            -4000.0,
+            "even with cable 2 at the least tension, cable 1 would need 5.00 kN, its limit allows 4.50 kN",
+        ),
         (
             DMatrix::from_row_slice(1, 2, &[1.0, 0.5]),
             -9000.0,
@@ -62,7 +66,11 @@ fn the_reason_names_the_cables_and_the_newtons() {
             500.0,
             "cables 1 and 2 would have to push with 500 N together, their limits ask for a pull of 2.00 kN",
         ),
-        (DMatrix::from_row_slice(1, 1, &[2.0]), -1000.0, "cable 1 may pull with 500 N at most, its limit asks for 1.00 kN"),
+        (
+            DMatrix::from_row_slice(1, 1, &[2.0]),
+            -1000.0,
+            "cable 1 may pull with 500 N at most, its limit asks for 1.00 kN",
+        ),
     ] {
         let found = solve(&matrix, &[w], &limits(matrix.ncols()), None).unwrap();
         assert_eq!((found.status, found.reason().as_deref()), (Status::Infeasible, Some(reason)));
@@ -160,7 +168,9 @@ fn ties_do_not_cycle() {
     let count = 16;
     let matrix = DMatrix::from_fn(2, count, |row, cable| if (cable / 2 % 2 == 0) == (row == 0) { 1.0 } else { -1.0 });
     let limits = limits(count);
-    for (w, status) in [(0.0, Status::Feasible), (-7000.0 * 4.0, Status::Infeasible), (3500.0 * 8.0, Status::Infeasible)] {
+    for (w, status) in
+        [(0.0, Status::Feasible), (-7000.0 * 4.0, Status::Infeasible), (3500.0 * 8.0, Status::Infeasible)]
+    {
         let found = solve(&matrix, &[w, -w], &limits, None).unwrap();
         let edge = solve(&matrix, &[w, w], &limits, None).unwrap();
         assert_ne!(found.status, Status::Undecided);
