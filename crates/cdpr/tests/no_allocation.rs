@@ -6,9 +6,12 @@ mod dense;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use cdpr::equilibrium::forward_kinematics::{self, Status};
-use cdpr::geometry::Twist;
+use cdpr::equilibrium::{elastostatics, forward_kinematics};
+use cdpr::geometry::{Twist, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
+use cdpr::model::{Composition, Model};
+use cdpr::robot::Robot;
+use cdpr::statics::Load;
 
 struct Counting;
 
@@ -47,7 +50,29 @@ fn a_reused_forward_kinematics_solver_allocates_nothing() {
     let work = || {
         for (sample, pose) in samples.poses.iter().enumerate() {
             let solution = solver.solve(samples.lengths_of(sample), &pose.displaced(&twist)).unwrap();
-            assert_eq!(solution.status, Status::Converged);
+            assert_eq!(solution.status, forward_kinematics::Status::Converged);
+        }
+    };
+    assert_eq!(allocations(work), 0);
+}
+
+#[test]
+fn a_reused_elastostatic_solver_allocates_nothing() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let (_, samples) = dense::problem();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let load = Load::constant(Wrench::new(0.0, 0.0, -5000.0, 0.0, 100.0, 0.0));
+    let mut solver = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).unwrap();
+    let lengths: Vec<Vec<f64>> = samples
+        .poses
+        .iter()
+        .map(|pose| model.cable_lengths(pose).unwrap().iter().map(|length| length - 0.02).collect())
+        .collect();
+    let twist = Twist::new(0.06, -0.06, 0.06, 0.03, 0.03, -0.03);
+    let work = || {
+        for (lengths, pose) in lengths.iter().zip(&samples.poses) {
+            let solution = solver.solve(lengths, &pose.displaced(&twist)).unwrap();
+            assert_eq!(solution.status, elastostatics::Status::Converged);
         }
     };
     assert_eq!(allocations(work), 0);

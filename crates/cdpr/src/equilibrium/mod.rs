@@ -2,4 +2,5 @@
 
 pub mod elastostatics;
 pub mod forward_kinematics;
+pub mod forward_statics;
 mod restarts;

@@ -15,4 +15,4 @@ pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_resi
 pub use error::{StaticsError, check_tensions};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
-pub use stiffness::{Stability, Stiffness};
+pub use stiffness::{Stability, Stiffness, geometric_stiffness};

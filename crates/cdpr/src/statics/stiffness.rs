@@ -73,16 +73,14 @@ impl Stiffness {
             controlled_lengths: Vec::with_capacity(m),
             scaling: scaling(model),
         };
-        let mut geometric = Matrix6::zeros();
+        stiffness.geometric = geometric_stiffness(model, pose, tensions)?;
         for (index, &tension) in tensions.iter().enumerate() {
-            let (course, lever) = model.course(index, pose)?;
+            let (course, _) = model.course(index, pose)?;
             stiffness.stretch(model, index, course.length, tension)?;
-            geometric += turning(&course, lever.into()) * tension;
             let column = structure_matrix.column(index);
             stiffness.cable.ger(stiffness.cable_stiffness[index], &column, &column, 1.0);
             stiffness.by_controlled_length.column_mut(index).scale_mut(stiffness.controlled_length_stiffness[index]);
         }
-        stiffness.geometric = in_pattern(model, &geometric);
         stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
         Ok(stiffness)
     }
@@ -150,6 +148,19 @@ impl Stiffness {
     fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
         DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] * self.scaling[i] * self.scaling[j])
     }
+}
+
+/// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x, n × n: how the wrench of constant tensions changes with the pose (eq. 2.67).
+///
+/// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
+pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
+    check_tensions(model, tensions)?;
+    let mut geometric = Matrix6::zeros();
+    for (index, &tension) in tensions.iter().enumerate() {
+        let (course, lever) = model.course(index, pose)?;
+        geometric += turning(&course, lever.into()) * tension;
+    }
+    Ok(in_pattern(model, &geometric))
 }
 
 /// Far more than a matrix of six rows needs.

@@ -83,7 +83,8 @@ pub struct Solution {
     pub status: Status,
     /// Size of Aᵀ f + w, moments divided by the platform radius (N).
     pub wrench_residual: f64,
-    /// Geometric minus controlled length per cable (m): the stretch, negative where slack.
+    /// Controlled length that pose and tension ask for minus the given one (m): 0 where taut, and where slack minus the
+    /// length that is too much.
     pub residuals: Vec<f64>,
     /// Steps of all starts, accepted and rejected.
     pub iterations: u32,

@@ -13,7 +13,8 @@ impl Problem<'_> {
         solution.wrench_residual = self.wrench_size(&best.end.residual);
         for (cable, residual) in solution.residuals.iter_mut().enumerate() {
             let (course, _) = self.model.course_or_nan(cable, &best.end.pose);
-            *residual = course.length - rigid.lengths[cable];
+            let tension = solution.tensions[cable];
+            *residual = self.model.elasticity(cable).controlled_length(course.length, tension) - rigid.lengths[cable];
         }
         solution.slack = solution.tensions.iter().filter(|tension| !(**tension > 0.0)).count();
         (solution.status, solution.reason) = self.verdict(best, rigid, solution);
@@ -77,8 +78,10 @@ impl Problem<'_> {
 
     /// Answers that are right and yet hardly meant: cables stretched beyond what they can take.
     fn remark(&self, rigid: &Rigid<'_>, solution: &Solution) -> Option<String> {
-        let strains = solution.residuals.iter().zip(rigid.lengths).map(|(stretch, length)| stretch / length);
-        let (cable, strain) = strains.enumerate().fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+        let strain =
+            |cable: usize| self.model.course_or_nan(cable, &solution.pose).0.length / rigid.lengths[cable] - 1.0;
+        let strains = (0..rigid.lengths.len()).map(|cable| (cable, strain(cable)));
+        let (cable, strain) = strains.fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
         (strain > self.settings.remarkable_strain).then(|| {
             format!(
                 "cable {} is stretched by {:.1} %: this is the equilibrium of the given lengths, but do they belong to this \

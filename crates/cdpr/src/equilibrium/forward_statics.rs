@@ -1,0 +1,272 @@
+//! Forward statics: the pose at which given tensions balance the load (sec. 2.1).
+//!
+//! Find x with Aᵀ(x) f + w(x) = 0 for constant tensions f, whatever lengths that takes: Newton steps on the residual wrench
+//! with the stiffness −K_G − ∂w/∂x, damped until the residual falls. Weights over pulleys instead of winches do this. The
+//! pose need not be stable: tensions that do not answer to motion hold a platform weakly or not at all.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use thiserror::Error;
+
+use super::forward_kinematics::InputError as LengthError;
+use super::restarts::restart_poses;
+use crate::geometry::{Pose, Twist};
+use crate::model::Model;
+use crate::statics::{Load, StaticsError, geometric_stiffness, wrench_residual};
+
+/// When forward statics stops.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Stop once a step is shorter (m, relative to the mean cable length; angles times the platform radius).
+    pub pose_tolerance: f64,
+    /// Residual wrench that counts as balance, relative to the sum of the tensions; moments divided by the platform radius.
+    pub wrench_tolerance: f64,
+    /// Steps allowed for each start.
+    pub max_iterations: u32,
+    /// Other starts that may be tried when the guess leads to no equilibrium.
+    pub max_restarts: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { pose_tolerance: 1e-11, wrench_tolerance: 1e-9, max_iterations: 200, max_restarts: 16 }
+    }
+}
+
+/// Why the search stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose is an equilibrium that constant tensions keep.
+    Converged,
+    /// No equilibrium was found; the pose is the one with the least residual wrench.
+    NotConverged,
+    /// An equilibrium from which the platform can move without resistance.
+    Singular,
+    /// An equilibrium, but under constant tensions the platform would leave it.
+    Unstable,
+}
+
+/// Outcome of forward statics; `pose` is the best one found even when it did not converge.
+#[must_use = "check `status` before using the pose"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Platform pose.
+    pub pose: Pose,
+    /// Why the search stopped.
+    pub status: Status,
+    /// Size of Aᵀ f + w, moments divided by the platform radius (N).
+    pub wrench_residual: f64,
+    /// Steps of all starts, accepted and rejected.
+    pub iterations: u32,
+    /// Starts tried beyond the guess.
+    pub restarts: u32,
+    /// Smallest eigenvalue of the symmetric part of −K_G − ∂w/∂x, rotations times the platform radius (N/m).
+    pub stability: f64,
+    /// The reason in words unless converged.
+    pub reason: Option<String>,
+}
+
+/// Input that forward statics cannot accept.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum InputError {
+    /// Tensions that are none, or a guess at which a cable has no course.
+    #[error(transparent)]
+    Statics(#[from] StaticsError),
+    /// Guess or settings.
+    #[error(transparent)]
+    Kinematic(#[from] LengthError),
+}
+
+/// Finds the pose at which tensions (N, one per cable) and load are in equilibrium, from a guess.
+///
+/// Several poses can be: the one that steps from the guess lead to is answered.
+pub fn solve(
+    model: &Model,
+    tensions: &[f64],
+    load: &Load,
+    guess: &Pose,
+    settings: &Settings,
+) -> Result<Solution, InputError> {
+    settings.validate()?;
+    if !guess.is_finite() {
+        return Err(LengthError::Guess.into());
+    }
+    let problem = Problem::new(model, tensions, load, settings, guess)?;
+    let mut best = problem.descend(problem.point(guess)?);
+    let (mut iterations, mut restarts) = (best.iterations, 0);
+    for start in restart_poses(model, guess).take(settings.max_restarts as usize) {
+        if problem.is_balanced(&best.point) {
+            break;
+        }
+        restarts += 1;
+        let Ok(start) = problem.point(&start) else { continue };
+        let other = problem.descend(start);
+        iterations += other.iterations;
+        if other.point.size < best.point.size {
+            best = other;
+        }
+    }
+    let stability = best.point.stability();
+    let (status, reason) = problem.verdict(&best.point, stability, restarts);
+    let Point { pose, size: wrench_residual, .. } = best.point;
+    Ok(Solution { pose, status, wrench_residual, iterations, restarts, stability, reason })
+}
+
+impl Settings {
+    /// Refuses tolerances that are not positive numbers.
+    pub fn validate(&self) -> Result<(), InputError> {
+        for (name, value) in [("pose_tolerance", self.pose_tolerance), ("wrench_tolerance", self.wrench_tolerance)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(LengthError::Setting { name, value }.into());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Tensions and load on a model.
+struct Problem<'a> {
+    model: &'a Model,
+    tensions: &'a [f64],
+    load: &'a Load,
+    settings: &'a Settings,
+    mean_length: f64,
+    /// 1 for translations, 1/ρ for rotations.
+    scaling: DVector<f64>,
+}
+
+/// Balance at one pose, scaled so that all entries are N or N/m.
+struct Point {
+    pose: Pose,
+    residual: DVector<f64>,
+    size: f64,
+    /// −K_G − ∂w/∂x.
+    stiffness: DMatrix<f64>,
+}
+
+struct End {
+    point: Point,
+    iterations: u32,
+}
+
+impl Point {
+    fn stability(&self) -> f64 {
+        let symmetric = (&self.stiffness + self.stiffness.transpose()) * 0.5;
+        SymmetricEigen::new(symmetric).eigenvalues.min()
+    }
+
+    /// min ‖r − K s‖² + damping ‖s‖²; a plain Newton step without damping.
+    fn step(&self, damping: f64) -> Option<DVector<f64>> {
+        if damping == 0.0 {
+            return self.stiffness.clone().lu().solve(&self.residual);
+        }
+        let mut normal = self.stiffness.tr_mul(&self.stiffness);
+        let unit = normal.trace() / normal.nrows() as f64;
+        for k in 0..normal.nrows() {
+            normal[(k, k)] += damping * unit;
+        }
+        normal.cholesky().map(|factors| factors.solve(&self.stiffness.tr_mul(&self.residual)))
+    }
+}
+
+impl<'a> Problem<'a> {
+    fn new(
+        model: &'a Model,
+        tensions: &'a [f64],
+        load: &'a Load,
+        settings: &'a Settings,
+        guess: &Pose,
+    ) -> Result<Self, InputError> {
+        let lengths = model.cable_lengths(guess).map_err(StaticsError::from)?;
+        let radius = model.platform_radius();
+        let scaling = DVector::from_fn(model.dof(), |row, _| if row < model.axes().len() { 1.0 } else { 1.0 / radius });
+        let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        Ok(Self { model, tensions, load, settings, mean_length, scaling })
+    }
+
+    fn point(&self, pose: &Pose) -> Result<Point, StaticsError> {
+        let residual = wrench_residual(self.model, pose, self.tensions, self.load)?.component_mul(&self.scaling);
+        let geometric = geometric_stiffness(self.model, pose, self.tensions)?;
+        let gradient = self.load.gradient(pose);
+        let basis = self.model.twist_basis();
+        let stiffness = DMatrix::from_fn(basis.len(), basis.len(), |i, j| {
+            -(geometric[(i, j)] + basis[i].dot(&(gradient * basis[j]))) * self.scaling[i] * self.scaling[j]
+        });
+        Ok(Point { pose: *pose, size: residual.norm(), residual, stiffness })
+    }
+
+    fn force_scale(&self) -> f64 {
+        let load = self.load.constant_part().fixed_rows::<3>(0).norm() + self.load.weight().0.norm();
+        self.tensions.iter().sum::<f64>() + load
+    }
+
+    fn is_balanced(&self, point: &Point) -> bool {
+        point.size <= self.settings.wrench_tolerance * self.force_scale()
+    }
+
+    /// Steps from one start until they are short or stop helping.
+    fn descend(&self, start: Point) -> End {
+        let mut end = End { point: start, iterations: 0 };
+        let mut damping = 0.0;
+        while end.iterations < self.settings.max_iterations && damping < 1e9 {
+            end.iterations += 1;
+            let Some((pose, size)) = end.point.step(damping).map(|step| self.displaced(&end.point.pose, step)) else {
+                damping = f64::max(10.0 * damping, 1e-9);
+                continue;
+            };
+            match self.point(&pose) {
+                Ok(next) if next.size < end.point.size => {
+                    end.point = next;
+                    damping = if damping < 1e-9 { 0.0 } else { damping * 0.1 };
+                    if size <= self.settings.pose_tolerance * self.mean_length {
+                        break;
+                    }
+                }
+                // rounding: nothing is left to gain
+                _ if self.is_balanced(&end.point) => break,
+                _ => damping = f64::max(10.0 * damping, 1e-6),
+            }
+        }
+        end
+    }
+
+    /// The pose after a scaled step, and the step's size (m); no step turns the platform by more than half a radian.
+    fn displaced(&self, pose: &Pose, step: DVector<f64>) -> (Pose, f64) {
+        let amounts = step.component_mul(&self.scaling);
+        let translations = self.model.axes().len();
+        let turn = amounts.rows_range(translations..).norm();
+        let shift = amounts.rows_range(..translations).norm() / self.mean_length;
+        let shorten = (0.5 / turn.max(shift)).min(1.0);
+        let mut twist = Twist::zeros();
+        for (direction, amount) in self.model.twist_basis().iter().zip(amounts.iter()) {
+            twist += direction * (shorten * amount);
+        }
+        (pose.displaced(&twist), shorten * step.norm())
+    }
+
+    fn verdict(&self, point: &Point, stability: f64, restarts: u32) -> (Status, Option<String>) {
+        let largest = point.stiffness.amax();
+        if !self.is_balanced(point) {
+            let text = format!(
+                "the best of {} starts leaves a wrench of {:.3e} N out of balance: no pose near it balances these tensions",
+                restarts + 1,
+                point.size
+            );
+            return (Status::NotConverged, Some(text));
+        }
+        if stability > 1e-9 * largest {
+            return (Status::Converged, None);
+        }
+        if stability < -1e-9 * largest {
+            let text = format!(
+                "tensions and load balance here, but with constant tensions the platform would leave: the stiffness has the \
+                 eigenvalue {stability:.3e} N/m"
+            );
+            return (Status::Unstable, Some(text));
+        }
+        let text = "tensions and load balance here and beside: they do not determine the pose";
+        (Status::Singular, Some(text.to_owned()))
+    }
+}
