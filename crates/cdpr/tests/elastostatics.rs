@@ -17,7 +17,7 @@ use cdpr::robot::{Cable, Robot};
 use cdpr::statics::{Load, Stiffness, wrench_residual};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use support::{builtin, displaced, random_pose, with_pulleys};
+use support::{builtin, displaced, random_pose, with_pulleys, within_pattern};
 
 const POSES: usize = 10_000;
 
@@ -67,6 +67,7 @@ fn tally(robot: &Robot, composition: Composition, limits: [f64; 2]) -> Tally {
     for _ in 0..POSES {
         let (pose, expected) = loop {
             let pose = random_pose(robot, 10_f64.to_radians(), &mut rng);
+            let pose = within_pattern(&model, &robot.home_or_middle(), &pose);
             if let Some(tensions) = tensions(&model, &load, &pose, limits) {
                 break (pose, tensions);
             }
@@ -78,6 +79,7 @@ fn tally(robot: &Robot, composition: Composition, limits: [f64; 2]) -> Tally {
             })
             .collect();
         let guess = displaced(&pose, 0.1 * scale, 3_f64.to_radians(), &mut rng);
+        let guess = within_pattern(&model, &pose, &guess);
         let solution = solver.solve(&lengths, &guess).unwrap();
         tally.add(solution, &pose, &expected, model.platform_radius());
     }

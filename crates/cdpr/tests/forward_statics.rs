@@ -11,7 +11,7 @@ use cdpr::nalgebra::DVector;
 use cdpr::statics::{Load, wrench_residual};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use support::{builtin, displaced, random_pose};
+use support::{builtin, displaced, random_pose, within_pattern};
 
 /// Tensions of at least `least` (N) that balance the load; nothing where the pseudoinverse finds none.
 fn tensions(model: &Model, load: &Load, pose: &Pose, least: f64, middle: f64) -> Option<Vec<f64>> {
@@ -36,9 +36,9 @@ fn the_pose_whose_tensions_were_given_is_found_again() {
         let mut rng = ChaCha8Rng::seed_from_u64(21);
         let (mut again, mut other, mut stable) = (0, 0, 0);
         while again + other < 500 {
-            let pose = random_pose(&robot, 0.1, &mut rng);
+            let pose = within_pattern(&model, &robot.home_or_middle(), &random_pose(&robot, 0.1, &mut rng));
             let Some(tensions) = tensions(&model, &load, &pose, 1.0, middle) else { continue };
-            let guess = displaced(&pose, 0.05, 0.02, &mut rng);
+            let guess = within_pattern(&model, &pose, &displaced(&pose, 0.05, 0.02, &mut rng));
             let solution = solve(&model, &tensions, &load, &guess, &Settings::default()).unwrap();
             assert!(matches!(solution.status, Status::Converged | Status::Unstable), "{name}: {solution:?}");
             assert_eq!(solution.reason.is_none(), solution.status == Status::Converged);

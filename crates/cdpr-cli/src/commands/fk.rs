@@ -1,26 +1,32 @@
-//! `cdpr fk`: the pose behind cable lengths.
+//! `cdpr fk`: the pose behind cable lengths, or behind tensions.
+
+mod answer;
 
 use std::process::ExitCode;
 
-use cdpr::equilibrium::forward_kinematics::{self, Settings, Solution, Status};
+use answer::ForwardAnswer;
+use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, pose_or_home};
+use crate::inputs::{ModelArguments, load_of, pose_or_home};
 use crate::numbers::NumberList;
-use crate::pose_answer::PoseAnswer;
-use crate::table::{Table, cell};
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr fk planar-example --lengths 6.621,5.731,7.214,6.265
   cdpr fk robot.toml --model pulley --lengths 6.62,5.73,7.21,6.27 --guess 0,4 --format json
+  cdpr fk robot.toml --model elastic --lengths 6.62,5.73,7.21,6.27 --wrench 0,-1962
+  cdpr fk planar-example --tensions 5808,5909,2390,2421
   cdpr fk calibrated.toml --recorded --lengths 6.62,5.73,7.21,6.27";
 
-/// Forward kinematics: the pose that fits given cable lengths best.
+/// Forward problem: the pose behind given cable lengths, or at which given tensions balance the load.
+///
+/// Elastic models, and robots with fewer cables than degrees of freedom, rest where cables and load are in equilibrium: the
+/// answer has tensions too. Rigid models with as many cables or more fit the lengths as well as possible.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -28,92 +34,71 @@ pub(crate) struct Arguments {
     model: ModelArguments,
 
     /// Controlled cable lengths, one per cable (m).
-    #[arg(long, value_name = "LENGTHS", allow_hyphen_values = true)]
-    lengths: NumberList,
+    #[arg(long, value_name = "LENGTHS", allow_hyphen_values = true, required_unless_present = "tensions")]
+    lengths: Option<NumberList>,
+
+    /// Instead of lengths: tensions that winches or weights keep constant, one per cable (N).
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true, conflicts_with_all = ["lengths", "recorded"])]
+    tensions: Option<NumberList>,
 
     /// The lengths are as the robot records them: remove the file's length_scale and length_offset_m first.
     #[arg(long)]
     recorded: bool,
+
+    /// Load on the platform: force and moment about its origin, world axes (N, N·m); replaces the file's external wrench and
+    /// weight.
+    #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
+    wrench: Option<NumberList>,
 
     /// Pose to start the search from, components as in `cdpr ik --pose`; the home pose when left out.
     #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
     guess: Option<NumberList>,
 }
 
-#[derive(Serialize)]
-struct ForwardKinematics {
-    robot: String,
-    model: String,
-    status: Status,
-    reason: Option<String>,
-    pose: PoseAnswer,
-    residuals_m: Vec<f64>,
-    residual_rms_m: f64,
-    iterations: u32,
-    restarts: u32,
-    #[serde(skip)]
-    cable_names: Vec<String>,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let guess = pose_or_home(model.robot(), "--guess", arguments.guess.as_ref())?;
-    let mut lengths = arguments.lengths.0;
-    if arguments.recorded {
-        lengths.iter_mut().enumerate().take(model.cable_count()).for_each(|(cable, length)| {
-            *length = model.controlled_length(cable, *length);
-        });
-    }
-    let solution = forward_kinematics::solve(&model, &lengths, &guess, &Settings::default())
-        .map_err(|error| Failure::refused("--lengths", &error))?;
-    output.answer(&ForwardKinematics::new(&model, solution))
+    let answer = match (&arguments.tensions, &arguments.lengths) {
+        (Some(tensions), _) => arguments.by_tensions(&model, &tensions.0, &guess)?,
+        (None, Some(lengths)) => arguments.by_lengths(&model, &lengths.0, &guess)?,
+        (None, None) => return Err(Failure::input("neither lengths nor tensions are given", "give --lengths or --tensions")),
+    };
+    output.answer(&answer)
 }
 
-impl ForwardKinematics {
-    fn new(model: &Model, solution: Solution) -> Self {
-        let robot = model.robot();
-        Self {
-            robot: robot.name.clone(),
-            model: model.composition().to_string(),
-            status: solution.status,
-            reason: solution.reason,
-            pose: PoseAnswer::new(robot, &solution.pose),
-            residuals_m: solution.residuals,
-            residual_rms_m: solution.residual_rms,
-            iterations: solution.iterations,
-            restarts: solution.restarts,
-            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-        }
-    }
-}
-
-impl Answer for ForwardKinematics {
-    fn is_negative(&self) -> bool {
-        self.status != Status::Converged
+impl Arguments {
+    fn by_tensions(&self, model: &Model, tensions: &[f64], guess: &Pose) -> Result<ForwardAnswer, Failure> {
+        let load = load_of(model.robot(), self.wrench.as_ref())?;
+        let solution = forward_statics::solve(model, tensions, &load, guess, &forward_statics::Settings::default())
+            .map_err(|error| Failure::refused("--tensions", &error))?;
+        Ok(ForwardAnswer::of_tensions(model, tensions, solution))
     }
 
-    fn words(&self) -> String {
-        let Self { iterations, restarts, .. } = self;
-        let steps = match restarts {
-            0 => format!("{iterations} iterations"),
-            1 => format!("{iterations} iterations with 1 restart"),
-            _ => format!("{iterations} iterations with {restarts} restarts"),
-        };
-        let verdict = match self.status {
-            Status::Converged => format!("converged after {steps}"),
-            Status::Singular => "singular".to_owned(),
-            _ => format!("not converged after {steps}"),
-        };
-        let mut text = format!("{}, model {}: {verdict}\n", self.robot, self.model);
-        if let Some(reason) = &self.reason {
-            text.push_str(&format!("{reason}\n"));
+    fn by_lengths(&self, model: &Model, lengths: &[f64], guess: &Pose) -> Result<ForwardAnswer, Failure> {
+        let mut lengths = lengths.to_vec();
+        if self.recorded {
+            lengths.iter_mut().enumerate().take(model.cable_count()).for_each(|(cable, length)| {
+                *length = model.controlled_length(cable, *length);
+            });
         }
-        let best = if self.is_negative() { "best pose found" } else { "pose" };
-        let mut table = Table::new(["cable", "residual mm"]);
-        for (name, residual) in self.cable_names.iter().zip(&self.residuals_m) {
-            table.row(vec![name.clone(), cell(Some(1e3 * residual), 6)]);
+        let refused = |error: &dyn std::error::Error| Failure::refused("--lengths", error);
+        let rests_on_load = model.composition().elastic || model.cable_count() < model.dof();
+        if rests_on_load {
+            let load = load_of(model.robot(), self.wrench.as_ref())?;
+            let settings = elastostatics::Settings::default();
+            let solution =
+                elastostatics::solve(model, &lengths, &load, guess, &settings).map_err(|error| refused(&error))?;
+            return Ok(ForwardAnswer::of_equilibrium(model, solution));
         }
-        let rms = cell(Some(1e3 * self.residual_rms_m), 6);
-        format!("{text}{best}: {}\n\n{}rms residual {rms} mm\n", self.pose.words(), table.text())
+        let settings = forward_kinematics::Settings::default();
+        let solution =
+            forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
+        let mut answer = ForwardAnswer::of_lengths(model, solution);
+        if let Some(wrench) = &self.wrench {
+            // refused when it does not fit the pattern, like everywhere
+            load_of(model.robot(), Some(wrench))?;
+            answer.remark("--wrench does not matter here: rigid cables fit their lengths whatever the load");
+        }
+        Ok(answer)
     }
 }

@@ -53,6 +53,13 @@ pub(crate) fn random_pose(robot: &Robot, angle: f64, rng: &mut ChaCha8Rng) -> Po
     Pose { position, rotation: turn.rotation * home }
 }
 
+/// The pose that differs from `base` as much as the model's motion pattern can follow towards `pose`.
+pub(crate) fn within_pattern(model: &Model, base: &Pose, pose: &Pose) -> Pose {
+    let away = base.displacement_to(pose);
+    let twist: Twist = model.twist_basis().iter().map(|direction| direction * direction.dot(&away)).sum();
+    base.displaced(&twist)
+}
+
 /// `shift` metres and `turn` radians away, in random directions.
 pub(crate) fn displaced(pose: &Pose, shift: f64, turn: f64, rng: &mut ChaCha8Rng) -> Pose {
     let (v, omega) = (random_direction(rng) * shift, random_direction(rng) * turn);

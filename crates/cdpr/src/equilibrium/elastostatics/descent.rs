@@ -97,6 +97,10 @@ impl<const N: usize> Kernel for Search<'_, N> {
             iterations += 1;
             let Some(step) = self.damped_step(&point, &mut damping) else { break Stop::Stalled };
             let size = step.size;
+            if damping > 0.0 && size * f64::max(damping, 1.0) <= 1e-3 * tolerance {
+                // in balance where the energy has a saddle, or where some direction is free
+                break Stop::Stationary;
+            }
             let contraction = size / last_size;
             // what the remaining steps add up to if they go on shrinking at this rate
             let settles = damping == 0.0

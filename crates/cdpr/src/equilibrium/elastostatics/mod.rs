@@ -6,11 +6,13 @@
 //! quadratic. A first descent lets cables push, since where none has to that finds the same pose in fewer steps.
 //!
 //! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs whose rest lengths follow their tensions until
-//! no cable is longer than its controlled length: the method of multipliers.
+//! no cable is longer than its controlled length, the method of multipliers; the last digits come from Newton steps on pose
+//! and tensions together.
 
 mod balance;
 mod descent;
 mod multipliers;
+mod polish;
 mod search;
 mod stability;
 #[cfg(test)]
@@ -159,7 +161,7 @@ pub fn solve(
 pub struct Solver<'a> {
     model: &'a Model,
     settings: Settings,
-    load: LoadParts,
+    load: Load,
     platform_radius: f64,
     is_rigid: Vec<bool>,
     springs: Vec<Springs>,
@@ -192,6 +194,7 @@ struct Problem<'a> {
     model: &'a Model,
     settings: &'a Settings,
     load: LoadParts,
+    full_load: &'a Load,
     /// A constant moment makes the stiffness unsymmetric.
     has_moment: bool,
     springs: &'a [Springs],
@@ -218,7 +221,7 @@ impl<'a> Solver<'a> {
         Ok(Self {
             model,
             settings: settings.clone(),
-            load: LoadParts::of(load),
+            load: *load,
             platform_radius: model.platform_radius(),
             is_rigid,
             springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
@@ -240,7 +243,7 @@ impl<'a> Solver<'a> {
 
     /// Another load from now on.
     pub fn set_load(&mut self, load: &Load) {
-        self.load = LoadParts::of(load);
+        self.load = *load;
     }
 
     /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.

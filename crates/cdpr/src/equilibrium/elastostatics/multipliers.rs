@@ -17,6 +17,8 @@ pub(super) struct Rigid<'a> {
 
 /// Corrections of the tensions that are tried.
 const MAX_CORRECTIONS: u32 = 60;
+/// Excess beside the mean length from which on pose and tensions are found together.
+const NEAR: f64 = 1e-3;
 /// An excess that shrinks less than to this share makes the virtual springs ten times stiffer.
 const SLOW: f64 = 0.1;
 
@@ -62,6 +64,15 @@ pub(super) fn attempt(
                 excess = excess.max(stretch.abs());
             }
         }
+        if end.stop == Stop::Stationary && excess <= NEAR * base.mean_length {
+            let unpacked = &tensions.accepted.as_flattened()[..rigid.lengths.len()];
+            if let Some((polished, exact)) = base.polished(rigid, &end, unpacked) {
+                for (cable, tension) in exact.iter().enumerate() {
+                    tensions.accepted[cable / LANES][cable % LANES] = *tension;
+                }
+                (end, excess) = (polished, 0.0);
+            }
+        }
         let done = excess <= base.settings.length_tolerance;
         let hopeless = end.stop != Stop::Stationary || correction >= MAX_CORRECTIONS || stiffening > 1e6;
         if done || hopeless {
@@ -69,7 +80,8 @@ pub(super) fn attempt(
             reset(rigid, springs, stiffening);
             return Attempt { end, stability, excess };
         }
-        let stiffer = if excess > SLOW * last_excess { 10.0 } else { 1.0 };
+        let slow = excess > SLOW * last_excess && excess > base.settings.length_tolerance;
+        let stiffer = if slow { 10.0 } else { 1.0 };
         for cable in rigid.cables() {
             let (group, lane) = (cable / LANES, cable % LANES);
             springs[group].stiffness[lane] *= stiffer;

@@ -3,7 +3,7 @@
 use super::balance::Springs;
 use super::descent::{End, Stop, Tensions};
 use super::multipliers::{self, Rigid};
-use super::{Problem, Solver, stability};
+use super::{LoadParts, Problem, Solver, stability};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
@@ -99,11 +99,13 @@ impl Solver<'_> {
         self.set_springs(lengths, mean_length);
         let Self { model, settings, springs, tensions, solution, is_rigid, .. } = self;
         let stiffness_scale = springs.iter().flat_map(|springs| springs.stiffness).sum();
+        let load = LoadParts::of(&self.load);
         let base = Problem {
             model,
             settings,
-            load: self.load,
-            has_moment: self.load.constant[3..].iter().any(|&moment| moment != 0.0),
+            load,
+            full_load: &self.load,
+            has_moment: load.constant[3..].iter().any(|&moment| moment != 0.0),
             springs: &[],
             floor: 0.0,
             stiffness_scale,
@@ -151,7 +153,7 @@ impl Solver<'_> {
             }
         }
         // stiff against what bends under the load, soft enough for the descent
-        let force: f64 = (0..3).map(|k| (self.load.constant[k] + self.load.weight[k]).abs()).sum();
+        let force = self.load.constant_part().fixed_rows::<3>(0).norm() + self.load.weight().0.norm();
         let virtual_stiffness = f64::max(1e3 * force / mean_length, 10.0 * stiffest).max(1.0);
         for cable in (0..lengths.len()).filter(|&cable| self.is_rigid[cable]) {
             self.springs[cable / LANES].stiffness[cable % LANES] = virtual_stiffness;

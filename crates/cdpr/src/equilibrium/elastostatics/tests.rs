@@ -2,6 +2,7 @@
 
 use super::descent::{End, Search, Tensions};
 use super::*;
+use crate::geometry::Wrench;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
 use crate::scalar::{Unit, dispatch_on};
@@ -23,15 +24,13 @@ fn the_descent_gives_the_same_bits_on_every_unit() {
         rest_length: std::array::from_fn(|lane| lengths[lane] - 0.02 + 2e-3 * (lane as f64).sin()),
         stiffness: [2e5; LANES],
     }];
+    let load = Load::constant(Wrench::new(0.0, 0.0, -500.0, 50.0, -20.0, 30.0));
     let settings = Settings::default();
     let problem = Problem {
         model: &model,
         settings: &settings,
-        load: LoadParts {
-            constant: [0.0, 0.0, 0.0, 50.0, -20.0, 30.0],
-            weight: [0.0, 0.0, -500.0],
-            center_of_mass: [0.1; 3],
-        },
+        load: LoadParts::of(&load),
+        full_load: &load,
         has_moment: true,
         springs: &springs,
         floor: 0.0,

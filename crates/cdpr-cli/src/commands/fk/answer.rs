@@ -1,0 +1,174 @@
+//! The answer of `cdpr fk`, whichever forward problem gave it.
+
+use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use cdpr::geometry::Pose;
+use cdpr::model::Model;
+use serde::Serialize;
+
+use crate::answer::Answer;
+use crate::pose_answer::PoseAnswer;
+use crate::table::{Table, cell};
+
+/// How the search ended, in the words of all forward problems.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Status {
+    Converged,
+    NotConverged,
+    Singular,
+    Unstable,
+}
+
+#[derive(Debug, Serialize)]
+#[expect(non_snake_case, reason = "the fields are the keys of the contract, units included")]
+pub(crate) struct ForwardAnswer {
+    robot: String,
+    model: String,
+    status: Status,
+    reason: Option<String>,
+    pose: PoseAnswer,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residuals_m: Option<Vec<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residual_rms_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tensions_N: Option<Vec<f64>>,
+    /// Size of the wrench that is out of balance, moments divided by the platform radius.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrench_residual_N: Option<f64>,
+    /// Smallest stiffness of the platform; null where rigid cables leave it no motion.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability_N_per_m: Option<f64>,
+    iterations: u32,
+    restarts: u32,
+    #[serde(skip)]
+    cable_names: Vec<String>,
+}
+
+impl ForwardAnswer {
+    fn new(model: &Model, pose: &Pose, status: Status, reason: Option<String>) -> Self {
+        let robot = model.robot();
+        Self {
+            robot: robot.name.clone(),
+            model: model.composition().to_string(),
+            status,
+            reason,
+            pose: PoseAnswer::new(robot, pose),
+            residuals_m: None,
+            residual_rms_m: None,
+            tensions_N: None,
+            wrench_residual_N: None,
+            stability_N_per_m: None,
+            iterations: 0,
+            restarts: 0,
+            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
+        }
+    }
+
+    /// The pose that fits lengths best.
+    pub(super) fn of_lengths(model: &Model, solution: forward_kinematics::Solution) -> Self {
+        let status = match solution.status {
+            forward_kinematics::Status::Converged => Status::Converged,
+            forward_kinematics::Status::Singular => Status::Singular,
+            _ => Status::NotConverged,
+        };
+        Self {
+            residuals_m: Some(solution.residuals),
+            residual_rms_m: Some(solution.residual_rms),
+            iterations: solution.iterations,
+            restarts: solution.restarts,
+            ..Self::new(model, &solution.pose, status, solution.reason)
+        }
+    }
+
+    /// Pose and tensions in equilibrium.
+    pub(super) fn of_equilibrium(model: &Model, solution: elastostatics::Solution) -> Self {
+        let status = match solution.status {
+            elastostatics::Status::Converged => Status::Converged,
+            elastostatics::Status::Singular => Status::Singular,
+            elastostatics::Status::Unstable => Status::Unstable,
+            _ => Status::NotConverged,
+        };
+        Self {
+            residuals_m: Some(solution.residuals),
+            tensions_N: Some(solution.tensions),
+            wrench_residual_N: Some(solution.wrench_residual),
+            stability_N_per_m: Some(solution.stability),
+            iterations: solution.iterations,
+            restarts: solution.restarts,
+            ..Self::new(model, &solution.pose, status, solution.reason)
+        }
+    }
+
+    /// The pose at which given tensions balance the load.
+    pub(super) fn of_tensions(model: &Model, tensions: &[f64], solution: forward_statics::Solution) -> Self {
+        let status = match solution.status {
+            forward_statics::Status::Converged => Status::Converged,
+            forward_statics::Status::Singular => Status::Singular,
+            forward_statics::Status::Unstable => Status::Unstable,
+            _ => Status::NotConverged,
+        };
+        Self {
+            tensions_N: Some(tensions.to_vec()),
+            wrench_residual_N: Some(solution.wrench_residual),
+            stability_N_per_m: Some(solution.stability),
+            iterations: solution.iterations,
+            restarts: solution.restarts,
+            ..Self::new(model, &solution.pose, status, solution.reason)
+        }
+    }
+
+    /// Adds a sentence to the reason.
+    pub(super) fn remark(&mut self, text: &str) {
+        self.reason = Some(self.reason.take().map_or_else(|| text.to_owned(), |reason| format!("{reason}; {text}")));
+    }
+
+    fn table(&self) -> Table {
+        let columns = [
+            ("tension N", &self.tensions_N, 1.0, 3),
+            ("residual mm", &self.residuals_m, 1e3, 6),
+        ];
+        let columns: Vec<_> =
+            columns.iter().filter_map(|(name, numbers, scale, digits)| Some((*name, numbers.as_ref()?, *scale, *digits))).collect();
+        let mut table = Table::with_heading(["cable"].into_iter().chain(columns.iter().map(|column| column.0)).map(str::to_owned).collect());
+        for (cable, name) in self.cable_names.iter().enumerate() {
+            let cells = columns.iter().map(|(_, numbers, scale, digits)| cell(Some(scale * numbers[cable]), *digits));
+            table.row([name.clone()].into_iter().chain(cells).collect());
+        }
+        table
+    }
+}
+
+impl Answer for ForwardAnswer {
+    fn is_negative(&self) -> bool {
+        self.status != Status::Converged
+    }
+
+    fn words(&self) -> String {
+        let Self { iterations, restarts, .. } = self;
+        let steps = match restarts {
+            0 => format!("{iterations} iterations"),
+            1 => format!("{iterations} iterations with 1 restart"),
+            _ => format!("{iterations} iterations with {restarts} restarts"),
+        };
+        let verdict = match self.status {
+            Status::Converged => format!("converged after {steps}"),
+            Status::Singular => "singular".to_owned(),
+            Status::Unstable => "an unstable equilibrium".to_owned(),
+            Status::NotConverged => format!("not converged after {steps}"),
+        };
+        let mut text = format!("{}, model {}: {verdict}\n", self.robot, self.model);
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}\n"));
+        }
+        let best = if self.is_negative() { "best pose found" } else { "pose" };
+        text.push_str(&format!("{best}: {}\n\n{}", self.pose.words(), self.table().text()));
+        if let Some(rms) = self.residual_rms_m {
+            text.push_str(&format!("rms residual {} mm\n", cell(Some(1e3 * rms), 6)));
+        }
+        if let Some(stability) = self.stability_N_per_m {
+            text.push_str(&format!("smallest stiffness {stability:.4e} N/m\n"));
+        }
+        text
+    }
+}

@@ -1,0 +1,129 @@
+//! The last digits with rigid cables: Newton steps on pose and tensions together.
+//!
+//! Flat configurations need tensions far above the load; there virtual springs would have to be so stiff that rounding of
+//! the pose is felt. With the tensions as unknowns of their own nothing is stiff: S δf − K δx = −r and Sᵀ δx = q − q_θ, with
+//! the columns S of the structure matrix that belong to taut rigid cables and K = K_C − K_G − ∂w/∂x of everything else.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Problem;
+use super::descent::End;
+use super::multipliers::Rigid;
+use crate::geometry::{Pose, Twist};
+use crate::statics::{Load, geometric_stiffness, wrench_residual};
+
+const MAX_STEPS: u32 = 8;
+/// Residual wrench beside the sum of the tensions that is left to rounding.
+const RESIDUAL: f64 = 1e-11;
+
+/// A pose with its tensions, and what is missing there.
+struct State {
+    pose: Pose,
+    /// One per cable (N).
+    tensions: Vec<f64>,
+    /// Aᵀ f + w in the robot's degrees of freedom.
+    residual: DVector<f64>,
+    /// Largest length error of a taut rigid cable (m).
+    excess: f64,
+}
+
+impl Problem<'_> {
+    /// Steps on pose and tensions from a pose near the solution; nothing where they do not lead there or change which
+    /// cables are taut.
+    pub(super) fn polished(&self, rigid: &Rigid<'_>, end: &End, tensions: &[f64]) -> Option<(End, Vec<f64>)> {
+        let load = self.full_load;
+        let taut: Vec<usize> = rigid.cables().filter(|&cable| tensions[cable] > 0.0).collect();
+        let mut state = self.state(rigid, load, &taut, end.pose, tensions.to_vec())?;
+        for _ in 0..MAX_STEPS {
+            let next = self.step(rigid, load, &taut, &state)?;
+            if !(next.residual.norm() < 0.5 * state.residual.norm()) && !(next.excess < 0.5 * state.excess) {
+                break;
+            }
+            state = next;
+        }
+        let pushes = state.tensions.iter().any(|&tension| tension < 0.0);
+        let too_long = rigid.cables().any(|cable| {
+            let (course, _) = self.model.course_or_nan(cable, &state.pose);
+            !(course.length - rigid.lengths[cable] <= self.settings.length_tolerance)
+        });
+        let pull: f64 = state.tensions.iter().sum();
+        if pushes || too_long || !(state.residual.norm() <= RESIDUAL * pull.max(1.0)) {
+            return None;
+        }
+        let stiffness = self.stiffness(rigid, load, &state)?;
+        let mut end = End { pose: state.pose, residual: [0.0; 6], ..*end };
+        for (i, direction) in self.model.twist_basis().iter().enumerate() {
+            for k in 0..6 {
+                end.residual[k] += direction[k] * state.residual[i];
+            }
+            for j in 0..=i {
+                end.stiffness[i][j] = 0.5 * (stiffness[(i, j)] + stiffness[(j, i)]);
+            }
+        }
+        Some((end, state.tensions))
+    }
+
+    fn state(
+        &self,
+        rigid: &Rigid<'_>,
+        load: &Load,
+        taut: &[usize],
+        pose: Pose,
+        mut tensions: Vec<f64>,
+    ) -> Option<State> {
+        let mut excess = 0.0_f64;
+        for (cable, tension) in tensions.iter_mut().enumerate() {
+            let length = self.model.course(cable, &pose).ok()?.0.length;
+            if !rigid.is_rigid[cable] {
+                *tension = self.model.elasticity(cable).tension(length, rigid.lengths[cable]).value.max(0.0);
+            } else if taut.contains(&cable) {
+                excess = excess.max((length - rigid.lengths[cable]).abs());
+            }
+        }
+        // statics refuses tensions below zero, so does the physics
+        let residual = wrench_residual(self.model, &pose, &tensions, load).ok()?;
+        Some(State { pose, tensions, residual, excess })
+    }
+
+    /// K_C of the elastic cables − K_G − ∂w/∂x.
+    fn stiffness(&self, rigid: &Rigid<'_>, load: &Load, state: &State) -> Option<DMatrix<f64>> {
+        let gradient = load.gradient(&state.pose);
+        let basis = self.model.twist_basis();
+        let by_load = DMatrix::from_fn(basis.len(), basis.len(), |i, j| basis[i].dot(&(gradient * basis[j])));
+        let mut stiffness = -geometric_stiffness(self.model, &state.pose, &state.tensions).ok()? - by_load;
+        let structure_matrix = self.model.structure_matrix(&state.pose).ok()?;
+        for cable in (0..rigid.lengths.len()).filter(|&cable| !rigid.is_rigid[cable] && state.tensions[cable] > 0.0) {
+            let length = self.model.course(cable, &state.pose).ok()?.0.length;
+            let by_length = self.model.elasticity(cable).tension(length, rigid.lengths[cable]).by_length;
+            let column = structure_matrix.column(cable);
+            stiffness.ger(by_length, &column, &column, 1.0);
+        }
+        Some(stiffness)
+    }
+
+    fn step(&self, rigid: &Rigid<'_>, load: &Load, taut: &[usize], state: &State) -> Option<State> {
+        let (n, k) = (self.model.dof(), taut.len());
+        let structure_matrix = self.model.structure_matrix(&state.pose).ok()?;
+        let mut system = DMatrix::zeros(n + k, n + k);
+        let mut right = DVector::zeros(n + k);
+        system.view_mut((0, 0), (n, n)).copy_from(&self.stiffness(rigid, load, state)?);
+        right.rows_mut(0, n).copy_from(&state.residual);
+        for (index, &cable) in taut.iter().enumerate() {
+            right[n + index] = self.model.course(cable, &state.pose).ok()?.0.length - rigid.lengths[cable];
+            for row in 0..n {
+                system[(row, n + index)] = -structure_matrix[(row, cable)];
+                system[(n + index, row)] = structure_matrix[(row, cable)];
+            }
+        }
+        let step = system.lu().solve(&right)?;
+        let mut twist = Twist::zeros();
+        for (direction, amount) in self.model.twist_basis().iter().zip(step.iter()) {
+            twist += direction * *amount;
+        }
+        let mut tensions = state.tensions.clone();
+        for (index, &cable) in taut.iter().enumerate() {
+            tensions[cable] += step[n + index];
+        }
+        self.state(rigid, load, taut, state.pose.displaced(&twist), tensions)
+    }
+}
