@@ -8,6 +8,7 @@ use answer::ForwardAnswer;
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
+use cdpr::statics::Load;
 use clap::Args;
 
 use crate::answer::Output;
@@ -82,8 +83,10 @@ impl Arguments {
             });
         }
         let refused = |error: &dyn std::error::Error| Failure::refused("--lengths", error);
-        let rests_on_load = model.composition().elastic || model.cable_count() < model.dof();
-        if rests_on_load {
+        let (elastic, underactuated) = (model.composition().elastic, model.cable_count() < model.dof());
+        let own_load = Load::of(model.robot());
+        let is_load_known = self.wrench.is_some() || own_load.is_ok();
+        if elastic || (underactuated && is_load_known) {
             let load = load_of(model.robot(), self.wrench.as_ref())?;
             let settings = elastostatics::Settings::default();
             let solution =
@@ -94,6 +97,9 @@ impl Arguments {
         let solution =
             forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
         let mut answer = ForwardAnswer::of_lengths(model, solution);
+        if let (true, Err(error)) = (underactuated, own_load) {
+            answer.remark(&error.to_string());
+        }
         if let Some(wrench) = &self.wrench {
             // refused when it does not fit the pattern, like everywhere
             load_of(model.robot(), Some(wrench))?;

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod command_line;
+mod equilibrium;
 mod kinematics;
 mod measurements;
 mod selection;

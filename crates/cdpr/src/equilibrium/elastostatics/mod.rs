@@ -111,8 +111,8 @@ pub enum InputError {
     Kinematic(#[from] forward_kinematics::InputError),
     /// More rigid cables than degrees of freedom: their tensions do not follow from their lengths.
     #[error(
-        "{rigid} rigid cables at {dof} degrees of freedom: their tensions do not follow from their lengths; use the effect \
-         `elastic`, or forward kinematics for the pose that fits the lengths best"
+        "{rigid} cables have no compliance at {dof} degrees of freedom: their tensions do not follow from their lengths; give \
+         them a stiffness and use the effect `elastic`, or use forward kinematics for the pose that fits the lengths best"
     )]
     RigidRedundant {
         /// Number of cables without compliance.
