@@ -1,15 +1,20 @@
-//! Kinematic identification of 48 parameters (both anchors of eight cables) from 91 poses:
-//! `cargo bench -p cdpr --bench identification`.
+//! Identification from 91 poses: `cargo bench -p cdpr --bench identification`.
 //!
-//! `dense` is the same problem, 728 × 48, by the crate levenberg-marquardt.
+//! Kinematic: 48 parameters, both anchors of eight cables; `dense` is the same problem, 728 × 48, by the crate
+//! levenberg-marquardt. Elastostatic: 62 parameters, anchors, compliances and the wrench, from wrench and length rows with
+//! their full covariances, poses and tensions corrected along with the parameters.
 
 #[path = "../tests/dense/mod.rs"]
 mod dense;
 
 use std::hint::black_box;
 
-use cdpr::identification::fit::{Settings, fit, optimal_parameters};
+use cdpr::identification::fit::{Prior, Settings, fit, optimal_parameters};
 use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::metamodel::simulate::simulate;
+use cdpr::metamodel::{Study, winch_offsets};
+use cdpr::model::{Composition, Model, ParameterKind};
+use cdpr::robot::Robot;
 use criterion::Criterion;
 use levenberg_marquardt::LevenbergMarquardt;
 
@@ -37,5 +42,34 @@ fn main() {
         bencher.iter(|| dense::solve(&model, black_box(&samples), LevenbergMarquardt::new()))
     });
     group.finish();
+    elastostatic(&mut criterion);
     criterion.final_summary();
+}
+
+fn elastostatic(criterion: &mut Criterion) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/twin-measurements.toml");
+    let mut study = Study::from_toml_bytes(&std::fs::read(path).expect("the study"), path).expect("a study");
+    study.poses.as_mut().expect("poses").tension_tests = None;
+    let robot = |name: &str| Robot::builtin(name).expect("built in");
+    let control = Model::new(robot(&study.control.robot), Composition::STANDARD).expect("a model");
+    let machine = Model::new(robot(&study.machine.robot), Composition::ELASTIC).expect("a model");
+    let pose = study.initial_pose(machine.robot()).expect("a pose");
+    let offsets = winch_offsets(&study.initial, &control, &machine, &pose).expect("offsets");
+    let poses = study.commanded_poses(machine.robot(), Vec::new(), 1).expect("poses");
+    let noise = study.noise.expect("noise");
+    let samples = simulate(&control, &machine, &offsets, &poses, &noise, 1).expect("measurements").samples;
+    let model = Model::new(control.robot().clone(), Composition::ELASTIC).expect("a model");
+    let free = "frame-anchor,platform-anchor,compliance,wrench".parse().expect("parameters");
+    let prior = Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 };
+    let settings = Settings { priors: vec![prior], ..Settings::default() };
+    let mut group = criterion.benchmark_group("identification, elastostatic 62 × 91");
+    group.bench_function("optimum", |bencher| {
+        bencher
+            .iter(|| optimal_parameters(&model, black_box(&samples), &free, &settings).map(|found| found.iterations));
+    });
+    group.sample_size(20);
+    group.bench_function("with uncertainty analysis", |bencher| {
+        bencher.iter(|| fit(&model, black_box(&samples), &free, &settings).map(|found| found.iterations));
+    });
+    group.finish();
 }

@@ -23,7 +23,7 @@ const POLISHING_STEPS: u32 = 15;
 /// optima, and far below any standard deviation.
 const NEAR_PROMISE: f64 = 1e-1;
 const SEARCH_PROMISE: f64 = 1e-9;
-const FINAL_PROMISE: f64 = 1e-9;
+const FINAL_PROMISE: f64 = 1e-7;
 /// How far other starts move anchors from the file's values, in every direction (m).
 const ANCHOR_SPREAD: f64 = 0.5;
 /// By which factor other starts change compliances, up or down.
