@@ -167,7 +167,7 @@ impl Statics {
     fn is_finite(&self) -> bool {
         let wrenches = std::iter::once(&self.wrench).chain(self.sections.iter().map(|section| &section.wrench));
         let mut parts = self.internal.iter().chain(&self.external).flatten();
-        wrenches.map(WrenchAnswer::is_finite).all(|finite| finite) && parts.all(|number| number.is_finite())
+        wrenches.into_iter().all(WrenchAnswer::is_finite) && parts.all(|number| number.is_finite())
     }
 }
 

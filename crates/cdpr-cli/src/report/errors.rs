@@ -5,7 +5,7 @@ use cdpr::metamodel::errors::{PoseError, TensionError};
 use minijinja::Value;
 
 use super::table::{Cell, Table};
-use super::{Report, Shown, criterion, number};
+use super::{Report, Shown, number};
 
 /// One line of figures; NaN where a figure does not exist.
 struct Figures {

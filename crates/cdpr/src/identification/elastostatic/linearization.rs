@@ -146,7 +146,7 @@ impl Linearization {
     /// Largest relative change of a row's own weight.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let size = self.count * self.count;
-        let diagonal = |index: &usize| (index % size) % (self.count + 1) == 0;
+        let diagonal = |index: &usize| (index % size).is_multiple_of(self.count + 1);
         (0..self.factors.len())
             .filter(diagonal)
             .map(|index| (other.factors[index] / self.factors[index] - 1.0).abs())
