@@ -143,7 +143,7 @@ fn data_that_no_fit_can_use_are_exit_code_2_and_leave_no_file() {
         (equal, "length-offset", "are equal"),
         (rows(9), "frame-anchor[5]", "cables 1 to 4"),
         (rows(9), "frame-anchr", "not a parameter"),
-        (rows(9), "compliance", "not part of this version"),
+        (rows(9), "compliance", "choose a model with the effect `elastic`"),
         (rows(9), "pulley-radius", "pulley"),
     ] {
         let (folder, _) = file_with("square.toml", SQUARE.as_bytes());

@@ -86,7 +86,11 @@ fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_th
         ),
         (offset, "offset = \"none\"\n[poses.tension_tests]\nshorten_m = -1\ncount = 1", "above 0"),
         ("model = \"elastic\"", "model = \"pulley+elastic\"", "pulley_swivel_axis"),
-        ("\"standard\"", "\"elastic\"", "axial_stiffness_EA_N"),
+        (
+            "robot = \"cablerobot-simulator-helicopter\"\nmodel = \"standard\"",
+            "robot = \"ipanema-1\"\nmodel = \"elastic\"",
+            "axial_stiffness_EA_N",
+        ),
     ] {
         let folder = changed(from, to);
         let run = cdpr_in(folder.path(), "accuracy study.toml");
