@@ -1,4 +1,4 @@
-//! The robot that most commands are about, its pose and its load.
+//! The robot that most commands are about, its pose, load and tension limits.
 
 use std::path::{Path, PathBuf};
 
@@ -7,6 +7,7 @@ use cdpr::model::{Composition, Model};
 use cdpr::reading::did_you_mean;
 use cdpr::robot::{Robot, builtin};
 use cdpr::statics::Load;
+use cdpr::tension::{Limits, LimitsError};
 use clap::Args;
 
 use crate::failure::Failure;
@@ -123,4 +124,15 @@ pub(crate) fn wrench_components(pattern: MotionPattern) -> &'static str {
         MotionPattern::Planar => "fx,fy,m",
         _ => "fx,fy,fz,mx,my,mz",
     }
+}
+
+/// The tension limits that `--min` and `--max` give, or the robot's own.
+pub(crate) fn limits_of(robot: &Robot, minimum: Option<f64>, maximum: Option<f64>) -> Result<Limits, Failure> {
+    Limits::of(robot, minimum, maximum).map_err(|error| {
+        let source = match error {
+            LimitsError::MissingKey { .. } => "ROBOT",
+            _ => "--min, --max",
+        };
+        Failure::refused(source, &error)
+    })
 }

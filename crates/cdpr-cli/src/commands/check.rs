@@ -7,6 +7,9 @@ use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::DMatrix;
 use cdpr::robot::Robot;
+use cdpr::statics::Load;
+use cdpr::tension::Limits;
+use cdpr::tension::quadratic::{self, Status};
 use clap::Args;
 use serde::Serialize;
 
@@ -47,10 +50,8 @@ struct Home {
     rank: Option<usize>,
     condition: Option<f64>,
     feasible: Option<bool>,
-    feasible_note: &'static str,
+    feasible_note: String,
 }
-
-const FEASIBLE_NOTE: &str = "not assessed in this version";
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let robot = arguments.robot.read()?;
@@ -67,6 +68,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         }
         Err(reason) => warnings.push(format!("the home pose is singular: {reason}")),
     }
+    let (feasible, feasible_note) = feasibility(&model, &pose);
     output.answer(&Check {
         name: robot.name.clone(),
         title: robot.title.clone(),
@@ -77,11 +79,36 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             pose: PoseAnswer::new(robot, &pose),
             rank,
             condition,
-            feasible: None,
-            feasible_note: FEASIBLE_NOTE,
+            feasible,
+            feasible_note,
         },
         warnings,
     })
+}
+
+/// Whether tensions within limits balance the load, and why (not), or what is missing for an answer.
+fn feasibility(model: &Model, pose: &Pose) -> (Option<bool>, String) {
+    let unknown = |reason: String| (None, format!("not assessed: {reason}"));
+    let load = match Load::of(model.robot()) {
+        Ok(load) => load,
+        Err(missing) => return unknown(missing.to_string()),
+    };
+    let limits = match Limits::of(model.robot(), None, None) {
+        Ok(limits) => limits,
+        Err(missing) => return unknown(missing.to_string()),
+    };
+    let matrix = match model.structure_matrix(pose) {
+        Ok(matrix) => matrix,
+        Err(reason) => return unknown(reason.to_string()),
+    };
+    match quadratic::solve(&matrix, load.in_pattern(model, pose).as_slice(), &limits, None) {
+        Ok(found) if found.status == Status::Feasible => {
+            (Some(true), "tensions within their limits balance the load".to_owned())
+        }
+        Ok(found) if found.status == Status::Infeasible => (Some(false), found.reason().unwrap_or_default()),
+        Ok(found) => unknown(found.reason().unwrap_or_default()),
+        Err(error) => unknown(error.to_string()),
+    }
 }
 
 /// Aᵀ with its moment rows divided by the mean platform radius, so that all rows are without unit.

@@ -31,6 +31,7 @@ commands! {
     check: Check,
     ik: Ik,
     fk: Fk,
+    tension: Tension,
     load: Load,
     stiffness: Stiffness,
     place_pulleys: PlacePulleys,

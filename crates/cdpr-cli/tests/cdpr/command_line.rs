@@ -2,7 +2,7 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "select",
     "accuracy",
     "simulate",
@@ -11,6 +11,7 @@ const COMMANDS: [&str; 14] = [
     "check",
     "ik",
     "fk",
+    "tension",
     "load",
     "stiffness",
     "place-pulleys",

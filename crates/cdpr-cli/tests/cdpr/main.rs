@@ -10,6 +10,7 @@ mod measurements;
 mod selection;
 mod statics;
 mod studies;
+mod tension;
 
 use std::path::{Path, PathBuf};
 

@@ -21,6 +21,32 @@ pub struct Solution {
     pub rank: usize,
 }
 
+impl Solution {
+    /// Why the tensions are not to be used: cables beyond their limits, or a load that stays unbalanced.
+    pub fn reason(&self, limits: &Limits) -> Option<String> {
+        let tolerance = limits.tolerance();
+        let beyond = |(index, &f): (usize, &f64)| {
+            let (least, largest) = (limits.minimum()[index], limits.maximum()[index]);
+            match (f < least - tolerance, f > largest + tolerance) {
+                (true, _) => Some(format!("cable {} has {f:.1} N, its least tension is {least} N", index + 1)),
+                (_, true) => Some(format!("cable {} has {f:.1} N, its largest tension is {largest} N", index + 1)),
+                _ => None,
+            }
+        };
+        let mut reasons: Vec<String> = self.tensions.iter().enumerate().filter_map(beyond).collect();
+        if !self.balanced {
+            let rest: Vec<String> = self.wrench_residual.iter().map(|rest| format!("{rest:.3}")).collect();
+            reasons.push(format!(
+                "the cables leave [{}] of the load unbalanced: the structure matrix has rank {} of {}",
+                rest.join(", "),
+                self.rank,
+                self.wrench_residual.len()
+            ));
+        }
+        (!reasons.is_empty()).then(|| reasons.join("; "))
+    }
+}
+
 /// f = f_m − A⁺ᵀ (w + Aᵀ f_m) with f_m = ½ (f_min + f_max) (Miermeister 2021, eq. 3.41).
 ///
 /// Of all tensions that balance the load these are the nearest to f_m. Where the cables cannot balance it, the rest is
