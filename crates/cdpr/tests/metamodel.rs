@@ -207,7 +207,8 @@ fn initial_tensions_that_cannot_be_are_refused_with_the_reason() {
     assert!(error.to_string().contains("mass_kg"), "{error}");
 }
 
-/// What the machine's encoders and load cells say is consistent with the machine's own model.
+/// What the machine's encoders and load cells say is consistent with the machine's own model; winch offsets are the zero of
+/// the encoders.
 #[test]
 fn recorded_lengths_and_tensions_are_those_of_the_machine() {
     let (control, machine) =
@@ -222,7 +223,7 @@ fn recorded_lengths_and_tensions_are_those_of_the_machine() {
         let explained = controlled_lengths(&machine, &outcome.pose, real).unwrap();
         for cable in 0..8 {
             assert_eq!(tensions[8 * sample + cable], machine.recorded_tension(cable, real[cable]));
-            let recorded = machine.controlled_length(cable, exact.samples.lengths_of(sample)[cable]);
+            let recorded = machine.controlled_length(cable, exact.samples.lengths_of(sample)[cable] + offsets[cable]);
             // a slack cable is longer than its course
             let difference = recorded - explained[cable];
             assert!(difference.abs() < 1e-9 || (real[cable] == 0.0 && difference > 0.0), "{difference}");

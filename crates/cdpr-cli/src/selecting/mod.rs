@@ -40,7 +40,7 @@ pub(crate) struct SelectionArguments {
 
     /// Ridges towards the file's values with these standard deviations, e.g. platform-anchor=0.02.
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
-    prior: Vec<Prior>,
+    pub(crate) prior: Vec<Prior>,
 
     /// Seed of the bootstrap and of random splits.
     #[arg(long, value_name = "SEED", default_value_t = 0)]

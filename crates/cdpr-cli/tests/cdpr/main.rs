@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod command_line;
+mod elastic_models;
 mod equilibrium;
 mod kinematics;
 mod measurements;

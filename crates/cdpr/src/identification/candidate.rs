@@ -88,8 +88,8 @@ pub struct Ladder {
 }
 
 /// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
-/// offsets, with both; then elastic models as given, with compliance and wrench, with anchors too. Every rung also with
-/// pulleys where the robot's file describes them.
+/// offsets, with both; then elastic models as given, with compliance and wrench, with offsets and with anchors too. Every
+/// rung also with pulleys where the robot's file describes them.
 ///
 /// Platform anchors stay out of it unless they have a prior: where the orientation varies little, they only repeat the frame
 /// anchors.
@@ -106,11 +106,14 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         (&[FrameAnchor, LengthOffset], &[&[FrameAnchor, LengthOffset]]),
         (&[FrameAnchor, LengthOffset, LengthScale], &[&[FrameAnchor, LengthOffset, LengthScale]]),
     ];
-    let elastic: [&[ParameterKind]; 4] = [
+    let elastic: [&[ParameterKind]; 7] = [
         &[],
         &[Compliance, Wrench],
+        &[LengthOffset, Compliance, Wrench],
         &[FrameAnchor, Compliance, Wrench],
+        &[FrameAnchor, LengthOffset, Compliance, Wrench],
         &[FrameAnchor, PlatformAnchor, Compliance, Wrench],
+        &[FrameAnchor, PlatformAnchor, LengthOffset, Compliance, Wrench],
     ];
     let candidate = |composition, free| Candidate { composition, free: FreeParameters::of(free) };
     let mut rungs = Vec::new();

@@ -16,8 +16,8 @@ pub struct Outcome {
     /// What the winches are told: the control model's lengths with the offsets, as the machine records them (m); empty where
     /// the control model has none.
     pub sent: Vec<f64>,
-    /// What the encoders read once the platform has come to rest (m): what was sent, or the lengths of a rigid machine, whose
-    /// winches take up what is slack.
+    /// What the encoders read once the platform has come to rest (m): what the control model asked for, or, for a rigid
+    /// machine, whose winches take up what is slack, the lengths it has. Offsets sit in the winch's zero and are not read.
     pub recorded: Vec<f64>,
     /// Tensions that emerge (N); `None` for a rigid machine.
     pub tensions: Option<Vec<f64>>,
@@ -109,7 +109,9 @@ impl<'a> Operation<'a> {
         if let Some(test) = command.shortened {
             sent[test.cable] -= test.by;
         }
-        self.machine.answer(sent, &command.pose)
+        let mut outcome = self.machine.answer(sent, &command.pose);
+        outcome.recorded.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length -= offset);
+        outcome
     }
 }
 

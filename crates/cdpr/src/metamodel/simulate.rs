@@ -26,11 +26,13 @@ pub struct Simulation {
 /// Sends every commanded pose through the control model to the machine (see [`super::operate()`]) and records what emerges,
 /// with sensor noise: pose, lengths, and the tensions of an elastic machine.
 ///
-/// Recorded lengths are what the encoders of the machine read, length_scale · q_θ + length_offset with the length q_θ really
-/// paid out, winch offsets included: the machine's own model explains noise-free samples exactly. A rigid machine with more
-/// cables than degrees of freedom cannot hold lengths that contradict each other: the platform goes to the least-squares
-/// pose, the winches take up what is slack, and the encoders record the machine's lengths there. Recorded tensions are
-/// tension_scale · f + tension_offset.
+/// Recorded lengths are what the encoders of the machine read, length_scale · q_θ + length_offset − q_off with the length q_θ
+/// really paid out. The winch offset q_off sits in the winch's zero, as on a robot whose encoders are set to the control
+/// model's lengths at the initial pose; so the machine's own model explains noise-free samples exactly once −q_off is part
+/// of its length offsets, and without them where there are no winch offsets. A rigid machine with more cables than degrees
+/// of freedom cannot hold lengths that contradict each other: the platform goes to the least-squares pose, the winches take
+/// up what is slack, and the encoders record the machine's lengths there. Recorded tensions are tension_scale · f +
+/// tension_offset.
 pub fn simulate(
     control: &Model,
     machine: &Model,
