@@ -3,6 +3,7 @@
 use super::rows::Sigmas;
 use crate::identification::fit::ASSUMED_NOISE;
 use crate::measurement::Samples;
+use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 
 /// Share of the mean tension assumed as the force sensors' noise where none is stated.
 const ASSUMED_TENSION_SHARE: f64 = 0.01;
@@ -42,6 +43,52 @@ pub(super) fn solve(factor: &[f64], right: &mut [f64]) {
     }
 }
 
+/// Writes Σ⁻¹ = L⁻ᵀ L⁻¹ for the factor of [`factorize`], rows rounded up to whole lanes; `scratch` is as large and is left
+/// with L⁻¹.
+pub(super) fn invert(factor: &[f64], count: usize, scratch: &mut [f64], inverse: &mut [f64]) {
+    dispatch(Invert { factor, count, scratch, inverse });
+}
+
+struct Invert<'a> {
+    factor: &'a [f64],
+    count: usize,
+    scratch: &'a mut [f64],
+    inverse: &'a mut [f64],
+}
+
+impl Kernel for Invert<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let Self { factor, count, scratch, inverse } = self;
+        let groups = count.div_ceil(LANES);
+        let (rows, inverse) = (scratch.as_chunks_mut::<LANES>().0, inverse.as_chunks_mut::<LANES>().0);
+        for row in 0..count {
+            let own = &factor[row * count..][..count];
+            let diagonal = l.constant(own[row]);
+            for group in 0..groups {
+                let mut sum = l.constant(0.0);
+                for k in group * LANES..row {
+                    sum = sum - l.constant(own[k]) * l.load(&rows[k * groups + group]);
+                }
+                (sum * diagonal).store(&mut rows[row * groups + group]);
+            }
+            rows[row * groups + row / LANES][row % LANES] = own[row];
+        }
+        for row in 0..count {
+            for group in 0..groups {
+                let mut sum = l.constant(0.0);
+                for k in row.max(group * LANES)..count {
+                    let along = rows[k * groups + row / LANES][row % LANES];
+                    sum = sum + l.constant(along) * l.load(&rows[k * groups + group]);
+                }
+                sum.store(&mut inverse[row * groups + group]);
+            }
+        }
+    }
+}
+
 /// Replaces a symmetric matrix by its lower Cholesky factor with inverted diagonal.
 pub(super) fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
     for column in 0..count {
@@ -64,4 +111,27 @@ pub(super) fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
         }
     }
     Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::DMatrix;
+
+    /// The product with the matrix is the identity to rounding, whatever part of a lane the size leaves over.
+    #[test]
+    fn the_inverse_is_that_of_the_factored_matrix() {
+        for count in [1, 2, 7, 8, 9, 14, 17] {
+            let root = DMatrix::from_fn(count, count, |i, j| ((3 * i + 5 * j) as f64).sin());
+            let matrix = &root * root.transpose() + DMatrix::identity(count, count);
+            let mut factor: Vec<f64> = matrix.transpose().as_slice().to_vec();
+            factorize(&mut factor, count).unwrap();
+            let stride = count.next_multiple_of(LANES);
+            let (mut scratch, mut inverse) = (vec![0.0; count * stride], vec![f64::NAN; count * stride]);
+            invert(&factor, count, &mut scratch, &mut inverse);
+            let found = DMatrix::from_row_slice(count, stride, &inverse).columns(0, count).into_owned();
+            let error = (found * matrix - DMatrix::identity(count, count)).amax();
+            assert!(error < 1e-13 * count as f64, "{count}: {error:e}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::linearization::Linearization;
 use super::normal::NormalEquations;
-use super::rows::{RowModel, SampleRows};
+use super::rows::{RowModel, SampleRows, first_columns};
 use crate::identification::fit::{Settings, prior_sigma};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
@@ -122,7 +122,7 @@ impl<'a> Problem<'a> {
     /// One undamped step; `None` where it is not determined or a bound is in its way.
     pub(super) fn plain_step(&self, from: &[f64], at: &Linearization) -> Option<PlainStep> {
         let mut rows = SampleRows::new(self.model, self.parameters.len());
-        let mut equations = NormalEquations::new(&rows);
+        let mut equations = NormalEquations::new(&rows, &first_columns(self.model, self.parameters));
         if !self.equations(from, at, &mut rows, &mut equations) {
             return None;
         }
@@ -140,7 +140,7 @@ impl<'a> Problem<'a> {
     /// Descends from these values until the next step promises no more than this share of the cost.
     pub(super) fn descend(&self, from: &[f64], at: &Linearization, stop: f64) -> End {
         let mut rows = SampleRows::new(self.model, self.parameters.len());
-        let mut current = NormalEquations::new(&rows);
+        let mut current = NormalEquations::new(&rows, &first_columns(self.model, self.parameters));
         let mut next = current.clone();
         let mut end =
             End { values: from.to_vec(), cost: f64::NAN, iterations: 0, history: Vec::new(), converged: false };

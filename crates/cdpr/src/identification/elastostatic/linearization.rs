@@ -5,11 +5,12 @@
 //! parameters, z = z_M − D Nᵀ Σ⁻¹ (r + N (z_M − z)), the adjustment of observations known from geodesy (Gauss–Helmert model)
 //! and orthogonal distance regression.
 
-use super::covariance::{factorize, solve};
+use super::covariance::{factorize, invert, solve};
 use super::normal::{NormalEquations, whiten};
 use super::rows::{Noise, RowModel, SampleRows, Sigmas};
 use crate::geometry::{Pose, Twist};
 use crate::measurement::Samples;
+use crate::scalar::LANES;
 
 /// Points of linearisation with the weights there.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub(super) struct Linearization {
     shifts: Vec<f64>,
     /// Lower Cholesky factors of Σ, row-major with inverted diagonals, sample by sample.
     factors: Vec<f64>,
+    /// Σ⁻¹, row-major with rows rounded up to whole lanes, sample by sample.
+    weights: Vec<f64>,
 }
 
 impl Linearization {
@@ -37,13 +40,17 @@ impl Linearization {
             tensions: tensions.to_vec(),
             shifts: vec![0.0; samples.len() * count],
             factors: vec![0.0; samples.len() * count * count],
+            weights: vec![0.0; samples.len() * count * count.next_multiple_of(LANES)],
         };
         let m = model.model.cable_count();
         let mut noise = Noise::new(model.model);
-        for (sample, factor) in linearization.factors.chunks_mut(count * count).enumerate() {
+        let mut scratch = vec![0.0; count * count.next_multiple_of(LANES)];
+        let weights = linearization.weights.chunks_mut(count * count.next_multiple_of(LANES));
+        for ((sample, factor), weight) in linearization.factors.chunks_mut(count * count).enumerate().zip(weights) {
             model.noise(&samples.poses[sample], &tensions[sample * m..][..m], sigmas, &mut noise);
             noise.covariance(factor);
             factorize(factor, count)?;
+            invert(factor, count, &mut scratch, weight);
         }
         Some(linearization)
     }
@@ -62,6 +69,7 @@ impl Linearization {
         let mut rows = SampleRows::new(model.model, 0);
         let (mut residual, mut shift) = (vec![0.0; count], ([0.0; 6], vec![0.0; m]));
         let bare = RowModel::new(model.model, model.load, &[]);
+        let mut scratch = vec![0.0; count * count.next_multiple_of(LANES)];
         for sample in 0..samples.len() {
             let factor = &mut self.factors[sample * count * count..][..count * count];
             let corrected = &mut self.tensions[sample * m..][..m];
@@ -69,6 +77,8 @@ impl Linearization {
             bare.write(&self.poses[sample], corrected, samples.lengths_of(sample), &mut rows);
             noise.covariance(factor);
             factorize(factor, count)?;
+            let size = scratch.len();
+            invert(factor, count, &mut scratch, &mut self.weights[sample * size..][..size]);
             // r + N (z_M − z), with the displacement in standard deviations
             let towards = self.poses[sample].displacement_to(&samples.poses[sample]);
             let per_sigma = |along: f64, sigma: f64| if sigma > 0.0 { along / sigma } else { 0.0 };
@@ -120,9 +130,10 @@ impl Linearization {
         rows: &mut SampleRows,
         equations: &mut NormalEquations,
     ) {
-        for sample in 0..samples.len() {
+        let size = self.count * self.count.next_multiple_of(LANES);
+        for (sample, weight) in self.weights.chunks(size).enumerate() {
             self.write(model, samples, sample, rows);
-            equations.add(self.factor(sample), rows);
+            equations.add(weight, rows);
         }
     }
 
@@ -133,6 +144,7 @@ impl Linearization {
 
     /// The same for covariances multiplied by the square of `scale`.
     pub(super) fn scale_weights(&mut self, scale: f64) {
+        self.weights.iter_mut().for_each(|weight| *weight /= scale * scale);
         for factor in self.factors.chunks_mut(self.count * self.count) {
             for row in 0..self.count {
                 for column in 0..row {

@@ -1,56 +1,83 @@
-//! Whitened rows and the normal equations they add up to, parameters in lanes.
+//! Normal equations of weighted rows, and whitened rows, parameters in lanes.
 
 use super::rows::SampleRows;
 use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 
-/// Σ \[J r\]ᵀ Σ⁻¹ \[J r\] over samples: JᵀWJ, JᵀWr and rᵀWr in one symmetric matrix, lower triangle.
+/// Σ JᵀWJ (lower triangle), Σ JᵀWr and Σ rᵀWr over samples, with W = Σ⁻¹ of each sample.
+///
+/// A length row knows the parameters of its own cable only, so of the rows of J just a few reach any block of columns:
+/// products with the others are left out.
 #[derive(Clone, Debug)]
 pub(super) struct NormalEquations {
-    parameter_count: usize,
+    hessian: Vec<f64>,
+    gradient: Vec<f64>,
+    cost: f64,
+    /// Columns, rounded up to whole lanes.
     stride: usize,
-    entries: Vec<f64>,
+    /// For each block of columns the rows of J that are not zero there.
+    reaching: Vec<Vec<usize>>,
+    /// W J of one sample, row-major, rows rounded up to whole lanes.
+    products: Vec<f64>,
 }
 
 impl NormalEquations {
-    pub(super) fn new(rows: &SampleRows) -> Self {
-        let stride = rows.stride;
-        Self { parameter_count: rows.parameter_count, stride, entries: vec![0.0; stride * stride] }
+    /// For rows whose columns belong to cables as `first` says: the first column of each cable, then of the wrench.
+    pub(super) fn new(rows: &SampleRows, first: &[usize]) -> Self {
+        let cables = first.len() - 1;
+        let wrench_rows = rows.count - cables;
+        let blocks = rows.parameter_count.div_ceil(LANES);
+        let of_block = |block: usize| {
+            let columns = block * LANES..(block + 1) * LANES;
+            let has_columns = |cable: &usize| first[*cable].max(columns.start) < first[cable + 1].min(columns.end);
+            (0..wrench_rows).chain((0..cables).filter(has_columns).map(|cable| wrench_rows + cable)).collect()
+        };
+        let stride = blocks * LANES;
+        Self {
+            hessian: vec![0.0; stride * stride],
+            gradient: vec![0.0; stride],
+            cost: 0.0,
+            stride,
+            reaching: (0..blocks).map(of_block).collect(),
+            products: vec![0.0; rows.count.next_multiple_of(LANES) * stride.max(1)],
+        }
     }
 
     pub(super) fn clear(&mut self) {
-        self.entries.fill(0.0);
+        self.hessian.fill(0.0);
+        self.gradient.fill(0.0);
+        self.cost = 0.0;
     }
 
     /// Weighted sum of squares.
     pub(super) fn cost(&self) -> f64 {
-        self.entries[self.parameter_count * self.stride + self.parameter_count]
+        self.cost
     }
 
     pub(super) fn add_to_cost(&mut self, amount: f64) {
-        self.entries[self.parameter_count * self.stride + self.parameter_count] += amount;
+        self.cost += amount;
     }
 
     /// JᵀWr of one parameter.
     pub(super) fn gradient(&self, k: usize) -> f64 {
-        self.entries[self.parameter_count * self.stride + k]
+        self.gradient[k]
     }
 
     pub(super) fn add_to_gradient(&mut self, k: usize, amount: f64) {
-        self.entries[self.parameter_count * self.stride + k] += amount;
+        self.gradient[k] += amount;
     }
 
     /// JᵀWJ of two parameters.
     pub(super) fn entry(&self, i: usize, j: usize) -> f64 {
-        self.entries[i.max(j) * self.stride + i.min(j)]
+        self.hessian[i.max(j) * self.stride + i.min(j)]
     }
 
     pub(super) fn add_to_diagonal(&mut self, k: usize, amount: f64) {
-        self.entries[k * self.stride + k] += amount;
+        self.hessian[k * self.stride + k] += amount;
     }
 
-    /// Adds the rows of one sample, which are whitened in place.
-    pub(super) fn add(&mut self, factor: &[f64], rows: &mut SampleRows) {
-        dispatch(AddSample { factor, rows, sums: &mut self.entries });
+    /// Adds the rows of one sample with their weight W, whose rows are rounded up to whole lanes.
+    pub(super) fn add(&mut self, weight: &[f64], rows: &SampleRows) {
+        dispatch(AddSample { weight, rows, equations: self });
     }
 }
 
@@ -74,9 +101,9 @@ impl Kernel for Whiten<'_> {
 }
 
 struct AddSample<'a> {
-    factor: &'a [f64],
-    rows: &'a mut SampleRows,
-    sums: &'a mut [f64],
+    weight: &'a [f64],
+    rows: &'a SampleRows,
+    equations: &'a mut NormalEquations,
 }
 
 impl Kernel for AddSample<'_> {
@@ -84,27 +111,104 @@ impl Kernel for AddSample<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) {
-        substitute(l, self.factor, self.rows);
-        let (count, stride) = (self.rows.count, self.rows.stride);
-        let blocks = stride / LANES;
-        let (rows, _) = self.rows.entries.as_chunks::<LANES>();
-        let (sums, _) = self.sums.as_chunks_mut::<LANES>();
-        let (rows, sums) = (&rows[..count * blocks], &mut sums[..stride * blocks]);
-        // eight rows of the sum at a time, so that each load of a row of J serves eight products
-        for first in 0..blocks {
-            for block in 0..=first {
-                let zero = l.constant(0.0);
-                let mut tile = [zero; LANES];
-                for row in 0..count {
-                    let values = l.load(&rows[row * blocks + block]);
-                    let factors = &rows[row * blocks + first];
-                    for k in 0..LANES {
-                        tile[k] = tile[k] + l.constant(factors[k]) * values;
+        let Self { weight, rows, equations } = self;
+        let (entries, _) = rows.entries.as_chunks::<LANES>();
+        let sample = Sample {
+            entries,
+            row_blocks: rows.stride / LANES,
+            weight: weight.as_chunks::<LANES>().0,
+            weight_groups: rows.count.div_ceil(LANES),
+        };
+        equations.add_residuals(l, rows, &sample);
+        equations.multiply(l, &sample);
+        equations.add_products(l, &sample);
+    }
+}
+
+/// One sample in lanes.
+struct Sample<'a> {
+    /// J, some blocks of columns a row.
+    entries: &'a [[f64; LANES]],
+    row_blocks: usize,
+    /// W, some groups of columns a row.
+    weight: &'a [[f64; LANES]],
+    weight_groups: usize,
+}
+
+impl Sample<'_> {
+    #[inline(always)]
+    fn block(&self, row: usize, block: usize) -> &[f64; LANES] {
+        &self.entries[row * self.row_blocks + block]
+    }
+}
+
+impl NormalEquations {
+    /// JᵀWr and rᵀWr.
+    #[inline(always)]
+    fn add_residuals<L: Lanes>(&mut self, l: L, rows: &SampleRows, sample: &Sample<'_>) {
+        let groups = sample.weight_groups;
+        for group in 0..groups {
+            let mut weighted = l.constant(0.0);
+            for k in 0..rows.count {
+                weighted = weighted + l.constant(rows.residual(k)) * l.load(&sample.weight[k * groups + group]);
+            }
+            weighted.store(&mut self.products[group * LANES..]);
+        }
+        for k in 0..rows.count {
+            self.cost += rows.residual(k) * self.products[k];
+        }
+        let (gradient, _) = self.gradient.as_chunks_mut::<LANES>();
+        for (block, reaching) in self.reaching.iter().enumerate() {
+            let mut sum = l.load(&gradient[block]);
+            for &k in reaching {
+                sum = sum + l.constant(self.products[k]) * l.load(sample.block(k, block));
+            }
+            sum.store(&mut gradient[block]);
+        }
+    }
+
+    /// W J.
+    #[inline(always)]
+    fn multiply<L: Lanes>(&mut self, l: L, sample: &Sample<'_>) {
+        let blocks = self.reaching.len();
+        let (products, _) = self.products.as_chunks_mut::<LANES>();
+        let groups = sample.weight_groups;
+        for (block, reaching) in self.reaching.iter().enumerate() {
+            for group in 0..groups {
+                let mut tile = [l.constant(0.0); LANES];
+                for &k in reaching {
+                    let values = l.load(sample.block(k, block));
+                    let weights = &sample.weight[k * groups + group];
+                    for row in 0..LANES {
+                        tile[row] = tile[row] + l.constant(weights[row]) * values;
                     }
                 }
-                for k in 0..LANES {
-                    let sum = &mut sums[(first * LANES + k) * blocks + block];
-                    (l.load(sum) + tile[k]).store(sum);
+                for row in 0..LANES {
+                    tile[row].store(&mut products[(group * LANES + row) * blocks + block]);
+                }
+            }
+        }
+    }
+
+    /// Jᵀ (W J), eight rows at a time, so that each load of a row of W J serves eight products.
+    #[inline(always)]
+    fn add_products<L: Lanes>(&mut self, l: L, sample: &Sample<'_>) {
+        let blocks = self.reaching.len();
+        let (products, _) = self.products.as_chunks::<LANES>();
+        let (hessian, _) = self.hessian.as_chunks_mut::<LANES>();
+        for (first, reaching) in self.reaching.iter().enumerate() {
+            for block in 0..=first {
+                let mut tile = [l.constant(0.0); LANES];
+                for &k in reaching {
+                    let values = l.load(&products[k * blocks + block]);
+                    let factors = sample.block(k, first);
+                    for row in 0..LANES {
+                        tile[row] = tile[row] + l.constant(factors[row]) * values;
+                    }
+                }
+                for row in 0..LANES {
+                    let sum = &mut hessian[(first * LANES + row) * blocks + block];
+                    (l.load(sum) + tile[row]).store(sum);
                 }
             }
         }

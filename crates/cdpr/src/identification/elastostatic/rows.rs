@@ -32,6 +32,13 @@ pub(super) struct RowModel<'a> {
     first: Vec<usize>,
 }
 
+/// First column of each cable's parameters; the last entry is that of the wrench.
+pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usize> {
+    let is_wrench = |p: &Parameter| p.kind == ParameterKind::Wrench;
+    let before = |cable: usize| parameters.iter().filter(|p| !is_wrench(p) && p.cable < cable).count();
+    (0..=model.cable_count()).map(before).collect()
+}
+
 /// What one cable contributes to the rows of a sample.
 struct CableRows {
     course: Course<f64>,
@@ -63,9 +70,7 @@ impl SampleRows {
 
 impl<'a> RowModel<'a> {
     pub(super) fn new(model: &'a Model, load: Load, parameters: &'a [Parameter]) -> Self {
-        let is_wrench = |p: &Parameter| p.kind == ParameterKind::Wrench;
-        let before = |cable: usize| parameters.iter().filter(|p| !is_wrench(p) && p.cable < cable).count();
-        Self { model, load, parameters, first: (0..=model.cable_count()).map(before).collect() }
+        Self { model, load, parameters, first: first_columns(model, parameters) }
     }
 
     fn cable(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3], recorded_tension: f64) -> CableRows {
