@@ -41,5 +41,6 @@ commands! {
     demo: Demo,
     identify: Identify,
     evaluate: Evaluate,
+    import: Import,
     schema: Schema,
 }

@@ -2,7 +2,7 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "select",
     "accuracy",
     "simulate",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 15] = [
     "place-pulleys",
     "identify",
     "evaluate",
+    "import",
     "schema",
 ];
 

@@ -3,8 +3,10 @@
 //! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
 
 mod toml_document;
+mod xml_document;
 
 pub use toml_document::{Step, TomlDocument};
+pub(crate) use xml_document::{Element, XmlDocument, numbers};
 
 use std::fmt;
 use std::ops::Range;

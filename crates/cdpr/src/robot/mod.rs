@@ -2,6 +2,7 @@
 
 pub mod builtin;
 mod cable_reading;
+pub mod caspr;
 mod checks;
 mod description;
 mod file;

@@ -1,0 +1,219 @@
+//! Robots of CASPR (the MATLAB simulator of D. Lau and others): a file of bodies and a file of cables, both XML.
+//!
+//! CASPR's models reach further than a [`Robot`]: chains of links, joints that are driven, cables over many points, springs.
+//! What changes the robot is refused with its place; what can be taken in part, or left out, is listed in
+//! [`Import::findings`] and in the notes of the robot, never dropped in silence.
+//!
+//! ```
+//! use cdpr::robot::caspr::{Files, Options, import};
+//! # let bodies = br#"<bodies_system><links><link_rigid num="1" name="Plate"><joint type="P_XY" q_initial="1 1"/><physical>
+//! #   <mass>2</mass><com_location>0 0 0</com_location><inertia ref="com"><Ixx>0</Ixx><Iyy>0</Iyy><Izz>0</Izz><Ixy>0</Ixy>
+//! #   <Ixz>0</Ixz><Iyz>0</Iyz></inertia></physical><parent><num>0</num><location>0 0 0</location></parent></link_rigid>
+//! #   </links></bodies_system>"#;
+//! # let cable = |name: &str, anchor: &str| format!("<cable_ideal name='{name}' attachment_reference='joint'>
+//! #   <properties><force_min>1</force_min><force_max>9</force_max></properties><attachments>
+//! #   <attachment><link>0</link><location>{anchor}</location></attachment>
+//! #   <attachment><link>1</link><location>0 0 0</location></attachment></attachments></cable_ideal>");
+//! # let cables = format!("<cables default_cable_set='a'><cable_set id='a'>{}{}</cable_set></cables>",
+//! #   cable("left", "0 2 0"), cable("right", "2 2 0"));
+//! # let cables = cables.as_bytes();
+//!
+//! let files = Files { bodies, bodies_name: "plate_bodies.xml", cables, cables_name: "plate_cables.xml" };
+//! let import = import(&files, &Options::default())?;
+//! assert_eq!((import.robot.name.as_str(), import.robot.cable_count()), ("plate", 2));
+//! # Ok::<(), cdpr::reading::ReadError>(())
+//! ```
+
+mod bodies;
+mod cables;
+mod joint;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use super::{Robot, Source};
+use crate::reading::{Element, ReadError, XmlDocument};
+
+/// CASPR's constant of gravity (m/s²), along −z of the world.
+const GRAVITY: f64 = 9.81;
+
+/// A model's two files, as bytes and as errors name them.
+#[derive(Clone, Copy, Debug)]
+pub struct Files<'a> {
+    /// Content of `…_bodies.xml`.
+    pub bodies: &'a [u8],
+    /// Its name.
+    pub bodies_name: &'a str,
+    /// Content of `…_cables.xml`.
+    pub cables: &'a [u8],
+    /// Its name.
+    pub cables_name: &'a str,
+}
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options<'a> {
+    /// Which of the cable sets; the file's default when left out.
+    pub cable_set: Option<&'a str>,
+    /// Name of the robot; made of the bodies file's name when left out.
+    pub name: Option<&'a str>,
+}
+
+/// A robot read from CASPR's files, and what of them it does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The robot.
+    pub robot: Robot,
+    /// Name of the link that became the platform.
+    pub link: String,
+    /// CASPR's name of its joint.
+    pub joint: String,
+    /// The cable set taken.
+    pub cable_set: String,
+    /// All cable sets of the file.
+    pub cable_sets: Vec<String>,
+    /// What the robot does not hold, in the order of the files.
+    pub findings: Vec<Finding>,
+}
+
+/// How much of an element the robot lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Loss {
+    /// The element acts on the platform in CASPR, and not in the robot.
+    LeftOut,
+    /// The element was taken, but without a property that acts.
+    Simplified,
+    /// Nothing that acts was lost.
+    Ignored,
+}
+
+/// An element that the robot does not hold, or not wholly.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// How much is lacking.
+    pub loss: Loss,
+    /// Name of the XML element.
+    pub element: String,
+    /// Its name in the model, where it has one.
+    pub name: Option<String>,
+    /// The file.
+    pub file: String,
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// What was not taken, and why.
+    pub why: String,
+}
+
+impl std::fmt::Display for Finding {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { element, file, line, why, .. } = self;
+        match &self.name {
+            Some(name) => write!(formatter, "{file}:{line}: <{element}> `{name}`: {why}"),
+            None => write!(formatter, "{file}:{line}: <{element}>: {why}"),
+        }
+    }
+}
+
+/// Reads a model into a robot.
+pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadError> {
+    let mut findings = Findings::default();
+    let bodies = XmlDocument::parse(files.bodies, files.bodies_name)?;
+    let body = bodies::read(&bodies.root("bodies_system")?, &mut findings)?;
+    let cables = XmlDocument::parse(files.cables, files.cables_name)?;
+    let root = cables.root("cables")?;
+    let set = cables::read(&root, options.cable_set, &body, &mut findings)?;
+    let joint = body.joint;
+    let gravity = Vector3::new(0.0, 0.0, -GRAVITY);
+    let robot = Robot {
+        name: options.name.map_or_else(|| plain_name(files.bodies_name), str::to_owned),
+        title: Some(body.link.clone()).filter(|link| !link.is_empty()),
+        motion_pattern: joint.pattern,
+        kind: None,
+        plane: joint.plane,
+        gravity: Some(joint.in_plane(&gravity)),
+        notes: notes(&joint, &set, &findings.0),
+        source: Some(Source {
+            file: Some(format!("{}, {}", file_part(files.bodies_name), file_part(files.cables_name))),
+            ..Source::default()
+        }),
+        platform: body.platform,
+        home: Some(body.home),
+        external_wrench: None,
+        travel: body.travel,
+        cables: set.cables,
+        reference_checks: Vec::new(),
+    };
+    Ok(Import {
+        robot: checked(&robot, &set.element)?,
+        link: body.link,
+        joint: joint.name.to_owned(),
+        cable_set: set.name,
+        cable_sets: set.all,
+        findings: findings.0,
+    })
+}
+
+/// The robot as its own file gives it back: what a robot file may not say is refused here too.
+fn checked(robot: &Robot, set: &Element<'_, '_>) -> Result<Robot, ReadError> {
+    Robot::from_toml(&robot.to_toml(), "robot").map_err(|error| {
+        let refused = set.error("caspr::not-a-robot", format!("this makes no robot: {}", error.message));
+        match error.help {
+            Some(help) => refused.with_help(help),
+            None => refused,
+        }
+    })
+}
+
+/// What a reader of the robot file should know about its origin.
+fn notes(joint: &joint::Joint, set: &cables::CableSet<'_, '_>, findings: &[Finding]) -> Vec<String> {
+    let mut notes = vec![format!("CASPR joint {}, cable set {} of [{}].", joint.name, set.name, set.all.join(", "))];
+    let acts = |finding: &&Finding| finding.loss != Loss::Ignored;
+    notes.extend(findings.iter().filter(acts).map(|finding| {
+        let name = finding.name.as_ref().map(|name| format!(" \"{name}\"")).unwrap_or_default();
+        format!("Import: {}{name}: {}.", finding.element, finding.why)
+    }));
+    notes
+}
+
+/// Findings as they are collected.
+#[derive(Debug, Default)]
+struct Findings(Vec<Finding>);
+
+impl Findings {
+    /// Notes what is lacking of an element.
+    fn add(&mut self, loss: Loss, element: &Element<'_, '_>, why: impl Into<String>) {
+        self.0.push(Finding {
+            loss,
+            element: element.name().to_owned(),
+            name: element.attribute("name").map(str::to_owned),
+            file: element.file_name().to_owned(),
+            line: element.line(),
+            why: why.into(),
+        });
+    }
+
+    /// Notes the elements inside that nobody knows.
+    fn add_unknown_inside(&mut self, element: &Element<'_, '_>, known: &[&str]) {
+        for inner in element.elements().filter(|inner| !known.contains(&inner.name())) {
+            self.add(Loss::Ignored, &inner, format!("unknown in <{}>", element.name()));
+        }
+    }
+}
+
+/// The last part of a path.
+fn file_part(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+/// `path/CoGiRo_bodies.xml` as the name `cogiro`.
+fn plain_name(path: &str) -> String {
+    let file = file_part(path);
+    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    let stem = stem.strip_suffix("_bodies").unwrap_or(stem).to_lowercase();
+    let words: Vec<&str> = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    if words.is_empty() { "imported".to_owned() } else { words.join("-") }
+}
