@@ -1,0 +1,115 @@
+//! Tension distribution at one pose, CableRobot Simulator (m = 8, n = 6): `cargo bench -p cdpr --bench tension`.
+//!
+//! `feasible` are random poses with loads that tensions drawn from within the limits balance, `infeasible` the same with
+//! tensions drawn from beyond them; every problem has another structure matrix. `path` are 256 poses along a line under one
+//! load: cold as if each were the first, warm from the limits that were active at the pose before.
+
+#[path = "../tests/distribution/mod.rs"]
+mod distribution;
+
+use std::hint::black_box;
+
+use cdpr::geometry::Pose;
+use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::{DVector, Vector3};
+use cdpr::robot::Robot;
+use cdpr::tension::quadratic::{Solver, Status, solve};
+use cdpr::tension::{Limits, closed_form};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion};
+use distribution::{Opinion, Problem};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const COUNT: usize = 256;
+
+/// The problem at this pose whose load these tensions, as parts of the limits' range, balance.
+fn problem(model: &Model, pose: &Pose, parts: &DVector<f64>) -> Problem {
+    let limits = Limits::uniform(model.cable_count(), 1000.0, 9000.0).expect("in order");
+    let matrix = model.structure_matrix(pose).expect("courses");
+    let wrench = -(&matrix * parts.map(|part| 1000.0 + 8000.0 * part));
+    Problem { matrix, wrench: wrench.as_slice().to_vec(), limits }
+}
+
+fn status(problem: &Problem) -> Status {
+    solve(&problem.matrix, &problem.wrench, &problem.limits, None).expect("fits").status
+}
+
+/// Random poses, with the parts of the range drawn from this interval, that end in this way.
+fn random_problems(model: &Model, parts: [f64; 2], wanted: Status) -> Vec<Problem> {
+    let mut rng = ChaCha8Rng::seed_from_u64(51);
+    let mut problems = Vec::new();
+    while problems.len() < COUNT {
+        let mut vector = |size: f64| Vector3::from_fn(|_, _| size * rng.random_range(-1.0..1.0));
+        let position = Vector3::new(0.0, 0.0, 1.6) + vector(1.5).component_mul(&Vector3::new(1.0, 1.0, 0.25));
+        let pose = Pose::from_xyz_angles(position, vector(0.15).into());
+        let candidate = problem(model, &pose, &DVector::from_fn(8, |_, _| rng.random_range(parts[0]..parts[1])));
+        if status(&candidate) == wanted {
+            problems.push(candidate);
+        }
+    }
+    problems
+}
+
+/// One load along a line through the workspace.
+fn path(model: &Model) -> Vec<Problem> {
+    let at = |step: usize| {
+        let part = step as f64 / COUNT as f64 - 0.5;
+        Pose::from_xyz_angles(Vector3::new(2.0 * part, -part, 1.6), [0.0, 0.0, 0.2 * part])
+    };
+    let parts = DVector::from_column_slice(&[0.75, 0.05, 0.55, 0.25, 0.65, 0.0, 0.55, 0.2]);
+    let wrench = problem(model, &at(COUNT / 2), &parts).wrench;
+    (0..COUNT).map(|step| Problem { wrench: wrench.clone(), ..problem(model, &at(step), &parts) }).collect()
+}
+
+/// Time per problem of a solver that keeps its memory.
+fn bench_reused(group: &mut BenchmarkGroup<WallTime>, name: &str, problems: &[Problem], cold: bool) {
+    let mut solver = Solver::new(8, 6);
+    let mut problems = problems.iter().cycle();
+    group.bench_function(name, |bencher| {
+        bencher.iter(|| {
+            let problem = problems.next().expect("has no end");
+            if cold {
+                solver.forget();
+            }
+            solver.solve(black_box(&problem.matrix), &problem.wrench, &problem.limits, None).map(|found| found.status)
+        });
+    });
+}
+
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    let robot = Robot::builtin("cablerobot-simulator-helicopter").expect("built in");
+    let model = Model::new(robot, Composition::STANDARD).expect("a model");
+    let feasible = random_problems(&model, [0.0, 1.0], Status::Feasible);
+    let infeasible = random_problems(&model, [-0.5, 1.5], Status::Infeasible);
+    let path = path(&model);
+    assert!(path.iter().all(|problem| status(problem) == Status::Feasible));
+    let mut group = criterion.benchmark_group("tension distribution 8 × 6");
+    bench_reused(&mut group, "feasible", &feasible, true);
+    bench_reused(&mut group, "infeasible", &infeasible, true);
+    bench_reused(&mut group, "path, cold", &path, true);
+    bench_reused(&mut group, "path, warm", &path, false);
+    let mut problems = feasible.iter().cycle();
+    group.bench_function("feasible, one call", |bencher| {
+        bencher.iter(|| {
+            let Problem { matrix, wrench, limits } = problems.next().expect("has no end");
+            solve(black_box(matrix), wrench, limits, None).map(|found| found.status)
+        });
+    });
+    group.bench_function("feasible, closed form", |bencher| {
+        bencher.iter(|| {
+            let Problem { matrix, wrench, limits } = problems.next().expect("has no end");
+            closed_form::solve(black_box(matrix), wrench, limits)
+        });
+    });
+    group.sample_size(20);
+    for (name, problems) in [("feasible, clarabel", &feasible), ("infeasible, clarabel", &infeasible)] {
+        let mut programmes = problems.iter().map(Problem::conic).collect::<Vec<_>>().into_iter().cycle();
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| matches!(programmes.next().expect("has no end").solve(), Opinion::Optimum(_)));
+        });
+    }
+    group.finish();
+    criterion.final_summary();
+}
