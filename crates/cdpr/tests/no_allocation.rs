@@ -12,6 +12,8 @@ use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
+use cdpr::tension::Limits;
+use cdpr::tension::quadratic::{self, Status};
 
 struct Counting;
 
@@ -76,6 +78,34 @@ fn a_reused_elastostatic_solver_allocates_nothing() {
         }
     };
     assert_eq!(allocations(work), 0);
+}
+
+/// Feasible or not, cold or warm, and with a reference of its own.
+#[test]
+fn a_reused_quadratic_programme_allocates_nothing() {
+    let (model, samples) = dense::problem();
+    let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    let matrices: Vec<_> = samples.poses.iter().map(|pose| model.structure_matrix(pose).unwrap()).collect();
+    let mut solver = quadratic::Solver::new(8, 6);
+    let mut found = [0, 0];
+    let work = || {
+        for (case, matrix) in matrices.iter().enumerate() {
+            for weight in [5e3, 4e4] {
+                let wrench = [0.0, 0.0, -weight, 0.0, 100.0 * case as f64, 0.0];
+                let reference = (case % 2 == 0).then_some([2000.0; 8]);
+                let reference = reference.as_ref().map(|reference| reference.as_slice());
+                match solver.solve(matrix, &wrench, &limits, reference).unwrap().status {
+                    Status::Feasible => found[0] += 1,
+                    _ => found[1] += 1,
+                }
+            }
+            if case % 3 == 0 {
+                solver.forget();
+            }
+        }
+    };
+    assert_eq!(allocations(work), 0);
+    assert!(found[0] > 20 && found[1] > 20, "{found:?}");
 }
 
 /// The result is memory, but its amount depends neither on the steps taken nor on the number of samples.

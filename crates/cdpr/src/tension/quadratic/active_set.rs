@@ -5,7 +5,8 @@
 //! limit added, no set comes twice, and the last point is the optimum. Where a limit can neither be met nor exchanged
 //! against an active one, the multipliers prove that no tensions keep these limits.
 
-use super::block::{Block, LANES, add_scaled, dot, fill, rotate};
+use super::block::{Block, add_scaled, dot, fill, rotate};
+use crate::scalar::LANES;
 use crate::tension::Limits;
 
 /// A limit: the least tension (`sign` 1) or the largest (`sign` −1) of a cable.
@@ -211,10 +212,11 @@ impl ActiveSet {
         let (mut worst, mut found) = (tolerance, None);
         let limits = self.minimum.as_flattened().iter().zip(self.maximum.as_flattened());
         for (cable, (&f, (&least, &largest))) in self.point.as_flattened().iter().zip(limits).enumerate() {
-            let missed = (least - f).max(f - largest);
+            let (below, above) = (least - f, f - largest);
+            let missed = if below > above { below } else { above };
             if missed > worst {
                 worst = missed;
-                found = Some(Bound { cable, sign: if least > f { 1.0 } else { -1.0 } });
+                found = Some(Bound { cable, sign: if below > above { 1.0 } else { -1.0 } });
             }
         }
         found
@@ -304,8 +306,8 @@ impl ActiveSet {
     fn insert(&mut self, bound: Bound, multiplier: f64) {
         let (q, m, blocks) = (self.active.len(), self.cable_count, self.blocks);
         for j in (q + 1..self.dimension).rev() {
-            let length = self.row[j - 1].hypot(self.row[j]);
-            if self.row[j] != 0.0 {
+            let length = length_of(self.row[j - 1], self.row[j]);
+            if self.row[j] != 0.0 && length > 0.0 {
                 let turn = [self.row[j - 1] / length, self.row[j] / length];
                 let (first, second) = self.basis.split_at_mut(j * blocks);
                 rotate(&mut first[(j - 1) * blocks..], &mut second[..blocks], turn);
@@ -326,7 +328,7 @@ impl ActiveSet {
         self.triangle.copy_within((index + 1) * m..(q + 1) * m, index * m);
         for j in index..q {
             let [above, below] = [self.triangle[j * m + j], self.triangle[j * m + j + 1]];
-            let length = above.hypot(below);
+            let length = length_of(above, below);
             let [cos, sin] = [above / length, below / length];
             for column in j..q {
                 let [above, below] = [self.triangle[column * m + j], self.triangle[column * m + j + 1]];
@@ -337,4 +339,9 @@ impl ActiveSet {
             rotate(&mut first[j * blocks..], &mut second[..blocks], [cos, sin]);
         }
     }
+}
+
+/// √(a² + b²) of entries of orthonormal columns: nothing can overflow, and what underflows is zero.
+fn length_of(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
 }

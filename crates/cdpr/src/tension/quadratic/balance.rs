@@ -2,17 +2,19 @@
 
 use nalgebra::DMatrix;
 
-use super::block::{Block, LANES, add_scaled, dot};
+use super::block::{Block, add_scaled, dot};
+use super::fixed;
+use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::InputError;
 
 /// Below this length (rows have length 1) what a row adds to the rows before it is rounding: the rank is lost.
-const LOST: f64 = 1e-12;
+pub(super) const LOST: f64 = 1e-12;
 
 /// Above this length the rank is certain without looking for the best order of the rows.
-const CERTAIN: f64 = 1e-5;
+pub(super) const CERTAIN: f64 = 1e-5;
 
 /// Loads above this, in newtons, cannot be calculated with.
-const LARGEST: f64 = 1e100;
+pub(super) const LARGEST: f64 = 1e100;
 
 /// A rest of the load below this part of load and tensions is rounding, where rows depend on each other.
 const INCONSISTENT: f64 = 1e-9;
@@ -68,8 +70,60 @@ impl Balance {
         self.rank
     }
 
+    /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the shortest tensions that balance what
+    /// they can of the load. `Some` where that is not all of it.
+    pub(super) fn solve(
+        &mut self,
+        structure_matrix: &DMatrix<f64>,
+        wrench: &[f64],
+        solutions: &mut [Block],
+    ) -> Result<Option<Unreachable>, InputError> {
+        if self.solve_fixed(structure_matrix, wrench, solutions) {
+            return Ok(None);
+        }
+        self.factorise(structure_matrix)?;
+        let unreachable = self.balance(wrench)?;
+        self.write_solutions(solutions);
+        Ok(unreachable)
+    }
+
+    /// The usual sizes in registers; false where that is not possible.
+    fn solve_fixed(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], solutions: &mut [Block]) -> bool {
+        if self.blocks != 1 || self.dof > self.cable_count {
+            return false;
+        }
+        let done = match self.dof {
+            2 => dispatch_narrow(self.fixed::<2>(structure_matrix, wrench, solutions)),
+            3 => dispatch_narrow(self.fixed::<3>(structure_matrix, wrench, solutions)),
+            6 => dispatch_narrow(self.fixed::<6>(structure_matrix, wrench, solutions)),
+            _ => false,
+        };
+        if done {
+            self.rank = self.dof;
+            self.order.iter_mut().enumerate().for_each(|(place, row)| *row = place);
+        }
+        done
+    }
+
+    fn fixed<'a, const N: usize>(
+        &'a mut self,
+        structure_matrix: &'a DMatrix<f64>,
+        wrench: &'a [f64],
+        solutions: &'a mut [Block],
+    ) -> fixed::Solutions<'a, N> {
+        fixed::Solutions {
+            structure_matrix: structure_matrix.as_slice(),
+            wrench,
+            row_scales: &mut self.row_scales,
+            factors: &mut self.factors,
+            reflectors: &mut self.columns,
+            triangle: &mut self.triangle,
+            solutions,
+        }
+    }
+
     /// Factors of this matrix; the order of rows is only looked for where the rank is in doubt.
-    pub(super) fn factorise(&mut self, structure_matrix: &DMatrix<f64>) -> Result<(), InputError> {
+    fn factorise(&mut self, structure_matrix: &DMatrix<f64>) -> Result<(), InputError> {
         self.load(structure_matrix)?;
         if !self.reflect(false) {
             self.load(structure_matrix)?;
@@ -156,7 +210,7 @@ impl Balance {
     }
 
     /// Solves Rᵀ y = −w for the rows that have rank; `Some` when another row contradicts them.
-    pub(super) fn balance(&mut self, wrench: &[f64]) -> Result<Option<Unreachable>, InputError> {
+    fn balance(&mut self, wrench: &[f64]) -> Result<Option<Unreachable>, InputError> {
         let (dof, rank) = (self.dof, self.rank);
         let mut worst: Option<Unreachable> = None;
         let (mut size, mut sum) = (0.0_f64, 0.0);
@@ -184,7 +238,7 @@ impl Balance {
     }
 
     /// Writes H (m − rank columns) and after it the shortest tensions p = Q y that balance the load.
-    pub(super) fn write_solutions(&self, columns: &mut [Block]) {
+    fn write_solutions(&self, columns: &mut [Block]) {
         let (blocks, rank) = (self.blocks, self.rank);
         let dimension = self.cable_count - rank;
         let columns = &mut columns[..(dimension + 1) * blocks];

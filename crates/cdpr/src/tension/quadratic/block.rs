@@ -1,10 +1,35 @@
 //! Vectors over cables in blocks of eight, filled up with zeros, so that the compiler puts them into vector registers.
 
+use crate::scalar::LANES;
+
 /// Eight numbers that are computed together.
 pub(super) type Block = [f64; LANES];
 
-/// Cables per block.
-pub(super) const LANES: usize = 8;
+/// Ones where block k keeps its entries: from lane k on.
+pub(super) const KEEP: [Block; LANES + 1] = {
+    let mut rows = [[0.0; LANES]; LANES + 1];
+    let mut k = 0;
+    while k < LANES {
+        let mut lane = k;
+        while lane < LANES {
+            rows[k][lane] = 1.0;
+            lane += 1;
+        }
+        k += 1;
+    }
+    rows
+};
+
+/// Unit vectors.
+pub(super) const UNIT: [Block; LANES] = {
+    let mut rows = [[0.0; LANES]; LANES];
+    let mut k = 0;
+    while k < LANES {
+        rows[k][k] = 1.0;
+        k += 1;
+    }
+    rows
+};
 
 pub(super) fn dot(a: &[Block], b: &[Block]) -> f64 {
     let mut sum = [0.0; LANES];

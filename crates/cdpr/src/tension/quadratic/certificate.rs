@@ -40,28 +40,47 @@ impl Certificate {
         }
     }
 
-    /// Computes everything else from the direction.
-    pub(super) fn complete(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) {
-        let dof = self.direction.len();
-        let mut size = 0.0_f64;
-        for (weight, column) in self.weights.iter_mut().zip(structure_matrix.as_slice().chunks_exact(dof)) {
-            let terms = self.direction.iter().zip(column).map(|(y, entry)| y * entry);
-            let (sum, largest) = terms.fold((0.0, 0.0_f64), |(sum, most), term| (sum + term, most.max(term.abs())));
-            *weight = sum;
-            size = size.max(largest);
+    /// Computes everything else from the direction. Whether any cable acts in it is asked only where rank may be lost.
+    pub(super) fn complete(&mut self, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits, has_full_rank: bool) {
+        match self.direction.len() {
+            2 => self.weigh::<2>(matrix.as_slice()),
+            3 => self.weigh::<3>(matrix.as_slice()),
+            6 => self.weigh::<6>(matrix.as_slice()),
+            dof => matrix.as_slice().chunks_exact(dof).zip(&mut self.weights).for_each(|(column, weight)| {
+                *weight = self.direction.iter().zip(column).map(|(y, entry)| y * entry).sum();
+            }),
         }
-        let largest = self.weights.iter().fold(0.0_f64, |most, weight| most.max(weight.abs()));
-        self.is_unresisted = largest <= ROUNDING * size;
-        let amount = |most: f64, y: &f64| most.max(y.abs());
-        let factor = if self.is_unresisted { self.direction.iter().fold(0.0, amount) } else { largest };
-        self.direction.iter_mut().for_each(|y| *y /= factor);
-        self.weights.iter_mut().for_each(|weight| *weight /= factor);
+        let largest = largest_amount(&self.weights);
+        self.is_unresisted = !has_full_rank && largest <= ROUNDING * self.largest_term(matrix);
+        let factor = 1.0 / if self.is_unresisted { largest_amount(&self.direction) } else { largest };
+        self.direction.iter_mut().for_each(|y| *y *= factor);
         self.required = self.direction.iter().zip(wrench).map(|(y, w)| -y * w).sum();
         self.reachable = 0.0;
-        for (cable, (weight, best)) in self.weights.iter().zip(&mut self.best).enumerate() {
-            *best = if *weight > 0.0 { limits.maximum()[cable] } else { limits.minimum()[cable] };
-            self.reachable += weight * *best;
+        let ends = limits.minimum().iter().zip(limits.maximum());
+        for ((weight, best), (least, largest)) in self.weights.iter_mut().zip(&mut self.best).zip(ends) {
+            *weight *= factor;
+            *best = if *weight > 0.0 { *largest } else { *least };
+            self.reachable += *weight * *best;
         }
+    }
+
+    /// c = A y, for a number of rows that the compiler knows.
+    fn weigh<const N: usize>(&mut self, structure_matrix: &[f64]) {
+        let mut y = [0.0; N];
+        y.copy_from_slice(&self.direction);
+        for (column, weight) in structure_matrix.chunks_exact(N).zip(&mut self.weights) {
+            let mut sum = 0.0;
+            for row in 0..N {
+                sum += y[row] * column[row];
+            }
+            *weight = sum;
+        }
+    }
+
+    /// The largest term of the sums in c = A y: what their rounding is measured against.
+    fn largest_term(&self, structure_matrix: &DMatrix<f64>) -> f64 {
+        let rows = structure_matrix.row_iter().zip(&self.direction);
+        rows.map(|(row, y)| row.amax() * y.abs()).fold(0.0, f64::max)
     }
 
     /// Checks the proof from scratch: true when it shows that the load cannot be balanced within the limits.
@@ -78,4 +97,8 @@ impl Certificate {
         }
         reachable < required
     }
+}
+
+fn largest_amount(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |most, number| if number.abs() > most { number.abs() } else { most })
 }

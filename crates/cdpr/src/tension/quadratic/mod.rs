@@ -10,6 +10,7 @@ mod active_set;
 mod balance;
 mod block;
 mod certificate;
+mod fixed;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -126,9 +127,7 @@ impl Solver {
         reference: Option<&[f64]>,
     ) -> Result<&Distribution, InputError> {
         self.check(structure_matrix, wrench, limits, reference)?;
-        self.balance.factorise(structure_matrix)?;
-        let unreachable = self.balance.balance(wrench)?;
-        self.balance.write_solutions(&mut self.search.basis);
+        let unreachable = self.balance.solve(structure_matrix, wrench, &mut self.search.basis)?;
         let dimension = self.distribution.tensions.len() - self.balance.rank();
         let certificate = &mut self.distribution.certificate;
         self.distribution.status = match unreachable {
@@ -180,14 +179,32 @@ impl Solver {
                 *tension = tension.clamp(limits.minimum()[cable], limits.maximum()[cable]);
             }
         }
-        wrench_residual.copy_from_slice(wrench);
-        for (column, tension) in structure_matrix.as_slice().chunks_exact(self.dof).zip(tensions.iter()) {
-            for (rest, entry) in wrench_residual.iter_mut().zip(column) {
-                *rest += entry * tension;
+        match self.dof {
+            2 => write_residual::<2>(structure_matrix.as_slice(), wrench, tensions, wrench_residual),
+            3 => write_residual::<3>(structure_matrix.as_slice(), wrench, tensions, wrench_residual),
+            6 => write_residual::<6>(structure_matrix.as_slice(), wrench, tensions, wrench_residual),
+            dof => {
+                wrench_residual.copy_from_slice(wrench);
+                for (column, tension) in structure_matrix.as_slice().chunks_exact(dof).zip(tensions.iter()) {
+                    wrench_residual.iter_mut().zip(column).for_each(|(rest, entry)| *rest += entry * tension);
+                }
             }
         }
         if *status == Status::Infeasible {
-            certificate.complete(structure_matrix, wrench, limits);
+            let has_full_rank = self.balance.rank() == self.dof;
+            certificate.complete(structure_matrix, wrench, limits, has_full_rank);
         }
     }
+}
+
+/// Aᵀ f + w, for a number of rows that the compiler knows.
+fn write_residual<const N: usize>(structure_matrix: &[f64], wrench: &[f64], tensions: &[f64], residual: &mut [f64]) {
+    let mut rest = [0.0; N];
+    rest.copy_from_slice(wrench);
+    for (column, tension) in structure_matrix.chunks_exact(N).zip(tensions) {
+        for row in 0..N {
+            rest[row] += column[row] * tension;
+        }
+    }
+    residual.copy_from_slice(&rest);
 }

@@ -5,6 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::scalar::{LANES, Unit, dispatch_on};
 use crate::tension::LimitsError;
 
 /// A point on a vertical line between two cables: f₁ − f₂ = w.
@@ -195,4 +196,33 @@ fn what_cannot_be_calculated_with_is_refused() {
     assert!(matches!(Limits::uniform(2, 2.0, 1.0), Err(LimitsError::EmptyRange { cable: 1, .. })));
     assert!(matches!(Limits::uniform(2, f64::NAN, 1.0), Err(LimitsError::NotFinite { cable: 1, .. })));
     assert!(matches!(Limits::new(vec![0.0], vec![1.0, 2.0]), Err(LimitsError::Count { .. })));
+}
+
+/// The vector unit depends on the machine; results may not.
+#[test]
+fn the_fixed_size_balance_gives_the_same_bits_on_every_unit() {
+    let mut rng = ChaCha8Rng::seed_from_u64(34);
+    for cables in 6..=8 {
+        let matrix = DMatrix::from_fn(6, cables, |_, _| rng.random_range(-1.0..1.0));
+        let wrench: Vec<f64> = (0..6).map(|_| rng.random_range(-1000.0..1000.0)).collect();
+        let on = |unit| {
+            let [mut scales, mut factors, mut triangle] = [vec![0.0; 6], vec![0.0; 6], vec![0.0; 36]];
+            let (mut reflectors, mut solutions) = (vec![[0.0; LANES]; 6], vec![[0.0; LANES]; cables - 5]);
+            let problem = fixed::Solutions::<6> {
+                structure_matrix: matrix.as_slice(),
+                wrench: &wrench,
+                row_scales: &mut scales,
+                factors: &mut factors,
+                reflectors: &mut reflectors,
+                triangle: &mut triangle,
+                solutions: &mut solutions,
+            };
+            assert_eq!(dispatch_on(unit, problem), Some(true));
+            let numbers = [scales, factors, triangle, reflectors.concat(), solutions.concat()].concat();
+            numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>()
+        };
+        for unit in Unit::available() {
+            assert_eq!(on(unit), on(Unit::Portable), "{unit:?}, {cables} cables");
+        }
+    }
 }
