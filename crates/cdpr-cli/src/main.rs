@@ -5,6 +5,7 @@ mod commands;
 mod diagnostics;
 mod error_table;
 mod failure;
+mod figures;
 mod files;
 mod inputs;
 mod laboratory;

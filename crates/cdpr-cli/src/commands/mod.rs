@@ -42,5 +42,6 @@ commands! {
     identify: Identify,
     evaluate: Evaluate,
     import: Import,
+    export: Export,
     schema: Schema,
 }

@@ -9,7 +9,7 @@ use cdpr::identification::selection::{Judged, Judgement};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::{Compared, Selected};
+use super::{Compared, Selected, figure_tables};
 use crate::failure::Failure;
 use crate::files;
 use crate::report::{Purpose, Report, render};
@@ -65,6 +65,9 @@ pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFi
     all.push(NamedFile::new("candidates.csv", candidates_table(compared)));
     all.push(NamedFile::new("parameters.csv", parameters_table(compared)));
     all.push(NamedFile::new("validation-errors.csv", errors_table(compared)));
+    all.push(NamedFile::new("singular-values.csv", figure_tables::singular_values(compared)));
+    all.push(NamedFile::new("convergence.csv", figure_tables::convergence(compared)));
+    all.push(NamedFile::new("correlations.csv", figure_tables::correlations(compared)));
     all.extend(calibrated_robots(compared));
     all.push(NamedFile::new("report.html", report(compared)?));
     all.push(NamedFile::new("result.json", result(compared)?));
@@ -146,7 +149,7 @@ fn report(compared: &Compared) -> Result<String, Failure> {
 }
 
 /// Judged candidates with their names.
-fn judged(compared: &Compared) -> impl Iterator<Item = (&Judged, &Judgement)> {
+pub(super) fn judged(compared: &Compared) -> impl Iterator<Item = (&Judged, &Judgement)> {
     compared.selection.candidates.iter().filter_map(|candidate| Some((candidate, candidate.outcome.as_ref().ok()?)))
 }
 
@@ -202,16 +205,22 @@ fn parameters_table(compared: &Compared) -> String {
 fn errors_table(compared: &Compared) -> String {
     let count = compared.comparison.robot.cable_count();
     let lengths: Vec<String> = (1..=count).map(|cable| format!("length_error_m_{cable}")).collect();
-    let mut text = format!("sample,position_error_m,dx_m,dy_m,dz_m,rotation_error_rad,{}\n", lengths.join(","));
-    let shown = compared.selection.recommended.or(compared.selection.best);
-    let judgement = shown.and_then(|index| compared.selection.candidates[index].outcome.as_ref().ok());
-    let Some(judgement) = judgement else { return text };
+    let mut text =
+        format!("sample,x_m,y_m,z_m,position_error_m,dx_m,dy_m,dz_m,rotation_error_rad,{}\n", lengths.join(","));
+    let Some(judgement) = shown(compared) else { return text };
     let errors = &judgement.validation_errors;
     for (row, sample) in judgement.validation_samples.iter().enumerate() {
         let [dx, dy, dz] = errors.position_vector[row];
         let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(f64::to_string).collect();
         let (position, rotation) = (errors.position[row], errors.rotation[row]);
-        let _ = writeln!(text, "{},{position},{dx},{dy},{dz},{rotation},{}", sample + 1, lengths.join(","));
+        let [x, y, z]: [f64; 3] = compared.comparison.samples.poses[*sample].position.into();
+        let _ = writeln!(text, "{},{x},{y},{z},{position},{dx},{dy},{dz},{rotation},{}", sample + 1, lengths.join(","));
     }
     text
+}
+
+/// The candidate that tables by sample and by pairs of parameters are about: the recommended, else the best one.
+pub(super) fn shown(compared: &Compared) -> Option<&Judgement> {
+    let index = compared.selection.recommended.or(compared.selection.best)?;
+    compared.selection.candidates[index].outcome.as_ref().ok()
 }

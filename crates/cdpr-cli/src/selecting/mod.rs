@@ -1,6 +1,7 @@
 //! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
 
 mod answer;
+mod figure_tables;
 mod folder;
 
 use std::time::Instant;

@@ -2,7 +2,7 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "select",
     "accuracy",
     "simulate",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 16] = [
     "identify",
     "evaluate",
     "import",
+    "export",
     "schema",
 ];
 

@@ -39,6 +39,10 @@ pub struct Analysis {
     pub weak_directions: Vec<String>,
     /// Pairs of parameters with a correlation above 0.95.
     pub correlations: Vec<Correlation>,
+    /// Correlation coefficients of all pairs: row i holds those of parameter i with the parameters 0 to i. NaN where one of the
+    /// two is not determined, 0 between cables that are identified apart.
+    #[serde(skip)]
+    pub correlation_rows: Vec<Vec<f64>>,
     /// Directions that neither data nor priors determine.
     #[serde(skip)]
     pub(super) undetermined: usize,
@@ -92,6 +96,7 @@ pub(super) fn analyse(
         let uncertainty = Uncertainty::new(&posterior, factor);
         analysis.undetermined += uncertainty.undetermined;
         analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
+        analysis.correlation_rows.extend(uncertainty.correlation_rows(analysis.correlation_rows.len()));
         let rotation = mean_rotation(samples);
         let length = block.mean_length();
         let worth = |p: &Parameter| if p.kind == ParameterKind::LengthScale { length } else { 1.0 };
@@ -214,6 +219,16 @@ impl Uncertainty {
             }
         }
         found
+    }
+
+    /// The lower triangle of correlation coefficients, after so many parameters that these have nothing to do with.
+    pub(super) fn correlation_rows(&self, before: usize) -> Vec<Vec<f64>> {
+        let coefficient = |i: usize, j: usize| match (self.sigmas[i], self.sigmas[j]) {
+            (Some(first), Some(second)) => self.covariance[(i, j)] / (first * second),
+            _ => f64::NAN,
+        };
+        let row = |i: usize| (0..before).map(|_| 0.0).chain((0..=i).map(|j| coefficient(i, j))).collect();
+        (0..self.sigmas.len()).map(row).collect()
     }
 
     /// Directions whose standard deviation exceeds the limit (m, by what the parameters are worth): first the translations

@@ -84,6 +84,7 @@ fn analyse(
     let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt());
     analysis.undetermined = uncertainty.undetermined;
     analysis.correlations = uncertainty.correlations(&optimum.start_model, parameters);
+    analysis.correlation_rows = uncertainty.correlation_rows(0);
     let model = &optimum.calibrated;
     let problem = Problem::new(&optimum.start_model, samples, &optimum.tensions, parameters, settings);
     let named = Named {

@@ -1,0 +1,121 @@
+//! `cdpr export`: the figures of a result, as drawings or as the numbers behind them.
+
+mod csv_table;
+mod drawings;
+mod result_data;
+mod tables;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::files;
+use result_data::ResultData;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr export svg cdpr-demo
+  cdpr export csv cdpr-demo --out tables
+  cdpr identify robot.toml samples.csv --free length-offset --format json > fit.json
+  cdpr export svg fit.json";
+
+/// Write the figures of a result as SVG drawings, or the numbers behind them as CSV tables.
+///
+/// Figures: model-ladder, residuals, pose errors (error-map), parameters (CSV only), correlations, singular-values,
+/// convergence. They are about the recommended candidate, else the best one.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// What to write.
+    #[arg(value_enum, value_name = "svg|csv", hide_possible_values = true)]
+    kind: Kind,
+
+    /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`.
+    #[arg(value_name = "RESULT")]
+    result: PathBuf,
+
+    /// Folder to write to; `figures` beside `result.json` when left out.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Kind {
+    Svg,
+    Csv,
+}
+
+/// A file to write, or why there is none.
+struct Figure {
+    name: &'static str,
+    content: Option<String>,
+    why_not: &'static str,
+}
+
+#[derive(Serialize)]
+struct Exported {
+    result: String,
+    candidate: Option<String>,
+    out: String,
+    files: Vec<String>,
+    skipped: Vec<Skipped>,
+}
+
+#[derive(Serialize)]
+struct Skipped {
+    figure: &'static str,
+    reason: &'static str,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let data = ResultData::read(&arguments.result)?;
+    let figures = match arguments.kind {
+        Kind::Svg => drawings::all(&data),
+        Kind::Csv => tables::all(&data),
+    };
+    let folder = arguments.out.unwrap_or_else(|| data.folder.join("figures"));
+    fs::create_dir_all(&folder)
+        .map_err(|error| Failure::io("make the folder", &folder.display().to_string(), &error))?;
+    let (mut written, mut skipped) = (Vec::new(), Vec::new());
+    for Figure { name, content, why_not } in figures {
+        match content {
+            Some(content) => {
+                files::write(&folder.join(name), content.as_bytes())?;
+                written.push(name.to_owned());
+            }
+            None => {
+                output.remark(&format!("{name} is not written: {why_not}"));
+                skipped.push(Skipped { figure: name, reason: why_not });
+            }
+        }
+    }
+    output.answer(&Exported {
+        result: arguments.result.display().to_string(),
+        candidate: data.shown,
+        out: shown_path(&folder),
+        files: written,
+        skipped,
+    })
+}
+
+fn shown_path(path: &Path) -> String {
+    path.display().to_string()
+}
+
+impl Answer for Exported {
+    fn words(&self) -> String {
+        let about = self.candidate.as_ref().map(|name| format!(", candidate {name}")).unwrap_or_default();
+        let files: String = self.files.iter().map(|name| format!("  {name}\n")).collect();
+        format!("figures of {}{about}\n\n{files}\nwritten to {}\n", self.result, self.out)
+    }
+
+    /// A result of which nothing can be shown.
+    fn is_negative(&self) -> bool {
+        self.files.is_empty()
+    }
+}

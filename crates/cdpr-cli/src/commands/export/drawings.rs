@@ -1,0 +1,86 @@
+//! The figures as drawings.
+
+use super::Figure;
+use super::result_data::{CandidateData, ResultData};
+use crate::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
+
+/// A part of the largest extent below which positions lie in a plane.
+const FLATNESS: f64 = 1e-6;
+
+/// Every drawing.
+pub(super) fn all(data: &ResultData) -> Vec<Figure> {
+    let in_folder = "the result has no such numbers; a folder that this version's `select` or `demo` wrote has them";
+    let figure = |name, content, why_not| Figure { name, content, why_not };
+    let matrix = data.correlations.as_ref();
+    let mut all = vec![
+        figure("model-ladder.svg", ladder(data), "no candidates were compared"),
+        figure("residuals.svg", residuals(&by_cable(data)), in_folder),
+        figure("correlations.svg", matrix.and_then(|(names, rows)| correlations(names, rows)), in_folder),
+        figure("singular-values.svg", spectrum(&data.singular_values, data.rank), "nothing was free"),
+        figure("convergence.svg", convergence(&data.convergence), "the fit made no step"),
+    ];
+    all.extend(maps(data, in_folder));
+    all
+}
+
+fn ladder(data: &ResultData) -> Option<String> {
+    let shown = |value: Option<f64>| data.criterion.in_unit(value.unwrap_or(f64::NAN));
+    let rung = |candidate: &CandidateData| Rung {
+        name: candidate.name.clone(),
+        value: shown(candidate.criterion),
+        standard_error: shown(candidate.standard_error),
+        words: candidate.criterion.map(|value| data.criterion.format(value)).unwrap_or_default(),
+        recommended: data.recommended.as_ref() == Some(&candidate.name),
+    };
+    let best = data.candidates.iter().find(|candidate| data.best.as_ref() == Some(&candidate.name));
+    let limit = best.and_then(|best| Some(best.criterion? + best.standard_error.unwrap_or(0.0)));
+    let axis_label = format!("{} on validation data in {}", data.criterion.words(), data.criterion.unit());
+    Ladder { rungs: data.candidates.iter().map(rung).collect(), limit: shown(limit), axis_label }.svg()
+}
+
+/// Residuals (mm) of every cable by sample.
+fn by_cable(data: &ResultData) -> Vec<(String, Vec<(usize, f64)>)> {
+    let series = |cable: usize| {
+        let at = |sample: &super::result_data::SampleData| Some((sample.sample, 1e3 * sample.lengths.get(cable)?));
+        data.samples.iter().filter_map(at).collect()
+    };
+    data.cables.iter().enumerate().map(|(cable, name)| (name.clone(), series(cable))).collect()
+}
+
+/// Position errors seen from above and from the side; of a planar robot in its plane.
+fn maps(data: &ResultData, in_folder: &'static str) -> Vec<Figure> {
+    const VIEWS: [(&str, [usize; 2]); 3] =
+        [("error-map-xy.svg", [0, 1]), ("error-map-xz.svg", [0, 2]), ("error-map-yz.svg", [1, 2])];
+    let extent = |axis: usize| {
+        let values = || data.samples.iter().map(|sample| sample.position[axis]).filter(|value| value.is_finite());
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    let extents = [0, 1, 2].map(extent);
+    let largest = extents.into_iter().fold(0.0, f64::max);
+    let flat = |axis: usize| !(extents[axis] > FLATNESS * largest);
+    let chosen: Vec<_> = match [0, 1, 2].into_iter().find(|&axis| flat(axis)) {
+        Some(normal) => VIEWS.into_iter().filter(|(_, axes)| !axes.contains(&normal)).collect(),
+        None => VIEWS[..2].to_vec(),
+    };
+    let top = colour_top(&data.samples.iter().map(|sample| 1e3 * sample.position_error).collect::<Vec<_>>());
+    let map = |axes: [usize; 2]| {
+        let point = |sample: &super::result_data::SampleData| MapPoint {
+            at: axes.map(|axis| sample.position[axis]),
+            error: 1e3 * sample.position_error,
+        };
+        let axes = axes.map(|axis| ["x", "y", "z"][axis].to_owned());
+        let points = data.samples.iter().map(point).collect();
+        Map { points, axes, top, colour_label: "position error in mm".to_owned() }.svg()
+    };
+    chosen.into_iter().map(|(name, axes)| Figure { name, content: map(axes), why_not: in_folder }).collect()
+}
+
+/// The largest error, unless few outliers would leave one colour to all others: then three times the 95 % quantile.
+fn colour_top(errors: &[f64]) -> f64 {
+    let mut sorted: Vec<f64> = errors.iter().copied().filter(|error| error.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let Some(&largest) = sorted.last() else { return 1.0 };
+    let p95 = sorted[(sorted.len() - 1) * 95 / 100];
+    let top = if largest > 3.0 * p95 && p95 > 0.0 { 3.0 * p95 } else { largest };
+    if top > 0.0 { top } else { 1.0 }
+}

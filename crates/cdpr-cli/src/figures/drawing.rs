@@ -1,0 +1,169 @@
+//! An SVG file, element by element: stands alone, black on white, sized for a page of A4.
+
+use std::fmt::Write;
+
+/// Width of the text of a page of A4 (mm).
+const PAGE_WIDTH: f64 = 180.0;
+
+/// A pixel on paper: letters of 12 pixels are 7 points high.
+const MILLIMETRES_PER_PIXEL: f64 = 0.21;
+
+/// Colours that stay apart in grey and for the colour-blind.
+const STYLE: &str = include_str!("figures.css");
+
+/// Where a text stands relative to its point.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    /// Begins there.
+    Start,
+    /// Is centred there.
+    Middle,
+    /// Ends there.
+    End,
+}
+
+impl Anchor {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Middle => "middle",
+            Self::End => "end",
+        }
+    }
+}
+
+/// A picture under construction; coordinates in pixels from the upper left corner.
+pub(super) struct Drawing {
+    body: String,
+    width: f64,
+    height: f64,
+    /// What it shows, for those who cannot see it.
+    label: String,
+}
+
+impl Drawing {
+    /// An empty picture.
+    pub(super) fn new(width: f64, height: f64, label: &str) -> Self {
+        Self { body: String::new(), width, height, label: label.to_owned() }
+    }
+
+    /// A straight line.
+    pub(super) fn line(&mut self, class: &str, from: (f64, f64), to: (f64, f64)) {
+        let (x1, y1, x2, y2) = (coordinate(from.0), coordinate(from.1), coordinate(to.0), coordinate(to.1));
+        self.push(format_args!(r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#));
+    }
+
+    /// A disc with the text that appears when the pointer rests on it.
+    pub(super) fn circle(&mut self, class: &str, centre: (f64, f64), radius: f64, title: &str) {
+        let (x, y, r) = (coordinate(centre.0), coordinate(centre.1), coordinate(radius));
+        let title = if title.is_empty() { String::new() } else { format!("<title>{}</title>", escape(title)) };
+        self.push(format_args!(r#"<circle class="{class}" cx="{x}" cy="{y}" r="{r}">{title}</circle>"#));
+    }
+
+    /// Many discs of one colour.
+    pub(super) fn discs(&mut self, fill: &str, centres: &[(f64, f64)], radius: f64) {
+        let r = coordinate(radius);
+        let mut group = String::new();
+        for centre in centres {
+            let (x, y) = (coordinate(centre.0), coordinate(centre.1));
+            group.push_str(&format!(r#"<circle cx="{x}" cy="{y}" r="{r}"/>"#));
+        }
+        self.push(format_args!(r#"<g class="disc" fill="{fill}">{group}</g>"#));
+    }
+
+    /// A rectangle from its upper left corner.
+    pub(super) fn rectangle(&mut self, class: &str, corner: (f64, f64), size: (f64, f64), fill: Option<&str>) {
+        let (x, y, width, height) =
+            (coordinate(corner.0), coordinate(corner.1), coordinate(size.0.max(0.0)), coordinate(size.1.max(0.0)));
+        let fill = fill.map_or(String::new(), |fill| format!(r#" fill="{fill}""#));
+        self.push(format_args!(r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}"{fill}/>"#));
+    }
+
+    /// Straight lines through points, closed or not.
+    pub(super) fn polyline(&mut self, class: &str, points: &[(f64, f64)], closed: bool) {
+        let mut path = String::new();
+        for (index, point) in points.iter().enumerate() {
+            let command = if index == 0 { 'M' } else { 'L' };
+            path.push_str(&format!("{command}{} {}", coordinate(point.0), coordinate(point.1)));
+        }
+        if closed {
+            path.push('Z');
+        }
+        self.push(format_args!(r#"<path class="{class}" d="{path}"/>"#));
+    }
+
+    /// A text.
+    pub(super) fn text(&mut self, class: &str, anchor: Anchor, at: (f64, f64), text: &str) {
+        let (x, y, text, anchor) = (coordinate(at.0), coordinate(at.1), escape(text), anchor.word());
+        self.push(format_args!(r#"<text class="{class}" text-anchor="{anchor}" x="{x}" y="{y}">{text}</text>"#));
+    }
+
+    /// A text turned to run upwards, centred on a point.
+    pub(super) fn upright_text(&mut self, at: (f64, f64), text: &str) {
+        let (x, y, text) = (coordinate(at.0), coordinate(at.1), escape(text));
+        self.push(format_args!(
+            r#"<text class="label" text-anchor="middle" transform="translate({x} {y}) rotate(-90)">{text}</text>"#
+        ));
+    }
+
+    /// A text of a size (pixels).
+    pub(super) fn small_text(&mut self, anchor: Anchor, at: (f64, f64), size: f64, text: &str) {
+        let (x, y, size, text, anchor) =
+            (coordinate(at.0), coordinate(at.1), coordinate(size), escape(text), anchor.word());
+        self.push(format_args!(
+            r#"<text style="font-size:{size}px" text-anchor="{anchor}" x="{x}" y="{y}">{text}</text>"#
+        ));
+    }
+
+    /// The same, running upwards from a point.
+    pub(super) fn small_upright_text(&mut self, at: (f64, f64), size: f64, text: &str) {
+        let (x, y, size, text) = (coordinate(at.0), coordinate(at.1), coordinate(size), escape(text));
+        self.push(format_args!(
+            r#"<text style="font-size:{size}px" transform="translate({x} {y}) rotate(-90)">{text}</text>"#
+        ));
+    }
+
+    fn push(&mut self, element: std::fmt::Arguments<'_>) {
+        // writing to a string cannot fail
+        let _ = writeln!(self.body, "{element}");
+    }
+
+    /// The file.
+    pub(super) fn finish(self) -> String {
+        let Self { body, width, height, label } = self;
+        let label = escape(&label);
+        // as wide as the text of a page of A4 unless that would blow it up
+        let millimetres = (width * MILLIMETRES_PER_PIXEL).min(PAGE_WIDTH);
+        let tall = coordinate(millimetres * height / width);
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
+             viewBox=\"0 0 {width} {height}\" width=\"{}mm\" height=\"{tall}mm\">\n<title>{label}</title>\n\
+             <style>\n{STYLE}</style>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
+            coordinate(millimetres)
+        )
+    }
+}
+
+/// The text with the characters of markup written out, and those that XML does not allow as boxes.
+pub(super) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
+            other if other.is_control() => escaped.push('\u{fffd}'),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// A tenth of a pixel is as exact as the eye.
+fn coordinate(value: f64) -> String {
+    let text = format!("{value:.1}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}

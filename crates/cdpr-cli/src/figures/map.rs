@@ -1,0 +1,101 @@
+//! Errors over the workspace: discs at the measured positions, coloured by size.
+
+use super::axis::Axis;
+use super::drawing::{Anchor, Drawing};
+use super::{colour, finite_range};
+
+/// One sample.
+pub(crate) struct MapPoint {
+    /// Coordinates along the two axes of the map (m).
+    pub(crate) at: [f64; 2],
+    /// Error in the unit of the colour bar.
+    pub(crate) error: f64,
+}
+
+/// The chart.
+pub(crate) struct Map {
+    /// The samples.
+    pub(crate) points: Vec<MapPoint>,
+    /// Names of the two axes, e.g. x and y.
+    pub(crate) axes: [String; 2],
+    /// Error of the last colour; larger ones share it.
+    pub(crate) top: f64,
+    /// What the colours show, with its unit.
+    pub(crate) colour_label: String,
+}
+
+const LEFT: f64 = 78.0;
+const TOP: f64 = 14.0;
+/// Largest width and height of the plot.
+const SIZE: (f64, f64) = (560.0, 380.0);
+/// Least width and height, so that labels have room.
+const LEAST: (f64, f64) = (150.0, 120.0);
+/// More discs than this are thinned out.
+const MOST_POINTS: usize = 1500;
+
+impl Map {
+    /// The chart as SVG, both axes to the same scale; `None` without points.
+    pub(crate) fn svg(&self) -> Option<String> {
+        let points = thinned(&self.points);
+        let ranges = [0, 1].map(|axis| finite_range(points.iter().map(|point| point.at[axis])));
+        let [Some(horizontal), Some(vertical)] = ranges else { return None };
+        let [horizontal, vertical] = [horizontal, vertical].map(|(low, high)| {
+            let margin = 0.04 * (high - low).max(1e-3);
+            (low - margin, high + margin)
+        });
+        let spans = (horizontal.1 - horizontal.0, vertical.1 - vertical.0);
+        let scale = (SIZE.0 / spans.0).min(SIZE.1 / spans.1);
+        let size = ((spans.0 * scale).max(LEAST.0), (spans.1 * scale).max(LEAST.1));
+        // what lacks room is widened to both sides, so that a metre is as long across as up
+        let grown = |range: (f64, f64), pixels: f64| {
+            let (middle, half) = (0.5 * (range.0 + range.1), 0.5 * pixels / scale);
+            (middle - half, middle + half)
+        };
+        let (horizontal, vertical) = (grown(horizontal, size.0), grown(vertical, size.1));
+        let (right, bottom) = (LEFT + size.0, TOP + size.1);
+        let mut drawing = Drawing::new(right + 130.0, bottom + 46.0, &self.colour_label);
+        let x = Axis::exact(horizontal.0, horizontal.1, (LEFT, right), (size.0 / 70.0) as usize);
+        let y = Axis::exact(vertical.0, vertical.1, (bottom, TOP), (size.1 / 26.0) as usize);
+        x.draw_below(&mut drawing, TOP, bottom, &format!("{} in m", self.axes[0]));
+        y.draw_left(&mut drawing, LEFT, right, &format!("{} in m", self.axes[1]));
+        self.draw_points(&mut drawing, &points, &x, &y);
+        self.draw_bar(&mut drawing, right + 28.0, bottom);
+        Some(drawing.finish())
+    }
+
+    /// Small errors first, so that large ones lie on top.
+    fn draw_points(&self, drawing: &mut Drawing, points: &[&MapPoint], x: &Axis, y: &Axis) {
+        let radius = if points.len() > 400 { 3.0 } else { 4.5 };
+        for step in 0..colour::STEPS {
+            let own = points.iter().filter(|point| colour::step_of(point.error, self.top) == step);
+            let centres: Vec<(f64, f64)> = own.map(|point| (x.place(point.at[0]), y.place(point.at[1]))).collect();
+            if !centres.is_empty() {
+                drawing.discs(&colour::of_step(step), &centres, radius);
+            }
+        }
+    }
+
+    fn draw_bar(&self, drawing: &mut Drawing, left: f64, bottom: f64) {
+        let height = (bottom - TOP) / colour::STEPS as f64;
+        for step in 0..colour::STEPS {
+            let upper = bottom - height * (step + 1) as f64;
+            drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(&colour::of_step(step)));
+        }
+        let ticks = if bottom - TOP < 200.0 { 2 } else { 4 };
+        for tick in 0..=ticks {
+            let share = f64::from(tick) / f64::from(ticks);
+            let text = super::number::significant(share * self.top, 3);
+            drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - TOP) + 4.0), &text);
+        }
+        drawing.upright_text((left + 84.0, 0.5 * (bottom + TOP)), &self.colour_label);
+    }
+}
+
+/// Every point where they are few; else the worst of each run of consecutive ones.
+fn thinned(points: &[MapPoint]) -> Vec<&MapPoint> {
+    let run = points.len().div_ceil(MOST_POINTS).max(1);
+    let worst = |run: &'_ [MapPoint]| -> Option<usize> {
+        (0..run.len()).filter(|&k| run[k].error.is_finite()).max_by(|&a, &b| run[a].error.total_cmp(&run[b].error))
+    };
+    points.chunks(run).filter_map(|run| worst(run).map(|k| &run[k])).collect()
+}
