@@ -4,13 +4,14 @@
 //! with the stiffness −K_G − ∂w/∂x, damped until the residual falls. Weights over pulleys instead of winches do this. The
 //! pose need not be stable: tensions that do not answer to motion hold a platform weakly or not at all.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use super::forward_kinematics::InputError as LengthError;
 use super::restarts::restart_poses;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
+use crate::scalar::decomposition::smallest_eigenvalue;
 use crate::statics::{Load, StaticsError, geometric_stiffness, wrench_residual};
 
 /// When forward statics stops.
@@ -154,7 +155,7 @@ struct End {
 impl Point {
     fn stability(&self) -> f64 {
         let symmetric = (&self.stiffness + self.stiffness.transpose()) * 0.5;
-        SymmetricEigen::new(symmetric).eigenvalues.min()
+        smallest_eigenvalue(symmetric)
     }
 
     /// min ‖r − K s‖² + damping ‖s‖²; a plain Newton step without damping.

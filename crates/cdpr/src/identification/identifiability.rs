@@ -12,6 +12,7 @@ use super::pose_lanes::{CableValues, PoseLanes};
 use super::words::{Direction, describe};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
+use crate::scalar::decomposition::svd;
 
 /// Two parameters that the data hardly separate.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -129,7 +130,10 @@ pub(super) fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
     let columns = matrix.ncols();
     let mut factor = DMatrix::zeros(columns.max(matrix.nrows()), columns);
     factor.view_mut((0, 0), matrix.shape()).copy_from(matrix);
-    let decomposition = factor.qr().r().svd(false, true);
+    let Some(decomposition) = svd(factor.qr().r(), false, true) else {
+        // nothing is known of any direction
+        return Spectrum { values: vec![0.0; columns], vectors: DMatrix::identity(columns, columns) };
+    };
     let vectors = decomposition.v_t.map(|v_t| v_t.transpose()).unwrap_or_else(|| DMatrix::identity(columns, columns));
     Spectrum { values: decomposition.singular_values.iter().copied().collect(), vectors }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::{Cable, Robot};
+use crate::scalar::decomposition::symmetric_eigen;
 
 /// Anchors count as collinear or coplanar when they leave the line or plane by less than this share of their extent.
 const FLATNESS: f64 = 1e-6;
@@ -94,7 +95,7 @@ impl Robot {
 fn extent_dimensions(points: &[Vector3<f64>]) -> usize {
     let middle: Vector3<f64> = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
     let scatter = DMatrix::from_fn(3, points.len(), |row, column| points[column][row] - middle[row]);
-    let gram = (&scatter * scatter.transpose()).symmetric_eigenvalues();
+    let Some(gram) = symmetric_eigen(&scatter * scatter.transpose()).map(|gram| gram.eigenvalues) else { return 3 };
     // eigenvalues are squares of extents
     let limit = (FLATNESS * FLATNESS) * gram.amax();
     gram.iter().filter(|&&extent| extent > limit.max(f64::MIN_POSITIVE)).count()

@@ -8,6 +8,7 @@ mod angle;
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+pub(crate) mod decomposition;
 mod dispatch;
 pub(crate) mod ldl;
 mod portable;

@@ -1,6 +1,6 @@
 //! Stiffness of the platform at a pose with given tensions: K_C, K_G, the load's share, and what follows from them.
 
-use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::Load;
 use super::balance::controlled_length;
@@ -9,6 +9,7 @@ use crate::cable::Course;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 use crate::scalar::cross;
+use crate::scalar::decomposition::{svd, symmetric_eigen};
 
 /// How the wrench on the platform answers to small displacements at fixed controlled lengths.
 ///
@@ -106,7 +107,7 @@ impl Stiffness {
     /// The sign is that of δx = +K_wx⁻¹ δw; eq. 2.78 prints the other.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let scaled = self.scaled(&self.system);
-        let values = finite(&scaled)?.clone().try_svd(false, false, f64::EPSILON, ITERATIONS)?.singular_values;
+        let values = svd(scaled.clone(), false, false)?.singular_values;
         if !(values.min() > ROUNDING * values.max()) {
             return None;
         }
@@ -127,8 +128,8 @@ impl Stiffness {
     /// symmetric part.
     pub fn eigenvalues(&self) -> Vec<f64> {
         let symmetric = self.scaled(&((&self.system + self.system.transpose()) * 0.5));
-        let decomposed = finite(&symmetric).and_then(|m| SymmetricEigen::try_new(m.clone(), f64::EPSILON, ITERATIONS));
-        let mut values = decomposed.map_or_else(Vec::new, |eigen| eigen.eigenvalues.as_slice().to_vec());
+        let mut values =
+            symmetric_eigen(symmetric).map_or_else(Vec::new, |eigen| eigen.eigenvalues.as_slice().to_vec());
         values.sort_by(f64::total_cmp);
         values
     }
@@ -161,13 +162,6 @@ pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Resu
         geometric += turning(&course, lever.into()) * tension;
     }
     Ok(in_pattern(model, &geometric))
-}
-
-/// Far more than a matrix of six rows needs.
-const ITERATIONS: usize = 1000;
-
-fn finite(matrix: &DMatrix<f64>) -> Option<&DMatrix<f64>> {
-    matrix.iter().all(|x| x.is_finite()).then_some(matrix)
 }
 
 fn scaling(model: &Model) -> DVector<f64> {

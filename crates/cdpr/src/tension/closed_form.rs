@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Limits;
 use super::error::{InputError, check_sizes};
+use crate::scalar::decomposition::svd;
 
 /// Tensions in closed form, and what they are worth.
 #[must_use = "check `within_limits` before using the tensions"]
@@ -88,7 +89,8 @@ const LOST: f64 = 1e-12;
 /// Shortest x with the least ‖rows x − right‖, and the rank of the rows.
 fn shortest(rows: DMatrix<f64>, right: &DVector<f64>) -> (DVector<f64>, usize) {
     let cables = rows.ncols();
-    let decomposition = rows.svd(true, true);
+    // rows of numbers whose products overflow carry nothing
+    let Some(decomposition) = svd(rows, true, true) else { return (DVector::zeros(cables), 0) };
     let values = &decomposition.singular_values;
     let least = LOST * values.max();
     let rank = values.iter().filter(|&&value| value > least).count();

@@ -1,6 +1,6 @@
 //! Is an equilibrium stable, and where to go when it is not.
 
-use nalgebra::{DMatrix, SMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, SMatrix};
 
 use super::Problem;
 use super::descent::{End, Stop, Tensions};
@@ -8,22 +8,28 @@ use super::multipliers::Rigid;
 use super::search::Attempt;
 use crate::geometry::{Pose, Twist};
 use crate::scalar::LANES;
+use crate::scalar::decomposition::{self, magnitude, svd, symmetric_eigen};
 
 /// How far from an unstable equilibrium to start again, relative to the mean length.
 const ESCAPE: f64 = 0.02;
 
 /// Smallest eigenvalue of the stiffness (lower triangle), rotations divided by the platform radius (N/m).
 pub(super) fn smallest_eigenvalue(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> f64 {
-    match problem.model.dof() {
-        2 => scaled::<2>(problem, stiffness).symmetric_eigenvalues().min(),
-        3 => scaled::<3>(problem, stiffness).symmetric_eigenvalues().min(),
-        _ => scaled::<6>(problem, stiffness).symmetric_eigenvalues().min(),
-    }
+    let n = problem.model.dof();
+    let lower = stiffness.iter().enumerate().take(n).flat_map(|(row, entries)| &entries[..=row]);
+    // entries of size one: the eigenvalues of others may never end
+    let Some(scale) = magnitude(lower) else { return f64::NAN };
+    let smallest = match n {
+        2 => scaled::<2>(problem, stiffness, scale).symmetric_eigenvalues().min(),
+        3 => scaled::<3>(problem, stiffness, scale).symmetric_eigenvalues().min(),
+        _ => scaled::<6>(problem, stiffness, scale).symmetric_eigenvalues().min(),
+    };
+    smallest * scale
 }
 
-fn scaled<const N: usize>(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> SMatrix<f64, N, N> {
+fn scaled<const N: usize>(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6], scale: f64) -> SMatrix<f64, N, N> {
     SMatrix::from_fn(|row, column| {
-        stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
+        stiffness[row.max(column)][row.min(column)] / scale / (radius(problem, row) * radius(problem, column))
     })
 }
 
@@ -44,7 +50,7 @@ pub(super) fn beside_rigid_cables(problem: &Problem<'_>, rigid: &Rigid<'_>, tens
         taut.get(column).map_or(0.0, of)
     });
     // A square matrix, so that the decomposition has all n directions.
-    let Some(directions) = held.svd(true, false).u else { return f64::NAN };
+    let Some(directions) = svd(held, true, false).and_then(|decomposition| decomposition.u) else { return f64::NAN };
     let singular_values = DMatrix::from_fn(n, 1, |column, _| {
         taut.iter()
             .map(|&cable| {
@@ -64,7 +70,7 @@ pub(super) fn beside_rigid_cables(problem: &Problem<'_>, rigid: &Rigid<'_>, tens
     let stiffness = DMatrix::from_fn(n, n, |row, column| {
         end.stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
     });
-    (kernel.transpose() * stiffness * kernel).symmetric_eigenvalues().min()
+    decomposition::smallest_eigenvalue(kernel.transpose() * stiffness * kernel)
 }
 
 /// Two poses beside an unstable equilibrium, along the direction in which it falls; nothing beside other ends.
@@ -76,7 +82,7 @@ pub(super) fn escapes(problem: &Problem<'_>, attempt: &Attempt) -> [Option<Pose>
     let stiffness = DMatrix::from_fn(n, n, |row, column| {
         attempt.end.stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
     });
-    let eigen = SymmetricEigen::new(stiffness);
+    let Some(eigen) = symmetric_eigen(stiffness) else { return [None; 2] };
     let weakest = eigen.eigenvectors.column(eigen.eigenvalues.imin());
     let mut twist = Twist::zeros();
     for (index, direction) in problem.model.twist_basis().iter().enumerate() {

@@ -1,0 +1,73 @@
+//! Decompositions that end, and say nothing where they have nothing to say.
+//!
+//! The plain ones of nalgebra go on for ever when a number is not finite or overflows on the way. Here such matrices have no
+//! decomposition; others are scaled to entries of size one first.
+
+use nalgebra::{DMatrix, Dyn, SVD, SymmetricEigen};
+
+/// Far more than any finite matrix needs.
+const ITERATIONS: usize = 1000;
+
+/// The largest magnitude among some numbers, 1 where all are zero; `None` when one is not finite.
+pub(crate) fn magnitude<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Option<f64> {
+    let mut largest = 0.0_f64;
+    for number in numbers {
+        if !number.is_finite() {
+            return None;
+        }
+        largest = largest.max(number.abs());
+    }
+    // dividing by a subnormal number overflows
+    Some(if largest < f64::MIN_POSITIVE { 1.0 } else { largest })
+}
+
+/// Singular value decomposition; singular values descend.
+pub(crate) fn svd(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let mut decomposition = (matrix / scale).try_svd(left, right, f64::EPSILON, ITERATIONS)?;
+    decomposition.singular_values *= scale;
+    Some(decomposition)
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read.
+pub(crate) fn symmetric_eigen(matrix: DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let mut decomposition = SymmetricEigen::try_new(matrix / scale, f64::EPSILON, ITERATIONS)?;
+    decomposition.eigenvalues *= scale;
+    Some(decomposition)
+}
+
+/// The smallest eigenvalue of a symmetric matrix; NaN where it has none.
+pub(crate) fn smallest_eigenvalue(matrix: DMatrix<f64>) -> f64 {
+    symmetric_eigen(matrix).map_or(f64::NAN, |decomposition| decomposition.eigenvalues.min())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_of_any_numbers_are_decomposed_or_refused() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut matrix = DMatrix::<f64>::identity(6, 6);
+            matrix[(3, 2)] = bad;
+            assert!(svd(matrix.clone(), true, true).is_none() && symmetric_eigen(matrix).is_none());
+        }
+        for size in [1e300, 1.0, 1e-300, 5e-324, 0.0] {
+            let matrix = DMatrix::from_fn(6, 6, |i, j| size * if i == j { 2.0 } else { 1.0 });
+            // the ones have eigenvalues 6 and five times 0, the identity adds 1
+            let values = svd(matrix.clone(), false, false).expect("is finite").singular_values;
+            let smallest = smallest_eigenvalue(matrix);
+            if size >= 1e-300 {
+                assert!((values[0] / size - 7.0).abs() < 1e-13 && (smallest / size - 1.0).abs() < 1e-13, "{size}");
+            }
+        }
+        assert!(svd(DMatrix::zeros(0, 3), true, true).is_none());
+    }
+}
