@@ -1,10 +1,10 @@
 //! How failures and remarks look on stderr: the message, the place, the line of the file with carets, the cure.
 
-use std::env;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 
 use cdpr::reading::{Place, ReadError};
 
+use crate::console;
 use crate::failure::Failure;
 
 /// Escape sequences, empty when colour is not wanted.
@@ -19,11 +19,8 @@ impl Colours {
     const NONE: Self = Self { error: "", remark: "", place: "", reset: "" };
     const ANSI: Self = Self { error: "\x1b[1;31m", remark: "\x1b[1;33m", place: "\x1b[1;34m", reset: "\x1b[0m" };
 
-    /// Colour on terminals, unless `NO_COLOR` is set to anything or the terminal is dumb.
     fn of_stderr() -> Self {
-        let refused = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
-            || env::var_os("TERM").is_some_and(|terminal| terminal == "dumb");
-        if !refused && io::stderr().is_terminal() { Self::ANSI } else { Self::NONE }
+        if console::has_colour(&io::stderr()) { Self::ANSI } else { Self::NONE }
     }
 }
 
@@ -32,8 +29,11 @@ pub(crate) fn failure(failure: &Failure) {
     write(&failure_text(failure, &Colours::of_stderr()));
 }
 
-/// Tells something that does not stop the command.
+/// Tells something that does not stop the command, unless quiet is asked for.
 pub(crate) fn remark(text: &str) {
+    if console::is_quiet() {
+        return;
+    }
     let Colours { remark, reset, .. } = Colours::of_stderr();
     write(&format!("{remark}note{reset}: {text}\n"));
 }

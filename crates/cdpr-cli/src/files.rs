@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
+use crate::interruption;
 
 /// The bytes of a file.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
@@ -22,13 +23,50 @@ pub(crate) fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, Failure> {
     }
 }
 
-/// Writes a file so that it is there completely or not at all.
-pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
-    replace(path, content).map_err(|error| Failure::io("write", &path.display().to_string(), &error))
+/// Makes a folder and those above it.
+pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(path).map_err(|error| Failure::io("make the folder", &path.display().to_string(), &error))
 }
 
-/// Writes beside the file, then renames over it; pipes and devices such as /dev/stdout are written to as they are.
-fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
+/// Writes a file so that it is there completely or not at all.
+pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    write_all(&[(path, content)])
+}
+
+/// Writes files that belong together: all are written beside their targets before the first target is replaced, so that a
+/// full disk or an interruption leaves the old ones.
+pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
+    let mut staged = Vec::with_capacity(files.len());
+    let result = stage_and_place(files, &mut staged);
+    // what has no place by now goes, and then an interruption has nothing to remove
+    let paths: Vec<PathBuf> = staged.iter().map(|stage| stage.file_path.clone()).collect();
+    drop(staged);
+    interruption::forget(&paths.iter().map(PathBuf::as_path).collect::<Vec<_>>());
+    result
+}
+
+/// A file written beside its target; the file is taken when it is renamed.
+struct Stage {
+    file: Option<NamedTempFile>,
+    file_path: PathBuf,
+    target: PathBuf,
+}
+
+fn stage_and_place(files: &[(&Path, &[u8])], staged: &mut Vec<Stage>) -> Result<(), Failure> {
+    let refused = |path: &Path, error: &io::Error| Failure::io("write", &path.display().to_string(), error);
+    for (path, content) in files {
+        stage(path, content, staged).map_err(|error| refused(path, &error))?;
+    }
+    interruption::undisturbed(|| {
+        staged.iter_mut().try_for_each(|Stage { file, target, .. }| match file.take() {
+            Some(file) => file.persist(&*target).map(drop).map_err(|error| refused(target, &error.error)),
+            None => Ok(()),
+        })
+    })
+}
+
+/// Writes beside the target; pipes and devices such as /dev/stdout are written to as they are.
+fn stage(path: &Path, content: &[u8], staged: &mut Vec<Stage>) -> io::Result<()> {
     // a link stays a link: its target is replaced
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&target).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir()) {
@@ -37,11 +75,11 @@ fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
     if target.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
     }
-    let mut file = temporary_file_beside(&target)?;
-    file.write_all(content)?;
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    Ok(())
+    let file = interruption::temporary(|| temporary_file_beside(&target))?;
+    let mut open = file.as_file();
+    let written = open.write_all(content).and_then(|()| open.sync_all());
+    staged.push(Stage { file_path: file.path().to_owned(), file: Some(file), target });
+    written
 }
 
 fn temporary_file_beside(target: &Path) -> io::Result<NamedTempFile> {

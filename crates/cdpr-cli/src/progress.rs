@@ -6,10 +6,13 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::console;
+
 /// How long work may take before anything is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// A line on stderr that appears after a second and goes when this value goes; nothing where stderr is not a terminal.
+/// A line on stderr that appears after a second and goes when this value goes; nothing where stderr is not a terminal or
+/// quiet was asked for.
 pub(crate) struct Progress {
     bar: ProgressBar,
     done: Option<Sender<()>>,
@@ -19,15 +22,34 @@ pub(crate) struct Progress {
 impl Progress {
     /// Work whose length is not known, named by what it does.
     pub(crate) fn spinner(message: &str) -> Self {
-        let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}");
-        Self::start(ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()), style.ok(), message)
+        Self::start(None, "{spinner} {msg} {elapsed}", message)
     }
 
-    fn start(bar: ProgressBar, style: Option<ProgressStyle>, message: &str) -> Self {
-        if let Some(style) = style {
-            bar.set_style(style);
+    /// Work in this many parts, named by what it does; [`Self::step`] tells of each part that is done.
+    pub(crate) fn of(parts: usize, message: &str) -> Self {
+        let left = "{spinner} {msg} [{bar:20}] {pos} of {len}, {elapsed}, about {eta} left";
+        Self::start(u64::try_from(parts).ok(), left, message)
+    }
+
+    /// There are this many parts after all.
+    pub(crate) fn expect(&self, parts: usize) {
+        self.bar.set_length(parts as u64);
+    }
+
+    /// One part is done.
+    pub(crate) fn step(&self) {
+        self.bar.inc(1);
+    }
+
+    fn start(parts: Option<u64>, template: &str, message: &str) -> Self {
+        let bar = ProgressBar::with_draw_target(parts, ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style.progress_chars("=> "));
         }
         bar.set_message(message.to_owned());
+        if console::is_quiet() {
+            return Self { bar, done: None, waiting: None };
+        }
         let (done, is_done) = mpsc::channel::<()>();
         let shown = bar.clone();
         let waiting = thread::spawn(move || {

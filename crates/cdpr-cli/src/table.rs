@@ -1,4 +1,6 @@
-//! Tables for people: columns aligned by spaces.
+//! Tables for people: columns aligned by spaces, fitted to the terminal.
+
+use crate::console;
 
 /// Rows of cells under a heading; the first column is aligned left, the others right unless asked for.
 pub(crate) struct Table {
@@ -26,23 +28,80 @@ impl Table {
         self.rows.push(cells);
     }
 
-    /// The table as lines that end with a newline.
+    /// The table as lines that end with a newline; on a terminal the widest column of words is wrapped to fit.
     pub(crate) fn text(&self) -> String {
-        let columns = self.heading.len();
+        self.text_within(console::answer_width())
+    }
+
+    fn text_within(&self, limit: Option<usize>) -> String {
+        let widths = self.widths(limit);
+        let lines = std::iter::once(&self.heading).chain(&self.rows);
+        lines.map(|line| self.line_text(line, &widths)).collect()
+    }
+
+    /// Columns as wide as their widest cells, but for the widest column of words where the line has no room for it.
+    fn widths(&self, limit: Option<usize>) -> Vec<usize> {
         let lines = || std::iter::once(&self.heading).chain(&self.rows);
-        let width = |column: usize| lines().filter_map(|line| line.get(column)).map(|cell| cell.chars().count()).max();
-        let widths: Vec<usize> = (0..columns).map(|column| width(column).unwrap_or(0)).collect();
+        let widest = |column: usize| lines().filter_map(|line| line.get(column)).map(|cell| cell.chars().count()).max();
+        let mut widths: Vec<usize> = (0..self.heading.len()).map(|column| widest(column).unwrap_or(0)).collect();
+        let needed = widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1);
+        let words =
+            self.left.iter().copied().filter(|column| *column < widths.len()).max_by_key(|column| widths[*column]);
+        if let (Some(limit), Some(column)) = (limit, words) {
+            let narrowed = widths[column].saturating_sub(needed.saturating_sub(limit));
+            // a few letters in a line are harder to read than what the terminal wraps
+            widths[column] = narrowed.max(LEAST_WIDTH.min(widths[column]));
+        }
+        widths
+    }
+
+    /// One row, of several lines where a cell is wrapped.
+    fn line_text(&self, line: &[String], widths: &[usize]) -> String {
+        let cells: Vec<Vec<String>> = line.iter().zip(widths).map(|(cell, width)| wrapped(cell, *width)).collect();
+        let height = cells.iter().map(Vec::len).max().unwrap_or(1);
         let mut text = String::new();
-        for line in lines() {
-            let cells = line.iter().zip(&widths).enumerate().map(|(column, (cell, width))| {
-                let padding = " ".repeat(width.saturating_sub(cell.chars().count()));
-                if self.left.contains(&column) { format!("{cell}{padding}") } else { format!("{padding}{cell}") }
+        for part in 0..height {
+            let pieces = cells.iter().zip(widths).enumerate().map(|(column, (pieces, width))| {
+                let piece = pieces.get(part).map_or("", String::as_str);
+                let padding = " ".repeat(width.saturating_sub(piece.chars().count()));
+                if self.left.contains(&column) { format!("{piece}{padding}") } else { format!("{padding}{piece}") }
             });
-            text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
+            text.push_str(pieces.collect::<Vec<_>>().join(&" ".repeat(GAP)).trim_end());
             text.push('\n');
         }
         text
     }
+}
+
+/// Spaces between columns.
+const GAP: usize = 2;
+
+/// Columns are not wrapped to less than this.
+const LEAST_WIDTH: usize = 12;
+
+/// The words of a cell in lines of this many characters; names break after their separators, and else anywhere.
+fn wrapped(cell: &str, width: usize) -> Vec<String> {
+    if cell.chars().count() <= width || width == 0 {
+        return vec![cell.to_owned()];
+    }
+    let mut lines = vec![String::new()];
+    for piece in cell.split_inclusive([' ', ',', '+', ':', '/', ';']) {
+        let length = |text: &str| text.trim_end().chars().count();
+        let last = lines.last().map_or(0, |line| line.chars().count());
+        if last > 0 && last + length(piece) > width {
+            lines.push(String::new());
+        }
+        for character in piece.chars() {
+            if lines.last().is_some_and(|line| line.chars().count() >= width) {
+                lines.push(String::new());
+            }
+            // a line does not start with the space that ended the one before
+            if let Some(line) = lines.last_mut().filter(|line| !(line.is_empty() && character == ' ')) {
+                line.push(character);
+            }
+        }
+    }
+    lines.iter().map(|line| line.trim_end().to_owned()).filter(|line| !line.is_empty()).collect()
 }
 
 /// A number with this many decimals; a dash for none.
@@ -69,5 +128,37 @@ mod tests {
         table.row(vec!["é".to_owned(), "–".to_owned()]);
         table.row(vec!["long".to_owned(), "12.5".to_owned()]);
         assert_eq!(table.text(), "name  σ mm\né        –\nlong  12.5\n");
+    }
+
+    #[test]
+    fn the_widest_column_of_words_is_wrapped_to_the_terminal_and_nothing_is_lost() {
+        let mut table = Table::new(["candidate", "mean mm", "σ mm"]);
+        table.row(vec![
+            "standard:frame-anchor,platform-anchor,length-offset".to_owned(),
+            "4.1".to_owned(),
+            "0.2".to_owned(),
+        ]);
+        table.row(vec!["standard".to_owned(), "47.25".to_owned(), "1.3".to_owned()]);
+        let expected = "\
+candidate                mean mm  σ mm
+standard:frame-anchor,       4.1   0.2
+platform-anchor,
+length-offset
+standard                   47.25   1.3
+";
+        assert_eq!(table.text_within(Some(38)), expected);
+        assert_eq!(table.text_within(Some(200)), table.text_within(None));
+    }
+
+    #[test]
+    fn sentences_wrap_at_spaces_and_numbers_are_never_cut() {
+        let mut table = Table::new(["reason", "value"]);
+        table.row(vec!["cables 1 and 3 would have to push".to_owned(), "1234567.8901".to_owned()]);
+        assert_eq!(
+            table.text_within(Some(28)),
+            "reason                 value\ncables 1 and 3  1234567.8901\nwould have to\npush\n"
+        );
+        // no room at all: the terminal breaks the lines, the numbers stay whole
+        assert!(table.text_within(Some(5)).contains("1234567.8901"));
     }
 }

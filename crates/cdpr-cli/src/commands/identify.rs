@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, fit};
+use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, descent_count, fit_observed};
 use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model, ParameterKind};
@@ -126,19 +126,18 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, model.robot(), output));
     let other = other.transpose()?;
-    let task = Task { model: &model, samples: &samples, arguments: &arguments };
+    let progress = Progress::of(1, "identifying");
+    let task = Task { model: &model, samples: &samples, arguments: &arguments, progress: &progress };
+    progress.expect(task.descents(1));
     task.tell_about_unused_column(output);
-    let progress = Progress::spinner("identifying");
     let result = task.identify(other.as_ref())?;
     let calibrated = result.fit.model.robot().to_toml();
     let answer = task.answer(result)?;
+    let page = arguments.report.as_ref().map(|_| report::page(&task, other.as_ref(), &answer.reason)).transpose()?;
     drop(progress);
-    if let Some(path) = &arguments.out {
-        files::write(path, calibrated.as_bytes())?;
-    }
-    if let Some(path) = &arguments.report {
-        files::write(path, report::page(&task, other.as_ref(), &answer.reason)?.as_bytes())?;
-    }
+    let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
+    let report_file = arguments.report.as_deref().zip(page.as_deref().map(str::as_bytes));
+    files::write_all(&calibrated_file.into_iter().chain(report_file).collect::<Vec<_>>())?;
     output.answer(&answer)
 }
 
@@ -147,6 +146,7 @@ struct Task<'a> {
     model: &'a Model,
     samples: &'a Samples,
     arguments: &'a Arguments,
+    progress: &'a Progress,
 }
 
 /// The reported fit, what it was fitted to, and errors on data that it was not fitted to (after, before).
@@ -177,6 +177,7 @@ impl Task<'_> {
         let folds = split
             .folds(self.samples, self.arguments.seed)
             .map_err(|error| Failure::refused(&format!("{}: --split", self.arguments.data.name()), &error))?;
+        self.progress.expect(self.descents(if folds.len() == 1 { 1 } else { folds.len() + 1 }));
         let (mut after, mut before) = (Evaluation::default(), Evaluation::default());
         let mut single = None;
         for fold in &folds {
@@ -193,18 +194,21 @@ impl Task<'_> {
         Ok(Identification { fit, train, validation: Some((after, before)) })
     }
 
+    fn settings(&self) -> fit::Settings {
+        let Arguments { hold, prior, starts, seed, .. } = self.arguments;
+        fit::Settings { hold: hold.clone(), priors: prior.clone(), starts: *starts, seed: *seed, ..fit::Settings::default() }
+    }
+
+    /// Descents of this many fits.
+    fn descents(&self, fits: usize) -> usize {
+        fits * descent_count(self.model, &self.settings())
+    }
+
     fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
-        let Arguments { free, hold, prior, data, starts, seed, .. } = self.arguments;
-        let settings = fit::Settings {
-            hold: hold.clone(),
-            priors: prior.clone(),
-            starts: *starts,
-            seed: *seed,
-            ..fit::Settings::default()
-        };
-        fit(self.model, samples, free, &settings).map_err(|error| match error {
+        let step = || self.progress.step();
+        fit_observed(self.model, samples, &self.arguments.free, &self.settings(), &step).map_err(|error| match error {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
-            error => Failure::refused(&data.name(), &error),
+            error => Failure::refused(&self.arguments.data.name(), &error),
         })
     }
 

@@ -44,4 +44,6 @@ commands! {
     import: Import,
     export: Export,
     schema: Schema,
+    completions: Completions,
+    man: Man,
 }

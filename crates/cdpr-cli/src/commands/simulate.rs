@@ -57,8 +57,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         return Err(laboratory.refused(&std::io::Error::other(format!("no pose gave a sample: {reason}"))));
     }
     let sidecar = arguments.out.with_extension("meta.toml");
-    files::write(&sidecar, laboratory.sidecar(arguments.seed).to_toml().as_bytes())?;
-    files::write(&arguments.out, samples.to_csv(laboratory.machine.robot()).as_bytes())?;
+    let (known, table) = (laboratory.sidecar(arguments.seed).to_toml(), samples.to_csv(laboratory.machine.robot()));
+    files::write_all(&[(&sidecar, known.as_bytes()), (&arguments.out, table.as_bytes())])?;
     output.answer(&Simulated {
         samples: samples.len(),
         left_out: left_out.len(),

@@ -1,9 +1,7 @@
 //! The folder of a result: `result.json`, `run.toml`, tables, calibrated robots, `report.html`.
 
 use std::fmt::Write;
-use std::fs;
-use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cdpr::identification::selection::{Judged, Judgement};
 use serde::Serialize;
@@ -58,7 +56,8 @@ struct InputEntry {
 
 /// Writes the result into a folder, which is made where it does not exist; files of the same names are replaced.
 ///
-/// Every file appears whole or not at all; `result.json` comes last, so that a folder that has it is complete.
+/// All files are written before the first is put in its place; `result.json` comes last, so that a folder that has it is
+/// complete.
 pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFile>) -> Result<(), Failure> {
     let mut all = more;
     all.push(NamedFile::new("run.toml", run_file(compared)?));
@@ -71,11 +70,12 @@ pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFi
     all.extend(calibrated_robots(compared));
     all.push(NamedFile::new("report.html", report(compared)?));
     all.push(NamedFile::new("result.json", result(compared)?));
-    let refused = |path: &Path, error: &io::Error| Failure::io("make the folder", &path.display().to_string(), error);
-    for folder in [folder, &folder.join("calibrated")] {
-        fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
-    }
-    all.iter().try_for_each(|file| files::write(&folder.join(&file.name), &file.content))
+    files::make_folder(folder)?;
+    files::make_folder(&folder.join("calibrated"))?;
+    let paths: Vec<PathBuf> = all.iter().map(|file| folder.join(&file.name)).collect();
+    let pairs: Vec<(&Path, &[u8])> =
+        paths.iter().map(PathBuf::as_path).zip(all.iter().map(|file| &file.content[..])).collect();
+    files::write_all(&pairs)
 }
 
 /// Robots of all judged candidates, and the recommended one at the top.

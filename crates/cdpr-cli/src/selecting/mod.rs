@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use cdpr::identification::candidate::{self, Candidate, Ladder};
 use cdpr::identification::fit::{self, Prior};
-use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, select};
+use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, fit_count, select};
 use cdpr::measurement::{Fold, Samples, Split};
 use cdpr::model::{FreeParameters, ParameterKind};
 use cdpr::robot::Robot;
@@ -136,10 +136,10 @@ impl SelectionArguments {
         }
         let fit = fit::Settings { hold: self.hold.clone(), priors: self.prior.clone(), ..fit::Settings::default() };
         let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };
-        let progress = Progress::spinner("comparing candidates");
+        let progress = Progress::of(fit_count(&candidates, &comparison.folds), "comparing candidates");
         let start = Instant::now();
         let Comparison { robot, samples, folds, data_name, .. } = &comparison;
-        let selection = select(robot, &candidates, samples, folds, &settings, &|| ())
+        let selection = select(robot, &candidates, samples, folds, &settings, &|| progress.step())
             .map_err(|error| Failure::refused(data_name, &error))?;
         let seconds = start.elapsed().as_secs_f64();
         let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, samples)).collect();

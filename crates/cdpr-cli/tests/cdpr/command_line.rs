@@ -2,7 +2,7 @@
 
 use super::{cdpr, cdpr_in, file_with};
 
-const COMMANDS: [&str; 17] = [
+pub(crate) const COMMANDS: &[&str] = &[
     "select",
     "accuracy",
     "simulate",
@@ -20,6 +20,8 @@ const COMMANDS: [&str; 17] = [
     "import",
     "export",
     "schema",
+    "completions",
+    "man",
 ];
 
 #[test]

@@ -8,9 +8,12 @@ mod elastic_models;
 mod equilibrium;
 mod export;
 mod import;
+#[cfg(unix)]
+mod interruption;
 mod kinematics;
 mod measurements;
 mod selection;
+mod shells;
 mod statics;
 mod studies;
 mod tension;

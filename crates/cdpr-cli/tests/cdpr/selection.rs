@@ -77,7 +77,7 @@ fn results_are_the_same_bytes_on_any_number_of_threads() {
     let folder = tempfile::tempdir().unwrap();
     let on_threads = |threads: &str, out: &str| {
         let mut command = assert_cmd::Command::cargo_bin("cdpr").unwrap();
-        command.current_dir(folder.path()).env("RAYON_NUM_THREADS", threads).args(["demo", "--out", out]);
+        command.current_dir(folder.path()).args(["demo", "--threads", threads, "--quiet", "--out", out]);
         assert_eq!(run(&mut command).exit_code, 0);
         contents(&folder.path().join(out))
     };

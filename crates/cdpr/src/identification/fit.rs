@@ -264,13 +264,30 @@ pub(super) const ASSUMED_NOISE: f64 = 1e-3;
 /// Minimises Σ (ρ/σ)² + Σ ((p − p_start)/σ_prior)², ρ the modelled minus the recorded length (eq. 4.8), cable by cable,
 /// within the parameters' bounds. Without free parameters it only tells how well the model fits.
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
+    fit_observed(model, samples, free, settings, &|| ())
+}
+
+/// As [`fit`]; `progress` is called after each descent: [`descent_count`] times.
+pub fn fit_observed(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     if model.composition().elastic {
-        let optimum = elastostatic::find(model, samples, &parameters, settings)?;
+        let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         return Ok(elastostatic::report(samples, &parameters, optimum, settings));
     }
     let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
+    progress();
     report(model, samples, &parameters, &weights, optimum, settings)
+}
+
+/// Descents of one fit: the starts of an elastic model, one of any other.
+pub fn descent_count(model: &Model, settings: &Settings) -> usize {
+    if model.composition().elastic { settings.starts.max(1) as usize } else { 1 }
 }
 
 /// The optimum of a fit alone.
@@ -298,7 +315,7 @@ pub fn optimal_parameters(
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     if model.composition().elastic {
-        let optimum = elastostatic::find(model, samples, &parameters, settings)?;
+        let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
             converged: optimum.converged(),

@@ -181,8 +181,8 @@ pub enum InputError {
 /// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
 /// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
 ///
-/// With one fold the reported fit is that of its training part; with several, of all samples. `progress` is called once
-/// for each candidate that is done, from any thread.
+/// With one fold the reported fit is that of its training part; with several, of all samples. `progress` is called after
+/// each fit, from any thread; there are [`fit_count`] of them when every candidate can be fitted.
 pub fn select(
     robot: &Robot,
     candidates: &[Candidate],
@@ -198,8 +198,7 @@ pub fn select(
         return Err(InputError::NoValidation);
     }
     let judge_one = |candidate: &Candidate| {
-        let outcome = judge(robot, candidate, samples, folds, settings);
-        progress();
+        let outcome = judge(robot, candidate, samples, folds, settings, progress);
         Judged { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
     let judged = map_all(candidates, judge_one);
@@ -209,6 +208,12 @@ pub fn select(
         return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
     }
     Ok(recommend(judged, settings.criterion))
+}
+
+/// Fits that [`select`] makes: one of each candidate and fold, and one of all samples where there are several folds.
+pub fn fit_count(candidates: &[Candidate], folds: &[Fold]) -> usize {
+    let of_one = if folds.len() == 1 { 1 } else { folds.len() + 1 };
+    candidates.len() * of_one
 }
 
 #[cfg(feature = "parallel")]
@@ -228,9 +233,14 @@ fn judge(
     samples: &Samples,
     folds: &[Fold],
     settings: &Settings,
+    progress: &(dyn Fn() + Sync),
 ) -> Result<Judgement, String> {
     let model = Model::new(robot.clone(), candidate.composition).map_err(|error| error.to_string())?;
-    let fit_to = |part: &Samples| fit(&model, part, &candidate.free, &settings.fit).map_err(|error| error.to_string());
+    let fit_to = |part: &Samples| {
+        let fitted = fit(&model, part, &candidate.free, &settings.fit).map_err(|error| error.to_string());
+        progress();
+        fitted
+    };
     let mut errors = Evaluation::default();
     let mut fold_blocks = Vec::new();
     let mut validation_samples = Vec::new();

@@ -73,12 +73,13 @@ impl Optimum {
     }
 }
 
-/// Finds the optimum of an elastic model.
+/// Finds the optimum of an elastic model; `progress` is called after each start.
 pub(crate) fn find(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
+    progress: &dyn Fn(),
 ) -> Result<Optimum, InputError> {
     let tensions = checked_tensions(model, samples)?;
     let start_model = with_constant_wrench(model, samples, &tensions, parameters)?;
@@ -87,7 +88,7 @@ pub(crate) fn find(
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let adjust = Adjust { problem: &problem, sigmas, absolute };
     let mut linearization = adjust.measured(&start_model)?;
-    let (mut end, basins) = search(&problem, &linearization);
+    let (mut end, basins) = search(&problem, &linearization, progress);
     if !parameters.is_empty() && !adjust.polish(&mut end, &mut linearization)? {
         adjust.repeat(&mut end, &mut linearization)?;
     }
@@ -162,16 +163,18 @@ impl Adjust<'_> {
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
-fn search(problem: &Problem<'_>, linearization: &Linearization) -> (End, Vec<Basin>) {
+fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Vec<Basin>) {
     // one start only has to come near; several must be told apart
     let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
     let mut best = problem.descend(&problem.start, linearization, stop);
+    progress();
     let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
     let mut random = ChaCha8Rng::seed_from_u64(problem.settings.seed);
     for _ in 1..problem.settings.starts {
         let from: Vec<f64> =
             problem.parameters.iter().zip(&problem.start).map(|(p, &value)| moved(p, value, &mut random)).collect();
         let end = problem.descend(&from, linearization, stop);
+        progress();
         if !end.cost.is_finite() {
             continue;
         }

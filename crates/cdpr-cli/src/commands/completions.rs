@@ -1,0 +1,48 @@
+//! `cdpr completions`: what a shell needs to complete commands, options and their values.
+
+use std::process::ExitCode;
+
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+use serde::Serialize;
+
+use crate::CommandLine;
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr completions bash > ~/.local/share/bash-completion/completions/cdpr
+  cdpr completions zsh > ~/.zfunc/_cdpr      # with fpath+=~/.zfunc before compinit in ~/.zshrc
+  cdpr completions fish > ~/.config/fish/completions/cdpr.fish
+  cdpr completions powershell >> $PROFILE";
+
+/// Print the completions of a shell: its script completes commands, options, their values and file names.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The shell.
+    #[arg(value_enum, value_name = "SHELL")]
+    shell: Shell,
+}
+
+#[derive(Serialize)]
+struct Completions {
+    shell: String,
+    script: String,
+}
+
+impl Answer for Completions {
+    fn words(&self) -> String {
+        self.script.clone()
+    }
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut CommandLine::command(), "cdpr", &mut script);
+    output.answer(&Completions {
+        shell: arguments.shell.to_string(),
+        script: String::from_utf8_lossy(&script).into_owned(),
+    })
+}

@@ -1,0 +1,62 @@
+//! Ctrl-C, and a polite kill: the run ends without leaving a temporary file.
+
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tempfile::NamedTempFile;
+
+use crate::console;
+
+/// What a shell gives to commands that SIGINT ended: 128 + 2.
+const INTERRUPTED: i32 = 130;
+
+/// Temporary files that exist now.
+static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
+    // a list of paths is whole whatever panicked
+    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on SIGINT, SIGTERM and SIGHUP (Ctrl-C on other systems) remove temporary files and end the run.
+///
+/// Whoever started the program with one of them ignored, as `nohup` does, keeps it so.
+pub(crate) fn watch() {
+    // without a handler the system ends the run; targets are whole all the same
+    let _ = ctrlc::try_set_handler(|| {
+        let pending = pending();
+        for path in pending.iter() {
+            // what is gone already needs no removing
+            let _ = fs::remove_file(path);
+        }
+        let mut stderr = io::stderr();
+        if stderr.is_terminal() && !console::is_quiet() {
+            // over the line of progress, if there is one
+            let _ = writeln!(stderr, "\r\x1b[Kinterrupted; no file is left half-written");
+        }
+        // the lock is held until the end: no other temporary file can appear
+        process::exit(INTERRUPTED);
+    });
+}
+
+/// Makes a temporary file that goes with an interruption.
+pub(crate) fn temporary(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
+    let mut pending = pending();
+    let file = make()?;
+    pending.push(file.path().to_owned());
+    Ok(file)
+}
+
+/// Does what an interruption has to wait for.
+pub(crate) fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
+    let _waits = pending();
+    work()
+}
+
+/// These files have their place, or are removed.
+pub(crate) fn forget(paths: &[&Path]) {
+    pending().retain(|path| !paths.contains(&path.as_path()));
+}

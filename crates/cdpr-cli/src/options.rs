@@ -1,0 +1,77 @@
+//! Options that every command takes.
+
+use std::num::NonZeroU16;
+
+use clap::Args;
+
+use crate::answer::Format;
+use crate::console::{self, ColorChoice, Console};
+use crate::failure::Failure;
+
+/// How the run talks and how much of the computer it takes.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Global options")]
+pub(crate) struct GlobalOptions {
+    /// Write the answer as tables for people, or as one JSON object (numbers that are not finite are null).
+    #[arg(long, global = true, value_enum, default_value_t = Format::Text, value_name = "text|json")]
+    #[arg(hide_possible_values = true, display_order = 900)]
+    pub(crate) format: Format,
+
+    /// Say nothing but the answer and errors: no notes, no progress.
+    #[arg(short, long, global = true, display_order = 901)]
+    quiet: bool,
+
+    /// Colour on terminals (auto; NO_COLOR and CLICOLOR_FORCE are heeded), everywhere, or nowhere.
+    #[arg(long, global = true, value_enum, default_value_t = ColorChoice::Auto, value_name = "auto|always|never")]
+    #[arg(hide_possible_values = true, display_order = 902)]
+    color: ColorChoice,
+
+    /// Threads to calculate with, at most; all processors when left out. The result is the same for any number.
+    #[arg(long, global = true, value_name = "N", display_order = 903)]
+    threads: Option<NonZeroU16>,
+}
+
+impl GlobalOptions {
+    /// Settles colour, quiet and threads for the rest of the run.
+    pub(crate) fn settle(&self) -> Result<(), Failure> {
+        console::settle(Console { color: self.color, quiet: self.quiet });
+        let Some(threads) = self.threads else { return Ok(()) };
+        rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads.get())).build_global().map_err(|error| {
+            Failure::input(format!("--threads {threads}: {error}"), "ask for fewer threads, or leave --threads out")
+        })
+    }
+}
+
+/// The words of a command line without colour, quiet and threads, which do not touch the result.
+pub(crate) fn that_matter(words: &[String]) -> Vec<&String> {
+    let mut kept = Vec::new();
+    let mut rest = words.iter();
+    while let Some(word) = rest.next() {
+        match word.as_str() {
+            "--" => {
+                kept.push(word);
+                kept.extend(rest.by_ref());
+            }
+            "--quiet" | "-q" => {}
+            "--color" | "--threads" => drop(rest.next()),
+            other if other.starts_with("--color=") || other.starts_with("--threads=") => {}
+            _ => kept.push(word),
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_touch_the_result_is_not_part_of_its_provenance() {
+        let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        let given = words("--threads 3 select --color=never a.toml -q --threads=2 --seed 4 -- --quiet");
+        assert_eq!(
+            that_matter(&given).into_iter().cloned().collect::<Vec<_>>(),
+            words("select a.toml --seed 4 -- --quiet")
+        );
+    }
+}

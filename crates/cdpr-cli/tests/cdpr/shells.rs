@@ -1,0 +1,90 @@
+//! Completions, man pages, and the options that every command takes.
+
+use std::process::Command;
+
+use super::{cdpr, cdpr_in};
+use crate::command_line::COMMANDS;
+
+#[test]
+fn completions_of_every_shell_know_every_command() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let run = cdpr(&format!("completions {shell}"));
+        assert_eq!(run.exit_code, 0, "{shell}: {}", run.stderr);
+        for command in COMMANDS {
+            assert!(run.stdout.contains(command), "{shell} does not know {command}");
+        }
+        let json = cdpr(&format!("completions {shell} --format json")).json();
+        assert_eq!((json["shell"].as_str(), json["script"].as_str()), (Some(shell), Some(run.stdout.as_str())));
+    }
+}
+
+/// `bash -n` reads the script without running it; where there is no bash there is nothing to check.
+#[test]
+#[expect(clippy::print_stderr, reason = "a test that skips says so")]
+fn the_completions_of_bash_are_a_script_that_completes_an_option() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = folder.path().join("cdpr.bash");
+    std::fs::write(&script, cdpr("completions bash").stdout).unwrap();
+    let ask = format!(
+        "source {} && COMP_WORDS=(cdpr select --requ) && COMP_CWORD=2 && _cdpr cdpr --requ select && echo \"${{COMPREPLY[@]}}\"",
+        script.display()
+    );
+    let Ok(output) = Command::new("bash").args(["-c", &ask]).output() else {
+        eprintln!("skipped: there is no bash");
+        return;
+    };
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "--require\n", "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn there_is_a_man_page_of_every_command_with_its_examples() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = cdpr_in(folder.path(), "man --out man1 --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let text = |name: &str| std::fs::read_to_string(folder.path().join("man1").join(name)).unwrap();
+    assert!(text("cdpr.1").contains(".SH EXAMPLES\n.nf\n  cdpr robots\n"));
+    for command in COMMANDS {
+        let page = text(&format!("cdpr-{command}.1"));
+        assert!(page.contains(".SH EXAMPLES") && page.contains(".SH SYNOPSIS"), "{command}: {page}");
+    }
+    assert!(text("cdpr-import-caspr.1").contains("cable\\-set"));
+    assert_eq!(cdpr("man").stdout, text("cdpr.1"));
+}
+
+#[test]
+fn quiet_leaves_the_answer_and_drops_the_notes() {
+    let (folder, _) = super::file_with("square.toml", super::SQUARE.as_bytes());
+    let heading = "x_m,y_m,mood,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
+    std::fs::write(folder.path().join("data.csv"), format!("{heading}5,4,1,6.4,6.4,6.4,6.4\n")).unwrap();
+    let loud = cdpr_in(folder.path(), "evaluate square.toml data.csv");
+    assert!(loud.stderr.contains("mood"), "{}", loud.stderr);
+    for quiet in ["evaluate square.toml data.csv --quiet", "-q evaluate square.toml data.csv"] {
+        let run = cdpr_in(folder.path(), quiet);
+        assert_eq!((run.exit_code, run.stdout.as_str(), run.stderr.as_str()), (0, loud.stdout.as_str(), ""));
+    }
+    let error = cdpr("check planar-exampel --quiet");
+    assert!(error.exit_code == 2 && error.stderr.contains("planar-example"), "errors are told: {}", error.stderr);
+}
+
+#[test]
+fn colour_can_be_forced_and_forbidden() {
+    let stderr = |arguments: &str, variables: &[(&str, &str)]| {
+        let mut command = assert_cmd::Command::cargo_bin("cdpr").unwrap();
+        command.env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE").envs(variables.iter().copied());
+        super::run(command.args(arguments.split_whitespace())).stderr
+    };
+    for arguments in ["check planar-exampel", "nonsense", "ik planar-example"] {
+        let is_coloured =
+            |more: &str, variables: &[(&str, &str)]| stderr(&format!("{arguments}{more}"), variables).contains('\x1b');
+        assert!(is_coloured(" --color always", &[]), "{arguments}");
+        assert!(is_coloured("", &[("CLICOLOR_FORCE", "1")]), "{arguments}");
+        assert!(!is_coloured("", &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]), "{arguments}");
+        assert!(!is_coloured(" --color=never", &[("CLICOLOR_FORCE", "1")]), "{arguments}");
+    }
+}
+
+#[test]
+fn no_threads_at_all_is_wrong_usage() {
+    assert_eq!(cdpr("robots --threads 0").exit_code, 2);
+    assert_eq!(cdpr("robots --threads 2").exit_code, 0);
+}
