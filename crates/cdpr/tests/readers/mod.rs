@@ -3,6 +3,7 @@
 //! Nothing may panic; what is accepted is finite and comes back unchanged.
 #![allow(dead_code, reason = "tests, the long run and the fuzz targets use different parts")]
 
+pub(crate) mod caspr;
 mod mutation;
 
 use cdpr::measurement::{Reading, Samples, Sidecar, Split};
@@ -20,11 +21,13 @@ pub(crate) struct Reader {
 }
 
 /// All readers.
-pub(crate) const READERS: [Reader; 4] = [
+pub(crate) const READERS: [Reader; 6] = [
     Reader { name: "robot", corpus: robots, check: check_robot },
     Reader { name: "measurements", corpus: || vec![DATA.into(), WIDE_DATA.into()], check: check_data },
     Reader { name: "study", corpus: studies, check: check_study },
     Reader { name: "sidecar", corpus: || vec![SIDECAR.into()], check: check_sidecar },
+    Reader { name: "caspr-bodies", corpus: || vec![caspr::BODIES.into()], check: caspr::check_bodies },
+    Reader { name: "caspr-cables", corpus: || vec![caspr::CABLES.into()], check: caspr::check_cables },
 ];
 
 fn robots() -> Vec<Vec<u8>> {

@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Words that readers give a meaning to, and numbers at the ends of their range.
-const WORDS: [&str; 40] = [
+const WORDS: [&str; 48] = [
     "nan",
     "inf",
     "-inf",
@@ -45,6 +45,14 @@ const WORDS: [&str; 40] = [
     "\"\n\"",
     "\r\n",
     "\0",
+    "<a>",
+    "</location>",
+    "<!--",
+    "<![CDATA[",
+    "&#0;",
+    "&x;",
+    "<!ENTITY",
+    "xmlns=''",
 ];
 
 /// A file of the corpus with one to five damages; now and then just bytes.
