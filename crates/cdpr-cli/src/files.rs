@@ -28,6 +28,22 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
     fs::create_dir_all(path).map_err(|error| Failure::io("make the folder", &path.display().to_string(), &error))
 }
 
+/// A folder that this process alone writes into until the value is dropped, made where it does not exist: another process
+/// that is about to write waits, so that files of two results never mix.
+pub(crate) struct OwnFolder {
+    /// Open and locked; the system lets go of the lock when the process ends, however it ends.
+    _locked: Option<fs::File>,
+}
+
+impl OwnFolder {
+    pub(crate) fn make(folder: &Path) -> Result<Self, Failure> {
+        make_folder(folder)?;
+        // where a system cannot lock folders, files are still whole, only results may mix
+        let locked = fs::File::open(folder).ok().filter(|handle| handle.lock().is_ok());
+        Ok(Self { _locked: locked })
+    }
+}
+
 /// Writes a file so that it is there completely or not at all.
 pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
     write_all(&[(path, content)])

@@ -5,7 +5,6 @@ mod drawings;
 mod result_data;
 mod tables;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -79,8 +78,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         Kind::Csv => tables::all(&data),
     };
     let folder = arguments.out.unwrap_or_else(|| data.folder.join("figures"));
-    fs::create_dir_all(&folder)
-        .map_err(|error| Failure::io("make the folder", &folder.display().to_string(), &error))?;
+    let _own = files::OwnFolder::make(&folder)?;
     let (mut written, mut skipped) = (Vec::new(), Vec::new());
     for Figure { name, content, why_not } in figures {
         match content {

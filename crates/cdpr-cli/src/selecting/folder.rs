@@ -57,7 +57,7 @@ struct InputEntry {
 /// Writes the result into a folder, which is made where it does not exist; files of the same names are replaced.
 ///
 /// All files are written before the first is put in its place; `result.json` comes last, so that a folder that has it is
-/// complete.
+/// complete. Of two processes that write into one folder the second waits for the first.
 pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFile>) -> Result<(), Failure> {
     let mut all = more;
     all.push(NamedFile::new("run.toml", run_file(compared)?));
@@ -70,7 +70,7 @@ pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFi
     all.extend(calibrated_robots(compared));
     all.push(NamedFile::new("report.html", report(compared)?));
     all.push(NamedFile::new("result.json", result(compared)?));
-    files::make_folder(folder)?;
+    let _own = files::OwnFolder::make(folder)?;
     files::make_folder(&folder.join("calibrated"))?;
     let paths: Vec<PathBuf> = all.iter().map(|file| folder.join(&file.name)).collect();
     let pairs: Vec<(&Path, &[u8])> =

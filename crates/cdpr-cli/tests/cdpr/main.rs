@@ -7,6 +7,7 @@ mod command_line;
 mod elastic_models;
 mod equilibrium;
 mod export;
+mod faults;
 mod import;
 #[cfg(unix)]
 mod interruption;
