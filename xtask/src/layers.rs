@@ -20,6 +20,7 @@ const ROOMS: &[&[&str]] = &[
     &["plant"],
     &["surrogate"],
     &["export"],
+    &["error_code"],
 ];
 
 /// Each crate of the workspace and the workspace crates that it may depend on.

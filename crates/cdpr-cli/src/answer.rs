@@ -83,8 +83,7 @@ impl Output {
 }
 
 fn json(value: &impl Serialize) -> Result<String, Failure> {
-    serde_json::to_string(value)
-        .map_err(|error| Failure::numerical(format!("the answer cannot be written as JSON: {error}")))
+    serde_json::to_string(value).map_err(|error| Failure::unwritable("the answer", &error))
 }
 
 fn to_stdout(text: &str) -> Result<(), Failure> {

@@ -45,13 +45,14 @@ fn write(text: &str) {
 
 fn failure_text(failure: &Failure, colours: &Colours) -> String {
     let Colours { error, place, reset, .. } = colours;
-    let mut text = format!("{error}error{reset}: {}\n", failure.message());
+    let mut text = format!("{error}error[{}]{reset}: {}\n", failure.code(), failure.message());
     if let Failure::File(read_error) = failure {
         text.push_str(&place_text(read_error, colours));
     }
     if let Some(help) = failure.help() {
         text.push_str(&format!("  {place}={reset} help: {help}\n"));
     }
+    text.push_str(&format!("  {place}={reset} more: cdpr explain {}\n", failure.code()));
     text
 }
 
@@ -90,12 +91,13 @@ mod tests {
             .at(place)
             .with_help("did you mean `name`?");
         let expected = "\
-error: unknown key `nam`
+error[toml::unknown-key]: unknown key `nam`
  --> robot.toml:2:1
   |
 2 | nam = \"x\"
   | ^^^
   = help: did you mean `name`?
+  = more: cdpr explain toml::unknown-key
 ";
         assert_eq!(failure_text(&error.into(), &Colours::NONE), expected);
     }

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use cdpr::error_code::ErrorCode;
 use cdpr::reading::ReadError;
 use serde::Serialize;
 
@@ -12,6 +13,8 @@ pub(crate) enum Failure {
     File(Box<ReadError>),
     /// Arguments, or arguments and files, that do not fit together.
     Input {
+        /// Stable short name, explained by `cdpr explain`.
+        code: &'static str,
         /// What is wrong and why.
         message: String,
         /// How to mend it.
@@ -19,11 +22,15 @@ pub(crate) enum Failure {
     },
     /// Numbers that left the range a computer can represent.
     Numerical {
+        /// Stable short name.
+        code: &'static str,
         /// What happened.
         message: String,
     },
     /// A file that cannot be read or written.
     Io {
+        /// Stable short name.
+        code: &'static str,
         /// What was tried, and the system's answer.
         message: String,
         /// How to mend it.
@@ -44,35 +51,40 @@ pub(crate) struct FailureObject<'a> {
     line: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     column: Option<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    code: Option<&'static str>,
+    code: &'static str,
     exit_code: u8,
 }
 
 impl Failure {
     /// A command line that cannot be understood.
-    pub(crate) fn usage(message: impl Into<String>) -> Self {
-        Self::Input { message: message.into(), help: None }
+    pub(crate) fn usage(code: &'static str, message: impl Into<String>) -> Self {
+        Self::Input { code, message: message.into(), help: None }
     }
 
     /// Input that cannot be used, with the way out.
-    pub(crate) fn input(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self::Input { message: message.into(), help: Some(help.into()) }
+    pub(crate) fn input(code: &'static str, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self::Input { code, message: message.into(), help: Some(help.into()) }
     }
 
     /// Input that the library refused, with the argument or file it came from; messages of the library name the cure.
-    pub(crate) fn refused(what: &str, error: &dyn std::error::Error) -> Self {
-        Self::Input { message: format!("{what}: {error}"), help: None }
+    pub(crate) fn refused(what: &str, error: &dyn ErrorCode) -> Self {
+        Self::Input { code: error.code(), message: format!("{what}: {error}"), help: None }
     }
 
     /// A calculation that overflowed.
     pub(crate) fn numerical(message: impl Into<String>) -> Self {
-        Self::Numerical { message: message.into() }
+        Self::Numerical { code: "numerical::overflow", message: message.into() }
+    }
+
+    /// A result that cannot be put into its format.
+    pub(crate) fn unwritable(what: &str, error: &dyn std::error::Error) -> Self {
+        Self::Numerical { code: "numerical::unwritable", message: format!("{what} cannot be written: {error}") }
     }
 
     /// The system refused to `verb` a file.
     pub(crate) fn io(verb: &str, path: &str, error: &io::Error) -> Self {
-        Self::Io { message: format!("cannot {verb} {path}: {}", system_reason(error)), help: None }
+        let code = if verb == "read" { "io::read" } else { "io::write" };
+        Self::Io { code, message: format!("cannot {verb} {path}: {}", system_reason(error)), help: None }
     }
 
     /// The same failure with a hint how to mend it.
@@ -91,11 +103,19 @@ impl Failure {
         }
     }
 
+    /// Stable short name, explained by `cdpr explain`.
+    pub(crate) fn code(&self) -> &'static str {
+        match self {
+            Self::File(error) => error.code,
+            Self::Input { code, .. } | Self::Numerical { code, .. } | Self::Io { code, .. } => code,
+        }
+    }
+
     /// What is wrong and why, without the place.
     pub(crate) fn message(&self) -> &str {
         match self {
             Self::File(error) => &error.message,
-            Self::Input { message, .. } | Self::Numerical { message } | Self::Io { message, .. } => message,
+            Self::Input { message, .. } | Self::Numerical { message, .. } | Self::Io { message, .. } => message,
         }
     }
 
@@ -117,7 +137,7 @@ impl Failure {
             file: read_error.map(|error| error.file_name.as_str()),
             line: read_error.and_then(|error| error.line()),
             column: read_error.and_then(|error| error.column()),
-            code: read_error.map(|error| error.code),
+            code: self.code(),
             exit_code: self.exit_code(),
         }
     }

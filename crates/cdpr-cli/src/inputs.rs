@@ -64,7 +64,7 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
         return Ok(Robot::from_toml_bytes(&bytes, text)?);
     }
     let message = format!("there is neither a built-in robot nor a file named `{text}`");
-    Err(Failure::input(message, help_for_unknown_robot(text)))
+    Err(Failure::input("robot::unknown-name", message, help_for_unknown_robot(text)))
 }
 
 fn help_for_unknown_robot(text: &str) -> String {
@@ -110,7 +110,11 @@ pub(crate) fn wrench_of(robot: &Robot, option: &str, numbers: &NumberList) -> Re
         let (name, components, found) = (pattern.name(), wrench_components(pattern), numbers.0.len());
         let message =
             format!("{option}: motion pattern {name} takes the wrench components {components}, found {found} numbers");
-        return Err(Failure::input(message, "forces in N, moments about the platform origin in N·m, world axes"));
+        return Err(Failure::input(
+            "wrench::component-count",
+            message,
+            "forces in N, moments about the platform origin in N·m, world axes",
+        ));
     }
     let basis = pattern.twist_basis(robot.plane);
     Ok(basis.iter().zip(&numbers.0).map(|(unit, number)| unit * *number).sum())

@@ -75,7 +75,7 @@ impl Laboratory {
     }
 
     /// Something that is wrong with the study.
-    pub(crate) fn refused(&self, error: &dyn std::error::Error) -> Failure {
+    pub(crate) fn refused(&self, error: &dyn cdpr::error_code::ErrorCode) -> Failure {
         Failure::refused(&self.name, error)
     }
 
@@ -115,7 +115,7 @@ fn robot_path(robot: &str, folder: &Path) -> String {
 
 fn model_of(study: &Study, side: &RobotModel, robots: RobotSource<'_>) -> Result<Model, Failure> {
     let robot = study.limited(robots(&side.robot)?);
-    let refused = |error: &dyn std::error::Error| Failure::refused(&side.robot, error);
+    let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused(&side.robot, error);
     let composition: Composition = side.model.parse().map_err(|error: CompositionError| refused(&error))?;
     Model::new(robot, composition).map_err(|error| refused(&error))
 }

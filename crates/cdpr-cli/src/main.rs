@@ -5,6 +5,7 @@ mod commands;
 mod console;
 mod diagnostics;
 mod error_table;
+mod explanations;
 mod failure;
 mod figures;
 mod files;

@@ -37,7 +37,11 @@ impl GlobalOptions {
         console::settle(Console { color: self.color, quiet: self.quiet });
         let Some(threads) = self.threads else { return Ok(()) };
         rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads.get())).build_global().map_err(|error| {
-            Failure::input(format!("--threads {threads}: {error}"), "ask for fewer threads, or leave --threads out")
+            Failure::input(
+                "usage::threads",
+                format!("--threads {threads}: {error}"),
+                "ask for fewer threads, or leave --threads out",
+            )
         })
     }
 }

@@ -1,9 +1,16 @@
 //! Command lines that cannot be understood, and the help that was asked for.
 
 use std::env;
+use std::error::Error;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
+use cdpr::error_code::ErrorCode;
+use cdpr::identification::candidate::CandidateError;
+use cdpr::identification::fit;
+use cdpr::identification::selection::RequirementError;
+use cdpr::measurement::SplitError;
+use cdpr::model::{CompositionError, ParameterError};
 use clap::error::ErrorKind;
 
 use crate::answer::{Format, Output};
@@ -19,18 +26,44 @@ pub(crate) fn exit(error: &clap::Error) -> ExitCode {
         return ExitCode::SUCCESS;
     }
     write(io::stderr(), error);
-    match error.kind() {
-        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => ExitCode::SUCCESS,
-        _ => {
-            let failure = Failure::usage(first_paragraph(&error.to_string()));
-            Output::new(Format::asked_for(env::args())).mirror(&failure)
-        }
+    let failure = Failure::usage(code(error), first_paragraph(&error.to_string()));
+    Output::new(Format::asked_for(env::args())).mirror(&failure)
+}
+
+/// The library's code where the library refused a value, else one for the kind of mistake.
+fn code(error: &clap::Error) -> &'static str {
+    if let Some(code) = error.source().and_then(code_of_value) {
+        return code;
     }
+    match error.kind() {
+        ErrorKind::UnknownArgument => "usage::unknown-option",
+        ErrorKind::InvalidSubcommand => "usage::unknown-command",
+        ErrorKind::MissingRequiredArgument
+        | ErrorKind::MissingSubcommand
+        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => "usage::missing-argument",
+        ErrorKind::ArgumentConflict => "usage::conflict",
+        ErrorKind::InvalidUtf8 => "usage::not-utf8",
+        _ => "usage::value",
+    }
+}
+
+/// The code of an option's value that the library's own parsers refuse.
+fn code_of_value(error: &(dyn Error + 'static)) -> Option<&'static str> {
+    fn of<T: ErrorCode + 'static>(error: &(dyn Error + 'static)) -> Option<&'static str> {
+        error.downcast_ref::<T>().map(ErrorCode::code)
+    }
+    of::<CompositionError>(error)
+        .or_else(|| of::<ParameterError>(error))
+        .or_else(|| of::<CandidateError>(error))
+        .or_else(|| of::<RequirementError>(error))
+        .or_else(|| of::<SplitError>(error))
+        .or_else(|| of::<fit::InputError>(error))
 }
 
 fn write(mut stream: impl Write + IsTerminal, error: &clap::Error) {
     let styled = error.render();
     let text = if console::has_colour(&stream) { styled.ansi().to_string() } else { styled.to_string() };
+    let text = if error.use_stderr() { text.replacen("error:", &format!("error[{}]:", code(error)), 1) } else { text };
     // when the stream is gone there is nobody to tell
     let _ = stream.write_all(text.as_bytes());
 }

@@ -27,12 +27,13 @@
 //!
 //! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
 //! [`statics`], [`equilibrium`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
-//! file reader. Symbols and signs are in [`notation`]. SI units and radians everywhere.
+//! file reader, [`error_code`] the stable name of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
 pub use nalgebra;
 
 pub mod cable;
 pub mod equilibrium;
+pub mod error_code;
 pub mod geometry;
 pub mod identification;
 pub mod measurement;

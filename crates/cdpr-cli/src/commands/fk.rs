@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let answer = match (&arguments.tensions, &arguments.lengths) {
         (Some(tensions), _) => arguments.by_tensions(&model, &tensions.0, &guess)?,
         (None, Some(lengths)) => arguments.by_lengths(&model, &lengths.0, &guess)?,
-        (None, None) => return Err(Failure::input("neither lengths nor tensions are given", "give --lengths or --tensions")),
+        (None, None) => return Err(Failure::input("usage::missing-argument", "neither lengths nor tensions are given", "give --lengths or --tensions")),
     };
     output.answer(&answer)
 }
@@ -82,7 +82,7 @@ impl Arguments {
                 *length = model.controlled_length(cable, *length);
             });
         }
-        let refused = |error: &dyn std::error::Error| Failure::refused("--lengths", error);
+        let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("--lengths", error);
         let (elastic, underactuated) = (model.composition().elastic, model.cable_count() < model.dof());
         let own_load = Load::of(model.robot());
         let is_load_known = self.wrench.is_some() || own_load.is_ok();

@@ -44,6 +44,7 @@ commands! {
     import: Import,
     export: Export,
     schema: Schema,
+    explain: Explain,
     completions: Completions,
     man: Man,
 }

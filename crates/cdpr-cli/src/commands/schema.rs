@@ -54,6 +54,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let schema = schema.to_value();
     let words = serde_json::to_string_pretty(&schema)
-        .map_err(|error| Failure::numerical(format!("the schema cannot be written: {error}")))?;
+        .map_err(|error| Failure::unwritable("the schema", &error))?;
     output.answer(&Schema { schema, words })
 }

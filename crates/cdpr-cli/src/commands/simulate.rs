@@ -54,7 +54,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let Simulation { samples, left_out, .. } = &laboratory.record(arguments.seed)?;
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
-        return Err(laboratory.refused(&std::io::Error::other(format!("no pose gave a sample: {reason}"))));
+        let message = format!("{}: no pose gave a sample: {reason}", arguments.study.display());
+        return Err(Failure::input("study::no-samples", message, "`cdpr accuracy STUDY` counts what happens at the poses"));
     }
     let sidecar = arguments.out.with_extension("meta.toml");
     let (known, table) = (laboratory.sidecar(arguments.seed).to_toml(), samples.to_csv(laboratory.machine.robot()));

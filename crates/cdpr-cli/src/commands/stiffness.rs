@@ -95,7 +95,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     if !model.composition().elastic {
         let elastic = Composition { elastic: true, ..model.composition() };
         let message = format!("--model {}: its cables are rigid, so the stiffness is infinite", model.composition());
-        return Err(Failure::input(message, format!("use `--model {elastic}`")));
+        return Err(Failure::input("stiffness::rigid-cable", message, format!("use `--model {elastic}`")));
     }
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     let load = load_of(model.robot(), arguments.wrench.as_ref())?;

@@ -120,13 +120,13 @@ fn run_file(compared: &Compared) -> Result<String, Failure> {
             .map(|file| InputEntry { file: file.name.clone(), sha256: hash(&file.content) })
             .collect(),
     };
-    toml::to_string(&run).map_err(|error| Failure::numerical(format!("run.toml cannot be written: {error}")))
+    toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))
 }
 
 fn result(compared: &Compared) -> Result<String, Failure> {
     serde_json::to_string_pretty(&Selected::with_timing(compared))
         .map(|text| text + "\n")
-        .map_err(|error| Failure::numerical(format!("result.json cannot be written: {error}")))
+        .map_err(|error| Failure::unwritable("result.json", &error))
 }
 
 fn report(compared: &Compared) -> Result<String, Failure> {
@@ -145,7 +145,7 @@ fn report(compared: &Compared) -> Result<String, Failure> {
         version: env!("CARGO_PKG_VERSION"),
         warnings: &comparison.warnings,
     };
-    render(&report).map_err(|error| Failure::numerical(format!("report.html cannot be written: {error}")))
+    render(&report).map_err(|error| Failure::unwritable("report.html", &error))
 }
 
 /// Judged candidates with their names.

@@ -6,7 +6,7 @@ mod folder;
 
 use std::time::Instant;
 
-use cdpr::identification::candidate::{self, Candidate, Ladder};
+use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
 use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, fit_count, select};
 use cdpr::measurement::{Fold, Samples, Split};
@@ -52,8 +52,8 @@ pub(crate) struct SelectionArguments {
 #[derive(Clone, Debug)]
 struct CandidateList(Vec<Candidate>);
 
-fn candidate_list(text: &str) -> Result<CandidateList, String> {
-    candidate::parse_list(text).map(CandidateList).map_err(|error| error.to_string())
+fn candidate_list(text: &str) -> Result<CandidateList, CandidateError> {
+    candidate::parse_list(text).map(CandidateList)
 }
 
 /// `--criterion`.
@@ -125,11 +125,12 @@ impl SelectionArguments {
         let criterion = Criterion::from(self.criterion);
         if criterion == Criterion::Rotation && !comparison.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
-            return Err(Failure::input(message, "use --criterion position or length"));
+            return Err(Failure::input("criterion::not-in-data", message, "use --criterion position or length"));
         }
         if criterion == Criterion::Tension && comparison.samples.tensions.is_none() {
             let message = format!("{}: --criterion tension needs recorded tensions", comparison.data_name);
             return Err(Failure::input(
+                "criterion::not-in-data",
                 &message,
                 "add the columns tension_N_1, tension_N_2, …, or use another criterion",
             ));

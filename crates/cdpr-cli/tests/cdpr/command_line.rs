@@ -20,6 +20,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "import",
     "export",
     "schema",
+    "explain",
     "completions",
     "man",
 ];

@@ -6,6 +6,7 @@ mod bad_input;
 mod command_line;
 mod elastic_models;
 mod equilibrium;
+mod explanations;
 mod export;
 mod faults;
 mod import;

@@ -56,5 +56,5 @@ pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, 
         version: env!("CARGO_PKG_VERSION"),
         warnings: &[],
     };
-    render(&report).map_err(|error| Failure::numerical(format!("the report cannot be written: {error}")))
+    render(&report).map_err(|error| Failure::unwritable("the report", &error))
 }

@@ -91,7 +91,7 @@ pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode
     if let Some(first) = import.findings.iter().find(acts).filter(|_| arguments.strict) {
         let count = import.findings.iter().filter(acts).count();
         let message = format!("--strict: {count} elements cannot be imported wholly, the first is {first}");
-        return Err(Failure::input(message, "without --strict they are left out or simplified, and listed"));
+        return Err(Failure::input("caspr::not-wholly", message, "without --strict they are left out or simplified, and listed"));
     }
     files::write(&arguments.out, import.robot.to_toml().as_bytes())?;
     import.findings.iter().filter(acts).for_each(|finding| output.remark(&finding.to_string()));

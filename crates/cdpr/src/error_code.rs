@@ -1,0 +1,260 @@
+//! Stable short names of everything that the library refuses, for scripts and for looking up.
+//!
+//! A code is `area::mistake` in words. One mistake has one code, whichever function met it: an error that only carries
+//! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
+
+use crate::cable::DegenerateCourse;
+use crate::cable::outlet::pulley::PlacementError;
+use crate::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use crate::geometry::PatternError;
+use crate::identification::candidate::CandidateError;
+use crate::identification::selection::RequirementError;
+use crate::identification::{EvaluationError, fit, selection};
+use crate::measurement::{DataError, SplitError};
+use crate::metamodel;
+use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError};
+use crate::reading::ReadError;
+use crate::statics::{LoadError, StaticsError};
+use crate::tension::{self, LimitsError};
+
+/// An error with a stable short name.
+pub trait ErrorCode: std::error::Error {
+    /// The name, e.g. `data::all-equal`.
+    fn code(&self) -> &'static str;
+}
+
+impl ErrorCode for ReadError {
+    fn code(&self) -> &'static str {
+        self.code
+    }
+}
+
+impl ErrorCode for DegenerateCourse {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::ZeroLength { .. } | Self::InsidePulley { .. } | Self::OnSwivelAxis { .. } => "cable::no-course",
+            Self::NotFinite { .. } => "numerical::overflow",
+        }
+    }
+}
+
+impl ErrorCode for PlacementError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::AlongAxis | Self::ZeroLength => "pulley::no-place",
+        }
+    }
+}
+
+impl ErrorCode for PlacePulleysError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Cable { reason, .. } => reason.code(),
+            Self::Input { .. } => "pulley::radius-or-axis",
+        }
+    }
+}
+
+impl ErrorCode for PatternError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::ComponentCount { .. } => "pose::component-count",
+            Self::NotFinite { .. } => "pose::not-finite",
+        }
+    }
+}
+
+impl ErrorCode for CompositionError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Unknown { .. } | Self::NotYet { .. } => "model::unknown-effect",
+            Self::Misplaced { .. } => "model::composition",
+        }
+    }
+}
+
+impl ErrorCode for ModelError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::MissingKey { .. } => "model::missing-key",
+            Self::NoCables { .. } => "robot::no-cables",
+        }
+    }
+}
+
+impl ErrorCode for ParameterError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::UnknownName { .. } => "parameter::unknown-name",
+            Self::Syntax { .. } | Self::WrenchOfCable => "parameter::syntax",
+            Self::NoSuchCable { .. } => "parameter::no-such-cable",
+            Self::NotInModel { .. } => "parameter::not-in-model",
+            Self::ConstantSpring { .. } => "parameter::constant-spring",
+        }
+    }
+}
+
+impl ErrorCode for StaticsError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::TensionCount { .. } => "tensions::count",
+            Self::NotFinite { .. } => "tensions::not-finite",
+            Self::Negative { .. } => "tensions::negative",
+            Self::Overstretched { .. } => "tensions::overstretched",
+            Self::Rigid { .. } => "stiffness::rigid-cable",
+            Self::UnknownCable { .. } | Self::RepeatedCable { .. } => "group::cables",
+            Self::Course(reason) => reason.code(),
+        }
+    }
+}
+
+impl ErrorCode for LoadError {
+    fn code(&self) -> &'static str {
+        "load::missing-key"
+    }
+}
+
+impl ErrorCode for LimitsError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Count { .. } => "limits::count",
+            Self::NotFinite { .. } => "limits::not-finite",
+            Self::EmptyRange { .. } => "limits::empty-range",
+            Self::MissingKey { .. } => "limits::missing-key",
+        }
+    }
+}
+
+impl ErrorCode for tension::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::MatrixShape { .. } | Self::WrenchLength { .. } => "wrench::component-count",
+            Self::LimitCount { .. } => "limits::count",
+            Self::ReferenceLength { .. } => "tensions::count",
+            Self::NotFinite { .. } => "numerical::overflow",
+        }
+    }
+}
+
+impl ErrorCode for forward_kinematics::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::LengthCount { .. } => "lengths::count",
+            Self::Length { .. } => "lengths::value",
+            Self::Guess => "pose::not-finite",
+            Self::Setting { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for elastostatics::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Kinematic(error) => error.code(),
+            Self::RigidRedundant { .. } => "equilibrium::rigid-cables",
+        }
+    }
+}
+
+impl ErrorCode for forward_statics::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Statics(error) => error.code(),
+            Self::Kinematic(error) => error.code(),
+        }
+    }
+}
+
+impl ErrorCode for metamodel::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::DifferentRobots { .. } => "study::different-robots",
+            Self::Count { .. } => "study::count",
+            Self::Initial(error) => error.code(),
+            Self::InitialTensions(error) => error.code(),
+            Self::NoTensions | Self::NotBalanced { .. } => "study::initial-tensions",
+            Self::Load(error) => error.code(),
+            Self::Machine(error) => error.code(),
+            Self::Limits(error) => error.code(),
+            Self::Distribution(error) => error.code(),
+            Self::NoPoses => "study::no-poses",
+        }
+    }
+}
+
+impl ErrorCode for DataError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::AllEqual { .. } => "data::all-equal",
+            Self::DifferentCables { .. } => "data::cable-count",
+        }
+    }
+}
+
+impl ErrorCode for SplitError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "split::syntax",
+            Self::NoColumn | Self::SetName { .. } | Self::EmptySide { .. } => "split::column",
+            Self::TooManyFolds { .. } => "split::too-many-folds",
+        }
+    }
+}
+
+impl ErrorCode for EvaluationError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Load(error) => error.code(),
+            Self::Forward(error) => error.code(),
+            Self::CableCount { .. } => "data::cable-count",
+        }
+    }
+}
+
+impl ErrorCode for fit::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Parameters(error) => error.code(),
+            Self::Model(error) => error.code(),
+            Self::NoSamples => "data::no-samples",
+            Self::CableCount { .. } => "data::cable-count",
+            Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
+            Self::Degenerate { reason, .. } => reason.code(),
+            Self::PriorSyntax { .. } => "prior::syntax",
+            Self::NoTensions => "data::no-tensions",
+            Self::NegativeTension { .. } => "data::negative-tensions",
+            Self::Load(error) => error.code(),
+            Self::NotFinite => "numerical::overflow",
+            Self::Setting { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for CandidateError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Composition { reason, .. } => reason.code(),
+            Self::Parameters { reason, .. } => reason.code(),
+            Self::Empty { .. } => "candidate::none",
+        }
+    }
+}
+
+impl ErrorCode for RequirementError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "requirement::syntax",
+            Self::UnknownMetric { .. } => "requirement::unknown-figure",
+        }
+    }
+}
+
+impl ErrorCode for selection::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoCandidates => "candidate::none",
+            Self::NoValidation => "data::no-validation",
+            Self::AllFailed { .. } => "candidate::all-failed",
+        }
+    }
+}
