@@ -28,7 +28,8 @@ impl Table {
         self.rows.push(cells);
     }
 
-    /// The table as lines that end with a newline; on a terminal the widest column of words is wrapped to fit.
+    /// The table as lines that end with a newline; on a terminal headings and the widest columns of words are wrapped
+    /// to fit.
     pub(crate) fn text(&self) -> String {
         self.text_within(console::answer_width())
     }
@@ -39,20 +40,38 @@ impl Table {
         lines.map(|line| self.line_text(line, &widths)).collect()
     }
 
-    /// Columns as wide as their widest cells, but for the widest column of words where the line has no room for it.
+    /// Columns as wide as their widest cells; where the line has no room, headings of numbers give way, then the widest
+    /// columns of words.
     fn widths(&self, limit: Option<usize>) -> Vec<usize> {
-        let lines = || std::iter::once(&self.heading).chain(&self.rows);
-        let widest = |column: usize| lines().filter_map(|line| line.get(column)).map(|cell| cell.chars().count()).max();
-        let mut widths: Vec<usize> = (0..self.heading.len()).map(|column| widest(column).unwrap_or(0)).collect();
-        let needed = widths.iter().sum::<usize>() + GAP * widths.len().saturating_sub(1);
-        let words =
-            self.left.iter().copied().filter(|column| *column < widths.len()).max_by_key(|column| widths[*column]);
-        if let (Some(limit), Some(column)) = (limit, words) {
-            let narrowed = widths[column].saturating_sub(needed.saturating_sub(limit));
-            // a few letters in a line are harder to read than what the terminal wraps
-            widths[column] = narrowed.max(LEAST_WIDTH.min(widths[column]));
+        let columns = 0..self.heading.len();
+        let mut widths: Vec<usize> =
+            columns.clone().map(|column| length(&self.heading[column]).max(self.body_width(column))).collect();
+        let gaps = GAP * widths.len().saturating_sub(1);
+        let Some(limit) = limit else { return widths };
+        let least: Vec<usize> = columns.clone().map(|column| self.least_width(column).min(widths[column])).collect();
+        while widths.iter().sum::<usize>() + gaps > limit {
+            let wide = |left: bool| {
+                let may_give = |column: &usize| self.left.contains(column) == left && widths[*column] > least[*column];
+                columns.clone().filter(may_give).max_by_key(|column| widths[*column])
+            };
+            let Some(column) = wide(false).or_else(|| wide(true)) else { break };
+            widths[column] -= 1;
         }
         widths
+    }
+
+    fn body_width(&self, column: usize) -> usize {
+        self.rows.iter().filter_map(|row| row.get(column)).map(|cell| length(cell)).max().unwrap_or(0)
+    }
+
+    /// Numbers stay whole, and so do the words of their headings; a few letters in a line are harder to read than what the
+    /// terminal wraps.
+    fn least_width(&self, column: usize) -> usize {
+        if self.left.contains(&column) {
+            return LEAST_WIDTH;
+        }
+        let word = self.heading[column].split(' ').map(length).max().unwrap_or(0);
+        word.max(self.body_width(column))
     }
 
     /// One row, of several lines where a cell is wrapped.
@@ -73,35 +92,53 @@ impl Table {
     }
 }
 
+/// Characters of a cell.
+fn length(cell: &str) -> usize {
+    cell.chars().count()
+}
+
 /// Spaces between columns.
 const GAP: usize = 2;
 
 /// Columns are not wrapped to less than this.
 const LEAST_WIDTH: usize = 12;
 
-/// The words of a cell in lines of this many characters; names break after their separators, and else anywhere.
+/// The words of a cell in lines of this many characters; names break after their separators, at hyphens and in the middle of
+/// words only where a piece alone is too long.
 fn wrapped(cell: &str, width: usize) -> Vec<String> {
     if cell.chars().count() <= width || width == 0 {
         return vec![cell.to_owned()];
     }
+    // a marker or an indentation before the words: the other lines start below the words
+    let indent = cell.chars().take_while(|character| matches!(character, ' ' | '→')).count().min(width / 2);
+    let marker: String = cell.chars().take(indent).collect();
+    let (cell, width) = (&cell[marker.len()..], width - indent);
     let mut lines = vec![String::new()];
     for piece in cell.split_inclusive([' ', ',', '+', ':', '/', ';']) {
-        let length = |text: &str| text.trim_end().chars().count();
-        let last = lines.last().map_or(0, |line| line.chars().count());
-        if last > 0 && last + length(piece) > width {
+        let separators: &[char] = if piece.trim_end().chars().count() > width { &['-'] } else { &[] };
+        piece.split_inclusive(separators).for_each(|piece| append(&mut lines, piece, width));
+    }
+    let lines = lines.iter().map(|line| line.trim_end()).filter(|line| !line.is_empty()).enumerate();
+    lines
+        .map(|(number, line)| if number == 0 { format!("{marker}{line}") } else { " ".repeat(indent) + line })
+        .collect()
+}
+
+/// Appends to the last line what fits there, else to a new one.
+fn append(lines: &mut Vec<String>, piece: &str, width: usize) {
+    let last = lines.last().map_or(0, |line| line.chars().count());
+    if last > 0 && last + piece.trim_end().chars().count() > width {
+        lines.push(String::new());
+    }
+    for character in piece.chars() {
+        if lines.last().is_some_and(|line| line.chars().count() >= width) {
             lines.push(String::new());
         }
-        for character in piece.chars() {
-            if lines.last().is_some_and(|line| line.chars().count() >= width) {
-                lines.push(String::new());
-            }
-            // a line does not start with the space that ended the one before
-            if let Some(line) = lines.last_mut().filter(|line| !(line.is_empty() && character == ' ')) {
-                line.push(character);
-            }
+        // a line does not start with the space that ended the one before
+        if let Some(line) = lines.last_mut().filter(|line| !(line.is_empty() && character == ' ')) {
+            line.push(character);
         }
     }
-    lines.iter().map(|line| line.trim_end().to_owned()).filter(|line| !line.is_empty()).collect()
 }
 
 /// A number with this many decimals; a dash for none.
@@ -134,20 +171,51 @@ mod tests {
     fn the_widest_column_of_words_is_wrapped_to_the_terminal_and_nothing_is_lost() {
         let mut table = Table::new(["candidate", "mean mm", "σ mm"]);
         table.row(vec![
-            "standard:frame-anchor,platform-anchor,length-offset".to_owned(),
+            "→ standard:frame-anchor,platform-anchor,length-offset".to_owned(),
             "4.1".to_owned(),
             "0.2".to_owned(),
         ]);
-        table.row(vec!["standard".to_owned(), "47.25".to_owned(), "1.3".to_owned()]);
+        table.row(vec!["  standard".to_owned(), "47.25".to_owned(), "1.3".to_owned()]);
         let expected = "\
-candidate                mean mm  σ mm
-standard:frame-anchor,       4.1   0.2
-platform-anchor,
-length-offset
-standard                   47.25   1.3
+candidate                    mean    σ
+                               mm   mm
+→ standard:frame-anchor,      4.1  0.2
+  platform-anchor,
+  length-offset
+  standard                  47.25  1.3
 ";
         assert_eq!(table.text_within(Some(38)), expected);
         assert_eq!(table.text_within(Some(200)), table.text_within(None));
+    }
+
+    #[test]
+    fn headings_of_numbers_give_way_before_words_do() {
+        let mut table = Table::new(["candidate", "± std. error mm"]);
+        table.row(vec!["standard:length-offset".to_owned(), "0.429".to_owned()]);
+        let expected = "\
+candidate               ± std.
+                         error
+                            mm
+standard:length-offset   0.429
+";
+        assert_eq!(table.text_within(Some(30)), expected);
+    }
+
+    #[test]
+    fn two_columns_of_words_share_what_room_there_is() {
+        let mut table = Table::new(["name", "cables", "title"]).left_column(2);
+        table.row(vec![
+            "cablerobot-simulator-nominal".to_owned(),
+            "8".to_owned(),
+            "CableRobot Simulator, nominal".to_owned(),
+        ]);
+        let expected = "\
+name             cables  title
+cablerobot-           8  CableRobot
+simulator-               Simulator,
+nominal                  nominal
+";
+        assert_eq!(table.text_within(Some(40)), expected);
     }
 
     #[test]

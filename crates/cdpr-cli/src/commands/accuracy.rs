@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::laboratory::Laboratory;
+use crate::progress::Progress;
 use crate::table::{Table, cell};
 
 const EXAMPLES: &str = "\
@@ -54,7 +55,9 @@ struct Assessed {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?;
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let progress = Progress::spinner("driving the machine");
     let assessment = laboratory.assess(arguments.seed)?;
+    drop(progress);
     let reason = reason(&assessment);
     let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
     output.answer(&Assessed {

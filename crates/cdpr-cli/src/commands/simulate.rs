@@ -11,6 +11,7 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::laboratory::Laboratory;
+use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -51,7 +52,9 @@ struct Simulated {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?;
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let progress = Progress::spinner("measuring");
     let Simulation { samples, left_out, .. } = &laboratory.record(arguments.seed)?;
+    drop(progress);
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
         let message = format!("{}: no pose gave a sample: {reason}", arguments.study.display());
