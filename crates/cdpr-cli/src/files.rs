@@ -115,3 +115,31 @@ fn temporary_file_beside(target: &Path) -> io::Result<NamedTempFile> {
     #[cfg(not(unix))]
     builder.tempfile_in(folder)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    /// What this file promises holds for every writer only while there is no other.
+    #[test]
+    fn nothing_else_in_the_command_writes_files() {
+        fn check(folder: &Path) {
+            for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+                if path.is_dir() {
+                    check(&path);
+                    continue;
+                }
+                if path.extension().is_none_or(|ending| ending != "rs") || path.ends_with("files.rs") {
+                    continue;
+                }
+                let text = std::fs::read_to_string(&path).unwrap();
+                let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+                let is_test = path.ends_with("tests.rs");
+                for writer in ["fs::write", "File::create", "OpenOptions", "fs::rename", "fs::copy", "create_dir"] {
+                    assert!(is_test || !code.contains(writer), "{} uses {writer}: see files.rs", path.display());
+                }
+            }
+        }
+        check(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    }
+}

@@ -79,19 +79,19 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let folder = arguments.out.unwrap_or_else(|| data.folder.join("figures"));
     let _own = files::OwnFolder::make(&folder)?;
-    let (mut written, mut skipped) = (Vec::new(), Vec::new());
+    let (mut files, mut skipped) = (Vec::new(), Vec::new());
     for Figure { name, content, why_not } in figures {
         match content {
-            Some(content) => {
-                files::write(&folder.join(name), content.as_bytes())?;
-                written.push(name.to_owned());
-            }
+            Some(content) => files.push((folder.join(name), name, content)),
             None => {
                 output.remark(&format!("{name} is not written: {why_not}"));
                 skipped.push(Skipped { figure: name, reason: why_not });
             }
         }
     }
+    let pairs: Vec<(&Path, &[u8])> = files.iter().map(|(path, _, content)| (&**path, content.as_bytes())).collect();
+    files::write_all(&pairs)?;
+    let written = files.iter().map(|(_, name, _)| (*name).to_owned()).collect();
     output.answer(&Exported {
         result: arguments.result.display().to_string(),
         candidate: data.shown,
