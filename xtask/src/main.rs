@@ -2,6 +2,7 @@
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a terminal program that talks to its developer")]
 
 mod book;
+mod browser;
 mod cargo;
 mod documents;
 mod examples;
@@ -22,6 +23,7 @@ Tasks:
   steps                the steps of `test`
   layers               what each room of crates/cdpr may use
   generate             write the generated files (schemas)
+  viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book with an installed mdbook";
 
 fn main() -> ExitCode {
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::check(&root).into_result(),
         ["generate"] => generated::write(&root),
+        ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),
         [] | ["help" | "--help" | "-h"] => {
             println!("{USAGE}");

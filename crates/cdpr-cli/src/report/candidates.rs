@@ -1,17 +1,17 @@
 //! The ladder of candidates as table and chart.
 
 use cdpr::identification::fit::Status;
-use cdpr::identification::selection::{Judged, Judgement};
+use cdpr::identification::selection::Judgement;
 use minijinja::Value;
 
-use super::chart::{Ladder, Rung};
 use super::table::{Cell, Table};
 use super::{Purpose, Report, criterion, number};
 
 /// Every candidate with its figures.
 pub(super) fn table(report: &Report<'_>) -> Value {
     let unit = report.criterion.unit();
-    let (train, validation) = (format!("#fit, {unit}"), format!("#validation, {unit}"));
+    let judged = if report.is_held_out { "validation" } else { "judged" };
+    let (train, validation) = (format!("#fit, {unit}"), format!("#{judged}, {unit}"));
     let error = format!("#± standard error, {unit}");
     let columns = [
         ("#", ""),
@@ -24,9 +24,11 @@ pub(super) fn table(report: &Report<'_>) -> Value {
         ("#condition", "def-condition"),
         ("remark", ""),
     ];
-    let caption = format!("Candidates from simple to complex; {} on the data of the fit and on validation data", {
-        report.criterion.words()
-    });
+    let caption = format!(
+        "Candidates from simple to complex; {} on the data of the fit and on {}",
+        report.criterion.words(),
+        report.data_words()
+    );
     let mut table = Table::new(caption, &columns);
     for (index, candidate) in report.selection.candidates.iter().enumerate() {
         let number = Cell::number((index + 1).to_string());
@@ -88,32 +90,4 @@ fn remarks(report: &Report<'_>, index: usize, judgement: &Judgement) -> String {
         remarks.push(format!("no pose found for {} samples", judgement.validation.not_converged));
     }
     remarks.join("; ")
-}
-
-/// The chart; `None` for a single candidate or without any value.
-pub(super) fn chart(report: &Report<'_>) -> Option<String> {
-    let selection = report.selection;
-    if selection.candidates.len() < 2 {
-        return None;
-    }
-    let judgement = |candidate: &'_ Judged| candidate.outcome.as_ref().ok().map(|j| (j.criterion, j.standard_error));
-    let shown = |value: f64| report.criterion.in_unit(value);
-    let rung = |(index, candidate): (usize, &Judged)| {
-        let (value, error) = judgement(candidate).unwrap_or((f64::NAN, f64::NAN));
-        Rung {
-            name: candidate.name.clone(),
-            value: shown(value),
-            standard_error: shown(error),
-            words: format!("{}: {}", candidate.name, criterion::with_error(report.criterion, value, error)),
-            recommended: selection.recommended == Some(index),
-        }
-    };
-    let best = selection.best.and_then(|best| judgement(&selection.candidates[best]));
-    let limit = best.map_or(f64::NAN, |(value, error)| value + if error.is_finite() { error } else { 0.0 });
-    let ladder = Ladder {
-        rungs: selection.candidates.iter().enumerate().map(rung).collect(),
-        limit: shown(limit),
-        axis_label: format!("{} on validation data in {}", report.criterion.words(), report.criterion.unit()),
-    };
-    ladder.svg()
 }

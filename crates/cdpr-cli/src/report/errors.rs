@@ -67,11 +67,11 @@ pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value 
         ("#largest", "def-max"),
     ];
     let mut table = Table::new("Errors before and after calibration", &columns);
-    let given = shown.as_given.filter(|given| given.name != shown.name);
+    let given = shown.before();
     let lines = given.into_iter().map(|given| ("as given", given.judgement)).chain([("calibrated", shown.judgement)]);
     let lines: Vec<_> = lines
         .flat_map(|(model, judgement)| [(model, "fit", &judgement.train), (model, "validation", &judgement.validation)])
-        .filter(|(_, _, blocks)| blocks.samples > 0)
+        .filter(|(_, data, blocks)| blocks.samples > 0 && (report.is_held_out || *data == "fit"))
         .collect();
     let has_tensions = lines.iter().any(|(_, _, blocks)| blocks.tension_error.is_some());
     for quantity in quantities(report).into_iter().chain(has_tensions.then_some(TENSION)) {
@@ -83,6 +83,7 @@ pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value 
             cells.extend([mean, rms, median, p95, max].map(|value| Cell::number((quantity.write)(value))));
             let class = match (index, *model, *data) {
                 (_, "calibrated", "validation") => "chosen",
+                (_, "calibrated", _) if !report.is_held_out => "chosen",
                 (0, ..) => "group",
                 _ => "",
             };

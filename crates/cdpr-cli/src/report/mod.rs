@@ -1,12 +1,17 @@
-//! The self-contained report: tables and SVG charts in one HTML file, without scripts and without network.
+//! The self-contained report: one HTML file whose tables need no script, and whose charts and 3-D scene a script draws from the
+//! data in the file; nothing comes from the network.
+//!
+//! The script and its style are made from `viewer/` and committed in `generated/`.
 
 mod candidates;
-mod chart;
+mod coverage;
 mod criterion;
 mod errors;
 mod number;
+mod page_data;
 mod parameters;
-mod remains;
+#[cfg(test)]
+mod stamp;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -14,14 +19,16 @@ mod verdict;
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::selection::{Criterion, Judgement, Selection};
-use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 
 use table::{printable, prose};
 
 const TEMPLATE: &str = include_str!("report.html");
-const STYLE: &str = include_str!("report.css");
+const STYLE: &str = include_str!("generated/viewer.css");
+const SCRIPT: &str = include_str!("generated/viewer.js");
+const NOTICES: &str = include_str!("generated/notices.txt");
 
 /// What was asked: which model to take, or the parameters of one that was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,14 +43,16 @@ pub(crate) enum Purpose {
 pub(crate) struct Report<'a> {
     /// What was asked.
     pub(crate) purpose: Purpose,
-    /// Heading.
-    pub(crate) title: &'a str,
     /// The command that makes the same result again.
     pub(crate) command: &'a str,
     /// The robot as given, before any fit.
     pub(crate) robot: &'a Robot,
     /// All samples, those of the fit and those of the validation.
     pub(crate) samples: &'a Samples,
+    /// How the samples were parted.
+    pub(crate) folds: &'a [Fold],
+    /// False where the model is judged by the data that it was fitted to.
+    pub(crate) is_held_out: bool,
     /// Where the samples come from.
     pub(crate) data_name: &'a str,
     /// How validation data were chosen.
@@ -63,12 +72,14 @@ pub(crate) struct Report<'a> {
 /// A candidate that was judged.
 #[derive(Clone, Copy)]
 struct Named<'a> {
+    index: usize,
     name: &'a str,
     judgement: &'a Judgement,
 }
 
 /// The candidate that the details are about, and the one to compare it with.
 struct Shown<'a> {
+    index: usize,
     name: &'a str,
     judgement: &'a Judgement,
     /// The robot without free parameters, if that is a candidate.
@@ -80,16 +91,38 @@ impl<'a> Shown<'a> {
     fn of(selection: &'a Selection) -> Option<Self> {
         let judged = |index: usize| {
             let candidate = selection.candidates.get(index)?;
-            Some(Named { name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
+            Some(Named { index, name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
         };
         let all = || 0..selection.candidates.len();
         let index = selection.recommended.or(selection.best).or_else(|| all().find(|&k| judged(k).is_some()))?;
-        let Named { name, judgement } = judged(index)?;
+        let Named { name, judgement, .. } = judged(index)?;
         let own = selection.candidates[index].candidate.composition;
         let is_given = |k: &usize| selection.candidates[*k].candidate.free.is_empty() && judged(*k).is_some();
         let same = all().filter(is_given).find(|&k| selection.candidates[k].candidate.composition == own);
         let as_given = same.or_else(|| all().find(is_given)).and_then(judged);
-        Some(Self { name, judgement, as_given })
+        Some(Self { index, name, judgement, as_given })
+    }
+}
+
+impl Report<'_> {
+    fn title(&self) -> String {
+        let name = &self.robot.name;
+        match self.purpose {
+            Purpose::Selection => format!("Control models for {name}"),
+            Purpose::Identification => format!("Identification of {name}"),
+        }
+    }
+
+    /// What the models are judged by.
+    fn data_words(&self) -> &'static str {
+        if self.is_held_out { "validation data" } else { "the data of the fit" }
+    }
+}
+
+impl<'a> Shown<'a> {
+    /// The robot as given where it is another candidate.
+    fn before(&self) -> Option<Named<'a>> {
+        self.as_given.filter(|given| given.index != self.index)
     }
 }
 
@@ -101,12 +134,15 @@ pub(crate) fn render(input: &Report<'_>) -> Result<String, Error> {
     let shown = Shown::of(input.selection);
     let page = context! {
         style => Value::from_safe_string(STYLE.to_owned()),
-        title => plain(input.title),
+        script => Value::from_safe_string(SCRIPT.to_owned()),
+        notices => NOTICES,
+        data => Value::from_safe_string(page_data::json(input, shown.as_ref())),
+        title => plain(&input.title()),
         facts => facts(input),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
-        ladder => parameters::chart_value(candidates::chart(input)),
         is_selection => input.purpose == Purpose::Selection,
+        data_words => input.data_words(),
         shown => shown.as_ref().map(|shown| details(input, shown)),
         warnings => warnings(input, shown.as_ref()),
         command => plain(input.command),
@@ -123,13 +159,15 @@ fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
         name => plain(shown.name),
         recommended => input.selection.recommended.is_some(),
         has_validation => judgement.validation.samples > 0,
+        has_tensions => judgement.validation.tension_error.is_some(),
+        is_thinned => page_data::is_thinned(input, shown),
         errors => errors::before_and_after(input, shown),
         fold_count => judgement.folds.len(),
         folds => errors::folds(input, shown),
         parameter_count => judgement.fit.parameters.len(),
         parameters => parameters::table(shown),
         identifiability => parameters::identifiability(shown),
-        remains => remains::remains(input, shown),
+        coverage => coverage::coverage(input, shown),
     }
 }
 
@@ -148,7 +186,7 @@ fn facts(input: &Report<'_>) -> Value {
         ("Samples", input.samples.len().to_string()),
         ("Validation", input.validation_name.to_owned()),
         ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
-        ("Criterion", format!("{} on validation data", input.criterion.words())),
+        ("Criterion", format!("{} on {}", input.criterion.words(), input.data_words())),
     ];
     facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
 }

@@ -76,14 +76,6 @@ pub(super) fn decimals_for(sigma: Option<f64>) -> i32 {
     }
 }
 
-/// A power of ten, e.g. 10⁻³.
-pub(super) fn power_of_ten(exponent: i32) -> String {
-    match exponent {
-        -2..=3 => significant(10_f64.powi(exponent), 1),
-        _ => format!("10{}", superscript(exponent)),
-    }
-}
-
 fn superscript(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let digit = |c: char| c.to_digit(10).map_or('⁻', |value| DIGITS[value as usize]);

@@ -3,12 +3,10 @@
 use cdpr::identification::fit::{Estimate, Fit, Status};
 use minijinja::{Value, context};
 
+use super::Shown;
 use super::number::{self, decimals_for, fixed, signed};
 use super::table::{Cell, Table, prose};
-use super::{Shown, chart};
 
-/// Longer tables start folded.
-const MOST_ROWS: usize = 24;
 /// Half width of a 95 % interval of a normal distribution, in standard deviations.
 const NORMAL_95: f64 = 1.959_964;
 
@@ -17,6 +15,7 @@ pub(super) fn table(shown: &Shown<'_>) -> Value {
     let columns = [
         ("parameter", "def-parameter"),
         ("unit", ""),
+        ("#nominal", "def-nominal"),
         ("#start", "def-start"),
         ("#value", "def-value"),
         ("#σ", "def-sigma"),
@@ -30,8 +29,7 @@ pub(super) fn table(shown: &Shown<'_>) -> Value {
     for estimate in &shown.judgement.fit.parameters {
         table.push("", row(estimate));
     }
-    let (count, folded) = (table.len(), table.len() > MOST_ROWS);
-    context! { count, folded, table => table.into_value() }
+    table.into_value()
 }
 
 fn row(estimate: &Estimate) -> Vec<Cell> {
@@ -65,6 +63,7 @@ fn row(estimate: &Estimate) -> Vec<Cell> {
     vec![
         Cell::code(&estimate.name),
         Cell::text(unit),
+        estimate.nominal.map_or_else(none, |nominal| number(factor * nominal)),
         number(factor * estimate.start),
         number(value),
         sigma.map_or_else(none, |sigma| Cell::number(number::significant(sigma, 2))),
@@ -93,10 +92,8 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
         iterations => fit.iterations,
         weak,
         correlation_count => count,
-        correlations_folded => count > MOST_ROWS,
         correlations => correlations.into_value(),
-        spectrum => chart_value(chart::spectrum(&analysis.singular_values, analysis.rank)),
-        convergence => chart_value(chart::convergence(&fit.history)),
+        has_history => fit.history.len() > 1,
     }
 }
 
@@ -117,9 +114,4 @@ fn correlations(fit: &Fit) -> Table {
         table.push("", vec![Cell::code(&pair.first), Cell::code(&pair.second), coefficient]);
     }
     table
-}
-
-/// A chart for the template; empty without one.
-pub(super) fn chart_value(chart: Option<String>) -> Value {
-    Value::from_safe_string(chart.unwrap_or_default())
 }

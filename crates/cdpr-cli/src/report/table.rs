@@ -78,7 +78,8 @@ impl Table {
     pub(super) fn into_value(self) -> Value {
         let rows: Value = self.rows.into_iter().collect();
         let head: Value = self.head.into_iter().collect();
-        context! { caption => prose(&self.caption), head, rows }
+        let label = self.caption.replace('`', "");
+        context! { label => super::plain(&label), caption => prose(&self.caption), head, rows }
     }
 }
 

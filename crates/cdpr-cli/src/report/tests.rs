@@ -114,10 +114,11 @@ fn selected(robot: &Robot, samples: &Samples, candidates: &str, requirements: &[
 fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
     render(&Report {
         purpose: Purpose::Selection,
-        title: &format!("Control model of {}", robot.name),
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
         robot,
         samples,
+        folds: &fifths(samples.len()),
+        is_held_out: true,
         data_name: "data.csv",
         validation_name: "five contiguous blocks that take turns",
         selection,
@@ -132,10 +133,28 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
 const LADDER: &str = "standard;standard:length-offset;standard:length-offset,length-scale;standard:frame-anchor;\
                       standard:frame-anchor,length-offset,length-scale;pulley";
 
+/// The page without its style and its program, which are no XML; the data block stays.
+fn markup(page: &str) -> String {
+    let without = |text: &str, start: &str, end: &str| -> String {
+        let (before, rest) = text.split_once(start).unwrap();
+        let (_, after) = rest.split_once(end).unwrap();
+        format!("{before}{after}")
+    };
+    without(&without(page, "<style>", "</style>"), "<script>\n", "</script>")
+}
+
 /// Parses the page as XML, which checks that every tag is closed and every attribute quoted and unique.
 fn parsed(page: &str) -> roxmltree::Document<'_> {
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     roxmltree::Document::parse_with_options(page, options).unwrap()
+}
+
+/// What the program of the page reads.
+fn data(page: &str) -> serde_json::Value {
+    let page = markup(page);
+    let document = parsed(&page);
+    let block = document.descendants().find(|node| node.attribute("id") == Some("cdpr-data")).unwrap();
+    serde_json::from_str(block.text().unwrap()).unwrap()
 }
 
 fn has_text(document: &roxmltree::Document<'_>, wanted: &str) -> bool {
@@ -153,13 +172,14 @@ fn the_page_is_well_formed_and_tells_the_numbers_of_the_selection() {
     let selection = Selection { recommended: Some(1), ..selection };
     let text = page(&robot, &samples, &selection);
     keep("report-spatial.html", &text);
+    let text = markup(&text);
     let document = parsed(&text);
     let judgement = selection.candidates[1].outcome.as_ref().unwrap();
     let value = criterion::with_error(Criterion::Position, judgement.criterion, judgement.standard_error);
     for wanted in ["standard:length-offset", &value, "length-offset[8]", "not identified: ", "3R3T", "block 5 of 5"] {
         assert!(has_text(&document, wanted), "{wanted}");
     }
-    assert_eq!(text, page(&robot, &samples, &selection), "the same input gives the same page");
+    assert_eq!(text, markup(&page(&robot, &samples, &selection)), "the same input gives the same page");
 }
 
 #[test]
@@ -167,10 +187,11 @@ fn nothing_on_the_page_comes_from_the_network_and_every_link_has_its_target() {
     let robot = spatial_robot("box");
     let samples = measured(&robot, 60);
     let text = page(&robot, &samples, &selected(&robot, &samples, LADDER, &[]));
+    let text = markup(&text);
     let document = parsed(&text);
     let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
     for node in document.descendants() {
-        assert!(!matches!(node.tag_name().name(), "script" | "link" | "img" | "iframe"));
+        assert!(!matches!(node.tag_name().name(), "link" | "img" | "iframe"));
         assert_eq!(node.attribute("src"), None);
         if let Some(target) = node.attribute("href") {
             assert!(target.strip_prefix('#').is_some_and(|id| ids.contains(&id)), "{target}");
@@ -192,8 +213,13 @@ fn hostile_names_stay_text() {
     let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
     let selection = Selection { reason: "`<i>` & `".to_owned(), ..selection };
     let text = page(&robot, &samples, &selection);
+    let text = markup(&text);
     let document = parsed(&text);
-    assert!(document.descendants().all(|node| node.tag_name().name() != "script" && !node.has_attribute("onload")));
+    let scripts = document.descendants().filter(|node| node.tag_name().name() == "script").count();
+    assert_eq!(scripts, 1, "the data block is the only one besides the program");
+    assert!(document.descendants().all(|node| !node.has_attribute("onload")));
+    let cables = &data(&page(&robot, &samples, &selection))["robot"]["cables"];
+    assert_eq!(cables[2]["name"], "cable 3: </svg><script>");
     assert!(has_text(&document, "<script>alert('1')</script>\"&\u{fffd}{{ 7*7 }}"));
 }
 
@@ -204,9 +230,10 @@ fn a_page_without_any_recommendation_says_so_and_shows_the_best() {
     let selection = selected(&robot, &samples, "standard;standard:length-offset", &["position_max_m=1e-9"]);
     let text = page(&robot, &samples, &selection);
     keep("report-planar.html", &text);
+    let text = markup(&text);
     let document = parsed(&text);
     assert!(has_text(&document, "No candidate recommended"));
-    assert!(has_text(&document, "✗ broken: position_max_m"));
+    assert!(has_text(&document, "✗ broken: largest position error (position_max_m)"));
     for column in ["rotation, °", "rotation mean, °"] {
         assert!(!has_text(&document, column), "a point does not turn");
     }
@@ -226,10 +253,38 @@ fn a_single_candidate_without_validation_data_is_reported_by_its_fit() {
     }
     let text = page(&robot, &samples, &selection);
     keep("report-identify.html", &text);
+    let text = markup(&text);
     let document = parsed(&text);
     assert!(has_text(&document, "Identified control model"));
-    assert!(has_text(&document, "on training data"));
+    assert!(has_text(&document, "Data of the fit: mean position error"));
     assert!(has_text(&document, "∞") && !text.contains("NaN") && !text.contains(">inf"));
+}
+
+/// The block holds the numbers of the selection, row by row in the order of the data.
+#[test]
+fn the_data_of_the_page_are_those_of_the_selection() {
+    let robot = planar_robot();
+    let samples = measured(&robot, 50);
+    let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
+    let data = data(&page(&robot, &samples, &selection));
+    let shown = selection.recommended.unwrap();
+    assert_eq!((&data["shown"], &data["given"]), (&shown.into(), &0.into()));
+    let judgement = selection.candidates[shown].outcome.as_ref().unwrap();
+    let own = &data["result"]["candidates"][shown];
+    assert_eq!(own["validation"]["position_error_m"]["mean"], judgement.validation.position_error_m.mean);
+    assert_eq!(own["parameters"][3]["value"], judgement.fit.parameters[3].value);
+    assert!(own["parameters"][3]["nominal"].is_null(), "the robot states no length offset");
+    let told = &data["samples"];
+    assert_eq!(told["number"].as_array().unwrap().len(), 50);
+    assert_eq!(told["number"][7], 8);
+    let row = judgement.validation_samples.iter().position(|&sample| sample == 7).unwrap();
+    let residual = told["calibrated"]["length_error_m"][7][2].as_f64().unwrap();
+    let expected = judgement.validation_errors.length[row * 4 + 2];
+    assert!((residual - expected).abs() <= 6e-4 * expected.abs(), "rounded to four digits: {residual} {expected}");
+    assert!(told["length_change_m"][0].is_null() && told["length_change_m"][1][0].is_number());
+    assert!(told["calibrated"]["tension_error_N"].is_null(), "a rigid model knows no tensions");
+    assert_eq!(data["robot"]["plane"]["names"], serde_json::json!(["x", "z"]));
+    assert_eq!(data["correlation"]["lower"][3], serde_json::json!([0.0, 0.0, 0.0, 1.0]), "one offset for each cable");
 }
 
 /// Long trajectories are thinned out: the file stays small enough to send. Sixty times the same samples stand for one.
@@ -247,7 +302,12 @@ fn many_samples_do_not_make_a_large_file() {
     }
     let text = page(&robot, &samples.subset(&repeated), &selection);
     keep("report-long.html", &text);
-    assert!(text.contains("class=\"band\"") && text.len() < 1_500_000, "{}", text.len());
+    assert!(text.len() < 2_000_000, "{}", text.len());
+    let samples = &data(&text)["samples"];
+    let kept = samples["number"].as_array().unwrap().len();
+    assert_eq!(samples["total"], 6000);
+    assert!((1000..6000).contains(&kept), "{kept} samples are in the page");
+    assert!(text.contains("The page holds a part of the samples"));
 }
 
 /// Keeps a page to look at, in the folder that the variable names.

@@ -11,8 +11,8 @@ use super::{Purpose, Report, Shown, criterion, number};
 pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let reason = prose(report.selection.reason.trim_end_matches('.'));
     let Some(shown) = shown else {
-        return context! { class => "bad", heading => "No candidate could be identified", name => "", figure => "",
-        comparison => "", requirements => Value::from_iter(Vec::<Value>::new()), reason };
+        return context! { class => "bad", heading => "No candidate could be identified", name => "", line => "",
+        comparison => "", requirements => Vec::<Value>::new().into_iter().collect::<Value>(), reason };
     };
     let judgement = shown.judgement;
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
@@ -26,27 +26,38 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     };
     let requirements: Value = judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
-    context! { class, heading, name, figure => figure(report, shown), comparison => comparison(report, shown), requirements,
+    context! { class, heading, name, line => line(report, shown), comparison => comparison(report, shown), requirements,
     reason }
 }
 
-fn figure(report: &Report<'_>, shown: &Shown<'_>) -> String {
+/// The criterion, its limit where there is one, and whether it is kept, e.g. "Validation mean position error 4.1 mm, limit 5 mm:
+/// pass". A limit on another figure decides where the criterion has none or keeps its own.
+fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let judgement = shown.judgement;
     let words = report.criterion.words();
-    match judgement.validation.samples {
-        0 => {
-            let value = report.criterion.of_blocks(&judgement.train);
-            format!("{words} on training data: {}", criterion::words(report.criterion, value))
-        }
-        _ => {
-            let value = criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error);
-            format!("{words} on validation data: {value}")
-        }
-    }
+    let value = match judgement.validation.samples {
+        0 => criterion::words(report.criterion, report.criterion.of_blocks(&judgement.train)),
+        _ => criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error),
+    };
+    let data = match (report.is_held_out, judgement.validation.samples) {
+        (true, 1..) => "Validation",
+        _ => "Data of the fit:",
+    };
+    let limits = &judgement.requirements;
+    let own = limits.iter().find(|limit| limit.metric.starts_with(report.criterion.metric()));
+    let limit = own.map_or_else(String::new, |own| format!(", limit {}", figure(own.metric, own.limit, number::short)));
+    let broken: Vec<String> =
+        limits.iter().filter(|limit| !limit.met).map(|limit| metric_words(limit.metric)).collect();
+    let outcome = match (limits.is_empty(), broken.is_empty()) {
+        (true, _) => "; no limit was set".to_owned(),
+        (false, true) => ": pass".to_owned(),
+        (false, false) => format!(": fail ({})", broken.join(", ")),
+    };
+    format!("{data} {words} {value}{limit}{outcome}")
 }
 
 fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
-    let Some(given) = shown.as_given.filter(|given| given.name != shown.name) else { return String::new() };
+    let Some(given) = shown.before() else { return String::new() };
     let (before, after) = match shown.judgement.validation.samples {
         0 => {
             let of = |blocks| report.criterion.of_blocks(blocks);
@@ -64,16 +75,50 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
 }
 
 fn requirement(outcome: &RequirementOutcome) -> Value {
-    let is_angle = outcome.metric.ends_with("_rad");
-    let (value, limit) = match is_angle {
-        true => {
-            (format!("{}°", number::degrees(outcome.value)), format!("{}°", number::short(outcome.limit.to_degrees())))
-        }
-        false => {
-            (format!("{} mm", number::millimetres(outcome.value)), format!("{} mm", number::short(1e3 * outcome.limit)))
-        }
-    };
+    let (value, limit) = (
+        figure(outcome.metric, outcome.value, |value| number::significant(value, 4)),
+        figure(outcome.metric, outcome.limit, number::short),
+    );
     let relation = if outcome.met { "within" } else { "above" };
-    let text = format!("{} = {value}, {relation} the limit {limit}", outcome.metric);
+    let text = format!("{} ({}) = {value}, {relation} the limit {limit}", metric_words(outcome.metric), outcome.metric);
     context! { met => outcome.met, text }
+}
+
+/// A figure in the unit that the end of its name tells, for people.
+fn figure(metric: &str, value: f64, write: fn(f64) -> String) -> String {
+    match metric {
+        angle if angle.ends_with("_rad") => format!("{}°", write(value.to_degrees())),
+        force if force.ends_with("_N") => format!("{} N", write(value)),
+        _ => format!("{} mm", write(1e3 * value)),
+    }
+}
+
+/// `position_p95_m` as "95 % position error".
+fn metric_words(metric: &str) -> String {
+    let (quantity, rest) = metric.split_once('_').unwrap_or((metric, ""));
+    let statistic = rest.rsplit_once('_').map_or(rest, |(statistic, _)| statistic);
+    let statistic = match statistic {
+        "p95" => "95 %",
+        "max" => "largest",
+        "mean_abs" => "mean",
+        "mean_norm" => "mean 2-norm of the",
+        other => other,
+    };
+    let quantity = if quantity == "length" { "cable-length" } else { quantity };
+    format!("{statistic} {quantity} error")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_have_the_unit_of_their_name() {
+        let short = |metric, value| figure(metric, value, number::short);
+        assert_eq!(short("position_mean_m", 0.005), "5 mm");
+        assert_eq!(short("rotation_max_rad", std::f64::consts::PI / 180.0), "1°");
+        assert_eq!(short("tension_rms_N", 50.0), "50 N");
+        assert_eq!(metric_words("length_mean_abs_m"), "mean cable-length error");
+        assert_eq!(metric_words("tension_mean_norm_N"), "mean 2-norm of the tension error");
+    }
 }

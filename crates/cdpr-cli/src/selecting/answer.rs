@@ -1,12 +1,13 @@
 //! The answer of a comparison, for scripts and for people.
 
-use cdpr::identification::ErrorBlocks;
-use cdpr::identification::fit::Status;
+use cdpr::identification::fit::{Estimate, Status};
 use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome};
+use cdpr::identification::{Coverage, ErrorBlocks, coverage};
 use serde::Serialize;
 
 use super::Compared;
 use crate::answer::Answer;
+use crate::report::Report;
 use crate::table::{Table, cell};
 
 /// What `select` and `demo` answer.
@@ -22,6 +23,8 @@ pub(crate) struct Selected {
     best: Option<String>,
     recommended: Option<String>,
     reason: String,
+    /// Poses of the fit and of the validation.
+    coverage: Coverage,
     seed: u64,
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -55,8 +58,11 @@ struct JudgedAnswer {
     rank: usize,
     condition: f64,
     condition_scaled: f64,
+    singular_values: Vec<f64>,
     weak_directions: Vec<String>,
     noise_factor: f64,
+    history: Vec<f64>,
+    parameters: Vec<Estimate>,
     requirements: Vec<RequirementOutcome>,
     warnings: Vec<String>,
 }
@@ -78,22 +84,23 @@ struct Timing {
 
 impl Selected {
     /// The answer without wall times, which is the same in every run.
-    pub(crate) fn new(compared: &Compared) -> Self {
-        let selection = &compared.selection;
+    pub(crate) fn new(told: &Report<'_>) -> Self {
+        let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
         Self {
             status: if selection.recommended.is_some() { "recommended" } else { "none-good-enough" },
-            robot: compared.comparison.robot.name.clone(),
-            data: compared.comparison.data_name.clone(),
-            samples: compared.comparison.samples.len(),
-            validation: compared.comparison.validation_name.clone(),
-            criterion: compared.settings.criterion,
+            robot: told.robot.name.clone(),
+            data: told.data_name.to_owned(),
+            samples: told.samples.len(),
+            validation: told.validation_name.to_owned(),
+            criterion: told.criterion,
             candidates: selection.candidates.iter().map(CandidateAnswer::new).collect(),
             best: name(selection.best),
             recommended: name(selection.recommended),
             reason: selection.reason.clone(),
-            seed: compared.settings.seed,
-            warnings: compared.comparison.warnings.clone(),
+            coverage: coverage(told.robot, told.samples, told.folds),
+            seed: told.seed,
+            warnings: told.warnings.to_vec(),
             out: None,
             timing: None,
         }
@@ -103,7 +110,10 @@ impl Selected {
     pub(crate) fn with_timing(compared: &Compared) -> Self {
         let microseconds = |seconds: &Option<f64>| seconds.map(|seconds| 1e6 * seconds);
         let inverse_kinematics_us = compared.inverse_seconds.iter().map(microseconds).collect();
-        Self { timing: Some(Timing { total_s: compared.seconds, inverse_kinematics_us }), ..Self::new(compared) }
+        Self {
+            timing: Some(Timing { total_s: compared.seconds, inverse_kinematics_us }),
+            ..Self::new(&compared.told())
+        }
     }
 }
 
@@ -136,8 +146,11 @@ impl JudgedAnswer {
             rank: fit.analysis.rank,
             condition: fit.analysis.condition,
             condition_scaled: fit.analysis.condition_scaled,
+            singular_values: fit.analysis.singular_values.clone(),
             weak_directions: fit.analysis.weak_directions.clone(),
             noise_factor: fit.noise_factor,
+            history: fit.history.clone(),
+            parameters: fit.parameters.clone(),
             requirements: judgement.requirements.clone(),
             warnings: fit.warnings.clone(),
         }

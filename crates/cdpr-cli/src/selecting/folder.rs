@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 use super::{Compared, Selected, figure_tables};
 use crate::failure::Failure;
 use crate::files;
-use crate::report::{Purpose, Report, render};
+use crate::report::render;
 
 /// A file by its name in the folder.
 pub(crate) struct NamedFile {
@@ -130,22 +130,7 @@ fn result(compared: &Compared) -> Result<String, Failure> {
 }
 
 fn report(compared: &Compared) -> Result<String, Failure> {
-    let comparison = &compared.comparison;
-    let report = Report {
-        purpose: Purpose::Selection,
-        title: &format!("Control models for {}", comparison.robot.name),
-        command: &comparison.command,
-        robot: &comparison.robot,
-        samples: &comparison.samples,
-        data_name: &comparison.data_name,
-        validation_name: &comparison.validation_name,
-        selection: &compared.selection,
-        criterion: compared.settings.criterion,
-        seed: compared.settings.seed,
-        version: env!("CARGO_PKG_VERSION"),
-        warnings: &comparison.warnings,
-    };
-    render(&report).map_err(|error| Failure::unwritable("report.html", &error))
+    render(&compared.told()).map_err(|error| Failure::unwritable("report.html", &error))
 }
 
 /// Judged candidates with their names.

@@ -19,6 +19,7 @@ pub(crate) use folder::{NamedFile, write_folder};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::report::{Purpose, Report};
 
 /// Options that say how candidates are compared.
 #[derive(Clone, Debug, Args)]
@@ -107,6 +108,28 @@ pub(crate) struct Compared {
     pub(crate) seconds: f64,
     /// Mean wall time of one inverse problem per candidate (s).
     pub(crate) inverse_seconds: Vec<Option<f64>>,
+}
+
+impl Compared {
+    /// What the report and `result.json` tell of it.
+    pub(crate) fn told(&self) -> Report<'_> {
+        let comparison = &self.comparison;
+        Report {
+            purpose: Purpose::Selection,
+            command: &comparison.command,
+            robot: &comparison.robot,
+            samples: &comparison.samples,
+            folds: &comparison.folds,
+            is_held_out: true,
+            data_name: &comparison.data_name,
+            validation_name: &comparison.validation_name,
+            selection: &self.selection,
+            criterion: self.settings.criterion,
+            seed: self.settings.seed,
+            version: env!("CARGO_PKG_VERSION"),
+            warnings: &comparison.warnings,
+        }
+    }
 }
 
 impl SelectionArguments {

@@ -97,6 +97,8 @@ pub struct Estimate {
     pub name: String,
     /// Unit; empty for a ratio.
     pub unit: &'static str,
+    /// What the robot as given says; `None` where it says nothing, so that the start is a neutral value or a guess.
+    pub nominal: Option<f64>,
     /// Value before the fit.
     pub start: f64,
     /// Optimal value.
@@ -276,13 +278,17 @@ pub fn fit_observed(
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
-    if model.composition().elastic {
+    let mut fit = if model.composition().elastic {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
-        return Ok(elastostatic::report(samples, &parameters, optimum, settings));
-    }
-    let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
-    progress();
-    report(model, samples, &parameters, &weights, optimum, settings)
+        elastostatic::report(samples, &parameters, optimum, settings)
+    } else {
+        let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
+        progress();
+        report(model, samples, &parameters, &weights, optimum, settings)?
+    };
+    // the starts are those of a robot that may have been completed, with a wrench for instance
+    fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.stated(model));
+    Ok(fit)
 }
 
 /// Descents of one fit: the starts of an elastic model, one of any other.
@@ -424,6 +430,7 @@ pub(super) fn estimate(
     Estimate {
         name: parameter.name(model.robot()),
         unit: parameter.unit(model.robot()),
+        nominal: None,
         start,
         value,
         sigma,

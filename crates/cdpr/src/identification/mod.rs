@@ -8,6 +8,7 @@ mod autocorrelation;
 mod blocks;
 mod bootstrap;
 pub mod candidate;
+pub mod coverage;
 mod elastostatic;
 pub mod evaluation;
 pub mod fit;
@@ -18,6 +19,7 @@ mod weights;
 mod words;
 
 pub use candidate::Candidate;
+pub use coverage::{Coverage, coverage};
 pub use elastostatic::Basin;
 pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate};
 pub use fit::{Fit, Prior};

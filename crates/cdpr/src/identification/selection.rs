@@ -50,6 +50,16 @@ impl Criterion {
         }
     }
 
+    /// Name of the error figure that [`Requirement`] limits, without its unit.
+    pub fn metric(self) -> &'static str {
+        match self {
+            Self::Position => "position_mean",
+            Self::Rotation => "rotation_mean",
+            Self::Length => "length_mean_abs",
+            Self::Tension => "tension_mean_norm",
+        }
+    }
+
     /// A value (SI) in the unit for people.
     pub fn in_unit(self, value: f64) -> f64 {
         match self {

@@ -161,6 +161,26 @@ impl Parameter {
         }
     }
 
+    /// Its value where the robot states one; `None` where [`Parameter::value`] is a neutral value.
+    pub fn stated(&self, model: &Model) -> Option<f64> {
+        let cable = &model.robot().cables[self.cable];
+        let stated = match self.kind {
+            ParameterKind::FrameAnchor | ParameterKind::PlatformAnchor => true,
+            ParameterKind::LengthOffset => cable.length_offset.is_some(),
+            ParameterKind::LengthScale => cable.length_scale.is_some(),
+            ParameterKind::PulleyRadius => cable.pulley_radius.is_some(),
+            ParameterKind::Compliance => cable.axial_compliance.is_some() || cable.axial_stiffness.is_some(),
+            ParameterKind::HiddenLength => cable.hidden_length.is_some(),
+            ParameterKind::TensionScale => cable.tension_scale.is_some(),
+            ParameterKind::TensionOffset => cable.tension_offset.is_some(),
+            // a wrench without the weight is not the constant wrench that identification means
+            ParameterKind::Wrench => {
+                model.robot().external_wrench.as_ref().is_some_and(|wrench| wrench.includes_gravity)
+            }
+        };
+        stated.then(|| self.value(model))
+    }
+
     /// Writes a value into a robot with the axes of `model`.
     pub fn assign(&self, model: &Model, robot: &mut Robot, value: f64) {
         let cable = &mut robot.cables[self.cable];

@@ -44,10 +44,11 @@ pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, 
     let validation = task.validation_name();
     let report = Report {
         purpose: Purpose::Identification,
-        title: &format!("Identification of {}", task.model.robot().name),
         command: &command_line(),
         robot: task.model.robot(),
         samples: &samples,
+        folds: &folds,
+        is_held_out: validation.is_some(),
         data_name: &name,
         validation_name: validation.as_deref().unwrap_or("none: all figures are of the data of the fit"),
         selection: &selection,

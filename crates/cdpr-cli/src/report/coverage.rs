@@ -1,0 +1,52 @@
+//! What the poses of the fit cover, and how errors beyond them compare with those inside.
+
+use cdpr::identification::coverage as covered;
+use minijinja::{Value, context};
+
+use super::table::{Cell, Table};
+use super::{Report, Shown, number};
+
+/// The ranges as a table, and a sentence about the samples beyond them.
+pub(super) fn coverage(report: &Report<'_>, shown: &Shown<'_>) -> Value {
+    let coverage = covered(report.robot, report.samples, report.folds);
+    let columns = [
+        ("component", "def-component"),
+        ("unit", ""),
+        ("#fit from", "def-coverage"),
+        ("#to", "def-coverage"),
+        ("#validation from", "def-data"),
+        ("#to", "def-data"),
+    ];
+    let mut table = Table::new("Ranges of the poses", &columns);
+    for range in &coverage.ranges {
+        let (factor, unit) = if range.unit == "rad" { (180.0 / std::f64::consts::PI, "°") } else { (1.0, range.unit) };
+        let decimals = if range.unit == "rad" { 2 } else { 3 };
+        let numbers = [range.fit_min, range.fit_max, range.validation_min, range.validation_max];
+        let mut cells = vec![Cell::text(&range.name), Cell::text(unit)];
+        cells.extend(numbers.map(|value| Cell::number(number::fixed(factor * value, decimals))));
+        table.push("", cells);
+    }
+    context! { table => table.into_value(), words => words(report, shown, coverage.outside, &coverage.is_outside) }
+}
+
+fn words(report: &Report<'_>, shown: &Shown<'_>, outside: usize, is_outside: &[bool]) -> String {
+    if !report.is_held_out {
+        return "Nothing was held out: how the model does beyond the poses of the fit is not known.".to_owned();
+    }
+    let count = is_outside.len();
+    if outside == 0 {
+        return format!("All {count} validation samples lie within the ranges of the poses that the fit saw.");
+    }
+    let mean = |wanted: bool| {
+        let errors = shown.judgement.validation_errors.position.iter().zip(is_outside);
+        let chosen: Vec<f64> =
+            errors.filter(|(error, is)| **is == wanted && error.is_finite()).map(|(e, _)| *e).collect();
+        number::millimetres(chosen.iter().sum::<f64>() / chosen.len() as f64)
+    };
+    format!(
+        "{outside} of {count} validation samples lie outside the ranges of the poses that the fit saw. Mean position error: \
+         {} mm inside, {} mm outside.",
+        mean(false),
+        mean(true)
+    )
+}

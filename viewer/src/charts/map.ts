@@ -1,0 +1,121 @@
+// Where errors occur: samples in a plane of the workspace, with the box of the fit's poses. Size and colour both grow with the error.
+import * as Plot from "@observablehq/plot";
+import { choice, type Option } from "../controls";
+import type { Errors, PageData, Vector } from "../data";
+import type { Draw, Figure } from "../figure";
+import { finite, quantile, significant } from "../number";
+import { models } from "./quantities";
+import { INK, MUTED, STEPS, degrees, frame, mm } from "./style";
+
+/** A projection of positions. */
+export interface View {
+  names: [string, string];
+  first: Vector;
+  second: Vector;
+}
+
+interface Quantity {
+  words: string;
+  unit: string;
+  of(errors: Errors, row: number): number;
+}
+
+interface Sample {
+  x: number;
+  y: number;
+  error: number;
+  number: number;
+  outside: boolean;
+}
+
+/** The plane of a planar robot; x–y, x–z and y–z of a spatial one. */
+export function views(data: PageData): Option<View>[] {
+  const plane = data.robot.plane;
+  if (plane) return [{ label: plane.names.join("–"), value: plane }];
+  const axes: [string, Vector][] = [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]]];
+  return ([[0, 1], [0, 2], [1, 2]] as const).map(([a, b]) => {
+    const [[first, u], [second, v]] = [axes[a] as [string, Vector], axes[b] as [string, Vector]];
+    return { label: `${first}–${second} (${["top", "front", "side"][a + b - 1]} view)`, value: { names: [first, second], first: u, second: v } };
+  });
+}
+
+/** The chart; both axes to one scale. */
+export function map(data: PageData, figure: Figure): Draw | null {
+  const samples = data.samples;
+  if (samples.number.length === 0) return null;
+  const quantity = choice(figure.controls, "Size of the", quantities(data), figure.redraw);
+  const view = choice(figure.controls, "in the plane", views(data), figure.redraw);
+  const model = choice(figure.controls, "of the model", models(data), figure.redraw);
+  return (width) => {
+    const { names, first, second } = view();
+    const { words, unit, of } = quantity();
+    const points: Sample[] = samples.position_m.map((position, row) => ({
+      x: dot(position, first),
+      y: dot(position, second),
+      error: of(model(), row),
+      number: samples.number[row] ?? 0,
+      outside: samples.outside[row] ?? false,
+    }));
+    const drawn = points.filter((point) => Number.isFinite(point.error)).sort((a, b) => a.error - b.error);
+    const top = topOf(drawn.map((point) => point.error));
+    const fit = data.fit_position_m.map((position) => [dot(position, first), dot(position, second)] as [number, number]);
+    const box = boxOf(fit);
+    const limits = STEPS.slice(1).map((_, index) => ((index + 1) * top) / STEPS.length);
+    return Plot.plot(
+      frame(Math.min(width, 720), {
+        aspectRatio: 1,
+        marginTop: 18,
+        x: { label: `${names[0]}, m`, labelAnchor: "center", labelArrow: "none", grid: true, nice: true, inset: 10 },
+        y: { label: `${names[1]}, m`, labelArrow: "none", grid: true, nice: true, inset: 10 },
+        color: { type: "threshold", domain: limits, range: STEPS, legend: true, label: `${words}, ${unit}`, tickFormat: (value: number) => significant(value, 2) },
+        r: { domain: [0, top], range: [2, 9], clamp: true },
+        marks: [
+          box ? Plot.rect([box], { x1: "x1", x2: "x2", y1: "y1", y2: "y2", stroke: MUTED, strokeDasharray: "6 4", fill: "none" }) : null,
+          Plot.dot(thinned(fit), { x: "0", y: "1", symbol: "plus", r: 3, stroke: MUTED, strokeOpacity: 0.7, strokeWidth: 1 }),
+          Plot.dot(drawn, { x: "x", y: "y", fill: "error", r: "error", symbol: "circle", stroke: INK, strokeOpacity: 0.55, strokeWidth: 0.6 }),
+          Plot.dot(drawn.filter((point) => point.outside), { x: "x", y: "y", r: 11, symbol: "square", stroke: INK, strokeWidth: 1 }),
+          Plot.tip(drawn, Plot.pointer({ x: "x", y: "y", title: (point: Sample) => `sample ${point.number}\n${words} ${significant(point.error, 3)} ${unit}${point.outside ? "\noutside the poses of the fit" : ""}` })),
+        ],
+      }),
+    );
+  };
+}
+
+function quantities(data: PageData): Option<Quantity>[] {
+  const position: Quantity = { words: "position error", unit: "mm", of: (errors, row) => lengthOf(errors.position_error_m[row]) };
+  const rotation: Quantity = { words: "rotation error", unit: "°", of: (errors, row) => degrees(errors.rotation_error_rad[row]) };
+  const length: Quantity = { words: "length error (rms over cables)", unit: "mm", of: (errors, row) => mm(rms(finite(errors.length_error_m[row] ?? []))) };
+  const tension: Quantity = { words: "tension error (rms over cables)", unit: "N", of: (errors, row) => rms(finite(errors.tension_error_N?.[row] ?? [])) };
+  const all = [position, ...(data.robot.turns ? [rotation] : []), length, ...(data.samples.calibrated.tension_error_N ? [tension] : [])];
+  return all.map((value) => ({ label: value.words, value }));
+}
+
+function lengthOf(vector: Vector | null | undefined): number {
+  return vector ? mm(Math.hypot(...vector)) : Number.NaN;
+}
+
+function rms(values: number[]): number {
+  return values.length === 0 ? Number.NaN : Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / values.length);
+}
+
+/** The largest error, unless few outliers would leave one colour to all others: then three times the 95 % quantile. */
+export function topOf(errors: number[]): number {
+  const sorted = [...errors].sort((a, b) => a - b);
+  const [largest, p95] = [sorted[sorted.length - 1] ?? 1, quantile(sorted, 0.95)];
+  return (largest > 3 * p95 && p95 > 0 ? 3 * p95 : largest) || 1;
+}
+
+function boxOf(points: [number, number][]): { x1: number; x2: number; y1: number; y2: number } | null {
+  if (points.length === 0) return null;
+  const [x, y] = [points.map((point) => point[0]), points.map((point) => point[1])];
+  return { x1: Math.min(...x), x2: Math.max(...x), y1: Math.min(...y), y2: Math.max(...y) };
+}
+
+function thinned<T>(list: T[]): T[] {
+  const step = Math.ceil(list.length / 400);
+  return list.filter((_, index) => index % step === 0);
+}
+
+function dot(a: Vector, b: Vector): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}

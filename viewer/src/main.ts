@@ -1,0 +1,36 @@
+// The report page: fills the figures of the frame that the command wrote, from the data in the page.
+import "./style.css";
+import { correlation } from "./charts/correlation";
+import { coverage } from "./charts/coverage";
+import { distribution } from "./charts/distribution";
+import { ladder } from "./charts/ladder";
+import { map } from "./charts/map";
+import { residuals } from "./charts/residuals";
+import { convergence, spectrum } from "./charts/spectrum";
+import { type PageData, readData } from "./data";
+import { offerDefinitions } from "./definitions";
+import { fill } from "./figure";
+import { offerPrinting } from "./printing";
+import { showScene } from "./scene/scene";
+import { offerTheme } from "./theme";
+
+function drawAll(data: PageData): void {
+  const shown = data.result.candidates[data.shown];
+  if (!shown) return;
+  fill("ladder", () => ladder(data));
+  fill("spectrum", () => spectrum(shown));
+  fill("correlation", () => correlation(data));
+  fill("residuals", (figure) => residuals(data, figure));
+  fill("distribution", (figure) => distribution(data, figure));
+  fill("map", (figure) => map(data, figure));
+  fill("convergence", () => convergence(shown));
+  fill("coverage", () => coverage(data));
+  showScene(data);
+}
+
+const data = readData();
+offerTheme();
+offerDefinitions();
+offerPrinting();
+if (data) drawAll(data);
+document.documentElement.dataset.drawn = "true";

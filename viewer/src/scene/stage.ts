@@ -1,0 +1,127 @@
+// Canvas, camera and light of the scene; draws only when something changed.
+import { Box3, Group, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { element } from "../controls";
+import { Labels } from "./labels";
+
+const FIELD_OF_VIEW = 32;
+
+/** A place to draw in. */
+export class Stage {
+  readonly content = new Group();
+  readonly labels: Labels;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
+  private readonly orbit: OrbitControls;
+  private sphere = new Sphere(new Vector3(), 1);
+  private points: Vector3[] = [];
+  private waiting = false;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(place: HTMLElement, words: string) {
+    const holder = element("div", "", "stage");
+    place.append(holder);
+    // kept, so that printing and copying the picture work at any time
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", words);
+    holder.append(canvas);
+    this.labels = new Labels(holder);
+    this.scene.add(this.content);
+    this.orbit = new OrbitControls(this.camera, canvas);
+    this.orbit.enableZoom = false; // the wheel scrolls the page; the buttons and + − zoom
+    this.orbit.addEventListener("change", () => this.draw());
+    canvas.addEventListener("keydown", (event) => this.steer(event));
+    new ResizeObserver(() => this.fit(holder)).observe(holder);
+    this.fit(holder);
+  }
+
+  /** Looks at everything from a direction; `up` is the direction that points up on the screen. */
+  lookFrom(direction: Vector3, up: Vector3): void {
+    const distance = this.distance(direction.clone().normalize(), up);
+    this.camera.up.copy(up);
+    this.camera.position.copy(this.sphere.center).addScaledVector(direction.clone().normalize(), distance);
+    this.camera.near = distance / 100;
+    this.camera.far = distance * 10;
+    this.camera.updateProjectionMatrix();
+    this.orbit.target.copy(this.sphere.center);
+    this.camera.lookAt(this.sphere.center);
+    this.draw();
+  }
+
+  /** How far away the camera sees all points, with a margin. */
+  private distance(towards: Vector3, up: Vector3): number {
+    const right = up.clone().cross(towards).normalize();
+    const upright = towards.clone().cross(right);
+    const slope = 0.86 * Math.tan((0.5 * FIELD_OF_VIEW * Math.PI) / 180);
+    const least = this.points.map((point) => {
+      const arm = point.clone().sub(this.sphere.center);
+      const across = Math.max(Math.abs(arm.dot(right)) / this.camera.aspect, Math.abs(arm.dot(upright)));
+      return across / slope + arm.dot(towards);
+    });
+    return Math.max(this.sphere.radius, ...least);
+  }
+
+  /** The points that must be seen. */
+  frame(points: Vector3[]): void {
+    this.points = points;
+    new Box3().setFromPoints(points).getBoundingSphere(this.sphere);
+    this.sphere.radius = Math.max(this.sphere.radius, 1e-3);
+  }
+
+  zoom(factor: number): void {
+    this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
+    this.draw();
+  }
+
+  /** Draws with the next frame of the browser. */
+  draw(): void {
+    if (this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.drawNow();
+    });
+  }
+
+  drawNow(): void {
+    const canvas = this.renderer.domElement;
+    this.renderer.render(this.scene, this.camera);
+    this.labels.place(this.camera, canvas.clientWidth, canvas.clientHeight);
+  }
+
+  private steer(event: KeyboardEvent): void {
+    const turns: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const turn = turns[event.key];
+    if (turn) this.turn(0.12 * turn[0], 0.12 * turn[1]);
+    else if (event.key === "+" || event.key === "=") this.zoom(0.9);
+    else if (event.key === "-") this.zoom(1 / 0.9);
+    else return;
+    event.preventDefault();
+  }
+
+  private turn(sideways: number, upwards: number): void {
+    const { position, up } = this.camera;
+    const arm = position.clone().sub(this.orbit.target);
+    arm.applyAxisAngle(up, sideways);
+    const across = up.clone().cross(arm).normalize();
+    const raised = arm.clone().applyAxisAngle(across, -upwards);
+    if (Math.abs(raised.angleTo(up) - 0.5 * Math.PI) < 1.5) arm.copy(raised);
+    position.copy(this.orbit.target).add(arm);
+    this.camera.lookAt(this.orbit.target);
+    this.draw();
+  }
+
+  private fit(holder: HTMLElement): void {
+    const width = Math.max(200, holder.clientWidth);
+    const height = Math.round(Math.min(0.66 * width, 560));
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.drawNow();
+  }
+}

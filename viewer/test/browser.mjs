@@ -1,0 +1,75 @@
+// Opens report pages in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
+//   node test/browser.mjs CHROMIUM OUTPUT FOLDER_OF_A_RESULT…
+// Each folder holds report.html, and result.json where the command writes one. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
+import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { checkPage } from "./page-checks.mjs";
+
+const ARGUMENTS = [
+  "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader",
+];
+const LARGEST_BYTES = 2_000_000;
+const LONGEST_MILLISECONDS = 2_000;
+
+const [executablePath, output, ...folders] = process.argv.slice(2);
+mkdirSync(output, { recursive: true });
+let complaints = 0;
+for (const folder of folders) {
+  const name = basename(folder);
+  const profile = mkdtempSync(join(tmpdir(), "cdpr-browser-"));
+  const context = await chromium.launchPersistentContext(profile, { executablePath, args: ARGUMENTS, viewport: { width: 1280, height: 900 } });
+  try {
+    for (const complaint of await examine(context, folder, name)) {
+      complaints += 1;
+      console.log(`${name}: ${complaint}`);
+    }
+  } finally {
+    await context.close();
+    rmSync(profile, { recursive: true, force: true });
+  }
+}
+process.exitCode = complaints > 0 ? 1 : 0;
+
+async function examine(context, folder, name) {
+  const file = resolve(folder, "report.html");
+  const json = join(folder, "result.json");
+  const result = existsSync(json) ? JSON.parse(readFileSync(json, "utf8")) : null;
+  const address = pathToFileURL(file).href;
+  const found = [];
+  const page = await context.newPage();
+  page.on("console", (message) => message.type() === "error" && found.push(`the console says: ${message.text()}`));
+  page.on("pageerror", (error) => found.push(`the script failed: ${error.message}`));
+  page.on("request", (request) => {
+    const url = request.url();
+    if (url !== address && !url.startsWith("data:") && !url.startsWith("blob:")) found.push(`the page asks for ${url}`);
+  });
+  const bytes = statSync(file).size;
+  const start = performance.now();
+  await page.goto(address);
+  await page.waitForSelector("html[data-drawn]");
+  const milliseconds = performance.now() - start;
+  console.log(`${name}: ${(bytes / 1e6).toFixed(2)} MB, drawn after ${milliseconds.toFixed(0)} ms`);
+  if (bytes > LARGEST_BYTES) found.push(`the page has ${bytes} bytes, more than ${LARGEST_BYTES}`);
+  if (milliseconds > LONGEST_MILLISECONDS) found.push(`the page took ${milliseconds.toFixed(0)} ms, more than ${LONGEST_MILLISECONDS}`);
+  found.push(...(await checkPage(page, result)));
+  await pictures(page, name);
+  await page.close();
+  return found;
+}
+
+/** The page wide and narrow, light and dark, and on paper, for people to look at. */
+async function pictures(page, name) {
+  for (const [width, colorScheme] of [[1280, "light"], [1280, "dark"], [600, "light"]]) {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}.png`), fullPage: true });
+  }
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.pdf({ path: join(output, `${name}.pdf`), preferCSSPageSize: true });
+}

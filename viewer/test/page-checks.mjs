@@ -1,0 +1,198 @@
+// What must be true of a report page, asked of the page as a browser shows it.
+
+const CHARTS_OF_EVERY_PAGE = ["residuals", "distribution", "map", "coverage"];
+
+/** Everything wrong with the page, in words. */
+export async function checkPage(page, result) {
+  const data = JSON.parse(await page.locator("#cdpr-data").textContent());
+  const found = [];
+  if (result) found.push(...sameNumbers(data.result, result));
+  found.push(...(await tables(page, data)));
+  found.push(...(await charts(page, data)));
+  found.push(...(await scene(page, data)));
+  found.push(...(await choices(page, data)));
+  found.push(...(await definitions(page)));
+  found.push(...(await layout(page)));
+  return found;
+}
+
+/** The block of the page is result.json but for wall times. */
+function sameNumbers(inPage, inFile) {
+  const without = ({ timing, out, ...rest }) => JSON.stringify(sorted(rest));
+  return without(inPage) === without(inFile) ? [] : ["the numbers in the page are not those of result.json"];
+}
+
+function sorted(value) {
+  if (Array.isArray(value)) return value.map(sorted);
+  if (value === null || typeof value !== "object") return value;
+  return Object.fromEntries(Object.keys(value).sort().map((key) => [key, sorted(value[key])]));
+}
+
+/** Cells as rows of texts, by the heading above the table. */
+async function cells(page, heading) {
+  return page.locator(`section[aria-labelledby="${heading}"] table`).first().locator("tbody tr").evaluateAll((rows) =>
+    rows.map((row) => [...row.cells].map((cell) => cell.textContent.trim())));
+}
+
+/** The number that a cell shows; NaN for a dash. */
+function numberOf(text) {
+  const [mantissa, exponent] = text.replace("−", "-").split(" × 10");
+  const power = exponent ? Number([...exponent].map((c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))).join("")) : 0;
+  return text === "∞" ? Infinity : Number(mantissa) * 10 ** power;
+}
+
+/** True when the cell shows this value to the digits that it has. */
+function shows(text, value) {
+  if (text === undefined) return false;
+  if (value === null || value === undefined) return text === "–" || text === "∞";
+  const shown = numberOf(text);
+  const decimals = (text.split(" ")[0].split(".")[1] ?? "").length;
+  const mantissaUnit = text.includes("×") ? 10 ** (Math.floor(Math.log10(Math.abs(value))) - decimals) : 10 ** -decimals;
+  return Math.abs(shown - value) <= 0.51 * mantissaUnit + 1e-9 * Math.abs(value);
+}
+
+async function tables(page, data) {
+  const found = [];
+  const { factor } = data.criterion;
+  const ladder = await cells(page, "candidates");
+  if (ladder.length !== data.result.candidates.length) found.push(`${ladder.length} candidates in the table, ${data.result.candidates.length} in result.json`);
+  data.result.candidates.forEach((candidate, index) => {
+    const row = ladder[index] ?? [];
+    if (row[1] !== candidate.name) found.push(`candidate ${index + 1} is called ${row[1]}, not ${candidate.name}`);
+    if (candidate.failure) return;
+    const expected = [[2, candidate.parameter_count], [4, scaled(candidate.criterion, factor)], [5, scaled(candidate.standard_error, factor)]];
+    for (const [column, value] of expected) if (!shows(row[column], value)) found.push(`candidate ${index + 1}: the table shows ${row[column]} for ${value}`);
+  });
+  const shown = data.result.candidates[data.shown];
+  const parameters = shown.parameter_count > 0 ? await cells(page, "parameters") : [];
+  if (parameters.length !== shown.parameter_count) found.push(`${parameters.length} parameters in the table, ${shown.parameter_count} in result.json`);
+  shown.parameters.forEach((estimate, index) => {
+    const row = parameters[index] ?? [];
+    const by = { m: 1e3, "1/N": 1e9 }[estimate.unit] ?? 1;
+    const columns = { nominal: 2, start: 3, value: 4, sigma: 5, change: 7 };
+    if (row[0] !== estimate.name) found.push(`parameter ${index + 1} is called ${row[0]}, not ${estimate.name}`);
+    for (const [key, column] of Object.entries(columns)) {
+      const value = estimate[key];
+      const text = row[column]?.replace("+", "");
+      if (!shows(text, value === null ? null : by * value)) found.push(`${estimate.name}: the table shows ${row[column]} for the ${key} ${by * value}`);
+    }
+  });
+  const errors = await cells(page, "errors");
+  for (const value of [shown.train.position_error_m.mean, shown.validation.position_error_m.max]) {
+    if (!errors.some((row) => row.some((text) => shows(text, 1e3 * value)))) found.push(`no row before and after shows ${1e3 * value} mm`);
+  }
+  return found;
+}
+
+function scaled(value, factor) {
+  return value === null ? null : factor * value;
+}
+
+/** Marks of a chart: circles, bars, and the dots that a path of specks stands for. */
+async function marks(page, name) {
+  return page.locator(`figure[data-chart="${name}"]`).evaluateAll((figures) =>
+    figures.reduce((sum, figure) => {
+      if (figure.hidden) return sum;
+      const single = figure.querySelectorAll("svg g[aria-label] > :is(circle, rect, path, line)").length;
+      const specks = [...figure.querySelectorAll("path.specks")].reduce((count, path) => count + Number(path.dataset.points), 0);
+      return sum + single + specks;
+    }, 0));
+}
+
+async function charts(page, data) {
+  const found = [];
+  const samples = data.samples.number.length;
+  const cables = data.robot.cables.length;
+  const shown = data.result.candidates[data.shown];
+  const least = { residuals: samples * cables, distribution: 20, map: samples, coverage: data.result.coverage.ranges.length };
+  if (shown.parameter_count > 0) least.spectrum = shown.singular_values.length;
+  if (shown.history.length > 1) least.convergence = shown.history.length;
+  if (data.correlation) least.correlation = (data.correlation.names.length * (data.correlation.names.length + 1)) / 2;
+  if (data.result.candidates.length > 1) least.ladder = data.result.candidates.filter((candidate) => !candidate.failure).length;
+  for (const name of CHARTS_OF_EVERY_PAGE) if (!(name in least)) found.push(`nothing is known of the chart ${name}`);
+  for (const [name, count] of Object.entries(least)) {
+    const drawn = await marks(page, name);
+    if (drawn < 0.95 * count) found.push(`the chart ${name} has ${drawn} marks, not ${count}`);
+  }
+  const broken = await page.locator("figure[data-chart] svg").evaluateAll((all) => all.filter((svg) => /NaN|undefined/.test(svg.outerHTML)).length);
+  if (broken > 0) found.push(`${broken} charts contain NaN or undefined`);
+  return found;
+}
+
+/** The canvas is not of one colour, and turning the robot changes it. */
+async function scene(page, data) {
+  if (data.samples.number.length === 0) return [];
+  const canvas = page.locator('figure[data-chart="scene"] canvas');
+  if ((await canvas.count()) !== 1) return ["there is no scene"];
+  const pixels = () =>
+    canvas.evaluate((shown) => {
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [shown.width, shown.height];
+      const context = copy.getContext("2d");
+      context.drawImage(shown, 0, 0);
+      const { data: bytes } = context.getImageData(0, 0, copy.width, copy.height);
+      const colours = new Set();
+      let drawn = 0;
+      let sum = 0;
+      for (let k = 0; k < bytes.length; k += 4) {
+        if (bytes[k + 3] === 0) continue;
+        drawn += 1;
+        sum = (sum * 31 + k) % 1000003;
+        colours.add((bytes[k] << 16) | (bytes[k + 1] << 8) | bytes[k + 2]);
+      }
+      return { share: drawn / (bytes.length / 4), colours: colours.size, sum };
+    });
+  const before = await pixels();
+  if (before.share < 0.002 || before.colours < 4) return [`the scene is blank: ${JSON.stringify(before)}`];
+  await canvas.focus();
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(200);
+  const after = await pixels();
+  await page.getByRole("button", { name: "Reset view" }).click();
+  return after.sum === before.sum ? ["the arrow keys do not turn the scene"] : [];
+}
+
+/** Every option of every choice draws without an error; elastic models alone offer tensions. */
+async function choices(page, data) {
+  const found = [];
+  const selects = page.locator("figure[data-chart] select");
+  for (let k = 0; k < (await selects.count()); k += 1) {
+    const select = selects.nth(k);
+    const options = await select.locator("option").allTextContents();
+    for (let index = 0; index < options.length; index += 1) await select.selectOption({ index });
+    await select.selectOption({ index: 0 });
+  }
+  const tensions = await page.locator("figure[data-chart] option", { hasText: "tension" }).count();
+  const knows = data.samples.calibrated.tension_error_N !== null;
+  if (tensions > 0 !== knows) found.push(knows ? "tensions cannot be chosen" : "tensions are offered, but nobody knows them");
+  return found;
+}
+
+/** Every link to a definition opens it, with the keyboard too. */
+async function definitions(page) {
+  const links = page.locator('thead a[href^="#def-"]');
+  const link = links.first();
+  await link.focus();
+  await page.keyboard.press("Enter");
+  const shown = await page.locator(".definition").isVisible();
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => document.activeElement?.blur());
+  const columns = await page.locator("thead th.number").count();
+  const explained = await page.locator("thead th.number a").count();
+  const found = shown ? [] : ["Enter on a column's title does not open its definition"];
+  if (explained < 0.8 * columns) found.push(`only ${explained} of ${columns} columns of numbers have a definition`);
+  return found;
+}
+
+/** Nothing sticks out sideways, wide or narrow. */
+async function layout(page) {
+  const found = [];
+  for (const width of [1280, 600, 380]) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.waitForTimeout(250);
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    if (over > 0) found.push(`the page is ${over} pixels wider than a window of ${width}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 900 });
+  return found;
+}

@@ -1,0 +1,186 @@
+//! The report as a browser shows it: opens pages in headless Chromium, and builds the viewer anew to compare it with the
+//! committed bundle.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::cargo;
+use crate::outcome::Outcome;
+
+/// What `viewer/` makes, in the folder that the command includes it from.
+const GENERATED: &str = "crates/cdpr-cli/src/report/generated";
+const MADE: [&str; 4] = ["notices.txt", "viewer.css", "viewer.js", "viewer.stamp"];
+
+/// Passes when the bundle is what its sources make and every page is as it should be; says why where it cannot look.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let tools = match Tools::find().or_else(|missing| Tools::install(&missing)) {
+        Ok(tools) => tools,
+        Err(reason) => return skipped(&reason),
+    };
+    if let Err(reason) = packages(root) {
+        return skipped(&reason);
+    }
+    let folder = root.join("target/browser");
+    let result = rebuilt_is_committed(root, &folder).and_then(|()| {
+        let pages = pages(root, &folder)?;
+        open(root, &tools, &folder.join("screenshots"), &pages)?;
+        Ok(pages.len())
+    });
+    match result {
+        Ok(pages) => Outcome { passed: 1 + pages, ..Outcome::default() },
+        Err(complaint) => Outcome::of(vec![complaint]),
+    }
+}
+
+/// Builds the viewer into the folder of the command.
+pub(crate) fn build(root: &Path) -> Result<(), String> {
+    packages(root)?;
+    run(npm(root, &["run", "build"]))?;
+    println!("wrote {GENERATED}");
+    Ok(())
+}
+
+/// Nothing was looked at: a failure in CI, where somebody relies on it.
+fn skipped(reason: &str) -> Outcome {
+    println!("the browser test is skipped: {reason}");
+    if std::env::var("CI").as_deref() == Ok("true") {
+        return Outcome::of(vec![format!("CI must not skip the browser test: {reason}")]);
+    }
+    Outcome::default()
+}
+
+struct Tools {
+    chromium: PathBuf,
+}
+
+impl Tools {
+    /// The programs on the search path, or what is missing.
+    fn find() -> Result<Self, String> {
+        let chromium = std::env::var_os("CDPR_CHROMIUM")
+            .map(PathBuf::from)
+            .or_else(|| ["chromium", "chromium-browser", "google-chrome"].iter().find_map(|name| on_path(name)));
+        let missing: Vec<&str> = ["node", "npm"].into_iter().filter(|name| on_path(name).is_none()).collect();
+        match chromium {
+            Some(chromium) if missing.is_empty() => Ok(Self { chromium }),
+            None if missing.is_empty() => Err("there is no Chromium".to_owned()),
+            None => Err(format!("there is no Chromium, no {}", missing.join(", no "))),
+            Some(_) => Err(format!("there is no {}", missing.join(", no "))),
+        }
+    }
+
+    /// Installs Debian's packages where this runs as root, as in a container of CI.
+    fn install(missing: &str) -> Result<Self, String> {
+        let user = Command::new("id").arg("-u").output().map(|output| output.stdout).unwrap_or_default();
+        if user.trim_ascii() != b"0" || on_path("apt-get").is_none() {
+            return Err(format!("{missing}; install chromium, nodejs and npm (CDPR_CHROMIUM names another Chromium)"));
+        }
+        println!("{missing}: installing Debian's packages");
+        let apt = |arguments: &[&str]| {
+            let mut command = Command::new("apt-get");
+            command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive").stdout(Stdio::null());
+            run(command)
+        };
+        apt(&["update"])?;
+        apt(&["install", "-y", "--no-install-recommends", "chromium"])?;
+        if on_path("node").is_none() || on_path("npm").is_none() {
+            apt(&["install", "-y", "--no-install-recommends", "nodejs", "npm"])?;
+        }
+        Self::find()
+    }
+}
+
+fn on_path(name: &str) -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    std::env::split_paths(&folders).map(|folder| folder.join(name)).find(|path| path.is_file())
+}
+
+/// Installs the packages of `viewer/` where they are not those of its lock file.
+fn packages(root: &Path) -> Result<(), String> {
+    let lock = root.join("viewer/package-lock.json");
+    let installed = root.join("viewer/node_modules/.installed-lock.json");
+    let read = |path: &Path| std::fs::read(path).ok();
+    if read(&installed).is_some() && read(&installed) == read(&lock) {
+        return Ok(());
+    }
+    run(npm(root, &["ci", "--ignore-scripts"]))
+        .map_err(|error| format!("the packages of viewer/ cannot be installed: {error}"))?;
+    std::fs::copy(&lock, &installed).map(|_| ()).map_err(|error| format!("{}: {error}", installed.display()))
+}
+
+fn npm(root: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new("npm");
+    command.args(arguments).current_dir(root.join("viewer")).stdin(Stdio::null());
+    command
+}
+
+fn run(mut command: Command) -> Result<(), String> {
+    let name = format!("{command:?}").replace('"', "");
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("`{name}` ended with {status}")),
+        Err(error) => Err(format!("cannot start `{name}`: {error}")),
+    }
+}
+
+fn rebuilt_is_committed(root: &Path, folder: &Path) -> Result<(), String> {
+    let rebuilt = folder.join("viewer");
+    let mut build = npm(root, &["run", "build"]);
+    build.env("CDPR_VIEWER_OUT", &rebuilt);
+    run(build)?;
+    let read = |path: PathBuf| std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()));
+    for name in MADE {
+        if read(rebuilt.join(name))? != read(root.join(GENERATED).join(name))? {
+            return Err(format!(
+                "{GENERATED}/{name} is not what viewer/ makes: run `cargo xtask viewer` and commit it"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Makes the pages: the demo, an identification of a rigid model, and the real robot where its data may be read.
+fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let at = |name: &str| folder.join(name);
+    let text = |path: PathBuf| path.display().to_string();
+    let demo = at("demo");
+    cdpr(root, &["demo", "--require", "position_mean_m=0.005", "--out", &text(demo.clone())])?;
+    let identified = at("identify");
+    std::fs::create_dir_all(&identified).map_err(|error| format!("{}: {error}", identified.display()))?;
+    let (robot, data) = (text(demo.join("robot.toml")), text(demo.join("training.csv")));
+    let report = text(identified.join("report.html"));
+    cdpr(root, &["identify", &robot, &data, "--free", "frame-anchor,platform-anchor", "--report", &report])?;
+    let mut pages = vec![demo, identified];
+    let shared = root.join("../shared/data");
+    let measured = shared.join("measurements/gtcable-concentric-diamonds/samples.csv");
+    if measured.is_file() {
+        let (robot, out) = (text(shared.join("robots/gtcable-planar.toml")), at("gtcable"));
+        cdpr(
+            root,
+            &["select", &robot, &text(measured), "--require", "position_mean_m=0.001", "--out", &text(out.clone())],
+        )?;
+        pages.push(out);
+    } else {
+        println!("the page of the real robot is skipped: {} is not here", measured.display());
+    }
+    Ok(pages)
+}
+
+/// Runs the command; a negative answer (1) has its page too.
+fn cdpr(root: &Path, arguments: &[&str]) -> Result<(), String> {
+    let all = [&["run", "--quiet", "-p", "cdpr-cli", "--bin", "cdpr", "--"], arguments].concat();
+    let output = cargo::command(root, &all).output().map_err(|error| format!("cannot start cargo: {error}"))?;
+    match output.status.code() {
+        Some(0 | 1) => Ok(()),
+        _ => Err(format!("`cdpr {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr).trim())),
+    }
+}
+
+fn open(root: &Path, tools: &Tools, screenshots: &Path, pages: &[PathBuf]) -> Result<(), String> {
+    let mut node = Command::new("node");
+    node.arg("test/browser.mjs").arg(&tools.chromium).arg(screenshots).args(pages).current_dir(root.join("viewer"));
+    let status = node.stdin(Stdio::null()).status().map_err(|error| format!("cannot start node: {error}"))?;
+    match status.success() {
+        true => Ok(()),
+        false => Err(format!("a page is not as it should be (above); screenshots are in {}", screenshots.display())),
+    }
+}
