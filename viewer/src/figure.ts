@@ -37,5 +37,5 @@ export function fill(name: string, makeDraw: (figure: Figure) => Draw | null): v
 }
 
 function widthOf(place: HTMLElement): number {
-  return Math.round(Math.min(place.clientWidth || place.parentElement?.clientWidth || 640, 940));
+  return Math.round(Math.min(place.clientWidth || place.parentElement?.clientWidth || 640, 1048));
 }

@@ -20,6 +20,11 @@ function powers(size: number, digits: number): string {
   return `${mantissa} × 10${superscript(Number(exponent))}`;
 }
 
+/** A tick of an axis: as short as it is, without separators of thousands. */
+export function tick(value: number): string {
+  return String(Number(value.toPrecision(10))).replace("-", "−");
+}
+
 /** 10 to a whole power, e.g. 10⁻³. */
 export function powerOfTen(exponent: number): string {
   return Math.abs(exponent) <= 3 ? String(Number(10 ** exponent)) : `10${superscript(exponent)}`;

@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { choice, element, type Option } from "../controls";
 import type { Errors, PageData } from "../data";
 import type { Draw, Figure } from "../figure";
-import { finite, quantile, significant } from "../number";
+import { finite, quantile, significant, tick } from "../number";
 import { models, residuals } from "./quantities";
 import { ACCENT, BAD, MUTED, degrees, frame, mm } from "./style";
 
@@ -65,8 +65,8 @@ function histogram(values: number[], quantity: Quantity, width: number): Element
     frame(width, {
       height: 230,
       marginTop: 18,
-      x: { label: `${quantity.label}, ${quantity.unit}`, labelAnchor: "center", labelArrow: "none", ...(quantity.magnitude ? { zero: true } : {}) },
-      y: { label: "count", labelArrow: "none", grid: true },
+      x: { tickFormat: tick, label: `${quantity.label}, ${quantity.unit}`, labelAnchor: "center", labelArrow: "none", ...(quantity.magnitude ? { zero: true } : {}) },
+      y: { tickFormat: tick, label: "count", labelArrow: "none", grid: true },
       marks: [
         Plot.rectY(values, { ...Plot.binX({ y: "count" }, { x: { value: (value: number) => value, thresholds: bins } }), fill: ACCENT, fillOpacity: 0.65, inset: 0.5 }),
         Plot.ruleY([0], { stroke: MUTED }),

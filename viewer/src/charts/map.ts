@@ -60,6 +60,7 @@ export function map(data: PageData, figure: Figure): Draw | null {
     const top = topOf(drawn.map((point) => point.error));
     const fit = data.fit_position_m.map((position) => [dot(position, first), dot(position, second)] as [number, number]);
     const box = boxOf(fit);
+    const many = drawn.length > 400;
     const limits = STEPS.slice(1).map((_, index) => ((index + 1) * top) / STEPS.length);
     return Plot.plot(
       frame(Math.min(width, 720), {
@@ -68,12 +69,12 @@ export function map(data: PageData, figure: Figure): Draw | null {
         x: { label: `${names[0]}, m`, labelAnchor: "center", labelArrow: "none", grid: true, nice: true, inset: 10 },
         y: { label: `${names[1]}, m`, labelArrow: "none", grid: true, nice: true, inset: 10 },
         color: { type: "threshold", domain: limits, range: STEPS, legend: true, label: `${words}, ${unit}`, tickFormat: (value: number) => significant(value, 2) },
-        r: { domain: [0, top], range: [2, 9], clamp: true },
+        r: { domain: [0, top], range: many ? [1.5, 6] : [2.5, 9], clamp: true },
+        symbol: { domain: ["inside", "outside"], range: ["circle", "square"] },
         marks: [
           box ? Plot.rect([box], { x1: "x1", x2: "x2", y1: "y1", y2: "y2", stroke: MUTED, strokeDasharray: "6 4", fill: "none" }) : null,
           Plot.dot(thinned(fit), { x: "0", y: "1", symbol: "plus", r: 3, stroke: MUTED, strokeOpacity: 0.7, strokeWidth: 1 }),
-          Plot.dot(drawn, { x: "x", y: "y", fill: "error", r: "error", symbol: "circle", stroke: INK, strokeOpacity: 0.55, strokeWidth: 0.6 }),
-          Plot.dot(drawn.filter((point) => point.outside), { x: "x", y: "y", r: 11, symbol: "square", stroke: INK, strokeWidth: 1 }),
+          Plot.dot(drawn, { x: "x", y: "y", fill: "error", r: "error", symbol: (point: Sample) => (point.outside ? "outside" : "inside"), stroke: INK, strokeOpacity: many ? 0.2 : 0.55, strokeWidth: many ? 0.3 : 0.6 }),
           Plot.tip(drawn, Plot.pointer({ x: "x", y: "y", title: (point: Sample) => `sample ${point.number}\n${words} ${significant(point.error, 3)} ${unit}${point.outside ? "\noutside the poses of the fit" : ""}` })),
         ],
       }),

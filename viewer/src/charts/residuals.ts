@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { choice, element } from "../controls";
 import type { PageData } from "../data";
 import type { Draw, Figure } from "../figure";
-import { finite, quantile, significant } from "../number";
+import { finite, quantile, significant, tick } from "../number";
 import { abscissae, models, residuals as quantities } from "./quantities";
 import { BAD, MUTED, frame, symmetric } from "./style";
 
@@ -56,8 +56,8 @@ function panel(width: number, name: string, points: Point[], domain: [number, nu
       frame(width, {
         height: 170,
         marginTop: 18,
-        x: { label: labels.x, labelAnchor: "center", labelArrow: "none", ticks: Math.max(3, Math.floor(width / 80)), nice: !labels.direction, ...(labels.direction ? { domain: motionDomain(points) , clamp: true } : {}) },
-        y: { domain, label: labels.y, labelArrow: "none", grid: true, ticks: 5 },
+        x: { label: labels.x, tickFormat: tick, labelAnchor: "center", labelArrow: "none", ticks: Math.max(3, Math.floor(width / 80)), nice: !labels.direction, ...(labels.direction ? { domain: motionDomain(points) , clamp: true } : {}) },
+        y: { domain, tickFormat: tick, label: labels.y, labelArrow: "none", grid: true, ticks: 5 },
         marks: [
           Plot.ruleY([0], { stroke: MUTED }),
           labels.direction ? Plot.ruleX([0], { stroke: MUTED, strokeDasharray: "2 3" }) : null,

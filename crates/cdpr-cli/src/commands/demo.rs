@@ -69,15 +69,14 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     if selection.prior.is_empty() {
         selection.prior.push(PLATFORM_ANCHORS);
     }
-    let priors: Vec<String> = selection.prior.iter().map(|prior| format!("{}={}", prior.kind, prior.sigma)).collect();
-    let priors = priors.join(",");
+    let options = selection.written();
     let compared = selection.compare(Comparison {
         robot,
         samples,
         folds,
         data_name: "training.csv (virtual measurements of the CableRobot Simulator)".to_owned(),
         validation_name: words,
-        command: format!("cdpr select robot.toml training.csv --validation validation.csv --prior {priors} --out ."),
+        command: format!("cdpr select robot.toml training.csv --validation validation.csv{options} --out ."),
         warnings: vec!["these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned()],
         inputs,
     })?;

@@ -32,7 +32,7 @@ fn files(folder: &Path, found: &mut BTreeSet<String>) {
 fn the_generated_files_belong_to_the_sources_of_the_viewer() {
     let generated = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report/generated");
     let stamp = std::fs::read_to_string(generated.join("viewer.stamp")).unwrap();
-    let remedy = "run `npm ci && npm run build` in viewer/ and commit crates/cdpr-cli/src/report/generated";
+    let remedy = "run `cargo xtask viewer` and commit what it wrote";
     let mut listed = BTreeSet::new();
     for line in stamp.lines() {
         let (expected, name) = line.split_once("  ").unwrap();
@@ -40,6 +40,9 @@ fn the_generated_files_belong_to_the_sources_of_the_viewer() {
         assert_eq!(hash(&path), expected, "{name} changed: {remedy}");
         listed.insert(name.to_owned());
     }
+    let notices = std::fs::read_to_string(generated.join("notices.txt")).unwrap();
+    let told = std::fs::read_to_string(viewer().join("../THIRD-PARTY.txt")).unwrap();
+    assert!(told.contains(&notices), "THIRD-PARTY.txt lacks notices.txt: {remedy}");
     let mut sources = BTreeSet::new();
     files(&viewer().join("src"), &mut sources);
     files(&viewer().join("build"), &mut sources);

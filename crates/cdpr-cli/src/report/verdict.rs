@@ -51,6 +51,7 @@ fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let outcome = match (limits.is_empty(), broken.is_empty()) {
         (true, _) => "; no limit was set".to_owned(),
         (false, true) => ": pass".to_owned(),
+        (false, false) if own.is_some_and(|own| !own.met) && broken.len() == 1 => ": fail".to_owned(),
         (false, false) => format!(": fail ({})", broken.join(", ")),
     };
     format!("{data} {words} {value}{limit}{outcome}")

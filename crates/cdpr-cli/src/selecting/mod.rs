@@ -133,6 +133,31 @@ impl Compared {
 }
 
 impl SelectionArguments {
+    /// The options as they are written on the command line, those left at their default left out.
+    pub(crate) fn written(&self) -> String {
+        let joined = |items: Vec<String>, separator: &str| items.join(separator);
+        let candidates =
+            self.candidates.iter().map(|list| joined(list.0.iter().map(ToString::to_string).collect(), ";"));
+        let all = [
+            ("candidates", candidates.map(|list| format!("'{list}'")).collect()),
+            (
+                "criterion",
+                self.criterion.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default(),
+            ),
+            ("require", joined(self.require.iter().map(ToString::to_string).collect(), ",")),
+            ("hold", self.hold.to_string()),
+            ("prior", joined(self.prior.iter().map(|prior| format!("{}={}", prior.kind, prior.sigma)).collect(), ",")),
+            ("seed", self.seed.to_string()),
+        ];
+        let is_default = |name: &str, value: &String| match name {
+            "criterion" => value == "position",
+            "seed" => self.seed == 0,
+            _ => value.is_empty(),
+        };
+        let given = all.iter().filter(|(name, value)| !is_default(name, value));
+        given.map(|(name, value): &(&str, String)| format!(" --{name} {value}")).collect()
+    }
+
     /// Which rungs the default ladder has.
     fn ladder(&self, samples: &Samples) -> Ladder {
         let has_prior = |prior: &Prior| prior.kind == ParameterKind::PlatformAnchor;

@@ -47,6 +47,12 @@ fn rotation(errors: &ErrorBlocks) -> &PoseError {
     &errors.rotation_error_rad
 }
 
+impl fmt::Display for Requirement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", METRICS[self.metric].0, self.limit)
+    }
+}
+
 /// How a candidate stands to a limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RequirementOutcome {
