@@ -92,7 +92,7 @@ mod tests {
     /// One sample beyond in x, one only in its angle, one at the very edge, which is not beyond.
     #[test]
     fn a_sample_beyond_in_any_component_is_outside() {
-        let robot = Robot::builtin("planar-example").unwrap();
+        let robot = Robot::builtin("kntu-planar").unwrap();
         let poses =
             vec![at(0.0, 0.0, -0.1), at(1.0, 2.0, 0.1), at(1.1, 1.0, 0.0), at(0.5, 1.0, 0.2), at(1.0, 0.0, 0.1)];
         let samples = Samples { poses, cable_count: robot.cable_count(), ..Samples::default() };
@@ -108,7 +108,7 @@ mod tests {
     /// The reported fit saw all samples then, but each was predicted by a fit that had not seen it.
     #[test]
     fn folds_that_take_turns_are_judged_by_their_own_training_part() {
-        let robot = Robot::builtin("planar-example").unwrap();
+        let robot = Robot::builtin("kntu-planar").unwrap();
         let poses = vec![at(0.0, 0.0, 0.0), at(1.0, 1.0, 0.0), at(2.0, 0.5, 0.0)];
         let samples = Samples { poses, cable_count: robot.cable_count(), ..Samples::default() };
         let fold = |validation: usize| Fold {
