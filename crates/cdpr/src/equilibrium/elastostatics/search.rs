@@ -87,7 +87,7 @@ impl Problem<'_> {
     }
 
     fn attempt(&self, end: End, iterations: u32) -> Attempt {
-        let stability = stability::smallest_eigenvalue(self, &end.stiffness);
+        let stability = stability::stability(self, &end.stiffness);
         Attempt { end: End { iterations, ..end }, stability, excess: 0.0 }
     }
 }

@@ -1,6 +1,6 @@
 //! Is an equilibrium stable, and where to go when it is not.
 
-use nalgebra::{DMatrix, SMatrix};
+use nalgebra::DMatrix;
 
 use super::Problem;
 use super::descent::{End, Stop, Tensions};
@@ -8,29 +8,24 @@ use super::multipliers::Rigid;
 use super::search::Attempt;
 use crate::geometry::{Pose, Twist};
 use crate::scalar::LANES;
-use crate::scalar::decomposition::{self, magnitude, svd, symmetric_eigen};
+use crate::scalar::decomposition::{smallest_eigenvalue, smallest_eigenvalue_of, svd, symmetric_eigen};
 
 /// How far from an unstable equilibrium to start again, relative to the mean length.
 const ESCAPE: f64 = 0.02;
 
 /// Smallest eigenvalue of the stiffness (lower triangle), rotations divided by the platform radius (N/m).
-pub(super) fn smallest_eigenvalue(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> f64 {
-    let n = problem.model.dof();
-    let lower = stiffness.iter().enumerate().take(n).flat_map(|(row, entries)| &entries[..=row]);
-    // entries of size one: the eigenvalues of others may never end
-    let Some(scale) = magnitude(lower) else { return f64::NAN };
-    let smallest = match n {
-        2 => scaled::<2>(problem, stiffness, scale).symmetric_eigenvalues().min(),
-        3 => scaled::<3>(problem, stiffness, scale).symmetric_eigenvalues().min(),
-        _ => scaled::<6>(problem, stiffness, scale).symmetric_eigenvalues().min(),
-    };
-    smallest * scale
+pub(super) fn stability(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> f64 {
+    match problem.model.dof() {
+        2 => smallest_eigenvalue_of(scaled::<2>(problem, stiffness)),
+        3 => smallest_eigenvalue_of(scaled::<3>(problem, stiffness)),
+        _ => smallest_eigenvalue_of(scaled::<6>(problem, stiffness)),
+    }
 }
 
-fn scaled<const N: usize>(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6], scale: f64) -> SMatrix<f64, N, N> {
-    SMatrix::from_fn(|row, column| {
-        stiffness[row.max(column)][row.min(column)] / scale / (radius(problem, row) * radius(problem, column))
-    })
+/// Lower triangle.
+fn scaled<const N: usize>(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> [[f64; N]; N] {
+    let inverse: [f64; N] = std::array::from_fn(|row| 1.0 / radius(problem, row));
+    std::array::from_fn(|row| std::array::from_fn(|column| stiffness[row][column] * inverse[row] * inverse[column]))
 }
 
 /// 1 for a translation, the platform radius for a rotation.
@@ -70,7 +65,7 @@ pub(super) fn beside_rigid_cables(problem: &Problem<'_>, rigid: &Rigid<'_>, tens
     let stiffness = DMatrix::from_fn(n, n, |row, column| {
         end.stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
     });
-    decomposition::smallest_eigenvalue(kernel.transpose() * stiffness * kernel)
+    smallest_eigenvalue(kernel.transpose() * stiffness * kernel)
 }
 
 /// Two poses beside an unstable equilibrium, along the direction in which it falls; nothing beside other ends.
