@@ -13,7 +13,8 @@ const ARGUMENTS = [
   "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader",
 ];
 const LARGEST_BYTES = 2_000_000;
-const LONGEST_MILLISECONDS = 2_000;
+// The aim is 2 s on a quiet machine and is printed; a busy one may take longer, a page that hangs takes for ever.
+const LONGEST_MILLISECONDS = 30_000;
 
 const [executablePath, output, ...folders] = process.argv.slice(2);
 mkdirSync(output, { recursive: true });

@@ -207,6 +207,7 @@ fn sigma_words(sigmas: &SensorSigmas) -> String {
         sigmas.position.map(|sigma| format!("position {} mm per axis", number::short(1e3 * sigma))),
         sigmas.rotation.map(|sigma| format!("rotation {}° per axis", number::significant(sigma.to_degrees(), 3))),
         sigmas.length.map(|sigma| format!("cable length {} mm", number::short(1e3 * sigma))),
+        sigmas.tension.map(|sigma| format!("tension {} N", number::short(sigma))),
     ];
     let known: Vec<String> = known.into_iter().flatten().collect();
     if known.is_empty() { "not known".to_owned() } else { format!("{} (standard deviations)", known.join(", ")) }

@@ -32,22 +32,25 @@ const TERMS: usize = 28;
 const FORCE_TERMS: usize = 8;
 
 impl Problem<'_> {
-    /// The balance at a pose, with tensions packed like the model's groups; without stiffness that is left at zero.
+    /// The balance at a pose, with tensions and lengths packed like the model's groups; without stiffness that is left at zero.
     #[inline(always)]
     pub(super) fn balance<L: Lanes>(
         &self,
         lanes: L,
         pose: &Pose,
         tensions: &mut [[f64; LANES]],
+        lengths: &mut [[f64; LANES]],
         with_stiffness: bool,
     ) -> Balance {
         let rotation = pose.rotation_rows();
         let position = pose.position.into();
         let mut totals = [0.0; TERMS];
-        for ((group, springs), tensions) in self.model.groups().iter().zip(self.springs).zip(tensions) {
+        let cables = self.model.groups().iter().zip(self.springs).zip(tensions).zip(lengths);
+        for (((group, springs), tensions), lengths) in cables {
             let (course, lever) = group.courses(lanes, position, &rotation);
             let pull = self.pull(course.length, group.elasticity(lanes).by_length, springs);
             pull.tension.store(tensions);
+            course.length.store(lengths);
             let zero = lanes.constant(0.0);
             let mut terms = [zero; TERMS];
             let (u, f) = (course.direction, pull.tension);

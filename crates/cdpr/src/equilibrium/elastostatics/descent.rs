@@ -8,11 +8,13 @@ use super::unsymmetric;
 use crate::geometry::{Pose, Twist};
 use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow, ldl};
 
-/// Tensions (N) packed like the model's groups: where the descent stands, and at its trial.
+/// Tensions (N) and geometric lengths (m) packed like the model's groups: where the descent stands, and at its trial.
 #[derive(Clone, Debug)]
 pub(super) struct Tensions {
     pub(super) accepted: Vec<[f64; LANES]>,
     pub(super) trial: Vec<[f64; LANES]>,
+    pub(super) accepted_lengths: Vec<[f64; LANES]>,
+    pub(super) trial_lengths: Vec<[f64; LANES]>,
 }
 
 /// Where one descent ended.
@@ -35,6 +37,13 @@ pub(super) enum Stop {
     IterationLimit,
     /// The start itself has no valid lengths.
     Degenerate,
+}
+
+impl Tensions {
+    pub(super) fn new(groups: usize) -> Self {
+        let room = vec![[0.0; LANES]; groups];
+        Self { accepted: room.clone(), trial: room.clone(), accepted_lengths: room.clone(), trial_lengths: room }
+    }
 }
 
 impl Problem<'_> {
@@ -143,8 +152,9 @@ fn end<const N: usize>(pose: Pose, point: &Point<N>, iterations: u32, stop: Stop
 impl<const N: usize> Search<'_, N> {
     #[inline(always)]
     fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, with_stiffness: bool) -> Point<N> {
+        let Tensions { trial, trial_lengths, .. } = &mut *self.tensions;
         let Balance { residual, stiffness, energy } =
-            self.problem.balance(lanes, pose, &mut self.tensions.trial, with_stiffness);
+            self.problem.balance(lanes, pose, trial, trial_lengths, with_stiffness);
         let mut point = Point { right: [0.0; N], matrix: [[0.0; N]; N], energy, residual };
         if N == 6 {
             point.right.copy_from_slice(&residual[..N]);
@@ -172,10 +182,9 @@ impl<const N: usize> Search<'_, N> {
     /// Moves on to the trial.
     #[inline(always)]
     fn accept(&mut self) {
-        let Tensions { accepted, trial } = &mut *self.tensions;
-        for (accepted, trial) in accepted.iter_mut().zip(trial) {
-            *accepted = *trial;
-        }
+        let Tensions { accepted, trial, accepted_lengths, trial_lengths } = &mut *self.tensions;
+        accepted.copy_from_slice(trial);
+        accepted_lengths.copy_from_slice(trial_lengths);
     }
 
     /// What makes an entry a translation, or a rotation times the platform radius.

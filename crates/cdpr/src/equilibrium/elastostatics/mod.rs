@@ -217,7 +217,6 @@ impl<'a> Solver<'a> {
             return Err(InputError::RigidRedundant { rigid, dof });
         }
         let groups = model.groups().len();
-        let room = vec![[0.0; LANES]; groups];
         Ok(Self {
             model,
             settings: settings.clone(),
@@ -225,7 +224,7 @@ impl<'a> Solver<'a> {
             platform_radius: model.platform_radius(),
             is_rigid,
             springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
-            tensions: Tensions { accepted: room.clone(), trial: room },
+            tensions: Tensions::new(groups),
             solution: Solution {
                 pose: Pose::identity(),
                 tensions: vec![f64::NAN; cables],

@@ -173,9 +173,12 @@ impl Solver<'_> {
 }
 
 impl super::Solution {
-    /// Unpacks the tensions of the last descent.
+    /// Unpacks the tensions of the last descent, and its lengths, from which the residuals will follow.
     fn take_tensions(&mut self, tensions: &Tensions) {
         for (chunk, lanes) in self.tensions.chunks_mut(LANES).zip(&tensions.accepted) {
+            chunk.copy_from_slice(&lanes[..chunk.len()]);
+        }
+        for (chunk, lanes) in self.residuals.chunks_mut(LANES).zip(&tensions.accepted_lengths) {
             chunk.copy_from_slice(&lanes[..chunk.len()]);
         }
     }

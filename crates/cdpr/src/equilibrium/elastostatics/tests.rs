@@ -40,7 +40,7 @@ fn the_descent_gives_the_same_bits_on_every_unit() {
     };
     let start = Pose::from_xyz_angles(pose.position.add_scalar(0.06), [0.04, -0.05, 0.03]);
     let on = |unit| {
-        let mut tensions = Tensions { accepted: vec![[0.0; LANES]], trial: vec![[0.0; LANES]] };
+        let mut tensions = Tensions::new(1);
         let search = Search::<6> { problem: &problem, start: &start, tensions: &mut tensions };
         let end = dispatch_on(unit, search).unwrap();
         bits(&end, &tensions)

@@ -6,15 +6,19 @@ use super::search::Attempt;
 use super::{Problem, Solution, Status};
 
 impl Problem<'_> {
-    /// Fills in the solution from the best attempt, whose tensions it already has.
+    /// Fills in the solution from the best attempt, whose tensions it already has, and its lengths in place of the residuals.
     pub(super) fn judge(&self, best: &Attempt, rigid: &Rigid<'_>, solution: &mut Solution) {
         solution.pose = best.end.pose;
         solution.stability = best.stability;
         solution.wrench_residual = self.wrench_size(&best.end.residual);
         for (cable, residual) in solution.residuals.iter_mut().enumerate() {
-            let (course, _) = self.model.course_or_nan(cable, &best.end.pose);
+            // a pose polished for rigid cables is another than that of the descent
+            let length = match rigid.any() {
+                true => self.model.course_or_nan(cable, &best.end.pose).0.length,
+                false => *residual,
+            };
             let tension = solution.tensions[cable];
-            *residual = self.model.elasticity(cable).controlled_length(course.length, tension) - rigid.lengths[cable];
+            *residual = self.model.elasticity(cable).controlled_length(length, tension) - rigid.lengths[cable];
         }
         solution.slack = solution.tensions.iter().filter(|tension| !(**tension > 0.0)).count();
         (solution.status, solution.reason) = self.verdict(best, rigid, solution);
