@@ -9,8 +9,24 @@ use super::{SQUARE, cdpr_in};
 /// Long enough for a loaded machine; a healthy run takes a fraction of a second.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// True where whoever started the tests has them ignore SIGHUP, SIGINT or SIGTERM, as a shell does with background jobs:
+/// the command would rightly go on ignoring them.
+fn signals_are_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|digits| u64::from_str_radix(digits.trim(), 16).ok()).unwrap_or(0);
+    [1, 2, 15].iter().any(|signal| mask & (1 << (signal - 1)) != 0)
+}
+
 fn start(folder: &Path, arguments: &str) -> Child {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin("cdpr"));
+    let program = assert_cmd::cargo::cargo_bin("cdpr");
+    let mut command = match signals_are_ignored() {
+        true => Command::new("env"),
+        false => Command::new(&program),
+    };
+    if signals_are_ignored() {
+        command.arg("--default-signal=HUP,INT,TERM").arg(&program);
+    }
     command.current_dir(folder).args(arguments.split_whitespace());
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }

@@ -9,6 +9,7 @@ mod mutation;
 use cdpr::measurement::{Reading, Samples, Sidecar, Split};
 use cdpr::metamodel::Study;
 use cdpr::robot::{Robot, builtin};
+#[allow(unused_imports, reason = "fuzz targets damage files themselves")]
 pub(crate) use mutation::mutated;
 
 /// A reader of files.
@@ -29,6 +30,12 @@ pub(crate) const READERS: [Reader; 6] = [
     Reader { name: "caspr-bodies", corpus: || vec![caspr::BODIES.into()], check: caspr::check_bodies },
     Reader { name: "caspr-cables", corpus: || vec![caspr::CABLES.into()], check: caspr::check_cables },
 ];
+
+/// The check of the reader of this name.
+pub(crate) fn check(name: &str, bytes: &[u8]) {
+    let reader = READERS.iter().find(|reader| reader.name == name);
+    (reader.expect("a reader of that name").check)(bytes);
+}
 
 fn robots() -> Vec<Vec<u8>> {
     builtin::names().filter_map(builtin::find).map(|text| text.as_bytes().to_vec()).collect()
