@@ -13,6 +13,7 @@ mod inputs;
 mod interruption;
 mod laboratory;
 mod measurements;
+mod number_format;
 mod numbers;
 mod options;
 mod pose_answer;

@@ -22,7 +22,7 @@ fn main() -> ExitCode {
     let number = |index: usize, default: u64| {
         arguments.get(index).map_or(Some(default), |text| text.replace('_', "").parse().ok())
     };
-    let (Some(count), Some(first)) = (number(0, 100_000), number(1, 0)) else {
+    let (Some(count), Some(first)) = (number(0, 1_000), number(1, 0)) else {
         eprintln!("COUNT and FIRST_SEED are whole numbers");
         return ExitCode::FAILURE;
     };

@@ -1,7 +1,7 @@
 //! Axes: from values to pixels, with ticks at round numbers.
 
 use super::drawing::{Anchor, Drawing};
-use super::number;
+use crate::number_format as number;
 
 /// How values are spaced.
 #[derive(Clone, Copy, PartialEq, Eq)]

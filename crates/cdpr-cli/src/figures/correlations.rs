@@ -1,7 +1,7 @@
 //! Correlations of the errors of all pairs of parameters, as a square of colours.
 
 use super::drawing::{Anchor, Drawing};
-use super::number;
+use crate::number_format as number;
 
 /// Largest width of the square.
 const SIZE: f64 = 620.0;

@@ -84,7 +84,7 @@ impl Map {
         let ticks = if bottom - TOP < 200.0 { 2 } else { 4 };
         for tick in 0..=ticks {
             let share = f64::from(tick) / f64::from(ticks);
-            let text = super::number::significant(share * self.top, 3);
+            let text = crate::number_format::significant(share * self.top, 3);
             drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - TOP) + 4.0), &text);
         }
         drawing.upright_text((left + 84.0, 0.5 * (bottom + TOP)), &self.colour_label);

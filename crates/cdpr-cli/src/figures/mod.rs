@@ -10,7 +10,6 @@ mod correlations;
 mod drawing;
 mod ladder;
 mod map;
-mod number;
 mod residuals;
 mod spectrum;
 

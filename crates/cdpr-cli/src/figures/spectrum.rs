@@ -23,7 +23,7 @@ pub(crate) fn spectrum(values: &[f64], rank: usize) -> Option<String> {
     let radius = if values.len() > 120 { 2.5 } else { 4.0 };
     for (index, value) in values.iter().enumerate() {
         let class = if index < rank { "dot plain" } else { "dot bad" };
-        let title = format!("{}: {}", index + 1, super::number::significant(*value, 4));
+        let title = format!("{}: {}", index + 1, crate::number_format::significant(*value, 4));
         drawing.circle(class, (x.place(index as f64 + 1.0), y.place(*value)), radius, &title);
     }
     Some(drawing.finish())

@@ -5,7 +5,8 @@ use cdpr::identification::selection::Judgement;
 use minijinja::Value;
 
 use super::table::{Cell, Table};
-use super::{Purpose, Report, criterion, number};
+use super::{Purpose, Report, criterion};
+use crate::number_format as number;
 
 /// Every candidate with its figures.
 pub(super) fn table(report: &Report<'_>) -> Value {

@@ -4,7 +4,8 @@ use cdpr::identification::coverage as covered;
 use minijinja::{Value, context};
 
 use super::table::{Cell, Table};
-use super::{Report, Shown, number};
+use super::{Report, Shown};
+use crate::number_format as number;
 
 /// The ranges as a table, and a sentence about the samples beyond them.
 pub(super) fn coverage(report: &Report<'_>, shown: &Shown<'_>) -> Value {

@@ -2,7 +2,7 @@
 
 use cdpr::identification::selection::Criterion;
 
-use super::number::{decimals_for, fixed, significant};
+use crate::number_format::{decimals_for, fixed, significant};
 
 /// A value with its unit.
 pub(super) fn words(criterion: Criterion, value: f64) -> String {

@@ -5,7 +5,8 @@ use cdpr::metamodel::errors::{PoseError, TensionError};
 use minijinja::Value;
 
 use super::table::{Cell, Table};
-use super::{Report, Shown, number};
+use super::{Report, Shown};
+use crate::number_format as number;
 
 /// One line of figures; NaN where a figure does not exist.
 struct Figures {

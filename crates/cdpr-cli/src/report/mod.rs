@@ -7,7 +7,6 @@ mod candidates;
 mod coverage;
 mod criterion;
 mod errors;
-mod number;
 mod page_data;
 mod parameters;
 #[cfg(test)]
@@ -23,6 +22,7 @@ use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 
+use crate::number_format as number;
 use table::{printable, prose};
 
 const TEMPLATE: &str = include_str!("report.html");

@@ -4,8 +4,8 @@ use cdpr::identification::fit::{Estimate, Fit, Status};
 use minijinja::{Value, context};
 
 use super::Shown;
-use super::number::{self, decimals_for, fixed, signed};
 use super::table::{Cell, Table, prose};
+use crate::number_format::{self as number, decimals_for, fixed, signed};
 
 /// Half width of a 95 % interval of a normal distribution, in standard deviations.
 const NORMAL_95: f64 = 1.959_964;

@@ -5,7 +5,8 @@ use cdpr::identification::selection::RequirementOutcome;
 use minijinja::{Value, context};
 
 use super::table::{Cell, prose};
-use super::{Purpose, Report, Shown, criterion, number};
+use super::{Purpose, Report, Shown, criterion};
+use crate::number_format as number;
 
 /// The first thing a reader sees.
 pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {

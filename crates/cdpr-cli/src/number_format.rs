@@ -1,10 +1,10 @@
 //! Numbers for people: sensible digits, "–" for none, "∞" for infinite, a true minus sign.
 
 /// What stands for a number that is not there.
-pub(super) const NONE: &str = "–";
+pub(crate) const NONE: &str = "–";
 
 /// A number with so many significant digits, in powers of ten where plain digits would be long.
-pub(super) fn significant(value: f64, digits: i32) -> String {
+pub(crate) fn significant(value: f64, digits: i32) -> String {
     if let Some(word) = special(value) {
         return word;
     }
@@ -28,8 +28,17 @@ fn rounds_up(value: f64, exponent: i32, digits: i32) -> bool {
     scaled.round() >= 10_f64.powi(digits)
 }
 
+/// A number that someone chose: as few digits as it has, six at most.
+pub(crate) fn short(value: f64) -> String {
+    let text = significant(value, 6);
+    match text.contains('.') && !text.contains('×') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
 /// A number with so many digits after the point.
-pub(super) fn fixed(value: f64, decimals: i32) -> String {
+pub(crate) fn fixed(value: f64, decimals: i32) -> String {
     if let Some(word) = special(value) {
         return word;
     }
@@ -38,11 +47,32 @@ pub(super) fn fixed(value: f64, decimals: i32) -> String {
     if value < 0.0 && !is_zero { format!("−{text}") } else { text }
 }
 
-/// A power of ten, e.g. 10⁻³.
-pub(super) fn power_of_ten(exponent: i32) -> String {
-    match exponent {
-        -2..=3 => significant(10_f64.powi(exponent), 1),
-        _ => format!("10{}", superscript(exponent)),
+/// Like [`fixed`] with a sign also for positive numbers.
+pub(crate) fn signed(value: f64, decimals: i32) -> String {
+    let text = fixed(value, decimals);
+    if value > 0.0 && value.is_finite() { format!("+{text}") } else { text }
+}
+
+/// A length in metres as millimetres, without the unit.
+pub(crate) fn millimetres(value: f64) -> String {
+    significant(1e3 * value, 4)
+}
+
+/// A force in newtons, without the unit.
+pub(crate) fn newtons(value: f64) -> String {
+    significant(value, 4)
+}
+
+/// An angle in radians as degrees, without the unit.
+pub(crate) fn degrees(value: f64) -> String {
+    significant(value.to_degrees(), 4)
+}
+
+/// Digits after the point that show a standard deviation with two digits; 3 without one.
+pub(crate) fn decimals_for(sigma: Option<f64>) -> i32 {
+    match sigma {
+        Some(sigma) if sigma > 0.0 && sigma.is_finite() => (1 - sigma.log10().floor() as i32).clamp(0, 9),
+        _ => 3,
     }
 }
 
@@ -58,6 +88,14 @@ fn special(value: f64) -> Option<String> {
         f64::INFINITY => Some("∞".to_owned()),
         f64::NEG_INFINITY => Some("−∞".to_owned()),
         _ => None,
+    }
+}
+
+/// A power of ten, e.g. 10⁻³.
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        -2..=3 => significant(10_f64.powi(exponent), 1),
+        _ => format!("10{}", superscript(exponent)),
     }
 }
 
@@ -82,13 +120,19 @@ mod tests {
     }
 
     #[test]
+    fn chosen_numbers_are_written_as_short_as_they_are() {
+        let texts = [5.0, 0.25, 1000.0, 0.1 + 0.2].map(short);
+        assert_eq!(texts, ["5", "0.25", "1000", "0.3"]);
+    }
+
+    #[test]
     fn what_is_no_number_is_a_sign() {
         assert_eq!((significant(f64::NAN, 3), fixed(f64::INFINITY, 1)), ("–".to_owned(), "∞".to_owned()));
-        assert_eq!(fixed(f64::NEG_INFINITY, 2), "−∞");
+        assert_eq!(signed(f64::NEG_INFINITY, 2), "−∞");
     }
 
     #[test]
     fn rounding_to_zero_leaves_no_sign() {
-        assert_eq!((fixed(-0.0001, 2), fixed(0.0, 1)), ("0.00".to_owned(), "0.0".to_owned()));
+        assert_eq!((fixed(-0.0001, 2), signed(0.0, 1)), ("0.00".to_owned(), "0.0".to_owned()));
     }
 }
