@@ -14,6 +14,7 @@ mod import;
 mod interruption;
 mod kinematics;
 mod measurements;
+mod newcomer;
 mod selection;
 mod shells;
 mod statics;

@@ -6,6 +6,7 @@ use csv::{ByteRecord, ReaderBuilder};
 
 use super::Samples;
 use super::columns::{Column, Quantity, meaning};
+use super::header_mistakes;
 use crate::geometry::{MotionPattern, Pose};
 use crate::reading::{Place, ReadError, text_from_bytes};
 use crate::robot::Robot;
@@ -94,6 +95,10 @@ impl CsvFile<'_> {
         if self.text.trim().is_empty() {
             return Err(self.error("csv::empty", "the file is empty").with_help("the first line names the columns"));
         }
+        if let Some(mistake) = header_mistakes::of_first_line(self.first_line()) {
+            let place = Place::on_line(self.first_line(), 1, mistake.column, mistake.width);
+            return Err(self.error("csv::separator", mistake.message).at(place).with_help(mistake.help));
+        }
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(self.text.as_bytes());
         let header = reader.byte_headers().map_err(|error| self.unreadable(&error))?.clone();
         let columns = self.columns(&header, notices)?;
@@ -125,7 +130,8 @@ impl CsvFile<'_> {
             let Column { quantity, factor } = match meaning(&name) {
                 Ok(Some(column)) => column,
                 Ok(None) => {
-                    ignored.push(format!("`{name}`"));
+                    let unnamed = || format!("{} (without a name)", index + 1);
+                    ignored.push(if name.is_empty() { unnamed() } else { format!("`{name}`") });
                     continue;
                 }
                 Err(unknown) => {
@@ -185,14 +191,45 @@ impl CsvFile<'_> {
         if columns.contains_key(&quantity) {
             return Ok(());
         }
-        let message = format!("the column `{name}` is missing");
-        let pattern = self.robot.motion_pattern.name();
-        let help = format!(
-            "robot \"{}\" has motion pattern {pattern} and {} cables",
-            self.robot.name,
-            self.robot.cable_count()
-        );
-        Err(self.header_error("csv::missing-column", message).with_help(help))
+        Err(self.missing_column(name))
+    }
+
+    /// The error for a column that is not there, at the column that was probably meant to be it.
+    fn missing_column(&self, name: &str) -> ReadError {
+        let code = "csv::missing-column";
+        let fields: Vec<&str> = self.first_line().split(',').collect();
+        let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
+        let unclaimed: Vec<&str> = names.iter().copied().filter(|name| matches!(meaning(name), Ok(None))).collect();
+        if let Some(meant) = header_mistakes::probably_meant(name, &unclaimed) {
+            let index = names.iter().position(|name| *name == meant).unwrap_or_default();
+            let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
+            let place = Place::on_line(self.first_line(), 1, column, fields[index].chars().count().max(1));
+            return self
+                .error(code, format!("the column `{name}` is missing; is it this one, `{meant}`?"))
+                .at(place)
+                .with_help(format!(
+                    "name it `{name}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN)"
+                ));
+        }
+        let robot = self.robot;
+        let (pattern, cables) = (robot.motion_pattern.name(), robot.cable_count());
+        self.header_error(code, format!("the column `{name}` is missing")).with_help(format!(
+            "robot \"{}\" has motion pattern {pattern} and {cables} cables: its data have the columns {}",
+            robot.name,
+            self.needed_columns()
+        ))
+    }
+
+    /// The columns that data of this robot must have, for people.
+    fn needed_columns(&self) -> String {
+        let pattern = self.robot.motion_pattern;
+        let rotation = match pattern {
+            MotionPattern::Planar => ", angle_rad",
+            MotionPattern::Spatial => ", qx, qy, qz, qw (or rx_rad, ry_rad, rz_rad)",
+            _ => "",
+        };
+        let positions = ["x_m", "y_m", "z_m"][..pattern.translations()].join(", ");
+        format!("{positions}{rotation}, cable_length_m_1 … cable_length_m_{}", self.robot.cable_count())
     }
 
     fn pose(&self, columns: &Columns, row: &Row<'_>) -> Result<Pose, ReadError> {
@@ -247,7 +284,7 @@ impl CsvFile<'_> {
                 Err(error(format!("column `{column}` is empty here")).with_help("remove the row, or write the number"))
             }
             Err(_) => Err(error(format!("column `{column}`: `{}` is not a number", shortened(&written)))
-                .with_help("numbers are written with a decimal point, without unit")),
+                .with_help(help_for_text(&written, row))),
         }
     }
 
@@ -255,8 +292,12 @@ impl CsvFile<'_> {
         ReadError::new(self.file_name, code, message)
     }
 
+    fn first_line(&self) -> &str {
+        self.text.lines().next().unwrap_or_default()
+    }
+
     fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
-        let first = self.text.lines().next().unwrap_or_default();
+        let first = self.first_line();
         self.error(code, message).at(Place::on_line(first, 1, 1, first.chars().count().max(1)))
     }
 
@@ -273,8 +314,15 @@ impl CsvFile<'_> {
     fn ragged(&self, row: &Row<'_>) -> ReadError {
         let (found, expected) = (row.record.len(), row.header.len());
         let message = format!("this row has {found} fields, the header names {expected} columns");
-        self.at(row, found.min(expected).saturating_sub(1), "csv::ragged-row", message)
-            .with_help("is a comma missing, or one too many, or a decimal comma?")
+        let is_empty = |field: &[u8]| field.trim_ascii().is_empty();
+        let help = match () {
+            () if found > expected && row.record.iter().skip(expected).all(is_empty) => {
+                "remove the comma at the end of the row, or name the column"
+            }
+            () if found == 2 * expected => "are these decimal commas? numbers are written with a decimal point",
+            () => "is a comma missing, or one too many, or a decimal comma?",
+        };
+        self.at(row, found.min(expected).saturating_sub(1), "csv::ragged-row", message).with_help(help)
     }
 
     fn unreadable(&self, error: &csv::Error) -> ReadError {
@@ -284,6 +332,18 @@ impl CsvFile<'_> {
         });
         let error = self.error("csv::unreadable", error.to_string());
         place.map_or(error.clone(), |place| error.at(place))
+    }
+}
+
+/// How to mend a field that is not a number.
+fn help_for_text(written: &str, row: &Row<'_>) -> &'static str {
+    let is_text = |field: &[u8]| !field.iter().any(u8::is_ascii_digit);
+    if row.line == 2 && row.record.iter().all(is_text) {
+        return "is the second line one of units? remove it: the unit is part of the column's name";
+    }
+    match written.trim().replacen(',', ".", 1).parse::<f64>() {
+        Ok(_) => "numbers are written with a decimal point, not with a comma",
+        Err(_) => "numbers are written with a decimal point, without unit",
     }
 }
 

@@ -3,6 +3,7 @@
 mod columns;
 mod csv_reading;
 mod csv_writing;
+mod header_mistakes;
 mod samples;
 mod sidecar;
 mod split;

@@ -156,7 +156,12 @@ pub fn text_from_bytes<'a>(bytes: &'a [u8], file_name: &str) -> Result<&'a str, 
         let message = format!("byte {} is not UTF-8 text", error.valid_up_to() + 1);
         ReadError::new(file_name, "file::not-utf8", message)
             .at(Place::of_span(valid, valid.len()..valid.len()))
-            .with_help("save the file as UTF-8; a spreadsheet or archive is not a text file")
+            .with_help(match bytes {
+                [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
+                    "this is UTF-16, what spreadsheets call Unicode text: save the file as UTF-8"
+                }
+                _ => "save the file as UTF-8; a spreadsheet or archive is not a text file",
+            })
     })
 }
 

@@ -1,0 +1,118 @@
+//! What was probably meant by a first line that does not name the columns as they are read.
+
+use crate::reading::did_you_mean;
+
+/// A mistake in the first line: where it starts (character, from 1), what it is and how it is mended.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct HeaderMistake {
+    pub(super) column: usize,
+    pub(super) width: usize,
+    pub(super) message: String,
+    pub(super) help: String,
+}
+
+/// Other words that laboratories write for a quantity; in lower case, letters and digits only.
+const SYNONYMS: &[(&str, &[&str])] = &[
+    ("x", &["x", "px", "tx", "posx", "positionx", "xpos"]),
+    ("y", &["y", "py", "ty", "posy", "positiony", "ypos"]),
+    ("z", &["z", "pz", "tz", "posz", "positionz", "zpos"]),
+    ("rx", &["rx", "rotx", "rotationx"]),
+    ("ry", &["ry", "roty", "rotationy"]),
+    ("rz", &["rz", "rotz", "rotationz"]),
+    ("qx", &["qx", "quatx", "quaternionx"]),
+    ("qy", &["qy", "quaty", "quaterniony"]),
+    ("qz", &["qz", "quatz", "quaternionz"]),
+    ("qw", &["qw", "quatw", "quaternionw"]),
+    ("angle", &["angle", "phi", "theta", "rotation", "rot"]),
+    ("cable_length", &["cablelength", "length", "len", "l", "q", "cable", "rope", "ropelength"]),
+    ("tension", &["tension", "cabletension", "force", "cableforce", "f"]),
+];
+
+/// Units that stand in names, whether they are read or not.
+const UNITS: &[&str] = &["", "m", "mm", "cm", "rad", "deg", "n", "kn"];
+
+/// What keeps the first line from being read at all: a comment, or another separator than the comma.
+pub(super) fn of_first_line(line: &str) -> Option<HeaderMistake> {
+    if line.trim_start().starts_with('#') {
+        return Some(HeaderMistake {
+            column: 1,
+            width: line.chars().count(),
+            message: "the first line is a comment; it must name the columns".to_owned(),
+            help: "remove the lines above the column names".to_owned(),
+        });
+    }
+    let (separator, name) = [(';', "`;`"), ('\t', "tabs")].into_iter().find(|(separator, _)| {
+        let count = |character| line.matches(character).count();
+        count(*separator) > count(',')
+    })?;
+    let column = line.chars().position(|character| character == separator).map_or(1, |index| index + 1);
+    let from = if separator == ';' { ";" } else { "\\t" };
+    Some(HeaderMistake {
+        column,
+        width: 1,
+        message: format!("the fields are separated by {name}; commas separate fields here, and a point the decimals"),
+        help: format!(
+            "save it with English number formats, or replace decimal commas, then separators: \
+             sed 's/,/./g; s/{from}/,/g' data.csv > data-comma.csv"
+        ),
+    })
+}
+
+/// The unclaimed column that probably is the missing one of this name, e.g. `cable_length_1` or `L1 [mm]`.
+pub(super) fn probably_meant<'a>(missing: &str, unclaimed: &[&'a str]) -> Option<&'a str> {
+    let (stem, number) = match missing.rsplit_once('_') {
+        Some((stem, number)) if number.parse::<usize>().is_ok() => (stem, number),
+        _ => (missing, ""),
+    };
+    let stem = SYNONYMS.iter().find(|(known, _)| stem.strip_prefix(known).is_some_and(is_unit));
+    let is_meant = |name: &str| {
+        let plain: String = name.chars().filter(|c| c.is_ascii_alphanumeric()).collect::<String>().to_lowercase();
+        stem.is_some_and(|(_, synonyms)| {
+            synonyms.iter().any(|word| {
+                UNITS
+                    .iter()
+                    .any(|unit| plain == format!("{word}{unit}{number}") || plain == format!("{word}{number}{unit}"))
+            })
+        })
+    };
+    let same_number = |name: &&str| number.is_empty() || name.ends_with(number);
+    let alike = || did_you_mean(missing, unclaimed.iter().copied().filter(same_number).filter(|name| name.len() > 2));
+    unclaimed.iter().copied().find(|name| is_meant(name)).or_else(alike)
+}
+
+/// Whether what follows a stem is nothing or `_` and a unit.
+fn is_unit(rest: &str) -> bool {
+    rest.is_empty() || rest.starts_with('_') && UNITS.contains(&rest[1..].to_lowercase().as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_without_unit_in_capitals_or_of_other_words_are_recognised() {
+        for (missing, header, meant) in [
+            ("x_m", &["X_M", "y"][..], "X_M"),
+            ("x_m", &["qx", "x [mm]"], "x [mm]"),
+            ("cable_length_m_2", &["cable_length_1", "cable_length_2", "cable_length_12"], "cable_length_2"),
+            ("cable_length_m_2", &["l1", "L2 (m)"], "L2 (m)"),
+            ("cable_length_m_2", &["cable_lenght_m_1", "cable_lenght_m_2"], "cable_lenght_m_2"),
+            ("tension_N_3", &["Force3_kN"], "Force3_kN"),
+            ("qw", &["QW"], "QW"),
+            ("angle_rad", &["phi"], "phi"),
+        ] {
+            assert_eq!(probably_meant(missing, header), Some(meant), "{missing} in {header:?}");
+        }
+        assert_eq!(probably_meant("z_m", &["time", "operator", ""]), None);
+        assert_eq!(probably_meant("cable_length_m_2", &["l1", "l3"]), None);
+    }
+
+    #[test]
+    fn another_separator_and_a_comment_are_seen() {
+        let mistake = of_first_line("x_m;y_m;cable_length_m_1").unwrap();
+        assert_eq!((mistake.column, mistake.width), (4, 1));
+        assert!(of_first_line("x_m\ty_m").unwrap().message.contains("tabs"));
+        assert!(of_first_line("# campaign of May").unwrap().message.contains("comment"));
+        assert_eq!(of_first_line("x_m,y_m,remark; and more"), None);
+    }
+}
