@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use crate::cargo;
 use crate::outcome::Outcome;
+use crate::programs::{can_install, install, on_path, run};
 
 /// What `viewer/` makes, in the folder that the command includes it from.
 const GENERATED: &str = "crates/cdpr-cli/src/report/generated";
@@ -82,28 +83,14 @@ impl Tools {
 
     /// Installs Debian's packages where this runs as root, as in a container of CI.
     fn install(missing: &str) -> Result<Self, String> {
-        let user = Command::new("id").arg("-u").output().map(|output| output.stdout).unwrap_or_default();
-        if user.trim_ascii() != b"0" || on_path("apt-get").is_none() {
+        if !can_install() {
             return Err(format!("{missing}; install chromium, nodejs and npm (CDPR_CHROMIUM names another Chromium)"));
         }
-        println!("{missing}: installing Debian's packages");
-        let apt = |arguments: &[&str]| {
-            let mut command = Command::new("apt-get");
-            command.args(arguments).env("DEBIAN_FRONTEND", "noninteractive").stdout(Stdio::null());
-            run(command)
-        };
-        apt(&["update"])?;
-        apt(&["install", "-y", "--no-install-recommends", "chromium"])?;
-        if on_path("node").is_none() || on_path("npm").is_none() {
-            apt(&["install", "-y", "--no-install-recommends", "nodejs", "npm"])?;
-        }
+        println!("{missing}");
+        let node = if on_path("node").is_none() || on_path("npm").is_none() { &["nodejs", "npm"][..] } else { &[] };
+        install(&[&["chromium"], node].concat())?;
         Self::find()
     }
-}
-
-fn on_path(name: &str) -> Option<PathBuf> {
-    let folders = std::env::var_os("PATH")?;
-    std::env::split_paths(&folders).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
 /// Installs the packages of `viewer/` where they are not those of its lock file.
@@ -123,15 +110,6 @@ fn npm(root: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("npm");
     command.args(arguments).current_dir(root.join("viewer")).stdin(Stdio::null());
     command
-}
-
-fn run(mut command: Command) -> Result<(), String> {
-    let name = format!("{command:?}").replace('"', "");
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("`{name}` ended with {status}")),
-        Err(error) => Err(format!("cannot start `{name}`: {error}")),
-    }
 }
 
 fn rebuilt_is_committed(root: &Path, folder: &Path) -> Result<(), String> {

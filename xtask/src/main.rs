@@ -7,8 +7,11 @@ mod cargo;
 mod documents;
 mod examples;
 mod generated;
+mod instruction_counts;
+mod instructions;
 mod layers;
 mod outcome;
+mod programs;
 mod steps;
 
 use std::path::{Path, PathBuf};
@@ -23,6 +26,8 @@ Tasks:
   steps                the steps of `test`
   layers               what each room of crates/cdpr may use
   generate             write the generated files (schemas)
+  instructions         count instructions of the library's work with valgrind, compare with the committed counts
+  instructions --accept   make them the committed counts
   viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book with an installed mdbook";
 
@@ -39,6 +44,8 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::check(&root).into_result(),
         ["generate"] => generated::write(&root),
+        ["instructions"] => instructions::check(&root).into_result(),
+        ["instructions", "--accept"] => instructions::accept(&root),
         ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),
         [] | ["help" | "--help" | "-h"] => {

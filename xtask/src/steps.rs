@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{browser, cargo, documents, examples, generated, layers};
+use crate::{browser, cargo, documents, examples, generated, instructions, layers};
 
 /// One step of the entrance.
 struct Step {
@@ -74,6 +74,11 @@ const STEPS: &[Step] = &[
         name: "examples",
         action: Action::Own(examples::run),
         remedy: "run it alone: `cargo run -p cdpr --example NAME`",
+    },
+    Step {
+        name: "instructions",
+        action: Action::Own(instructions::check),
+        remedy: "make it cheaper again, or `cargo xtask instructions --accept` and say in CHANGELOG.md what the work buys",
     },
     Step {
         name: "browser",
