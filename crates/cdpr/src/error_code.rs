@@ -67,7 +67,7 @@ impl ErrorCode for PatternError {
 impl ErrorCode for CompositionError {
     fn code(&self) -> &'static str {
         match self {
-            Self::Unknown { .. } | Self::NotYet { .. } => "model::unknown-effect",
+            Self::Unknown { .. } => "model::unknown-effect",
             Self::Misplaced { .. } => "model::composition",
         }
     }
@@ -76,6 +76,7 @@ impl ErrorCode for CompositionError {
 impl ErrorCode for ModelError {
     fn code(&self) -> &'static str {
         match self {
+            Self::NotYet { .. } => "model::unknown-effect",
             Self::MissingKey { .. } => "model::missing-key",
             Self::NoCables { .. } => "robot::no-cables",
         }

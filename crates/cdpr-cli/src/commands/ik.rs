@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use cdpr::cable::DegenerateCourse;
 use cdpr::geometry::Pose;
-use cdpr::model::{Composition, Model};
+use cdpr::model::{Composition, Model, StretchEffect};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Cable;
 use cdpr::statics::{check_tensions, controlled_lengths};
@@ -81,10 +81,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     check_forces(&model, &arguments)?;
     let mut answer = solve(&model, &pose)?;
-    if model.composition().elastic {
+    if model.composition().is_elastic() {
         answer.stretch(&model, &pose, &arguments)?;
     } else if arguments.tensions.is_some() || arguments.wrench.is_some() {
-        let elastic = Composition { elastic: true, ..model.composition() };
+        let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };
         output.remark(&format!(
             "the cables of model `{}` are rigid: tensions and wrench change nothing; `--model {elastic}` asks for elastic ones",
             model.composition()

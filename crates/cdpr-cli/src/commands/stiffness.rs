@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::model::{Composition, Model};
+use cdpr::model::{Composition, Model, StretchEffect};
 use cdpr::nalgebra::DMatrix;
 use cdpr::statics::{Stability, Stiffness, wrench_residual};
 use clap::Args;
@@ -92,8 +92,8 @@ struct Matrices {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.robot.model(arguments.model)?;
-    if !model.composition().elastic {
-        let elastic = Composition { elastic: true, ..model.composition() };
+    if !model.composition().is_elastic() {
+        let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };
         let message = format!("--model {}: its cables are rigid, so the stiffness is infinite", model.composition());
         return Err(Failure::input("stiffness::rigid-cable", message, format!("use `--model {elastic}`")));
     }

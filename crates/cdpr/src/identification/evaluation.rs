@@ -84,7 +84,7 @@ enum Predictor<'a> {
 
 impl<'a> Predictor<'a> {
     fn new(model: &'a Model) -> Result<Self, EvaluationError> {
-        if model.composition().elastic {
+        if model.composition().is_elastic() {
             let load = Load::of(model.robot())?;
             let settings = elastostatics::Settings::default();
             return Ok(Self::Elastic(elastostatics::Solver::new(model, &load, &settings)?));
@@ -150,7 +150,7 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
             let controlled = model.elasticity(cable).controlled_length(modelled, tension);
             evaluation.length.push(model.recorded_length(cable, controlled) - length);
         }
-        if let Some(measured) = measured.filter(|_| model.composition().elastic) {
+        if let Some(measured) = measured.filter(|_| model.composition().is_elastic()) {
             let error = |cable: usize| {
                 let predicted = predicted.tensions.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
                 model.recorded_tension(cable, predicted) - measured[cable]

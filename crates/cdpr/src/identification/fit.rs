@@ -278,7 +278,7 @@ pub fn fit_observed(
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
-    let mut fit = if model.composition().elastic {
+    let mut fit = if model.composition().is_elastic() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
     } else {
@@ -293,7 +293,7 @@ pub fn fit_observed(
 
 /// Descents of one fit: the starts of an elastic model, one of any other.
 pub fn descent_count(model: &Model, settings: &Settings) -> usize {
-    if model.composition().elastic { settings.starts.max(1) as usize } else { 1 }
+    if model.composition().is_elastic() { settings.starts.max(1) as usize } else { 1 }
 }
 
 /// The optimum of a fit alone.
@@ -320,7 +320,7 @@ pub fn optimal_parameters(
     settings: &Settings,
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
-    if model.composition().elastic {
+    if model.composition().is_elastic() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
@@ -360,7 +360,7 @@ fn checked_parameters(
     }
     let parameters = free.parameters(model, &settings.hold)?;
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
-    if model.composition().elastic {
+    if model.composition().is_elastic() {
         let (rows, count) =
             (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
         return match count > rows {

@@ -22,7 +22,7 @@ struct Distribution {
 
 impl<'a> Controller<'a> {
     pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
-        let distribution = match model.composition().elastic {
+        let distribution = match model.composition().is_elastic() {
             true => Some(Distribution {
                 load: Load::of(model.robot())?,
                 limits: Limits::of(model.robot(), None, None)?,

@@ -173,7 +173,7 @@ impl Study {
 
     /// True when a side of the study knows tensions.
     fn is_elastic(&self) -> bool {
-        [&self.control, &self.machine].iter().any(|side| side.composition().is_some_and(|effects| effects.elastic))
+        [&self.control, &self.machine].iter().any(|side| side.composition().is_some_and(|effects| effects.is_elastic()))
     }
 
     /// What the study states without effect.

@@ -34,7 +34,7 @@ pub fn winch_offsets(
         };
     }
     check_same_robot(set_with, machine)?;
-    let tensions = match [machine, set_with].into_iter().find(|model| model.composition().elastic) {
+    let tensions = match [machine, set_with].into_iter().find(|model| model.composition().is_elastic()) {
         Some(elastic) => initial_tensions(initial, elastic, pose)?,
         // rigid cables have the same length at any tension
         None => vec![0.0; expected],

@@ -10,34 +10,136 @@ use thiserror::Error;
 pub struct Composition {
     /// Cables leave over swivelling pulleys.
     pub pulley: bool,
-    /// Cables stretch (linear elasticity).
-    pub elastic: bool,
+    /// Cables are wound on drums with grooves, which motor angles command.
+    pub drum: bool,
+    /// How cables stretch.
+    pub stretch: StretchEffect,
+    /// How cables hang between outlet and platform.
+    pub span: SpanEffect,
+}
+
+/// How the cables of a model stretch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StretchEffect {
+    /// Not at all.
+    #[default]
+    Rigid,
+    /// In proportion to the tension.
+    Linear,
+    /// By a polynomial tension over strain.
+    Polynomial,
+    /// With loading and unloading branches and a memory.
+    Hysteresis,
+}
+
+/// How the cables of a model hang between outlet and platform.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpanEffect {
+    /// Straight: cables weigh nothing.
+    #[default]
+    Straight,
+    /// As elastic catenaries.
+    Catenary,
+    /// As chains of finite elements, with the weight at their nodes.
+    FiniteElement,
 }
 
 impl Composition {
     /// Point outlets, rigid straight cables.
-    pub const STANDARD: Self = Self { pulley: false, elastic: false };
+    pub const STANDARD: Self =
+        Self { pulley: false, drum: false, stretch: StretchEffect::Rigid, span: SpanEffect::Straight };
     /// Swivelling pulleys, rigid straight cables.
-    pub const PULLEY: Self = Self { pulley: true, elastic: false };
-    /// Point outlets, elastic straight cables.
-    pub const ELASTIC: Self = Self { pulley: false, elastic: true };
-    /// Swivelling pulleys, elastic straight cables.
-    pub const PULLEY_ELASTIC: Self = Self { pulley: true, elastic: true };
+    pub const PULLEY: Self = Self { pulley: true, ..Self::STANDARD };
+    /// Point outlets, linearly elastic straight cables.
+    pub const ELASTIC: Self = Self { stretch: StretchEffect::Linear, ..Self::STANDARD };
+    /// Swivelling pulleys, linearly elastic straight cables.
+    pub const PULLEY_ELASTIC: Self = Self { pulley: true, ..Self::ELASTIC };
+
+    /// Every composition there is, simple ones first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        use SpanEffect::{Catenary, FiniteElement, Straight};
+        use StretchEffect::{Hysteresis, Linear, Polynomial, Rigid};
+        let switches = [(false, false), (true, false), (false, true), (true, true)];
+        [Straight, Catenary, FiniteElement].into_iter().flat_map(move |span| {
+            [Rigid, Linear, Polynomial, Hysteresis].into_iter().flat_map(move |stretch| {
+                switches.into_iter().map(move |(pulley, drum)| Self { pulley, drum, stretch, span })
+            })
+        })
+    }
 
     /// Number of effects: the first measure of how complex a model is.
     pub fn effect_count(self) -> usize {
-        usize::from(self.pulley) + usize::from(self.elastic)
+        self.words().count()
+    }
+
+    /// True when cables stretch.
+    pub fn is_elastic(self) -> bool {
+        self.stretch != StretchEffect::Rigid
+    }
+
+    /// True when cables have a weight of their own and sag.
+    pub fn is_sagging(self) -> bool {
+        self.span != SpanEffect::Straight
+    }
+
+    /// True when lengths depend on tensions, so that lengths and load determine pose and tensions together.
+    pub fn depends_on_tension(self) -> bool {
+        self.is_elastic() || self.is_sagging()
+    }
+
+    /// True when every cable is straight and stretches linearly or not at all: the laws that have closed forms.
+    pub fn has_closed_form(self) -> bool {
+        !self.is_sagging() && matches!(self.stretch, StretchEffect::Rigid | StretchEffect::Linear)
+    }
+
+    /// The words of the command line for the effects, in their order along the cable.
+    pub fn words(self) -> impl Iterator<Item = &'static str> {
+        let stretch = match self.stretch {
+            StretchEffect::Rigid => None,
+            StretchEffect::Linear => Some("elastic"),
+            StretchEffect::Polynomial => Some("polynomial"),
+            StretchEffect::Hysteresis => Some("hysteresis"),
+        };
+        let span = match self.span {
+            SpanEffect::Straight => None,
+            SpanEffect::Catenary => Some("catenary"),
+            SpanEffect::FiniteElement => Some("finite-element"),
+        };
+        [self.pulley.then_some("pulley"), self.drum.then_some("drum"), stretch, span].into_iter().flatten()
+    }
+
+    /// This composition with one more effect, or with that effect in place of its alternative.
+    fn with(mut self, word: &str) -> Option<Self> {
+        match word {
+            "pulley" => self.pulley = true,
+            "drum" => self.drum = true,
+            "elastic" => self.stretch = StretchEffect::Linear,
+            "polynomial" => self.stretch = StretchEffect::Polynomial,
+            "hysteresis" => self.stretch = StretchEffect::Hysteresis,
+            "catenary" => self.span = SpanEffect::Catenary,
+            "finite-element" => self.span = SpanEffect::FiniteElement,
+            _ => return None,
+        }
+        Some(self)
+    }
+
+    /// This composition without one of its effects.
+    pub fn without(self, word: &str) -> Self {
+        self.words()
+            .filter(|effect| *effect != word)
+            .fold(Self::STANDARD, |rest, effect| rest.with(effect).expect("the words of a composition are effects"))
     }
 }
 
 impl fmt::Display for Composition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match (self.pulley, self.elastic) {
-            (false, false) => "standard",
-            (true, false) => "pulley",
-            (false, true) => "elastic",
-            (true, true) => "pulley+elastic",
-        })
+        if *self == Self::STANDARD {
+            return f.write_str("standard");
+        }
+        for (index, word) in self.words().enumerate() {
+            write!(f, "{}{word}", if index > 0 { "+" } else { "" })?;
+        }
+        Ok(())
     }
 }
 
@@ -45,27 +147,24 @@ impl fmt::Display for Composition {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CompositionError {
     /// Not an effect.
-    #[error("`{found}` is not a model effect; known are `standard`, `pulley` and `elastic`, joined by `+`")]
+    #[error(
+        "`{found}` is not a model effect; known are `standard`, `pulley`, `drum`, `elastic`, `polynomial`, `hysteresis`, \
+         `catenary` and `finite-element`, joined by `+`"
+    )]
     Unknown {
         /// The word found.
         found: String,
     },
-    /// An effect of the contract that this version does not have.
-    #[error("the effect `{found}` is not part of this version; it has `standard`, `pulley` and `elastic`")]
-    NotYet {
-        /// The effect asked for.
-        found: String,
-    },
-    /// `standard` joined with effects, or an effect twice.
-    #[error("`{found}` does not fit the rest of the composition: `standard` stands alone, an effect stands once")]
+    /// `standard` joined with effects, an effect twice, or two that exclude each other.
+    #[error(
+        "`{found}` does not fit the rest of the composition: `standard` stands alone, an effect stands once, and of `elastic`, \
+         `polynomial` and `hysteresis`, as of `catenary` and `finite-element`, one at most"
+    )]
     Misplaced {
         /// The word that does not fit.
         found: String,
     },
 }
-
-/// Effects of the command-line contract that later versions bring.
-const LATER_EFFECTS: [&str; 5] = ["drum", "polynomial", "hysteresis", "catenary", "finite-element"];
 
 impl FromStr for Composition {
     type Err = CompositionError;
@@ -74,17 +173,14 @@ impl FromStr for Composition {
         let mut composition = Self::STANDARD;
         let words: Vec<&str> = text.split('+').map(str::trim).collect();
         for &word in &words {
-            match word {
-                "standard" if words.len() == 1 => {}
-                "pulley" if !composition.pulley => composition.pulley = true,
-                "elastic" if !composition.elastic => composition.elastic = true,
-                "standard" | "pulley" | "elastic" => {
-                    return Err(CompositionError::Misplaced { found: word.to_owned() });
-                }
-                later if LATER_EFFECTS.contains(&later) => {
-                    return Err(CompositionError::NotYet { found: later.to_owned() });
-                }
-                unknown => return Err(CompositionError::Unknown { found: unknown.to_owned() }),
+            if word == "standard" && words.len() == 1 {
+                break;
+            }
+            match composition.with(word) {
+                // every effect that fits adds one
+                Some(more) if more.effect_count() > composition.effect_count() => composition = more,
+                None if word != "standard" => return Err(CompositionError::Unknown { found: word.to_owned() }),
+                _ => return Err(CompositionError::Misplaced { found: word.to_owned() }),
             }
         }
         Ok(composition)
@@ -98,8 +194,10 @@ mod tests {
     #[test]
     fn compositions_are_read_and_written() {
         assert_eq!("standard".parse(), Ok(Composition::STANDARD));
-        for text in ["standard", "pulley", "elastic", "pulley+elastic"] {
-            assert_eq!(text.parse::<Composition>().unwrap().to_string(), text);
+        let all: Vec<Composition> = Composition::all().collect();
+        assert_eq!(all.len(), 48);
+        for composition in all {
+            assert_eq!(composition.to_string().parse(), Ok(composition));
         }
         // the order in which effects are named means nothing
         assert_eq!("elastic + pulley".parse(), Ok(Composition::PULLEY_ELASTIC));
@@ -107,8 +205,23 @@ mod tests {
 
     #[test]
     fn what_cannot_be_composed_is_refused_by_name() {
-        for text in ["", "pully", "standard+pulley", "pulley+pulley", "elastic+standard", "pulley+drum"] {
+        for text in [
+            "",
+            "pully",
+            "standard+pulley",
+            "pulley+pulley",
+            "elastic+standard",
+            "elastic+polynomial",
+            "catenary+finite-element",
+        ] {
             assert!(text.parse::<Composition>().is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn an_effect_can_be_left_out() {
+        let full: Composition = "pulley+hysteresis+catenary".parse().unwrap();
+        assert_eq!(full.without("hysteresis").to_string(), "pulley+catenary");
+        assert_eq!(full.without("drum"), full);
     }
 }

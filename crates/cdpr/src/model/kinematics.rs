@@ -41,6 +41,12 @@ pub enum ModelError {
         /// A command that helps.
         hint: &'static str,
     },
+    /// An effect of the contract that this version does not have.
+    #[error("the effect `{effect}` is not part of this version")]
+    NotYet {
+        /// The effect.
+        effect: &'static str,
+    },
     /// A robot without cables.
     #[error("robot \"{robot}\" has no cables")]
     NoCables {
@@ -70,6 +76,9 @@ impl Model {
         if robot.cables.is_empty() {
             return Err(ModelError::NoCables { robot: robot.name });
         }
+        if let Some(effect) = composition.words().find(|word| !["pulley", "elastic"].contains(word)) {
+            return Err(ModelError::NotYet { effect });
+        }
         if composition.pulley {
             for (index, cable) in robot.cables.iter().enumerate() {
                 let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
@@ -77,7 +86,7 @@ impl Model {
                 require(cable.pulley_radius.is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
             }
         }
-        let elasticity = match composition.elastic {
+        let elasticity = match composition.is_elastic() {
             true => elasticity_of(&robot)?,
             false => vec![Elasticity::RIGID; robot.cables.len()],
         };

@@ -8,7 +8,7 @@ mod placement;
 #[cfg(test)]
 mod tests;
 
-pub use composition::{Composition, CompositionError};
+pub use composition::{Composition, CompositionError, SpanEffect, StretchEffect};
 pub(crate) use groups::CableGroup;
 pub use kinematics::{CableGradient, Model, ModelError};
 pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};

@@ -348,7 +348,7 @@ impl FreeParameters {
         for &(kind, _) in &self.selections {
             let effect = match kind {
                 ParameterKind::PulleyRadius if !composition.pulley => "pulley",
-                kind if kind.needs_elasticity() && !composition.elastic => "elastic",
+                kind if kind.needs_elasticity() && !composition.is_elastic() => "elastic",
                 _ => continue,
             };
             return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });

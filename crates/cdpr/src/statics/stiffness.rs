@@ -7,7 +7,7 @@ use super::balance::controlled_length;
 use super::error::{StaticsError, check_tensions};
 use crate::cable::Course;
 use crate::geometry::{Pose, Twist};
-use crate::model::Model;
+use crate::model::{Model, StretchEffect};
 use crate::scalar::cross;
 use crate::scalar::decomposition::{svd, symmetric_eigen};
 
@@ -198,10 +198,10 @@ fn in_pattern(model: &Model, matrix: &Matrix6<f64>) -> DMatrix<f64> {
 
 fn cure(model: &Model, index: usize) -> String {
     let mut composition = model.composition();
-    if composition.elastic {
+    if composition.is_elastic() {
         let name = &model.robot().cables[index].name;
         return format!("cable \"{name}\" has the compliance 0 in the robot file, give it an axial_stiffness_EA_N");
     }
-    composition.elastic = true;
+    composition.stretch = StretchEffect::Linear;
     format!("the model `{}` knows rigid cables only, use `--model {composition}`", model.composition())
 }
