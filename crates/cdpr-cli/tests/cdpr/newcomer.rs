@@ -79,3 +79,103 @@ fn a_row_that_does_not_fit_says_why() {
         assert_answered(&evaluated(format!("{HEADER}{rows}")), place, &words);
     }
 }
+
+/// Samples of a spatial robot with eight cables: poses with turns of some degrees, and the lengths that belong to them.
+fn spatial_samples(folder: &std::path::Path) -> String {
+    let study = "[control]\nrobot = \"ipanema-1\"\n[machine]\nrobot = \"ipanema-1\"\n[initial]\npose = [0, 0, 0, 0, 0, 0]\n\
+                 offset = \"none\"\n[poses.grid]\nmin = [-0.3, -0.3, -0.3, 0.02, 0.04, 0.06]\n\
+                 max = [0.3, 0.3, 0.3, 0.1, 0.1, 0.1]\ncount = [2, 2, 2, 2, 1, 2]\n";
+    std::fs::write(folder.join("study.toml"), study).unwrap();
+    let run = cdpr_in(folder, "simulate study.toml --out simulated.csv");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    std::fs::read_to_string(folder.join("simulated.csv")).unwrap()
+}
+
+/// The numbers of some columns, each multiplied.
+fn scaled(text: &str, columns: std::ops::Range<usize>, factor: f64) -> String {
+    let field = |(index, field): (usize, &str)| match field.parse::<f64>() {
+        Ok(number) if columns.contains(&index) => (number * factor).to_string(),
+        _ => field.to_owned(),
+    };
+    let row = |line: &str| line.split(',').enumerate().map(field).collect::<Vec<_>>().join(",") + "\n";
+    text.lines().map(row).collect()
+}
+
+#[test]
+fn numbers_in_another_unit_than_their_column_says_are_recognised_by_the_robots_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = spatial_samples(folder.path());
+    let evaluated = |data: &str| {
+        std::fs::write(folder.path().join("data.csv"), data).unwrap();
+        cdpr_in(folder.path(), "evaluate ipanema-1 data.csv")
+    };
+    assert!(text.starts_with("x_m,y_m,z_m,qx,qy,qz,qw,cable_length_m_1,"), "{text}");
+    assert_eq!(evaluated(&text).exit_code, 0);
+    for (data, place, words) in [
+        (scaled(&text, 7..15, 1e3), "data.csv:1:25", ["the cable lengths look like millimetres", "cable_length_mm_1"]),
+        (scaled(&text, 7..15, 1e2), "data.csv:1:25", ["the cable lengths look like centimetres", "divide them by 100"]),
+        (scaled(&text, 0..3, 1e3), "data.csv:1:1", ["the positions look like millimetres", "x_mm, y_mm, z_mm"]),
+        (scaled(&scaled(&text, 0..3, 1e3), 7..15, 1e3), "data.csv:1:25", ["positions and cable lengths look", "x_mm"]),
+        (scaled(&scaled(&text, 0..3, 1e-3), 7..15, 1e-3), "data.csv:1:25", ["anchors of the robot file", "by 1000"]),
+    ] {
+        assert_answered(&evaluated(&data), place, &words);
+    }
+    let moved: String = text
+        .lines()
+        .enumerate()
+        .map(|(line, row)| {
+            let mut fields: Vec<&str> = row.split(',').collect();
+            if line > 0 {
+                fields[3..7].rotate_right(1);
+            }
+            fields.join(",") + "\n"
+        })
+        .collect();
+    let run = evaluated(&moved);
+    assert!(run.stderr.contains("as if the scalar came first"), "{}", run.stderr);
+}
+
+#[test]
+fn one_number_without_its_decimal_point_is_found() {
+    let run = evaluated(format!("{HEADER}{ROW}{ROW}{}", ROW.replacen("6.403", "6403", 1)));
+    assert_answered(
+        &run,
+        "data.csv:4:5",
+        &["6403 m is more than 50 times the size of the robot", "decimal point lost"],
+    );
+}
+
+/// Angles of an example platform, ±5° about the middle of a square frame.
+#[test]
+fn degrees_in_a_column_of_radians_are_recognised() {
+    let robot =
+        SQUARE.replace("2T", "1R2T").replace("position_m = [5.0, 4.0]", "position_m = [5.0, 4.0]\nangle_rad = 0.0");
+    let corners = [[-1.0, -0.5], [1.0, -0.5], [1.0, 0.5], [-1.0, 0.5]];
+    let mut parts = robot.split("platform_anchor_m = [0.0, 0.0]");
+    let mut turned = parts.next().unwrap().to_owned();
+    for (rest, [x, z]) in parts.zip(corners) {
+        turned += &format!("platform_anchor_m = [{x}, {z}]{rest}");
+    }
+    let mut rows = String::new();
+    for degrees in [-5.0_f64, -3.0, 2.0, 5.0] {
+        rows += &format!("5,4,{degrees}");
+        for ([b_x, b_z], [a_x, a_z]) in corners.iter().zip([[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]]) {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            rows += &format!(",{}", (a_x - 5.0 - cos * b_x + sin * b_z).hypot(a_z - 4.0 - sin * b_x - cos * b_z));
+        }
+        rows += "\n";
+    }
+    let (folder, _) = file_with("turning.toml", turned.as_bytes());
+    let evaluated = |column: &str| {
+        let data = HEADER.replace("y_m,", &format!("y_m,{column},")) + &rows;
+        std::fs::write(folder.path().join("data.csv"), data).unwrap();
+        cdpr_in(folder.path(), "evaluate turning.toml data.csv")
+    };
+    assert_answered(
+        &evaluated("angle_rad"),
+        "data.csv:1:9",
+        &["the angles look like degrees", "name the column angle_deg"],
+    );
+    let run = evaluated("angle_deg");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+}

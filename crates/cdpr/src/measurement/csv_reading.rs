@@ -7,6 +7,7 @@ use csv::{ByteRecord, ReaderBuilder};
 use super::Samples;
 use super::columns::{Column, Quantity, meaning};
 use super::header_mistakes;
+use super::magnitudes::{self, Finding};
 use crate::geometry::{MotionPattern, Pose};
 use crate::reading::{Place, ReadError, text_from_bytes};
 use crate::robot::Robot;
@@ -63,8 +64,11 @@ impl CsvFile<'_> {
         let mut samples = Samples { cable_count: m, ..Samples::default() };
         let mut notices = Vec::new();
         let (mut tensions, mut set, mut time) = (Vec::new(), Vec::new(), Vec::new());
-        self.rows(&mut notices, &|columns| self.check_cables(columns), &mut |columns, row| {
+        let (mut angles, mut too_far) = (Vec::new(), None);
+        let columns = self.rows(&mut notices, &|columns| self.check_cables(columns), &mut |columns, row| {
             samples.poses.push(self.pose(columns, row)?);
+            angles.extend(self.angles(columns, row)?);
+            too_far = too_far.take().or_else(|| self.too_far(columns, row));
             for cable in 0..m {
                 samples.lengths.push(self.number(columns, row, Quantity::Length(cable))?);
                 if columns.contains_key(&Quantity::Tension(cable)) {
@@ -82,16 +86,23 @@ impl CsvFile<'_> {
         samples.tensions = (!tensions.is_empty()).then_some(tensions);
         samples.set = (!set.is_empty()).then_some(set);
         samples.time = (!time.is_empty()).then_some(time);
-        Ok(Reading { samples, notices })
+        match magnitudes::judge(self.robot, &samples, &angles) {
+            Finding::Wrong { quantity, message, help } => {
+                return Err(self.column_error(&columns, quantity, message).with_help(help));
+            }
+            Finding::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
+            Finding::Plausible => {}
+        }
+        too_far.map_or(Ok(Reading { samples, notices }), Err)
     }
 
-    /// Reads the header, checks it, and hands over every row.
+    /// Reads the header, checks it, hands over every row, and returns the columns.
     fn rows(
         &self,
         notices: &mut Vec<String>,
         check: &dyn Fn(&Columns) -> Result<(), ReadError>,
         take: &mut dyn FnMut(&Columns, &Row<'_>) -> Result<(), ReadError>,
-    ) -> Result<(), ReadError> {
+    ) -> Result<Columns, ReadError> {
         if self.text.trim().is_empty() {
             return Err(self.error("csv::empty", "the file is empty").with_help("the first line names the columns"));
         }
@@ -118,7 +129,7 @@ impl CsvFile<'_> {
         if count == 0 {
             return Err(self.error("csv::no-rows", "the file has column names but no rows"));
         }
-        Ok(())
+        Ok(columns)
     }
 
     fn columns(&self, header: &ByteRecord, notices: &mut Vec<String>) -> Result<Columns, ReadError> {
@@ -266,6 +277,42 @@ impl CsvFile<'_> {
                 .with_help("columns are qx, qy, qz, qw, scalar last"));
         };
         Ok(Pose { rotation, ..pose })
+    }
+
+    /// The angles of a row as the file gives them (rad), which a pose knows only within a turn.
+    fn angles(&self, columns: &Columns, row: &Row<'_>) -> Result<Option<[f64; 3]>, ReadError> {
+        match self.robot.motion_pattern {
+            MotionPattern::Planar => Ok(Some([self.number(columns, row, Quantity::Angle)?, 0.0, 0.0])),
+            MotionPattern::Spatial if columns.contains_key(&Quantity::Euler(0)) => {
+                let angle = |k| self.number(columns, row, Quantity::Euler(k));
+                Ok(Some([angle(0)?, angle(1)?, angle(2)?]))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The error for the first length or coordinate of a row that is beyond all measure of the robot.
+    fn too_far(&self, columns: &Columns, row: &Row<'_>) -> Option<ReadError> {
+        let farthest = magnitudes::farthest(self.robot);
+        let lengths = (0..self.robot.cable_count()).map(Quantity::Length);
+        let positions = (0..self.robot.motion_pattern.translations()).map(Quantity::Position);
+        positions.chain(lengths).find_map(|quantity| {
+            let value = self.number(columns, row, quantity).ok().filter(|value| value.abs() > farthest)?;
+            let index = columns.get(&quantity)?.0;
+            let column = String::from_utf8_lossy(&row.header[index]).trim().to_owned();
+            let message = format!("column `{column}`: {value} m is more than 50 times the size of the robot");
+            let help = "is this value in another unit than its column, or is its decimal point lost?";
+            Some(self.at(row, index, "csv::magnitude", message).with_help(help))
+        })
+    }
+
+    /// An error about the numbers of a column, at its name.
+    fn column_error(&self, columns: &Columns, quantity: Quantity, message: String) -> ReadError {
+        let index = columns.get(&quantity).map_or(0, |column| column.0);
+        let fields: Vec<&str> = self.first_line().split(',').collect();
+        let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
+        let width = fields.get(index).map_or(1, |field| field.chars().count()).max(1);
+        self.error("csv::magnitude", message).at(Place::on_line(self.first_line(), 1, column, width))
     }
 
     /// A finite number in SI units.

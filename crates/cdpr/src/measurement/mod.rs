@@ -4,6 +4,7 @@ mod columns;
 mod csv_reading;
 mod csv_writing;
 mod header_mistakes;
+mod magnitudes;
 mod samples;
 mod sidecar;
 mod split;
