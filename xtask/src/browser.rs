@@ -4,21 +4,13 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::cargo;
 use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
+use crate::{cargo, notices};
 
 /// What `viewer/` makes, in the folder that the command includes it from.
 const GENERATED: &str = "crates/cdpr-cli/src/report/generated";
 const MADE: [&str; 4] = ["notices.txt", "viewer.css", "viewer.js", "viewer.stamp"];
-
-/// How the notices at the root begin.
-const THIRD_PARTY: &str = "\
-Reports (report.html), and the command cdpr, which writes them, contain a program that was bundled from viewer/. The licences of what is
-in it follow; every report shows them at its end. Rust packages are downloaded by cargo and carry their own licences. Built-in robots:
-crates/cdpr/robots/NOTICE.md.
-
-";
 
 /// Passes when the bundle is what its sources make and every page is as it should be; says why where it cannot look.
 pub(crate) fn check(root: &Path) -> Outcome {
@@ -45,12 +37,8 @@ pub(crate) fn check(root: &Path) -> Outcome {
 pub(crate) fn build(root: &Path) -> Result<(), String> {
     packages(root)?;
     run(npm(root, &["run", "build"]))?;
-    let notices = root.join(GENERATED).join("notices.txt");
-    let text = std::fs::read_to_string(&notices).map_err(|error| format!("{}: {error}", notices.display()))?;
-    let file = root.join("THIRD-PARTY.txt");
-    std::fs::write(&file, format!("{THIRD_PARTY}{text}")).map_err(|error| format!("{}: {error}", file.display()))?;
-    println!("wrote {GENERATED} and THIRD-PARTY.txt");
-    Ok(())
+    println!("wrote {GENERATED}");
+    notices::write(root)
 }
 
 /// Nothing was looked at: a failure in CI, where somebody relies on it.

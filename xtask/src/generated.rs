@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::cargo;
 use crate::outcome::Outcome;
+use crate::{cargo, notices};
 
 /// A file and the `cdpr` command whose standard output it is.
 struct Generated {
@@ -30,7 +30,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
             Err(error) => Some(format!("{}: {error}", file.path)),
         }
     });
-    Outcome::of(complaints.collect())
+    Outcome::of(complaints.chain(notices::check(root)).collect())
 }
 
 /// Writes every file.
@@ -43,7 +43,7 @@ pub(crate) fn write(root: &Path) -> Result<(), String> {
         std::fs::write(&path, output(root, file)?).map_err(|error| format!("{}: {error}", path.display()))?;
         println!("wrote {}", file.path);
     }
-    Ok(())
+    notices::write(root)
 }
 
 fn output(root: &Path, file: &Generated) -> Result<Vec<u8>, String> {

@@ -10,7 +10,9 @@ mod generated;
 mod instruction_counts;
 mod instructions;
 mod layers;
+mod notices;
 mod outcome;
+mod packages;
 mod programs;
 mod steps;
 
@@ -25,7 +27,8 @@ Tasks:
   test --only STEP     one step of it
   steps                the steps of `test`
   layers               what each room of crates/cdpr may use
-  generate             write the generated files (schemas)
+  generate             write the generated files (schemas, THIRD-PARTY.txt)
+  notices              write THIRD-PARTY.txt alone
   instructions         count instructions of the library's work with valgrind, compare with the committed counts
   instructions --accept   make them the committed counts
   viewer               build viewer/ with an installed npm into the files that reports include
@@ -44,6 +47,7 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::check(&root).into_result(),
         ["generate"] => generated::write(&root),
+        ["notices"] => notices::write(&root),
         ["instructions"] => instructions::check(&root).into_result(),
         ["instructions", "--accept"] => instructions::accept(&root),
         ["viewer"] => browser::build(&root),

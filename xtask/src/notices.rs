@@ -1,0 +1,187 @@
+//! THIRD-PARTY.txt: whose work is in the command and in reports, and under which licences.
+
+use std::path::Path;
+
+use crate::packages::{Licence, Package, linked};
+
+/// The page at the root.
+const FILE: &str = "THIRD-PARTY.txt";
+
+/// What the build of `viewer/` says of the packages in its bundle.
+const BUNDLE: &str = "crates/cdpr-cli/src/report/generated/notices.txt";
+
+/// A heading, some copyright lines, or Apache's appendix stand beside the terms; more words say more than that.
+const WORDS_BESIDES: usize = 260;
+
+const HEAD: &str = "\
+The command cdpr is built from the Rust packages listed second. The reports (report.html) that it writes contain a program that was
+bundled from viewer/; every report shows the licences of that, which come first, at its end. Built-in robots:
+crates/cdpr/robots/NOTICE.md. `cargo xtask generate` writes this file.
+
+";
+
+const RUST: &str = "
+========================================================================
+
+The command cdpr contains the following Rust packages, on one system or another, under the MIT licence, whose text follows the list.
+
+";
+
+const APACHE: &str = "
+========================================================================
+
+It contains the following ones, and the Rust standard library (Copyright (c) The Rust Project Contributors), under the
+Apache licence 2.0, whose text follows the list.
+
+";
+
+/// Writes the page.
+pub(crate) fn write(root: &Path) -> Result<(), String> {
+    std::fs::write(root.join(FILE), text(root)?).map_err(|error| format!("{FILE}: {error}"))?;
+    println!("wrote {FILE}");
+    Ok(())
+}
+
+/// Complains where the page is not that of the packages linked now.
+pub(crate) fn check(root: &Path) -> Option<String> {
+    match (text(root), read(&root.join(FILE))) {
+        (Err(message), _) | (_, Err(message)) => Some(message),
+        (Ok(expected), Ok(found)) => (expected != found).then(|| format!("{FILE} is out of date")),
+    }
+}
+
+/// Puts the page together.
+fn text(root: &Path) -> Result<String, String> {
+    let bundle = read(&root.join(BUNDLE))?;
+    let (mit, apache) = (Text::ours(root, Licence::Mit)?, Text::ours(root, Licence::Apache)?);
+    let packages = linked(root)?;
+    let list = |text: &Text| -> Result<String, String> {
+        let own = packages.iter().filter(|package| package.licence == text.licence);
+        Ok(own.map(|package| notice(package, text)).collect::<Result<Vec<_>, _>>()?.concat())
+    };
+    Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown].concat())
+}
+
+/// A licence's text: as it is shown, and bare of copyright lines, headings and line breaks, to compare with.
+struct Text {
+    licence: Licence,
+    shown: String,
+    terms: String,
+}
+
+impl Text {
+    /// From the licence files of the project itself.
+    fn ours(root: &Path, licence: Licence) -> Result<Self, String> {
+        let text = read(&root.join(if licence == Licence::Mit { "LICENSE-MIT" } else { "LICENSE-APACHE" }))?;
+        let mut shown: Vec<&str> = text.lines().filter(|line| !is_copyright(line)).collect();
+        shown.dedup_by(|line, before| line.is_empty() && before.is_empty());
+        let terms = terms(&text, licence).ok_or("the project's own licence files lack the terms")?;
+        Ok(Self { licence, shown: format!("{}\n", shown.join("\n").trim_end()), terms })
+    }
+}
+
+/// Title, copyright lines, and the text where it is not the usual one.
+fn notice(package: &Package, usual: &Text) -> Result<String, String> {
+    let Some((text, terms)) = licence_file(package)? else {
+        return Ok(format!("{}\n    {}\n", package.title, authors(package)?));
+    };
+    let besides = text.split_whitespace().count().saturating_sub(terms.split(' ').count());
+    if terms != usual.terms || besides > WORDS_BESIDES {
+        let lines: Vec<String> = text.lines().map(|line| format!("    {line}").trim_end().to_owned()).collect();
+        return Ok(format!("{}, in these words:\n{}\n", package.title, lines.join("\n").trim_end()));
+    }
+    let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| is_copyright(line)).collect();
+    let lines = if lines.is_empty() { vec![authors(package)?] } else { lines.into_iter().map(str::to_owned).collect() };
+    Ok(format!("{}\n    {}\n", package.title, lines.join("\n    ")))
+}
+
+/// The file with the terms of the package's licence, the one named after it first, and these terms.
+fn licence_file(package: &Package) -> Result<Option<(String, String)>, String> {
+    let entries =
+        std::fs::read_dir(&package.folder).map_err(|error| format!("{}: {error}", package.folder.display()))?;
+    let word = if package.licence == Licence::Mit { "MIT" } else { "APACHE" };
+    let mut files: Vec<(bool, String)> = entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| name.to_uppercase().starts_with("LICEN"))
+        .map(|name| (!name.to_uppercase().contains(word), name))
+        .collect();
+    files.sort_unstable();
+    for (_, name) in files {
+        let text = read(&package.folder.join(name))?;
+        if let Some(terms) = terms(&text, package.licence) {
+            return Ok(Some((text, terms)));
+        }
+    }
+    Ok(None)
+}
+
+/// Where no copyright line says whose work it is, the manifest does.
+fn authors(package: &Package) -> Result<String, String> {
+    let manifest = read(&package.folder.join("Cargo.toml"))?;
+    let after = |key: &str| Some(manifest.split_once(&format!("\n{key} = "))?.1);
+    let list = after("authors").and_then(|rest| Some(rest.strip_prefix('[')?.split_once(']')?.0));
+    let names: Vec<&str> = list.unwrap_or_default().split('"').skip(1).step_by(2).collect();
+    let repository = after("repository").and_then(|rest| rest.strip_prefix('"')?.split_once('"'));
+    let names: Vec<&str> = names.into_iter().map(|name| name.split(" <").next().unwrap_or(name)).collect();
+    match (names.is_empty(), repository) {
+        (false, _) => Ok(format!("by {}", names.join(", "))),
+        (true, Some((repository, _))) => Ok(format!("by the authors of {repository}")),
+        (true, None) => {
+            Err(format!("{}: neither a licence file nor its manifest says whose work it is", package.title))
+        }
+    }
+}
+
+/// The terms in one line of lower case, without what stands around them.
+fn terms(text: &str, licence: Licence) -> Option<String> {
+    let words: Vec<String> =
+        text.split_whitespace().map(|word| word.trim_matches(['"', '“', '”', '\'']).to_lowercase()).collect();
+    let text = words.join(" ");
+    let (first, last) = match licence {
+        Licence::Mit => ("permission is hereby granted, free of charge", "dealings in the software"),
+        Licence::Apache => {
+            ("terms and conditions for use, reproduction, and distribution", "end of terms and conditions")
+        }
+    };
+    let start = text.find(first)?;
+    let end = start + text[start..].find(last)? + last.len();
+    Some(text[start..end].to_owned())
+}
+
+fn is_copyright(line: &str) -> bool {
+    let line = line.trim().to_lowercase();
+    let rest = line.strip_prefix("copyright ").unwrap_or_default();
+    line.starts_with('©') || rest.starts_with(['©', '1', '2']) || rest.starts_with("(c) ")
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(text.replace("\r\n", "\n"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MIT: &str =
+        "MIT License\n\nCopyright (c) 2020 A. Nobody\n\nPermission is hereby granted, free of charge, to\nsome,
+        \"with\" OTHER DEALINGS IN THE SOFTWARE.\nThe end.";
+
+    #[test]
+    fn terms_are_the_same_whatever_stands_around_them_and_wherever_lines_break() {
+        let other = MIT.replace("A. Nobody", "B. Somebody").replace(",\n", ", ").replace("MIT License", "");
+        assert_eq!(terms(MIT, Licence::Mit), terms(&other, Licence::Mit));
+        assert_ne!(terms(MIT, Licence::Mit), terms(&MIT.replace("some", "none"), Licence::Mit));
+        assert_eq!(terms(MIT, Licence::Apache), None);
+    }
+
+    #[test]
+    fn copyright_lines_are_told_from_sentences_about_copyright() {
+        for line in ["Copyright (c) Microsoft Corporation.", "  Copyright 2018 Developers", "© 2020 A. Nobody"] {
+            assert!(is_copyright(line), "{line}");
+        }
+        for line in ["Copyright holders be liable", "copyright notice that is included", "The above copyright notice"] {
+            assert!(!is_copyright(line), "{line}");
+        }
+    }
+}
