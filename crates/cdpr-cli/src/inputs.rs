@@ -67,7 +67,8 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
     Err(Failure::input("robot::unknown-name", message, help_for_unknown_robot(text)))
 }
 
-fn help_for_unknown_robot(text: &str) -> String {
+/// The built-in robot that a wrong name probably meant.
+pub(crate) fn help_for_unknown_robot(text: &str) -> String {
     let names: Vec<&str> = builtin::names().collect();
     match did_you_mean(text, names.iter().copied()) {
         Some(meant) => format!("did you mean `{meant}`? `cdpr robots` lists the built-in robots"),

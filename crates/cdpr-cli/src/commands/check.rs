@@ -23,6 +23,9 @@ Examples:
   cdpr check planar-example
   cdpr check robot.toml --format json";
 
+/// No cable robot has frame anchors farther apart (m); the largest, FAST, has 600 m.
+const LARGEST_FRAME: f64 = 2000.0;
+
 /// Read a robot file, judge the geometry at the home pose and tell what is missing.
 ///
 /// Rank and condition are those of the structure matrix at home, moment rows divided by the mean platform radius.
@@ -160,6 +163,7 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
         });
         warn(outside, "the home pose lies outside the [workspace] box");
     }
+    warnings_about_size(robot).iter().for_each(|text| warn(true, text));
     let some = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().any(has);
     let all = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().all(has);
     warn(
@@ -173,6 +177,24 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
         has_radius && !all(|cable| cable.pulley_swivel_axis.is_some()),
         "pulley radii without pulley_swivel_axis: the model `pulley` needs both, `cdpr place-pulleys` adds the axes",
     );
+    warnings
+}
+
+/// Frames and platforms of a size that only another unit explains.
+fn warnings_about_size(robot: &Robot) -> Vec<String> {
+    let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
+    let frame = anchors().flat_map(|a| anchors().map(move |other| (a - other).norm())).fold(0.0, f64::max);
+    let platform = robot.cables.iter().map(|cable| cable.platform_anchor.norm()).fold(0.0, f64::max);
+    let mut warnings = Vec::new();
+    if frame > LARGEST_FRAME {
+        warnings.push(format!("the frame anchors are up to {frame:.0} m apart: are they millimetres? Their key ends in _m"));
+    }
+    if frame > 0.0 && platform > frame {
+        warnings.push(format!(
+            "platform anchors are up to {platform:.3} m from the platform's origin, in a frame of {frame:.3} m: are they in \
+             millimetres, or in the world frame?"
+        ));
+    }
     warnings
 }
 

@@ -8,12 +8,35 @@ use serde::Serialize;
 
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
+use crate::inputs::help_for_unknown_robot;
 use crate::table::Table;
 
-/// List the built-in robots.
+const EXAMPLES: &str = "\
+Examples:
+  cdpr robots
+  cdpr robots planar-example > my-robot.toml
+  cdpr robots --format json";
+
+/// List the built-in robots, or print the file of one to start your own from.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  cdpr robots\n  cdpr robots --format json")]
-pub(crate) struct Arguments {}
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// A built-in robot, to print its file (TOML).
+    #[arg(value_name = "NAME")]
+    name: Option<String>,
+}
+
+#[derive(Serialize)]
+struct RobotFile {
+    name: String,
+    toml: &'static str,
+}
+
+impl Answer for RobotFile {
+    fn words(&self) -> String {
+        self.toml.to_owned()
+    }
+}
 
 #[derive(Serialize)]
 struct Robots {
@@ -39,7 +62,14 @@ impl Answer for Robots {
     }
 }
 
-pub(crate) fn run(_: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    if let Some(name) = arguments.name {
+        let toml = builtin::find(&name).ok_or_else(|| {
+            let message = format!("there is no built-in robot named `{name}`");
+            Failure::input("robot::unknown-name", message, help_for_unknown_robot(&name))
+        })?;
+        return output.answer(&RobotFile { name, toml });
+    }
     let entry = |robot: Robot| Entry {
         motion_pattern: robot.motion_pattern.name(),
         cable_count: robot.cable_count(),

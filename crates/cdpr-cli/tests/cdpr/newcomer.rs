@@ -179,3 +179,48 @@ fn degrees_in_a_column_of_radians_are_recognised() {
     let run = evaluated("angle_deg");
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
 }
+
+#[test]
+fn the_file_of_a_built_in_robot_is_a_start_for_ones_own() {
+    let printed = cdpr_in(std::path::Path::new("."), "robots planar-example");
+    assert_eq!(printed.exit_code, 0, "{}", printed.stderr);
+    let (folder, _) = file_with("my-robot.toml", printed.stdout.as_bytes());
+    assert_eq!(cdpr_in(folder.path(), "check my-robot.toml").exit_code, 0);
+    let json = cdpr_in(folder.path(), "robots planar-example --format json").json_with(&["name", "toml"]);
+    assert_eq!(json["toml"].as_str(), Some(printed.stdout.as_str()));
+    let wrong = cdpr_in(folder.path(), "robots planar-exampel");
+    assert!(wrong.exit_code == 2 && wrong.stderr.contains("did you mean `planar-example`?"), "{}", wrong.stderr);
+}
+
+#[test]
+fn mistakes_of_a_first_robot_file_say_how_to_mend_them() {
+    let replaced = |from: &str, to: &str| SQUARE.replacen(from, to, 1);
+    for (text, place, words) in [
+        (replaced("[10.0, 8.0]", "[10,0, 8,0]"), "robot.toml:23:18", ["found 4", "decimal commas?"]),
+        (
+            replaced("= 10.0", "= \"10 N\""),
+            "robot.toml:13:17",
+            ["expected a number", "without quotes and without unit"],
+        ),
+        (
+            replaced("frame_anchor_m = [0.0, 0.0]\n", ""),
+            "robot.toml:9:1",
+            ["`frame_anchor_m` is missing", "add `frame"],
+        ),
+        (replaced("[5.0, 4.0]", "5.0"), "robot.toml:7:14", ["expected a sequence", "a list in brackets"]),
+    ] {
+        let (folder, _) = file_with("robot.toml", text.as_bytes());
+        assert_answered(&cdpr_in(folder.path(), "check robot.toml"), place, &words);
+    }
+}
+
+#[test]
+fn anchors_in_millimetres_are_a_warning_of_check() {
+    let warned = |text: String, words: &str| {
+        let (folder, _) = file_with("robot.toml", text.as_bytes());
+        let run = cdpr_in(folder.path(), "check robot.toml");
+        assert!(run.exit_code == 0 && run.stdout.contains(words), "{words}: {}{}", run.stdout, run.stderr);
+    };
+    warned(SQUARE.replace("[10.0, ", "[10000.0, ").replace(", 8.0]", ", 8000.0]"), "are they millimetres?");
+    warned(SQUARE.replacen("platform_anchor_m = [0.0, 0.0]", "platform_anchor_m = [200.0, 0.0]", 1), "in a frame of");
+}

@@ -123,8 +123,20 @@ impl<'a> TomlDocument<'a> {
             }
             Some((missing, _)) if message.starts_with("missing field") => {
                 at_span("toml::missing-key", format!("the key `{missing}` is missing here"))
+                    .with_help(format!("add `{missing} = …` to this table; `cdpr schema` tells the keys of every file"))
             }
-            _ => at_span("toml::wrong-type", in_plain_words(message)),
+            _ => {
+                let error = at_span("toml::wrong-type", in_plain_words(message));
+                match () {
+                    () if message.contains("expected a sequence") => {
+                        error.with_help("write a list in brackets, e.g. [0.0, 0.0, -9.81]")
+                    }
+                    () if message.contains("expected a number") || message.contains("expected f64") => {
+                        error.with_help("a number stands without quotes and without unit: the unit is in the key")
+                    }
+                    () => error,
+                }
+            }
         }
     }
 }

@@ -127,6 +127,9 @@ impl<'a> Reader<'a> {
                 let message =
                     format!("{expected} components expected (motion pattern {pattern}), found {}", values.len());
                 let help = match self.pattern.is_planar() {
+                    _ if values.len() == 2 * expected => {
+                        "are these decimal commas? numbers are written with a decimal point".to_owned()
+                    }
                     true => format!("vectors of planar robots have the components {}", self.plane.axes()),
                     false => "vectors of spatial robots have the components x, y, z".to_owned(),
                 };

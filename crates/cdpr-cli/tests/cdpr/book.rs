@@ -1,0 +1,92 @@
+//! The book is true: its commands run, and every key that a reader knows stands in its chapter.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{cdpr, cdpr_in};
+
+fn chapter(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src").join(name);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Names of all properties of a JSON Schema, nested ones too.
+fn keys(schema: &Value, found: &mut BTreeSet<String>) {
+    match schema {
+        Value::Object(object) => {
+            if let Some(Value::Object(properties)) = object.get("properties") {
+                found.extend(properties.keys().cloned());
+            }
+            object.values().for_each(|value| keys(value, found));
+        }
+        Value::Array(list) => list.iter().for_each(|value| keys(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_key_that_a_reader_knows_stands_in_its_chapter() {
+    for (format, name) in [("robot", "robot-files.md"), ("study", "simulate.md"), ("measurement", "measurements.md")] {
+        let text = chapter(name);
+        // a key stands alone: `name` must not be found in `file_name`
+        let words: BTreeSet<&str> =
+            text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).filter(|word| !word.is_empty()).collect();
+        let mut known = BTreeSet::new();
+        keys(&cdpr(&format!("schema {format}")).json(), &mut known);
+        assert!(known.len() > 10, "{format}: {known:?}");
+        let missing: Vec<&String> = known.iter().filter(|key| !words.contains(key.as_str())).collect();
+        assert!(missing.is_empty(), "{name} lacks keys of the schema of {format}: {missing:?}");
+    }
+}
+
+/// The lines `$ cdpr …` of console blocks, continued lines joined.
+fn commands(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let joined = text.replace("\\\n", " ");
+    let mut in_console = false;
+    for line in joined.lines().map(str::trim) {
+        match line.strip_prefix("```") {
+            Some(language) => in_console = language == "console",
+            None if in_console => {
+                found.extend(line.strip_prefix("$ ").filter(|command| command.starts_with("cdpr ")).map(str::to_owned));
+            }
+            None => {}
+        }
+    }
+    found
+}
+
+/// A reader who copies them in order has done everything with a robot and measurements of their own.
+#[test]
+fn the_commands_of_getting_started_run_in_their_order() {
+    let commands = commands(&chapter("getting-started.md"));
+    assert!(commands.len() >= 8, "{commands:?}");
+    let folder = tempfile::tempdir().unwrap();
+    let study = "[control]\nrobot = \"planar-example\"\n[machine]\nrobot = \"planar-example-calibrated\"\nmodel = \"elastic\"\n\
+                 [initial]\npose = [0, 5.2]\ntension_method = \"closed-form\"\n[poses.grid]\nmin = [-2, 4]\nmax = [2, 6]\n\
+                 count = [5, 5]\n[noise]\nposition_m = 0.001\nlength_m = 0.0005\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let simulated = cdpr_in(folder.path(), "simulate study.toml --out measurements.csv");
+    assert_eq!(simulated.exit_code, 0, "{}", simulated.stderr);
+    for command in commands {
+        let (arguments, file) = command.split_once(" > ").unwrap_or((&command, ""));
+        let run = cdpr_in(folder.path(), arguments.strip_prefix("cdpr ").unwrap());
+        assert_eq!(run.exit_code, 0, "{command}: {}{}", run.stdout, run.stderr);
+        if !file.is_empty() {
+            std::fs::write(folder.path().join(file), run.stdout).unwrap();
+        }
+    }
+    assert!(folder.path().join("result/report.html").is_file());
+    let written: BTreeSet<String> = std::fs::read_dir(folder.path().join("result"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    let text = chapter("getting-started.md");
+    let untold: Vec<&String> = written.iter().filter(|name| !text.contains(&format!("`{name}`"))).collect();
+    assert!(
+        untold.is_empty() || untold == ["calibrated"],
+        "files of a result that the chapter does not tell: {untold:?}"
+    );
+}
