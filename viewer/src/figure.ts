@@ -1,5 +1,6 @@
 // The place of a chart: it draws again when its width changes, and tells when there is nothing to draw.
 import { element } from "./controls";
+import { offerTips } from "./tips";
 
 /** Draws a chart of this width, or returns null where the data have nothing to show. */
 export type Draw = (width: number) => Node | null;
@@ -22,7 +23,10 @@ export function fill(name: string, makeDraw: (figure: Figure) => Draw | null): v
   let width = 0;
   const redraw = () => {
     const drawn = draw?.(width);
-    if (drawn) canvas.replaceChildren(drawn);
+    if (drawn) {
+      canvas.replaceChildren(drawn);
+      offerTips(drawn);
+    }
     place.hidden = !drawn;
   };
   draw = makeDraw({ controls, redraw });

@@ -11,9 +11,22 @@ export async function checkPage(page, result) {
   found.push(...(await charts(page, data)));
   found.push(...(await scene(page, data)));
   found.push(...(await choices(page, data)));
+  found.push(...(await tips(page)));
   found.push(...(await definitions(page)));
   found.push(...(await layout(page)));
   return found;
+}
+
+/** Arrow keys open the tips of a focused chart. */
+async function tips(page) {
+  const chart = page.locator('figure[data-chart="map"] svg[tabindex="0"]').first();
+  if ((await chart.count()) === 0) return ["the map of errors cannot be focused"];
+  await chart.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(100);
+  const text = await chart.locator('[aria-label="tip"]').textContent();
+  await page.evaluate(() => document.activeElement?.blur());
+  return text.trim() ? [] : ["an arrow key opens no tip in the map of errors"];
 }
 
 /** The block of the page is result.json but for wall times. */

@@ -33,7 +33,8 @@ export function ladder(data: PageData): Draw | null {
         y: { domain: [rungs.length + 0.5, 0.4], axis: null },
         marks: [
           Plot.rect(rungs.filter((one) => one.chosen), { x1: 0, x2: 1.02 * wide, y1: (one: Rung) => one.row - 0.5, y2: (one: Rung) => one.row + 0.5, fill: "var(--accent-shade)" }),
-          best ? Plot.ruleX([best.high], { stroke: BAD, strokeWidth: 1.5, strokeDasharray: "5 4" }) : null,
+          // dashes beside the bars only: a line through the names would cross letters
+          best ? Plot.ruleX(rungs, { x: best.high, y1: (one: Rung) => one.row - 0.08, y2: (one: Rung) => one.row + 0.42, stroke: BAD, strokeWidth: 1.5 }) : null,
           Plot.text(rungs, { x: 0, y: "row", text: (one: Rung) => String(one.row), dx: -8, textAnchor: "end", fill: MUTED }),
           Plot.text(rungs, { x: 0, y: "row", text: (one: Rung) => label(one, letters), dx: 4, dy: -9, textAnchor: "start", fontFamily: "var(--mono)", fontSize: 11, fill: INK, stroke: PAPER, strokeWidth: 4, title: "name" }),
           Plot.ruleY(values, { y: "row", x1: "low", x2: "high", stroke: (one: Rung) => (one.chosen ? ACCENT : MUTED), strokeWidth: 2, dy: 5 }),
