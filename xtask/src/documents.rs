@@ -4,6 +4,9 @@ use std::path::{Path, PathBuf};
 
 use crate::outcome::Outcome;
 
+/// Where book.toml is.
+pub(crate) const BOOK_ROOT: &str = "docs/book";
+
 const BOOK: &str = "docs/book/src";
 
 /// Complains of links and includes that lead nowhere, and of pages that SUMMARY.md forgets.

@@ -32,7 +32,7 @@ Tasks:
   instructions         count instructions of the library's work with valgrind, compare with the committed counts
   instructions --accept   make them the committed counts
   viewer               build viewer/ with an installed npm into the files that reports include
-  book                 build the book with an installed mdbook";
+  book                 build the book into target/book; installs mdbook into target/tools where there is none";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

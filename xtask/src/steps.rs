@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{browser, cargo, documents, examples, generated, instructions, layers};
+use crate::{book, browser, cargo, documents, examples, generated, instructions, layers};
 
 /// One step of the entrance.
 struct Step {
@@ -75,6 +75,7 @@ const STEPS: &[Step] = &[
         action: Action::Own(examples::run),
         remedy: "run it alone: `cargo run -p cdpr --example NAME`",
     },
+    Step { name: "book", action: Action::Own(book::check), remedy: "mend the page that mdbook names" },
     Step {
         name: "instructions",
         action: Action::Own(instructions::check),
