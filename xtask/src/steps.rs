@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{book, browser, cargo, documents, examples, generated, instructions, layers};
+use crate::{book, browser, cargo, documents, examples, generated, instructions, judge, layers};
 
 /// One step of the entrance.
 struct Step {
@@ -80,6 +80,11 @@ const STEPS: &[Step] = &[
         name: "instructions",
         action: Action::Own(instructions::check),
         remedy: "make it cheaper again, or `cargo xtask instructions --accept` and say in CHANGELOG.md what the work buys",
+    },
+    Step {
+        name: "judge",
+        action: Action::Own(judge::check),
+        remedy: "compare with the convention in judges/mujoco/scene.py; a limit is not moved to pass",
     },
     Step {
         name: "browser",

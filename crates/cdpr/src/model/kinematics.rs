@@ -172,6 +172,18 @@ impl Model {
         (course, lever.into())
     }
 
+    /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
+    /// (−π, π] (rad): what an encoder at the swivel measures.
+    ///
+    /// `None` in a model without pulleys, and where the angle is not determined: the platform anchor or the reference lies on
+    /// the swivel axis.
+    pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
+        let data = &self.robot.cables[cable];
+        let axis = data.pulley_swivel_axis.filter(|_| self.composition.pulley)?;
+        let anchor = pose.transform(&data.platform_anchor);
+        outlet::pulley::swivel_angle(data.frame_anchor.into(), axis.into(), (*reference).into(), anchor.into())
+    }
+
     fn degeneracy(&self, index: usize, pose: &Pose, course: &Course<f64>) -> Option<DegenerateCourse> {
         let cable = index + 1;
         let data = &self.robot.cables[index];
@@ -185,7 +197,7 @@ impl Model {
         };
         let from_axis = d - axis * axis.dot(&d);
         // nearer than rounding can tell a side of the axis
-        if radius > 0.0 && from_axis.norm() <= 1e-12 * (d.norm() + radius) {
+        if radius > 0.0 && from_axis.norm() <= outlet::pulley::ON_AXIS * (d.norm() + radius) {
             return Some(DegenerateCourse::OnSwivelAxis { cable });
         }
         match course.length.is_finite() && course.free_length > 0.0 {

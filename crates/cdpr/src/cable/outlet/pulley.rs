@@ -9,6 +9,9 @@ use crate::scalar::{Real, add, cross, dot, scale, sub};
 /// it keeps r_p = 0 free of 0/0 when the platform anchor lies on the axis.
 const AXIS_GUARD: f64 = 1e-300;
 
+/// Sine of the angle from the swivel axis below which rounding does not tell the sides of the axis apart.
+pub(crate) const ON_AXIS: f64 = 1e-12;
+
 /// Course over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
 ///
 /// With the anchor's components b_xy (from the axis) and b_z (along it) from D and h = b_xy − r_p:
@@ -50,6 +53,24 @@ pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_a
         direction_by_radius: scale((cosine - one) * swing, bend),
         direction_gradient,
     }
+}
+
+/// Swivel angle of the pulley: of its plane about the swivel axis, right-handed, from `reference` (any length; what lies along
+/// the axis does not count), in (−π, π] (rad).
+///
+/// `None` where it is not determined: the platform anchor or the reference lies on the axis.
+pub fn swivel_angle(
+    entry: [f64; 3],
+    swivel_axis: [f64; 3],
+    reference: [f64; 3],
+    platform_anchor: [f64; 3],
+) -> Option<f64> {
+    let d = sub(platform_anchor, entry);
+    let side = cross(swivel_axis, reference);
+    // side × z_A is the part of the reference across the axis
+    let (sine, cosine) = (dot(d, side), dot(d, cross(side, swivel_axis)));
+    let scale = dot(d, d).sqrt() * dot(reference, reference).sqrt();
+    (sine.hypot(cosine) > ON_AXIS * scale).then(|| sine.atan2(cosine))
 }
 
 /// Why a pulley cannot be placed.

@@ -1,0 +1,105 @@
+//! Other programs judge our numbers: `judges/` in a Python environment of its own.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::cargo;
+use crate::outcome::Outcome;
+use crate::programs::{can_install, install, on_path, run};
+
+/// Passes when MuJoCo finds our lengths and equilibria; says why where it cannot be asked.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let python = match environment(root) {
+        Ok(python) => python,
+        Err(reason) => return skipped(&reason),
+    };
+    let folder = root.join("target/judge");
+    let cases = folder.join("cases.json");
+    if let Err(error) = std::fs::create_dir_all(&folder) {
+        return Outcome::of(vec![format!("{}: {error}", folder.display())]);
+    }
+    let text = cases.display().to_string();
+    let written = cargo::succeed(root, &["run", "--quiet", "-p", "cdpr", "--example", "judge_cases", "--", &text]);
+    if written.failed > 0 {
+        return written;
+    }
+    judge(root, &python, &cases)
+}
+
+/// Runs the judge, shows its table, and counts its verdicts.
+fn judge(root: &Path, python: &Path, cases: &Path) -> Outcome {
+    let mut command = Command::new(python);
+    command.arg("-B").arg(root.join("judges/mujoco/judge.py")).arg(cases).stdin(Stdio::null()).stderr(Stdio::inherit());
+    let output = match command.output() {
+        Ok(output) => output,
+        Err(error) => return Outcome::of(vec![format!("cannot start {}: {error}", python.display())]),
+    };
+    let table = String::from_utf8_lossy(&output.stdout);
+    print!("{table}");
+    let counted = table.lines().last().and_then(counts);
+    match counted {
+        Some((passed, failed)) if output.status.success() == (failed == 0) => {
+            Outcome { passed, failed, complaints: Vec::new() }
+        }
+        _ => Outcome::of(vec![format!("the judge ended with {} and without a verdict", output.status)]),
+    }
+}
+
+/// Counts in the closing line `judged: 12 passed, 0 failed`.
+fn counts(line: &str) -> Option<(usize, usize)> {
+    let (passed, failed) = line.strip_prefix("judged: ")?.split_once(" passed, ")?;
+    Some((passed.parse().ok()?, failed.strip_suffix(" failed")?.parse().ok()?))
+}
+
+/// Nobody was asked: a failure in CI, where somebody relies on it.
+fn skipped(reason: &str) -> Outcome {
+    println!("the judges are skipped: {reason}");
+    if std::env::var("CI").as_deref() == Ok("true") {
+        return Outcome::of(vec![format!("CI must not skip the judges: {reason}")]);
+    }
+    Outcome::default()
+}
+
+/// Python of a virtual environment with the packages of `requirements.txt`, made where it is missing or was made for another
+/// list.
+fn environment(root: &Path) -> Result<PathBuf, String> {
+    let requirements = root.join("judges/mujoco/requirements.txt");
+    let folder = root.join("target/judge-venv");
+    let (python, stamp) = (folder.join("bin/python"), folder.join("installed-requirements.txt"));
+    let read = |path: &Path| std::fs::read(path).ok();
+    if python.exists() && read(&stamp).is_some() && read(&stamp) == read(&requirements) {
+        return Ok(python);
+    }
+    if run(create(&folder)).is_err() {
+        if !can_install() {
+            return Err("there is no Python 3 with its module venv; install python3 and python3-venv".to_owned());
+        }
+        install(&["python3", "python3-venv"])?;
+        run(create(&folder))?;
+    }
+    let mut packages = Command::new(&python);
+    packages
+        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"])
+        .arg(&requirements);
+    run(packages).map_err(|error| format!("the packages of the judges cannot be installed: {error}"))?;
+    std::fs::copy(&requirements, &stamp).map_err(|error| format!("{}: {error}", stamp.display()))?;
+    Ok(python)
+}
+
+fn create(folder: &Path) -> Command {
+    let python = on_path("python3").unwrap_or_else(|| "python3".into());
+    let mut command = Command::new(python);
+    command.args(["-m", "venv", "--clear"]).arg(folder).stdin(Stdio::null()).stdout(Stdio::null());
+    command
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn verdicts_are_counted_from_the_closing_line() {
+        assert_eq!(counts("judged: 25 passed, 2 failed"), Some((25, 2)));
+        assert_eq!(counts("Traceback (most recent call last):"), None);
+    }
+}
