@@ -14,6 +14,7 @@ use crate::measurement::{DataError, SplitError};
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError};
 use crate::reading::ReadError;
+use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
@@ -52,6 +53,13 @@ impl ErrorCode for PlacePulleysError {
             Self::Cable { reason, .. } => reason.code(),
             Self::Input { .. } => "pulley::radius-or-axis",
         }
+    }
+}
+
+impl ErrorCode for StretchError {
+    fn code(&self) -> &'static str {
+        // the reader of robot files, which stands left of this list, shows it too
+        self.code()
     }
 }
 

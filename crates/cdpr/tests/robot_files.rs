@@ -93,6 +93,14 @@ length_scale = 1.001
 length_offset_m = -0.02
 tension_scale = 0.98
 tension_offset_N = 3.0
+tension_of_strain_N = [1e5, 2e6]
+
+[cable.hysteresis]
+strain = [0.0, 0.01, 0.02]
+loading_N = [0.0, 1100.0, 5000.0]
+unloading_N = [0.0, 900.0, 4500.0]
+transition_strain = [0.001, 0.003]
+transition_share = [0.75, 0.25]
 "#;
 
 const SPATIAL: &str = r#"layout_version = 1
@@ -122,6 +130,8 @@ fn every_calibrated_key_is_read_and_written() {
     assert_eq!((cable.series_compliance, cable.stiffness_by), (Some(1e-7), Some(StiffnessBasis::Unstrained)));
     assert_eq!((cable.length_scale, cable.length_offset), (Some(1.001), Some(-0.02)));
     assert_eq!((cable.tension_scale, cable.tension_offset), (Some(0.98), Some(3.0)));
+    assert_eq!(cable.tension_of_strain, Some(vec![1e5, 2e6]));
+    assert_eq!(cable.hysteresis.as_ref().unwrap().unloading_N, [0.0, 900.0, 4500.0]);
     // in the xz plane the moment is about −y
     assert_eq!(robot.external_wrench.as_ref().unwrap().wrench.as_slice(), [1.0, 0.0, 2.0, 0.0, -3.0, 0.0]);
     assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
@@ -194,6 +204,27 @@ fn mistakes_of_planar_files_are_told_with_their_place() {
     ] {
         mistake(PLANAR, from, to, at, code);
     }
+}
+
+#[test]
+fn a_stretch_that_is_no_law_is_told_with_its_place() {
+    for (from, to, at, code) in [
+        ("[1e5, 2e6]", "[1e5, -2e6]", "[1e5", "stretch::not-rising"),
+        ("[1e5, 2e6]", "[0.0, 2e6]", "[0.0", "stretch::not-rising"),
+        ("[1e5, 2e6]", "[]", "[]", "stretch::entries"),
+        ("1100.0, 5000.0", "5100.0, 5000.0", "[0.0, 5100", "stretch::not-rising"),
+        ("900.0, 4500.0", "900.0, 5500.0", "[0.0, 900", "stretch::branches-cross"),
+        ("900.0, 4500.0", "900.0", "[0.0, 900", "stretch::entries"),
+        ("strain = [0.0, 0.01", "strain = [0.001, 0.01", "[0.001", "stretch::value"),
+        ("[0.001, 0.003]", "[0.001, -0.003]", "[0.001, -0.003]", "stretch::value"),
+        ("[0.75, 0.25]", "[0.75, 0.75]", "[0.75", "stretch::value"),
+    ] {
+        let error = mistake(PLANAR, from, to, at, code);
+        assert!(error.help.is_some() && error.message.contains("cable 2 (`right`)"), "{error}");
+    }
+    // a polynomial that turns beyond the largest tension, 1250 N here, is used up to there
+    let softening = PLANAR.replace("[1e5, 2e6]", "[1e5, -2e6]\ntension_max_N = 1000.0");
+    assert!(Robot::from_toml(&softening, "robot.toml").is_ok());
 }
 
 #[test]
@@ -274,9 +305,16 @@ fn the_schema_describes_every_key_of_the_files() {
         described(&schema["properties"], key);
     }
     let cable = &schema["$defs"]["CableSection"];
-    for key in
-        ["name", "frame_anchor_m", "pulley_swivel_axis", "axial_compliance_per_N", "tension_offset_N", "stiffness_by"]
-    {
+    for key in [
+        "name",
+        "frame_anchor_m",
+        "pulley_swivel_axis",
+        "axial_compliance_per_N",
+        "tension_offset_N",
+        "stiffness_by",
+        "tension_of_strain_N",
+        "hysteresis",
+    ] {
         described(&cable["properties"], key);
     }
     assert_eq!(cable["additionalProperties"], false);

@@ -3,5 +3,6 @@
 mod course;
 pub mod elasticity;
 pub mod outlet;
+pub mod stretch;
 
 pub use course::{Course, DegenerateCourse};

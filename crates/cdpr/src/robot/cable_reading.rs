@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::Cable;
 use super::file::{CableSection, RobotFile};
 use super::reading::{Reader, key_name};
+use super::{StretchError, rising_range};
 use crate::reading::{ReadError, Step};
 
 /// Most cables that are read: no robot comes near, and every matrix stays small.
@@ -92,6 +93,7 @@ impl CableReader<'_> {
         let section = self.section;
         self.check_stiffness()?;
         self.check_tension_limits()?;
+        self.check_stretch()?;
         Ok(Cable {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
@@ -106,6 +108,8 @@ impl CableReader<'_> {
             stiffness_by: section.stiffness_by,
             hidden_length: self.not_negative("hidden_length_m", section.hidden_length_m)?,
             series_compliance: self.not_negative("series_compliance_m_per_N", section.series_compliance_m_per_N)?,
+            tension_of_strain: section.tension_of_strain_N.clone(),
+            hysteresis: section.hysteresis.clone(),
             length_scale: self.positive("length_scale", section.length_scale)?,
             length_offset: section.length_offset_m,
             tension_scale: self.positive("tension_scale", section.tension_scale)?,
@@ -170,6 +174,23 @@ impl CableReader<'_> {
                 .with_help("they say the same thing in different ways: keep one")),
             _ => Ok(()),
         }
+    }
+
+    /// Laws of stretch are laws: tension rises with strain.
+    fn check_stretch(&self) -> Result<(), ReadError> {
+        let refused = |path: &[Step<'_>], error: &StretchError| {
+            let message = format!("cable {} (`{}`): {error}", self.index + 1, self.section.name);
+            self.reader.document.error_at(path, error.code(), message).with_help(error.help())
+        };
+        if let Some(coefficients) = &self.section.tension_of_strain_N {
+            rising_range(coefficients, self.section.tension_max_N)
+                .map_err(|error| refused(&self.path(error.key()), &error))?;
+        }
+        let Some(table) = &self.section.hysteresis else { return Ok(()) };
+        table.check().map_err(|error| {
+            let [list, cable, table] = self.path("hysteresis");
+            refused(&[list, cable, table, Step::Key(error.key())], &error)
+        })
     }
 
     fn check_tension_limits(&self) -> Result<(), ReadError> {

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::HysteresisTable;
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
@@ -124,6 +125,10 @@ pub struct Cable {
     pub hidden_length: Option<f64>,
     /// Further compliance in series (m/N).
     pub series_compliance: Option<f64>,
+    /// c₁, c₂, … of the polynomial tension f = Σ cₖ εᵏ over the strain (N).
+    pub tension_of_strain: Option<Vec<f64>>,
+    /// Loading and unloading branch of the tension over the strain.
+    pub hysteresis: Option<HysteresisTable>,
     /// q_recorded = length_scale · q_θ + length_offset; 1 when unknown.
     pub length_scale: Option<f64>,
     /// See `length_scale` (m); 0 when unknown.

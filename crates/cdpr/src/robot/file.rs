@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ReferenceCheck, Source, StiffnessBasis};
+use super::{HysteresisTable, ReferenceCheck, Source, StiffnessBasis};
 use crate::geometry::MotionPattern;
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
@@ -162,6 +162,11 @@ pub(super) struct CableSection {
     /// Further compliance in series with the cable (m/N).
     #[schemars(range(min = 0))]
     pub(super) series_compliance_m_per_N: Option<f64>,
+    /// Tension as a polynomial of the strain, f = c1 ε + c2 ε² + … (N), which the effect `polynomial` reads: rising up to tension_max_N. The strain is counted from the length that `stiffness_by` names.
+    #[schemars(length(min = 1))]
+    pub(super) tension_of_strain_N: Option<Vec<f64>>,
+    /// Loading and unloading branch, which the effect `hysteresis` reads.
+    pub(super) hysteresis: Option<HysteresisTable>,
     /// Recorded length = length_scale · controlled length + length_offset_m.
     pub(super) length_scale: Option<f64>,
     /// See `length_scale` (m).

@@ -8,9 +8,11 @@ mod description;
 mod file;
 mod home_reading;
 mod reading;
+pub(crate) mod stretch;
 mod writing;
 
 pub use description::{Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TravelBox};
+pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 
 /// JSON Schema of the robot file, for editors and for other programs.
 pub fn schema() -> schemars::Schema {

@@ -51,7 +51,12 @@ impl Robot {
             let body = WorkspaceSection { position_min_m: min, position_max_m: max, note: travel.note.clone() };
             section("[workspace]", lines(&body));
         }
-        self.cables.iter().for_each(|cable| section("[[cable]]", lines(&self.cable_section(cable))));
+        for cable in &self.cables {
+            section("[[cable]]", lines(&self.cable_section(cable)));
+            if let Some(table) = &cable.hysteresis {
+                section("[cable.hysteresis]", lines(table));
+            }
+        }
         self.reference_checks.iter().for_each(|check| section("[[reference_check]]", lines(check)));
         text
     }
@@ -129,6 +134,9 @@ impl Robot {
             stiffness_by: cable.stiffness_by,
             hidden_length_m: cable.hidden_length,
             series_compliance_m_per_N: cable.series_compliance,
+            tension_of_strain_N: cable.tension_of_strain.clone(),
+            // a table of its own, written after the keys of the cable
+            hysteresis: None,
             length_scale: cable.length_scale,
             length_offset_m: cable.length_offset,
             tension_scale: cable.tension_scale,

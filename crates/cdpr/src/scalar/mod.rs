@@ -113,6 +113,31 @@ where
     }
 }
 
+#[cfg(test)]
+impl<D: nalgebra::Dim> Select for num_dual::DualVec<f64, D>
+where
+    nalgebra::DefaultAllocator: nalgebra::allocator::Allocator<D>,
+    Self: Copy,
+{
+    type Mask = bool;
+
+    fn is_less(self, other: Self) -> bool {
+        self.re < other.re
+    }
+
+    fn select(self, mask: bool, otherwise: Self) -> Self {
+        if mask { self } else { otherwise }
+    }
+
+    fn any(self, mask: bool) -> bool {
+        mask
+    }
+
+    fn abs(self) -> Self {
+        if self.re < 0.0 { -self } else { self }
+    }
+}
+
 /// `a − b`.
 #[inline(always)]
 pub(crate) fn sub<T: Real>(a: [T; 3], b: [T; 3]) -> [T; 3] {

@@ -1,0 +1,47 @@
+//! The strain at which a rising law has a tension.
+
+use crate::scalar::Select;
+
+/// Doublings that look for a strain with more tension.
+const DOUBLINGS: usize = 100;
+
+/// Newton steps and halvings; a law of kinks and pieces takes about ten.
+const STEPS: usize = 100;
+
+/// A step of this share of the strain is rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// The strain ≥ 0 at which the rising `law` (tension and slope) has the tension `target` ≥ 0, and the slope there.
+///
+/// Newton's iteration that halves where it would leave the bracket; `start` > 0 is any strain of the right size.
+#[inline]
+pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, law: impl Fn(T) -> (T, T)) -> (T, T) {
+    let mut lower = target.constant(0.0);
+    let mut upper = target.constant(start);
+    for _ in 0..DOUBLINGS {
+        let is_short = law(upper).0.is_less(target);
+        if !target.any(is_short) {
+            break;
+        }
+        (lower, upper) = (upper.select(is_short, lower), (upper + upper).select(is_short, upper));
+    }
+    let mut strain = upper;
+    for _ in 0..STEPS {
+        let (tension, slope) = law(strain);
+        let is_short = tension.is_less(target);
+        (lower, upper) = (strain.select(is_short, lower), upper.select(is_short, strain));
+        let middle = target.constant(0.5) * (lower + upper);
+        let newton = strain - (tension - target) / slope;
+        let newton = middle.select(newton.is_less(lower), newton);
+        let next = middle.select(upper.is_less(newton), newton);
+        let moved = (next - strain).abs();
+        let is_moving = (target.constant(ROUNDING) * next.abs()).is_less(moved);
+        strain = next;
+        if !target.any(is_moving) {
+            break;
+        }
+    }
+    // the last step carries the derivatives of dual numbers, whichever way the value was found
+    let (tension, slope) = law(strain);
+    (strain - (tension - target) / slope, slope)
+}
