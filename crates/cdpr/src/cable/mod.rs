@@ -2,7 +2,9 @@
 
 mod course;
 pub mod elasticity;
+pub mod law;
 pub mod outlet;
+pub mod span;
 pub mod stretch;
 
 pub use course::{Course, DegenerateCourse};

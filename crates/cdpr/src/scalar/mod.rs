@@ -13,6 +13,7 @@ mod dispatch;
 pub(crate) mod ldl;
 mod portable;
 mod select;
+mod smooth;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -23,6 +24,7 @@ pub use avx512::Avx512;
 pub use dispatch::{Kernel, Unit, dispatch, dispatch_narrow, dispatch_on};
 pub use portable::Portable;
 pub use select::Select;
+pub use smooth::Smooth;
 
 /// A number that cable geometry can be computed with.
 ///

@@ -1,4 +1,5 @@
-//! Where a cable leaves the frame: a fixed point, or a pulley that swivels towards the platform.
+//! Where a cable leaves the frame.
 
+pub mod bent;
 pub mod point;
 pub mod pulley;

@@ -1,0 +1,393 @@
+//! Newton's method for the state of a cable with weight, and what follows from the state.
+
+use super::sagging::Evaluation;
+use super::{CableLaw, Hold, HoldError, Known};
+use crate::cable::outlet::{point, pulley};
+use crate::cable::span::{Shape, State};
+use crate::scalar::{add, dot, scale, sub};
+
+/// Steps before giving up.
+const MAX_ITERATIONS: u32 = 100;
+/// A step this small, relative to force and length, is the last: Newton doubles the digits.
+const LAST_STEP: f64 = 1e-9;
+
+/// A 4 × 4 matrix by rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Matrix4(pub(super) [[f64; 4]; 4]);
+
+impl Matrix4 {
+    pub(super) fn of_columns(columns: [[f64; 4]; 4]) -> Self {
+        Self(std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row])))
+    }
+
+    /// Solves for several right sides (rows of `right` are the equations) by elimination with pivots; entries that are not
+    /// finite come out where there is no solution.
+    pub(super) fn solve<const N: usize>(mut self, mut right: [[f64; N]; 4]) -> [[f64; N]; 4] {
+        let matrix = &mut self.0;
+        for pivot in 0..4 {
+            let largest =
+                (pivot..4).fold(pivot, |a, b| if matrix[b][pivot].abs() > matrix[a][pivot].abs() { b } else { a });
+            matrix.swap(pivot, largest);
+            right.swap(pivot, largest);
+            let inverse = 1.0 / matrix[pivot][pivot];
+            for row in pivot + 1..4 {
+                let factor = matrix[row][pivot] * inverse;
+                for column in pivot + 1..4 {
+                    matrix[row][column] -= factor * matrix[pivot][column];
+                }
+                for column in 0..N {
+                    right[row][column] -= factor * right[pivot][column];
+                }
+            }
+        }
+        for row in (0..4).rev() {
+            for column in 0..N {
+                let mut entry = right[row][column];
+                for k in row + 1..4 {
+                    entry -= matrix[row][k] * right[k][column];
+                }
+                right[row][column] = entry / matrix[row][row];
+            }
+        }
+        right
+    }
+}
+
+/// A straight cable in place of the span: where it leaves and how far it is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chord {
+    /// From the outlet to the platform anchor, unit vector.
+    pub(super) away: [f64; 3],
+    /// Distance from the outlet (m).
+    pub(super) free_length: f64,
+    /// Wrapped part included (m).
+    pub(super) length: f64,
+    /// See [`crate::cable::outlet::bent::Pulley`].
+    pub(super) side: f64,
+}
+
+impl CableLaw {
+    /// The straight cable between the same ends.
+    pub(super) fn chord(&self, platform_anchor: [f64; 3]) -> Result<Chord, HoldError> {
+        let course = match self.pulley {
+            Some((axis, radius)) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
+            None => point::course(self.frame_anchor, platform_anchor),
+        };
+        if !(course.length.is_finite() && course.free_length > 0.0) {
+            return Err(HoldError::NoCourse);
+        }
+        let side = if course.wrap_angle > std::f64::consts::PI { -1.0 } else { 1.0 };
+        let away = scale(-1.0, course.direction);
+        Ok(Chord { away, free_length: course.free_length, length: course.length, side })
+    }
+
+    /// The law of a cable with weight, solved.
+    pub(super) fn hold_sagging(
+        &self,
+        shape: Shape,
+        platform_anchor: [f64; 3],
+        known: Known,
+        guess: Option<State<f64>>,
+    ) -> Result<Hold, HoldError> {
+        let chord = self.chord(platform_anchor)?;
+        self.refuse_impossible(&chord, known)?;
+        let search = Search { law: self, shape, platform_anchor, chord };
+        let first = guess.map_or_else(|| search.start(known), |guess| Ok(guess))?;
+        let found = match search.newton(known, first) {
+            Err(_) if guess.is_some() => search.start(known).and_then(|start| search.newton(known, start)),
+            other => other,
+        };
+        let state = match found {
+            Ok(state) => state,
+            Err(failure) => search.by_length(known, failure)?,
+        };
+        let evaluation = self.evaluate(shape, &state, chord.side);
+        Ok(self.hold_of(&state, &evaluation))
+    }
+
+    fn refuse_impossible(&self, chord: &Chord, known: Known) -> Result<(), HoldError> {
+        match known {
+            Known::ControlledLength(controlled_length)
+                if self.stretch.is_rigid() && self.series_compliance == 0.0 && !(controlled_length > chord.length) =>
+            {
+                Err(HoldError::TooShort { controlled_length, least: chord.length })
+            }
+            Known::OutletTension(tension) | Known::PlatformTension(tension) if !(tension > 0.0) => {
+                Err(HoldError::TensionTooLow { tension, least: 0.0 })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Everything that follows from a state that obeys the equations.
+    pub(super) fn hold_of(&self, state: &State<f64>, evaluation: &Evaluation) -> Hold {
+        let tension = dot(state.force, state.force).sqrt();
+        let t = scale(1.0 / tension, state.force);
+        let platform_tension = dot(evaluation.end_force, evaluation.end_force).sqrt();
+        let pull = scale(-1.0, evaluation.end_force);
+        // at fixed q_θ: δ(F, L) for δp_B along the axes, and for δq_θ
+        let mut right = [[0.0; 4]; 4];
+        (0..4).for_each(|k| right[k][k] = 1.0);
+        let fixed = evaluation.by_state.solve(right);
+        let pull_change = |column: usize, by: &[[f64; 4]; 4]| -> [f64; 3] {
+            std::array::from_fn(|row| self.weight[row] * by[3][column] - by[row][column])
+        };
+        let columns = [0, 1, 2].map(|column| pull_change(column, &fixed));
+        // at fixed |F|: the last row is t·δF
+        let mut rows = evaluation.by_state;
+        let length_row = rows.0[3];
+        rows.0[3] = [t[0], t[1], t[2], 0.0];
+        let held = rows.solve(right);
+        let controlled_change = |column: usize| -> f64 { (0..4).map(|row| length_row[row] * held[row][column]).sum() };
+        let strained = self.strained_length(state, evaluation);
+        Hold {
+            state: *state,
+            controlled_length: evaluation.controlled_length,
+            pull,
+            direction: scale(1.0 / platform_tension, pull),
+            outlet_tension: tension,
+            platform_tension,
+            wrap_angle: evaluation.wrap_angle,
+            strained_length: strained,
+            tangent: std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row])),
+            by_controlled_length: pull_change(3, &fixed),
+            by_tension: pull_change(3, &held),
+            controlled_length_by_tension: controlled_change(3),
+            controlled_length_by_anchor: [0, 1, 2].map(controlled_change),
+        }
+    }
+
+    /// Strained length from the frame anchor: the wrapped part, and the free one at its mean strain (m).
+    fn strained_length(&self, state: &State<f64>, evaluation: &Evaluation) -> f64 {
+        let middle = sub(state.force, scale(0.5 * state.length, self.weight));
+        let (strain, _) = self.stretch.strain(dot(middle, middle).sqrt());
+        let wrapped = self.pulley.map_or(0.0, |(_, radius)| radius * evaluation.wrap_angle);
+        wrapped + state.length * (1.0 + strain)
+    }
+}
+
+/// One cable, its end, and the straight line between.
+struct Search<'a> {
+    law: &'a CableLaw,
+    shape: Shape,
+    platform_anchor: [f64; 3],
+    chord: Chord,
+}
+
+impl Search<'_> {
+    /// A state near the one sought.
+    fn start(&self, known: Known) -> Result<State<f64>, HoldError> {
+        match known {
+            Known::OutletTension(tension) => Ok(self.taut(tension, 0.5)),
+            Known::PlatformTension(tension) => Ok(self.taut(tension, -0.5)),
+            Known::ControlledLength(length) => Ok(self.of_length(length)),
+        }
+    }
+
+    /// A taut cable as a parabola: its force turns evenly about that in the middle, which points along the chord; the given
+    /// tension acts at the share `end` of the length before the middle.
+    fn taut(&self, tension: f64, end: f64) -> State<f64> {
+        let length = self.chord.free_length / (1.0 + self.law.stretch.strain(tension).0);
+        let half = scale(end * length, self.law.weight);
+        let along = dot(self.chord.away, half);
+        let square = along * along + tension * tension - dot(half, half);
+        let middle = if square > 0.0 { square.sqrt() - along } else { 0.0 };
+        let middle = middle.max(0.1 * tension);
+        let force = add(scale(middle, self.chord.away), scale(0.5 * length, self.law.weight));
+        State { force, length }
+    }
+
+    /// A cable of given length: from taut by stretch to slack by the catenary of that length.
+    fn of_length(&self, controlled_length: f64) -> State<f64> {
+        let law = self.law;
+        let chord = &self.chord;
+        let free = (controlled_length - (chord.length - chord.free_length)).max(0.05 * chord.free_length);
+        let span = scale(chord.free_length, chord.away);
+        let weight = dot(law.weight, law.weight).sqrt();
+        let unit = if weight > 0.0 { scale(1.0 / weight, law.weight) } else { [0.0; 3] };
+        let drop = dot(span, unit);
+        let across = sub(span, scale(drop, unit));
+        let width = dot(across, across).sqrt();
+        let total_weight = weight * free;
+        // compliance of the whole cable at rest (m/N)
+        let (_, specific) = law.stretch.strain(0.0);
+        let compliance =
+            specific * (free + law.hidden_length + chord.length - chord.free_length) + law.series_compliance;
+        // taut: free (1 + κ T) − (weight across the chord)² L³/(24 T²) = chord
+        let lateral = total_weight * width / chord.free_length;
+        let stretch = |tension: f64| {
+            free + compliance * tension - lateral * lateral * free / (24.0 * tension * tension) - chord.free_length
+        };
+        let mut tension = f64::max(lateral, total_weight);
+        if tension == 0.0 {
+            tension = f64::max((chord.free_length - free) / compliance.max(1e-12), 1e-3);
+            return State { force: scale(tension, chord.away), length: free };
+        }
+        for _ in 0..60 {
+            if stretch(tension) > 0.0 {
+                break;
+            }
+            tension *= 2.0;
+        }
+        if free < 1.02 * chord.free_length {
+            // the left side grows with T: bisection on the logarithm
+            let mut low = 1e-3 * tension;
+            let mut high = tension;
+            for _ in 0..40 {
+                let middle = (low * high).sqrt();
+                if stretch(middle) > 0.0 { high = middle } else { low = middle }
+            }
+            let force = add(scale(high, chord.away), scale(0.5 * free, law.weight));
+            return State { force, length: free };
+        }
+        // slack: λ of the inextensible catenary (Jayaraman and Knudson 1981)
+        let vertical = f64::min((free * free - drop * drop) / (width * width).max(1e-12), 1e8);
+        let lambda = (3.0 * (vertical - 1.0)).max(1e-4).sqrt();
+        let horizontal = weight * width / (2.0 * lambda);
+        let hold = 0.5 * weight * (free + drop * (1.0 / lambda.tanh()));
+        let direction = if width > 0.0 { scale(1.0 / width, across) } else { [0.0; 3] };
+        State { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
+    }
+
+    fn gap(&self, evaluation: &Evaluation, state: &State<f64>, known: Known) -> [f64; 4] {
+        let [x, y, z] = sub(evaluation.end, self.platform_anchor);
+        let last = match known {
+            Known::ControlledLength(length) => evaluation.controlled_length - length,
+            Known::OutletTension(tension) => dot(state.force, state.force).sqrt() - tension,
+            Known::PlatformTension(tension) => dot(evaluation.end_force, evaluation.end_force).sqrt() - tension,
+        };
+        [x, y, z, last]
+    }
+
+    /// The tension at the end where it is known (N).
+    fn known_tension(&self, state: &State<f64>, known: Known) -> f64 {
+        let force = match known {
+            Known::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
+            _ => state.force,
+        };
+        dot(force, force).sqrt()
+    }
+
+    /// Rows of the equations by the state.
+    fn rows(&self, evaluation: &Evaluation, state: &State<f64>, known: Known) -> Matrix4 {
+        let mut rows = evaluation.by_state;
+        let unit = |force: [f64; 3]| scale(1.0 / dot(force, force).sqrt(), force);
+        match known {
+            Known::ControlledLength(_) => {}
+            Known::OutletTension(_) => {
+                let [x, y, z] = unit(state.force);
+                rows.0[3] = [x, y, z, 0.0];
+            }
+            Known::PlatformTension(_) => {
+                let t = unit(evaluation.end_force);
+                rows.0[3] = [t[0], t[1], t[2], -dot(t, self.law.weight)];
+            }
+        }
+        rows
+    }
+
+    /// Size of what is missing (m); a missing tension counts by the share of the tension.
+    fn size(&self, gap: &[f64; 4], known: Known) -> f64 {
+        let last = match known {
+            Known::ControlledLength(_) => gap[3],
+            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+                gap[3] / tension * self.chord.free_length
+            }
+        };
+        (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] + last * last).sqrt()
+    }
+
+    fn newton(&self, known: Known, mut state: State<f64>) -> Result<State<f64>, HoldError> {
+        let mut evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
+        let mut gap = self.gap(&evaluation, &state, known);
+        let mut size = self.size(&gap, known);
+        for iteration in 0..MAX_ITERATIONS {
+            let rows = self.rows(&evaluation, &state, known);
+            let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
+            let step = solved.map(|[entry, _]| entry);
+            let length_by_known = solved[3][1];
+            let force_step = [step[0], step[1], step[2]];
+            let tension = dot(state.force, state.force).sqrt();
+            let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
+            if relative < LAST_STEP {
+                // of two lengths with one tension the slacker one grows with it
+                return match known.is_tension() && length_by_known > 0.0 {
+                    true => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
+                    false => Ok(moved(&state, &step, 1.0)),
+                };
+            }
+            if !relative.is_finite() {
+                return Err(HoldError::NotConverged { iterations: iteration, gap: size });
+            }
+            // no step turns the force around or makes the length negative
+            let mut share = f64::min(1.0, 0.7 / relative);
+            loop {
+                let next = moved(&state, &step, share);
+                let next_evaluation = self.law.evaluate(self.shape, &next, self.chord.side);
+                let next_gap = self.gap(&next_evaluation, &next, known);
+                let next_size = self.size(&next_gap, known);
+                if next_size < size || (size < 1e-11 * self.chord.free_length && next_size.is_finite()) {
+                    (state, evaluation, gap, size) = (next, next_evaluation, next_gap, next_size);
+                    break;
+                }
+                share *= 0.5;
+                if share < 1e-8 {
+                    return match size < 1e-12 * self.chord.free_length && !(known.is_tension() && length_by_known > 0.0)
+                    {
+                        true => Ok(state),
+                        false => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
+                    };
+                }
+            }
+        }
+        Err(HoldError::NotConverged { iterations: MAX_ITERATIONS, gap: size })
+    }
+
+    /// Tension by length, which is found for every length: the taut length of a tension by bisection, or the least tension.
+    fn by_length(&self, known: Known, failure: HoldError) -> Result<State<f64>, HoldError> {
+        let (Known::OutletTension(wanted) | Known::PlatformTension(wanted)) = known else { return Err(failure) };
+        let tension_of = |length: f64| -> Option<(f64, State<f64>)> {
+            let known_length = Known::ControlledLength(length);
+            let state = self.newton(known_length, self.of_length(length)).ok()?;
+            Some((self.known_tension(&state, known), state))
+        };
+        // the tension falls with the length, then grows with the weight that hangs: its least value by golden sections
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let least_length = match self.law.stretch.is_rigid() {
+            true => self.chord.length * (1.0 + 1e-9),
+            false => self.chord.length * 0.5,
+        };
+        let (mut low, mut high) = (least_length, 4.0 * self.chord.length);
+        for _ in 0..60 {
+            let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+            let value = |length: f64| tension_of(length).map_or(f64::INFINITY, |found| found.0);
+            if value(a) < value(b) { high = b } else { low = a }
+        }
+        let (least, mut best) = tension_of(0.5 * (low + high)).ok_or(failure)?;
+        if wanted < least * (1.0 - 1e-12) {
+            return Err(HoldError::TensionTooLow { tension: wanted, least });
+        }
+        let (mut short, mut long) = (least_length, 0.5 * (low + high));
+        for _ in 0..200 {
+            let middle = 0.5 * (short + long);
+            match tension_of(middle) {
+                Some((tension, state)) if tension <= wanted => {
+                    long = middle;
+                    best = state;
+                }
+                _ => short = middle,
+            }
+        }
+        let tension = |state: &State<f64>| self.known_tension(state, known);
+        match self.newton(known, best) {
+            Ok(state) => Ok(state),
+            // at the least tension itself Newton's equations are singular
+            Err(_) if (tension(&best) / wanted - 1.0).abs() < 1e-9 => Ok(best),
+            Err(_) => Err(failure),
+        }
+    }
+}
+
+fn moved(state: &State<f64>, step: &[f64; 4], share: f64) -> State<f64> {
+    State { force: [0, 1, 2].map(|k| state.force[k] + share * step[k]), length: state.length + share * step[3] }
+}

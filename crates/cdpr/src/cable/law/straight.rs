@@ -1,0 +1,139 @@
+//! The law of a straight cable: one equation between length, controlled length and tension.
+
+use super::{CableLaw, Hold, HoldError, Kind, Known};
+use crate::cable::course::Course;
+use crate::cable::elasticity::Elasticity;
+use crate::cable::outlet::{point, pulley};
+use crate::cable::span::State;
+use crate::scalar::scale;
+
+/// The equation q_θ(q, f) with its derivatives.
+#[derive(Clone, Copy, Debug)]
+struct Length {
+    value: f64,
+    by_length: f64,
+    by_tension: f64,
+}
+
+impl CableLaw {
+    pub(super) fn hold_straight(&self, platform_anchor: [f64; 3], known: Known) -> Result<Hold, HoldError> {
+        let course = match self.pulley {
+            Some((axis, radius)) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
+            None => point::course(self.frame_anchor, platform_anchor),
+        };
+        if !(course.length.is_finite() && course.free_length > 0.0) {
+            return Err(HoldError::NoCourse);
+        }
+        let q = course.length;
+        match known {
+            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+                let length = self.length(q, tension);
+                if !(length.value > 0.0) {
+                    return Err(HoldError::Overstretched { tension });
+                }
+                Ok(self.straight_hold(&course, tension, &length))
+            }
+            Known::ControlledLength(controlled_length) => {
+                let tension = self.straight_tension(q, controlled_length)?;
+                let length = Length { value: controlled_length, ..self.length(q, tension) };
+                Ok(self.straight_hold(&course, tension, &length))
+            }
+        }
+    }
+
+    /// q_θ of a cable of this length and tension.
+    fn length(&self, q: f64, tension: f64) -> Length {
+        match self.kind {
+            Kind::Linear(law) => linear(&law, q, tension),
+            _ => {
+                let (strain, slope) = self.stretch.strain(tension);
+                let ratio = 1.0 / (1.0 + strain);
+                let strained = q + self.hidden_length - self.series_compliance * tension;
+                Length {
+                    value: strained * ratio - self.hidden_length,
+                    by_length: ratio,
+                    by_tension: -ratio * (self.series_compliance + strained * ratio * slope),
+                }
+            }
+        }
+    }
+
+    /// Tension of a cable of this length, 0 where slack.
+    fn straight_tension(&self, q: f64, controlled_length: f64) -> Result<f64, HoldError> {
+        if !(q > controlled_length) {
+            return Ok(0.0);
+        }
+        if let Kind::Linear(law) = self.kind {
+            return match law.is_rigid() {
+                true => Err(HoldError::TooShort { controlled_length, least: q }),
+                false => Ok(law.tension(q, controlled_length).value),
+            };
+        }
+        // the length falls with the tension, without bound on its slope: Newton's method within a bracket
+        let (mut low, mut high) = (0.0, 1.0);
+        while self.length(q, high).value > controlled_length {
+            low = high;
+            high *= 4.0;
+            if high > 1e15 {
+                return Err(HoldError::TooShort { controlled_length, least: q });
+            }
+        }
+        let mut tension = 0.5 * (low + high);
+        for iteration in 0..200 {
+            let length = self.length(q, tension);
+            let gap = length.value - controlled_length;
+            if gap > 0.0 {
+                low = tension
+            } else {
+                high = tension
+            }
+            let mut next = tension - gap / length.by_tension;
+            if !(next > low && next < high) {
+                next = 0.5 * (low + high);
+            }
+            if (next - tension).abs() <= 4.0 * f64::EPSILON * tension || iteration == 199 {
+                return Ok(next);
+            }
+            tension = next;
+        }
+        Ok(tension)
+    }
+
+    fn straight_hold(&self, course: &Course<f64>, tension: f64, length: &Length) -> Hold {
+        let u = course.direction;
+        // ∂f/∂q at fixed q_θ, and by q_θ; a slack cable has none, a rigid one no number
+        let taut = tension > 0.0;
+        let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
+        let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
+        Hold {
+            state: State { force: scale(-tension, u), length: course.free_length * length.by_length },
+            controlled_length: length.value,
+            pull: scale(tension, u),
+            direction: u,
+            outlet_tension: tension,
+            platform_tension: tension,
+            wrap_angle: course.wrap_angle,
+            strained_length: course.length,
+            // δq = −u·δp_B
+            tangent: std::array::from_fn(|row| {
+                std::array::from_fn(|column| {
+                    tension * course.direction_gradient[row][column] - stiffness * u[row] * u[column]
+                })
+            }),
+            by_controlled_length: scale(by_controlled, u),
+            by_tension: u,
+            controlled_length_by_tension: length.by_tension,
+            controlled_length_by_anchor: scale(-length.by_length, u),
+        }
+    }
+}
+
+fn linear(law: &Elasticity<f64>, q: f64, tension: f64) -> Length {
+    let value = law.controlled_length(q, tension);
+    let inverse = 1.0 / (1.0 + tension * law.by_controlled_length);
+    Length {
+        value,
+        by_length: (1.0 - tension * law.by_length) * inverse,
+        by_tension: -(law.compliance(q, value) * inverse),
+    }
+}

@@ -1,0 +1,108 @@
+//! The free part of a cable that has weight: where its end comes to lie.
+//!
+//! A span hangs from the outlet C with the force F (N) pulling at C, and has the unstrained length L (m). With the weight p
+//! per unstrained length (N/m, a vector along gravity) the force at the unstrained distance s from C is τ(s) = F − p s, and
+//! its end lies at C + S,
+//!
+//! S = ∫₀ᴸ (1 + ε(|τ|)) τ/|τ| ds.
+//!
+//! The state (F, L) determines everything: S, the pull −τ(L) on the platform and both end tensions. Nothing in it is
+//! singular for p → 0, where the span becomes the straight line S = L (1 + ε) F/|F|; the tension at one end would not do,
+//! since it belongs to two lengths.
+
+mod catenary;
+mod finite_elements;
+mod stretched;
+
+use super::stretch::Stretch;
+use crate::scalar::Smooth;
+
+/// How a span is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// The exact integral: an elastic catenary (Irvine 1981).
+    Catenary,
+    /// This many straight elements with half of their weight at either end.
+    FiniteElements(usize),
+}
+
+/// State of a span: the force at the outlet and the unstrained length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<T> {
+    /// F, with which the span pulls at its outlet (world, N).
+    pub force: [T; 3],
+    /// L (m).
+    pub length: T,
+}
+
+/// Where the end of a span lies, with derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Reach {
+    /// S, from the outlet to the platform anchor (world, m).
+    pub vector: [f64; 3],
+    /// ∂S/∂F by columns (m/N); symmetric.
+    pub by_force: [[f64; 3]; 3],
+    /// ∂S/∂L.
+    pub by_length: [f64; 3],
+}
+
+/// A change of state or weight, along which a derivative is taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Change {
+    /// δF (N).
+    pub force: [f64; 3],
+    /// δL (m).
+    pub length: f64,
+    /// δp (N/m).
+    pub weight: [f64; 3],
+}
+
+impl Change {
+    const NONE: Self = Self { force: [0.0; 3], length: 0.0, weight: [0.0; 3] };
+
+    /// A change of one component of the force.
+    pub fn of_force(axis: usize) -> Self {
+        let mut change = Self::NONE;
+        change.force[axis] = 1.0;
+        change
+    }
+
+    /// A change of the length.
+    pub const OF_LENGTH: Self = Self { length: 1.0, ..Self::NONE };
+
+    /// A change of the weight.
+    pub fn of_weight(weight: [f64; 3]) -> Self {
+        Self { weight, ..Self::NONE }
+    }
+}
+
+impl Shape {
+    /// S for weight p per unstrained length (N/m).
+    #[inline]
+    pub fn vector<T: Smooth>(self, state: &State<T>, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
+        match self {
+            Self::Catenary => catenary::vector(state, weight, stretch),
+            Self::FiniteElements(count) => finite_elements::vector(state, weight, stretch, count),
+        }
+    }
+
+    /// Derivative of S along a change of state and weight.
+    #[inline]
+    pub fn derivative(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch, change: &Change) -> [f64; 3] {
+        match self {
+            Self::Catenary => catenary::derivative(state, weight, stretch, change),
+            Self::FiniteElements(count) => finite_elements::derivative(state, weight, stretch, count, change),
+        }
+    }
+
+    /// S with its derivatives by the state.
+    #[inline]
+    pub fn reach(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch) -> Reach {
+        let along = |change: &Change| self.derivative(state, weight, stretch, change);
+        Reach {
+            vector: self.vector(state, weight, stretch),
+            by_force: [0, 1, 2].map(|axis| along(&Change::of_force(axis))),
+            by_length: along(&Change::OF_LENGTH),
+        }
+    }
+}
