@@ -1,9 +1,8 @@
 //! The tensions that a question about a pose is asked with.
 
+use cdpr::equilibrium::distribution::{self, DistributionError, Reason};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
-use cdpr::statics::StaticsError;
-use cdpr::tension::quadratic::{self, Status};
 use cdpr::tension::{Limits, LimitsError};
 
 use crate::failure::Failure;
@@ -32,24 +31,22 @@ pub(crate) fn tensions_of(
     }
     let limits = limits_of(model)?;
     let load = load_of(model.robot(), wrench)?;
-    let matrix = match model.structure_matrix(pose).map_err(StaticsError::from) {
-        Ok(matrix) => matrix,
-        Err(error) if has_no_course(&error) => {
+    let found = match distribution::solve(model, pose, &load, &limits) {
+        Ok(found) => found,
+        Err(DistributionError::Statics(error)) if has_no_course(&error) => {
             return Ok(Chosen::None { status: "singular", reason: error.to_string() });
         }
-        Err(error) => return Err(refused("--pose", &error)),
+        Err(DistributionError::Statics(error)) => return Err(refused("--pose", &error)),
+        Err(error) => return Err(Failure::numerical(format!("no tensions for this load: {error}"))),
     };
-    let balance = load.in_pattern(model, pose);
-    let distribution = quadratic::solve(&matrix, balance.as_slice(), &limits, None)
-        .map_err(|error| Failure::numerical(format!("no tensions for this load: {error}")))?;
-    Ok(match (distribution.status, distribution.reason()) {
-        (Status::Feasible, _) => Chosen::Tensions(distribution.tensions),
-        (_, reason) => {
-            let reason = reason.unwrap_or_else(|| "no tensions within the limits balance the load".to_owned());
-            Chosen::None {
-                status: "infeasible",
-                reason: format!("{reason}; --tensions gives others, whatever the limits"),
-            }
+    Ok(match found.reason {
+        None => Chosen::Tensions(found.tensions),
+        Some(reason) => {
+            let status = match reason {
+                Reason::Infeasible(_) => "infeasible",
+                Reason::NotConverged(_) => "not-converged",
+            };
+            Chosen::None { status, reason: format!("{}; --tensions gives others, whatever the limits", reason.words()) }
         }
     })
 }

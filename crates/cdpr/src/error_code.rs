@@ -85,7 +85,8 @@ impl ErrorCode for ModelError {
     fn code(&self) -> &'static str {
         match self {
             Self::NotYet { .. } => "model::unknown-effect",
-            Self::MissingKey { .. } => "model::missing-key",
+            Self::Stretch { reason, .. } => reason.code(),
+            Self::MissingKey { .. } | Self::NoGravity { .. } => "model::missing-key",
             Self::NoCables { .. } => "robot::no-cables",
         }
     }
@@ -109,7 +110,7 @@ impl ErrorCode for StaticsError {
             Self::TensionCount { .. } => "tensions::count",
             Self::NotFinite { .. } => "tensions::not-finite",
             Self::Negative { .. } => "tensions::negative",
-            Self::Overstretched { .. } => "tensions::overstretched",
+            Self::Hold { .. } | Self::Overstretched { .. } => "tensions::overstretched",
             Self::Rigid { .. } => "stiffness::rigid-cable",
             Self::UnknownCable { .. } | Self::RepeatedCable { .. } => "group::cables",
             Self::Course(reason) => reason.code(),

@@ -7,7 +7,7 @@ use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, StretchEffect};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Cable;
-use cdpr::statics::{check_tensions, controlled_lengths};
+use cdpr::statics::{check_tensions, controlled_lengths, holds};
 use clap::Args;
 use serde::Serialize;
 
@@ -70,6 +70,9 @@ struct InverseKinematics {
     recorded_lengths_m: Option<Vec<Option<f64>>>,
     #[serde(rename = "tensions_N", skip_serializing_if = "Option::is_none")]
     tensions: Option<Vec<f64>>,
+    /// At the platform anchors, where they differ from those at the outlets.
+    #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
+    platform_tensions: Option<Vec<f64>>,
     #[serde(skip)]
     cable_names: Vec<String>,
     #[serde(skip)]
@@ -81,7 +84,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     check_forces(&model, &arguments)?;
     let mut answer = solve(&model, &pose)?;
-    if model.composition().is_elastic() {
+    if model.composition().depends_on_tension() {
         answer.stretch(&model, &pose, &arguments)?;
     } else if arguments.tensions.is_some() || arguments.wrench.is_some() {
         let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };
@@ -127,6 +130,7 @@ fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
         wrap_angles_rad: (model.composition().pulley)
             .then(|| courses.iter().map(|course| course.map(|course| course.wrap_angle)).collect()),
         tensions: None,
+        platform_tensions: None,
         cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
         axes: axis_names(robot),
     })
@@ -142,11 +146,33 @@ impl InverseKinematics {
         let chosen = tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())?;
         match chosen {
             Chosen::Tensions(tensions) => {
-                let lengths = controlled_lengths(model, pose, &tensions).map_err(|error| refused("--tensions", &error))?;
-                self.controlled_lengths_m = lengths.into_iter().map(Some).collect();
+                if model.composition().has_closed_form() {
+                    let lengths =
+                        controlled_lengths(model, pose, &tensions).map_err(|error| refused("--tensions", &error))?;
+                    self.controlled_lengths_m = lengths.into_iter().map(Some).collect();
+                } else {
+                    self.hang(model, pose, &tensions)?;
+                }
                 self.tensions = Some(tensions);
             }
             Chosen::None { status, reason } => (self.status, self.reason) = (status, Some(reason)),
+        }
+        Ok(())
+    }
+
+    /// Cables whose laws have no closed form: lengths, end tangents and wrap angles follow from the tensions together.
+    fn hang(&mut self, model: &Model, pose: &Pose, tensions: &[f64]) -> Result<(), Failure> {
+        let holds = holds(model, pose, tensions).map_err(|error| refused("--tensions", &error))?;
+        for (cable, held) in holds.iter().enumerate() {
+            self.controlled_lengths_m[cable] = Some(held.hold.controlled_length);
+            self.cable_lengths_m[cable] = Some(held.hold.strained_length);
+            self.directions[cable] = Some(components(model.robot(), &Vector3::from(held.hold.direction)));
+            if let Some(angles) = &mut self.wrap_angles_rad {
+                angles[cable] = Some(held.hold.wrap_angle);
+            }
+        }
+        if model.composition().is_sagging() {
+            self.platform_tensions = Some(holds.iter().map(|held| held.hold.platform_tension).collect());
         }
         Ok(())
     }
@@ -177,6 +203,7 @@ impl Answer for InverseKinematics {
         heading.extend(is_elastic.then(|| "controlled m".to_owned()));
         heading.extend(self.recorded_lengths_m.iter().map(|_| "recorded m".to_owned()));
         heading.extend(self.tensions.iter().map(|_| "tension N".to_owned()));
+        heading.extend(self.platform_tensions.iter().map(|_| "at platform N".to_owned()));
         heading.extend(self.axes.iter().map(|axis| format!("pull {axis}")));
         heading.extend(self.wrap_angles_rad.iter().map(|_| "wrap °".to_owned()));
         let mut table = Table::with_heading(heading);
@@ -185,6 +212,7 @@ impl Answer for InverseKinematics {
             cells.extend(is_elastic.then(|| cell(self.controlled_lengths_m[cable], 6)));
             cells.extend(self.recorded_lengths_m.iter().map(|recorded| cell(recorded[cable], 6)));
             cells.extend(self.tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
+            cells.extend(self.platform_tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
             let direction = self.directions[cable].as_ref();
             cells.extend((0..self.axes.len()).map(|axis| cell(direction.map(|u| u[axis]), 6)));
             cells.extend(self.wrap_angles_rad.iter().map(|angles| cell(angles[cable].map(f64::to_degrees), 3)));

@@ -1,5 +1,6 @@
 //! Forward problems: which pose follows from the cables.
 
+pub mod distribution;
 pub mod elastostatics;
 pub mod forward_kinematics;
 pub mod forward_statics;

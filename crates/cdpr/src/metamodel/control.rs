@@ -1,33 +1,26 @@
 //! A control model as a controller uses it: lengths for poses.
 
 use super::input_error::InputError;
+use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{self, Load};
-use crate::tension::{Limits, quadratic};
+use crate::tension::Limits;
 
 /// A control model that commands a machine.
 pub(super) struct Controller<'a> {
     model: &'a Model,
     /// How tensions are chosen, where lengths depend on them.
-    distribution: Option<Distribution>,
-}
-
-/// What the choice of tensions depends on.
-struct Distribution {
-    load: Load,
-    limits: Limits,
-    solver: quadratic::Solver,
+    distribution: Option<distribution::Solver<'a>>,
 }
 
 impl<'a> Controller<'a> {
     pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
-        let distribution = match model.composition().is_elastic() {
-            true => Some(Distribution {
-                load: Load::of(model.robot())?,
-                limits: Limits::of(model.robot(), None, None)?,
-                solver: quadratic::Solver::new(model.cable_count(), model.dof()),
-            }),
+        let distribution = match model.composition().depends_on_tension() {
+            true => {
+                let limits = Limits::of(model.robot(), None, None)?;
+                Some(distribution::Solver::new(model, &Load::of(model.robot())?, &limits))
+            }
             false => None,
         };
         Ok(Self { model, distribution })
@@ -41,27 +34,12 @@ impl<'a> Controller<'a> {
                 Ok(recorded(self.model, &lengths))
             }
             Some(distribution) => {
-                let tensions = distribution.tensions(self.model, pose)?;
-                lengths_at(self.model, pose, tensions).map_err(|reason| reason.to_string())
+                let found = distribution.solve(pose).map_err(|error| error.to_string())?;
+                if let Some(reason) = found.reason {
+                    return Err(format!("the control model finds no tensions: {}", reason.words()));
+                }
+                lengths_at(self.model, pose, &found.tensions).map_err(|reason| reason.to_string())
             }
-        }
-    }
-}
-
-impl Distribution {
-    /// The tensions nearest to the middle of the limits that keep them and balance the load (N), or why there are none.
-    fn tensions(&mut self, model: &Model, pose: &Pose) -> Result<&[f64], String> {
-        let structure_matrix = model.structure_matrix(pose).map_err(|reason| reason.to_string())?;
-        let wrench = self.load.in_pattern(model, pose);
-        // a pose is answered to the same bits whatever was asked before
-        self.solver.forget();
-        let found = self
-            .solver
-            .solve(&structure_matrix, wrench.as_slice(), &self.limits, None)
-            .map_err(|error| error.to_string())?;
-        match found.reason() {
-            None => Ok(&found.tensions),
-            Some(reason) => Err(format!("the control model finds no tensions: {reason}")),
         }
     }
 }

@@ -4,11 +4,13 @@ use nalgebra::{DMatrix, Vector3};
 use thiserror::Error;
 
 use super::CableGroup;
-use super::composition::Composition;
+use super::composition::{Composition, StretchEffect};
+use super::laws;
 use crate::cable::elasticity::Elasticity;
+use crate::cable::law::{CableLaw, Hold, HoldError, Known};
 use crate::cable::{Course, DegenerateCourse, outlet};
 use crate::geometry::{Pose, Twist};
-use crate::robot::{Cable, Robot};
+use crate::robot::{Cable, Robot, StretchError, TensionPlace};
 use crate::scalar::{LANES, add, cross, rotate};
 
 /// A robot with chosen effects. Immutable: a changed parameter makes a new model.
@@ -20,6 +22,7 @@ pub struct Model {
     axes: Vec<Vector3<f64>>,
     groups: Vec<CableGroup>,
     elasticity: Vec<Elasticity<f64>>,
+    laws: Vec<CableLaw>,
 }
 
 /// A robot that cannot carry the effects asked for.
@@ -40,6 +43,24 @@ pub enum ModelError {
         name: String,
         /// A command that helps.
         hint: &'static str,
+    },
+    /// A law of stretch that is none.
+    #[error("cable {cable} (\"{name}\"): {reason}")]
+    Stretch {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+        /// What is wrong.
+        reason: StretchError,
+    },
+    /// Cables with weight where no gravity is known.
+    #[error(
+        "cables of \"{robot}\" sag by their weight, but its file lacks `gravity_m_s2`; add it, e.g. gravity_m_s2 = [0.0, 0.0, -9.81]"
+    )]
+    NoGravity {
+        /// Name of the robot.
+        robot: String,
     },
     /// An effect of the contract that this version does not have.
     #[error("the effect `{effect}` is not part of this version")]
@@ -76,7 +97,7 @@ impl Model {
         if robot.cables.is_empty() {
             return Err(ModelError::NoCables { robot: robot.name });
         }
-        if let Some(effect) = composition.words().find(|word| !["pulley", "elastic"].contains(word)) {
+        if let Some(effect) = composition.words().find(|word| *word == "drum") {
             return Err(ModelError::NotYet { effect });
         }
         if composition.pulley {
@@ -86,17 +107,18 @@ impl Model {
                 require(cable.pulley_radius.is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
             }
         }
-        let elasticity = match composition.is_elastic() {
+        let elasticity = match composition.stretch == StretchEffect::Linear {
             true => elasticity_of(&robot)?,
             false => vec![Elasticity::RIGID; robot.cables.len()],
         };
         let twist_basis = robot.motion_pattern.twist_basis(robot.plane);
         let axes =
             twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
-        let laws = elasticity.chunks(LANES);
+        let laws = laws::laws(&robot, composition, &elasticity)?;
+        let linear = elasticity.chunks(LANES);
         let groups =
-            robot.cables.chunks(LANES).zip(laws).map(|(cables, laws)| group(cables, laws, composition)).collect();
-        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity })
+            robot.cables.chunks(LANES).zip(linear).map(|(cables, laws)| group(cables, laws, composition)).collect();
+        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws })
     }
 
     /// The robot.
@@ -132,6 +154,26 @@ impl Model {
     /// Elasticity of one cable (0-based); [`Elasticity::RIGID`] in a model without the effect `elastic`.
     pub fn elasticity(&self, cable: usize) -> &Elasticity<f64> {
         &self.elasticity[cable]
+    }
+
+    /// The law of one cable (0-based) with all its effects.
+    pub fn law(&self, cable: usize) -> &CableLaw {
+        &self.laws[cable]
+    }
+
+    /// One cable (0-based) at rest at a pose, with one more thing known of it; its lever b = R b_P (world, m).
+    pub fn hold(&self, cable: usize, pose: &Pose, known: Known) -> Result<(Hold, Vector3<f64>), HoldError> {
+        let lever = pose.rotation * self.robot.cables[cable].platform_anchor;
+        let hold = self.laws[cable].hold((pose.position + lever).into(), known)?;
+        Ok((hold, lever))
+    }
+
+    /// A tension as robots measure it, at the outlet, or where the file says.
+    pub fn known_tension(&self, cable: usize, tension: f64) -> Known {
+        match self.robot.cables[cable].tension_at {
+            Some(TensionPlace::Platform) => Known::PlatformTension(tension),
+            _ => Known::OutletTension(tension),
+        }
     }
 
     pub(crate) fn groups(&self) -> &[CableGroup] {
@@ -280,7 +322,7 @@ impl Model {
 /// Effect, key and hint of something that a cable of the file must have.
 type Need = (&'static str, &'static str, &'static str);
 
-fn require(present: bool, (effect, key, hint): Need, index: usize, cable: &Cable) -> Result<(), ModelError> {
+pub(super) fn require(present: bool, (effect, key, hint): Need, index: usize, cable: &Cable) -> Result<(), ModelError> {
     let name = cable.name.clone();
     if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
 }

@@ -3,6 +3,7 @@
 mod composition;
 mod groups;
 mod kinematics;
+mod laws;
 mod parameter;
 mod placement;
 #[cfg(test)]

@@ -13,6 +13,9 @@ use crate::reading::{ReadError, Step};
 /// Most cables that are read: no robot comes near, and every matrix stays small.
 const CABLE_LIMIT: usize = 10_000;
 
+/// Most elements of a cable: their error is far below any cable's by then.
+const FINITE_ELEMENT_LIMIT: usize = 1000;
+
 /// How far the norm of a direction may be from 1 by rounding of its printed digits.
 const DIRECTION_NORM_TOLERANCE: f64 = 1e-3;
 
@@ -114,6 +117,9 @@ impl CableReader<'_> {
             length_offset: section.length_offset_m,
             tension_scale: self.positive("tension_scale", section.tension_scale)?,
             tension_offset: section.tension_offset_N,
+            tension_at: section.tension_at,
+            linear_density: self.not_negative("linear_density_kg_per_m", section.linear_density_kg_per_m)?,
+            finite_elements: self.finite_elements(section.finite_elements)?,
         })
     }
 
@@ -156,6 +162,19 @@ impl CableReader<'_> {
         }
         // a vector that is already unit to rounding stays as it is, so that files are read back to the bit
         Ok(if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { axis } else { axis / norm })
+    }
+
+    /// As many elements as a cable can have.
+    fn finite_elements(&self, count: Option<usize>) -> Result<Option<usize>, ReadError> {
+        match count {
+            Some(count) if !(1..=FINITE_ELEMENT_LIMIT).contains(&count) => {
+                let message = format!("finite_elements is {count}; a cable has 1 to {FINITE_ELEMENT_LIMIT}");
+                Err(self
+                    .error("finite_elements", "robot::finite-elements", &message)
+                    .with_help("10 elements are within 1 % of the sag; leave the key out for them"))
+            }
+            fine => Ok(fine),
+        }
     }
 
     /// Only one of the three stiffness keys can hold.

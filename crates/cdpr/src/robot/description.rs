@@ -137,6 +137,12 @@ pub struct Cable {
     pub tension_scale: Option<f64>,
     /// See `tension_scale` (N); 0 when unknown.
     pub tension_offset: Option<f64>,
+    /// Where recorded and given tensions act; at the outlet when unknown. Matters with sag.
+    pub tension_at: Option<TensionPlace>,
+    /// Mass per length of the unstrained cable (kg/m).
+    pub linear_density: Option<f64>,
+    /// Elements of the effect `finite-element`; 10 when unknown.
+    pub finite_elements: Option<usize>,
 }
 
 /// Which length divides the specific stiffness.
@@ -147,6 +153,16 @@ pub enum StiffnessBasis {
     Actual,
     /// k = EA/q_θ.
     Unstrained,
+}
+
+/// At which end of its free part a cable's tension is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum TensionPlace {
+    /// At the frame, where robots measure it.
+    Outlet,
+    /// At the platform anchor.
+    Platform,
 }
 
 /// A published number with the pose and load it belongs to, as the file states it (numbers in the file's components).

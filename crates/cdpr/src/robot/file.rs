@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{HysteresisTable, ReferenceCheck, Source, StiffnessBasis};
+use super::{HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace};
 use crate::geometry::MotionPattern;
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
@@ -175,4 +175,12 @@ pub(super) struct CableSection {
     pub(super) tension_scale: Option<f64>,
     /// See `tension_scale` (N).
     pub(super) tension_offset_N: Option<f64>,
+    /// Where recorded and given tensions act: `outlet` (the default) or `platform`. Matters with sag.
+    pub(super) tension_at: Option<TensionPlace>,
+    /// Mass per length of the unstrained cable (kg/m), for the effects `catenary` and `finite-element`.
+    #[schemars(range(min = 0))]
+    pub(super) linear_density_kg_per_m: Option<f64>,
+    /// Elements of the effect `finite-element`: 1 to 1000, 10 when left out.
+    #[schemars(range(min = 1, max = 1000))]
+    pub(super) finite_elements: Option<usize>,
 }

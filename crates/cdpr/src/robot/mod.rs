@@ -11,7 +11,9 @@ mod reading;
 pub(crate) mod stretch;
 mod writing;
 
-pub use description::{Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TravelBox};
+pub use description::{
+    Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
+};
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 
 /// JSON Schema of the robot file, for editors and for other programs.

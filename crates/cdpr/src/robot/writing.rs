@@ -141,6 +141,9 @@ impl Robot {
             length_offset_m: cable.length_offset,
             tension_scale: cable.tension_scale,
             tension_offset_N: cable.tension_offset,
+            tension_at: cable.tension_at,
+            linear_density_kg_per_m: cable.linear_density,
+            finite_elements: cable.finite_elements,
         }
     }
 }

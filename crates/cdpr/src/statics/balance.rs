@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::error::{StaticsError, check_tensions};
-use super::{Load, section_wrench};
+use super::{Load, holds, section_wrench};
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 
@@ -98,6 +98,9 @@ fn remove_share(matrix: &mut DMatrix<f64>, column: usize, unit: usize) {
 /// Whether the tensions balance a load is not asked (see [`wrench_residual`]).
 pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
     check_tensions(model, tensions)?;
+    if !model.composition().has_closed_form() {
+        return Ok(holds(model, pose, tensions)?.iter().map(|held| held.hold.controlled_length).collect());
+    }
     let length = |(index, &tension): (usize, &f64)| {
         let q = model.course(index, pose)?.0.length;
         controlled_length(model, index, q, tension)

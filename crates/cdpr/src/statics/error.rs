@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
+use crate::cable::law::HoldError;
 use crate::model::Model;
 
 /// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no course.
@@ -52,6 +53,14 @@ pub enum StaticsError {
         cable: usize,
         /// How to get a finite one.
         cure: String,
+    },
+    /// A cable that cannot be as its tension asks.
+    #[error("cable {cable}: {reason}")]
+    Hold {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// What is wrong.
+        reason: HoldError,
     },
     /// A cable group names a cable that the robot does not have.
     #[error("the group names cable {cable}, but the robot has the cables 1 to {count}")]

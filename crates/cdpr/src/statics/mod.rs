@@ -5,6 +5,7 @@
 
 mod balance;
 mod error;
+mod holding;
 mod load;
 mod sections;
 mod stiffness;
@@ -13,6 +14,7 @@ mod tests;
 
 pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_residual};
 pub use error::{StaticsError, check_tensions};
+pub use holding::{Held, held, holds};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
 pub use stiffness::{Stability, Stiffness, geometric_stiffness};

@@ -1,6 +1,7 @@
 //! Wrenches of groups of cables: what a part of the platform has to carry.
 
 use super::error::{StaticsError, check_tensions};
+use super::holding::held;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 use crate::scalar::cross;
@@ -22,6 +23,10 @@ pub fn section_wrench(model: &Model, pose: &Pose, tensions: &[f64], cables: &[us
         }
         if cables[..place].contains(&index) {
             return Err(StaticsError::RepeatedCable { cable });
+        }
+        if model.composition().is_sagging() {
+            wrench += held(model, pose, index, tensions[index])?.wrench();
+            continue;
         }
         let (course, lever) = model.course(index, pose)?;
         let u = course.direction;

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 use super::Load;
 use super::balance::controlled_length;
 use super::error::{StaticsError, check_tensions};
+use super::holding::{Held, holds};
 use crate::cable::Course;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Model, StretchEffect};
@@ -74,6 +75,10 @@ impl Stiffness {
             controlled_lengths: Vec::with_capacity(m),
             scaling: scaling(model),
         };
+        if !model.composition().has_closed_form() {
+            stiffness.of_holds(model, &holds(model, pose, tensions)?);
+            return Ok(stiffness);
+        }
         stiffness.geometric = geometric_stiffness(model, pose, tensions)?;
         for (index, &tension) in tensions.iter().enumerate() {
             let (course, _) = model.course(index, pose)?;
@@ -84,6 +89,24 @@ impl Stiffness {
         }
         stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
         Ok(stiffness)
+    }
+
+    /// The same for cables whose laws have no closed form: K_C is what changes of tension add to K_G.
+    fn of_holds(&mut self, model: &Model, holds: &[Held]) {
+        for (index, held) in holds.iter().enumerate() {
+            let at_tension = in_pattern(model, &held.stiffness_at_tension());
+            self.cable += in_pattern(model, &held.stiffness()) - &at_tension;
+            self.geometric -= at_tension;
+            let by_length = held.wrench_by_controlled_length();
+            for (row, twist) in model.twist_basis().iter().enumerate() {
+                self.by_controlled_length[(row, index)] = -twist.dot(&by_length);
+            }
+            let along = |a: [f64; 3]| crate::scalar::dot(a, held.hold.direction);
+            self.cable_stiffness.push(-along(held.hold.tangent.map(along)));
+            self.controlled_length_stiffness.push(-along(held.hold.by_controlled_length));
+            self.controlled_lengths.push(held.hold.controlled_length);
+        }
+        self.system = &self.cable - &self.geometric - &self.load;
     }
 
     /// Appends controlled length, K and K_θ of the next cable.
@@ -156,6 +179,11 @@ impl Stiffness {
 /// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
 pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     check_tensions(model, tensions)?;
+    if model.composition().is_sagging() {
+        let shares = holds(model, pose, tensions)?;
+        let sum = shares.iter().fold(Matrix6::zeros(), |sum, held| sum - held.stiffness_at_tension());
+        return Ok(in_pattern(model, &sum));
+    }
     let mut geometric = Matrix6::zeros();
     for (index, &tension) in tensions.iter().enumerate() {
         let (course, lever) = model.course(index, pose)?;

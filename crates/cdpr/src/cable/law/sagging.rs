@@ -17,8 +17,6 @@ pub(super) struct Evaluation {
     pub(super) end_force: [f64; 3],
     /// Wrap angle (rad).
     pub(super) wrap_angle: f64,
-    /// Strained length of the wrapped part and the chord's share (m).
-    pub(super) contact: [f64; 3],
     /// Rows: end, q_θ; columns: F, L.
     pub(super) by_state: Matrix4,
 }
@@ -59,7 +57,6 @@ impl CableLaw {
             controlled_length: state.length + outside / (1.0 + strain) - self.hidden_length,
             end_force: sub(state.force, scale(state.length, self.weight)),
             wrap_angle,
-            contact,
             by_state,
         }
     }

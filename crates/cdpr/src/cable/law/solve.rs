@@ -92,7 +92,7 @@ impl CableLaw {
         let chord = self.chord(platform_anchor)?;
         self.refuse_impossible(&chord, known)?;
         let search = Search { law: self, shape, platform_anchor, chord };
-        let first = guess.map_or_else(|| search.start(known), |guess| Ok(guess))?;
+        let first = guess.map_or_else(|| search.start(known), Ok)?;
         let found = match search.newton(known, first) {
             Err(_) if guess.is_some() => search.start(known).and_then(|start| search.newton(known, start)),
             other => other,

@@ -1,0 +1,82 @@
+//! The laws of a robot's cables under a composition of effects.
+
+use nalgebra::Vector3;
+
+use super::kinematics::require;
+use super::{Composition, ModelError, SpanEffect, StretchEffect};
+use crate::cable::elasticity::Elasticity;
+use crate::cable::law::{CableLaw, Kind};
+use crate::cable::span::Shape;
+use crate::cable::stretch::Stretch;
+use crate::cable::stretch::hysteresis::{Hysteresis, Memory};
+use crate::cable::stretch::polynomial::Polynomial;
+use crate::robot::{Cable, Robot};
+
+/// Elements of a cable whose file does not say how many.
+pub(crate) const FINITE_ELEMENTS: usize = 10;
+
+/// The law of every cable; `elasticity` has those of the composition's linear stretch.
+pub(super) fn laws(
+    robot: &Robot,
+    composition: Composition,
+    elasticity: &[Elasticity<f64>],
+) -> Result<Vec<CableLaw>, ModelError> {
+    let gravity = match (composition.is_sagging(), robot.gravity) {
+        (true, None) => return Err(ModelError::NoGravity { robot: robot.name.clone() }),
+        (_, gravity) => gravity.unwrap_or_else(Vector3::zeros),
+    };
+    let law = |(index, (cable, linear)): (usize, (&Cable, &Elasticity<f64>))| {
+        if composition.is_sagging() {
+            let effect = composition.words().last().unwrap_or("catenary");
+            require(cable.linear_density.is_some(), (effect, "linear_density_kg_per_m", ""), index, cable)?;
+        }
+        let stretch = stretch(composition, index, cable)?;
+        let pulley = match (composition.pulley, cable.pulley_swivel_axis, cable.pulley_radius) {
+            (true, Some(axis), Some(radius)) => Some((axis.into(), radius)),
+            _ => None,
+        };
+        Ok(CableLaw {
+            frame_anchor: cable.frame_anchor.into(),
+            pulley,
+            series_compliance: match composition.is_elastic() {
+                true => cable.series_compliance.unwrap_or(0.0) + cable.spring_constant.map_or(0.0, |k| 1.0 / k),
+                false => 0.0,
+            },
+            stretch,
+            hidden_length: cable.hidden_length.unwrap_or(0.0),
+            weight: (gravity * cable.linear_density.unwrap_or(0.0)).into(),
+            kind: match (composition.span, composition.stretch) {
+                (SpanEffect::Catenary, _) => Kind::Sagging(Shape::Catenary),
+                (SpanEffect::FiniteElement, _) => {
+                    Kind::Sagging(Shape::FiniteElements(cable.finite_elements.unwrap_or(FINITE_ELEMENTS)))
+                }
+                (SpanEffect::Straight, StretchEffect::Rigid | StretchEffect::Linear) => Kind::Linear(*linear),
+                (SpanEffect::Straight, _) => Kind::Stretching,
+            },
+        })
+    };
+    robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
+}
+
+/// How a cable stretches by its unstrained length.
+fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stretch, ModelError> {
+    let refused = |reason| ModelError::Stretch { cable: index + 1, name: cable.name.clone(), reason };
+    let specific = || cable.axial_compliance.or(cable.axial_stiffness.map(|stiffness| 1.0 / stiffness));
+    Ok(match composition.stretch {
+        StretchEffect::Rigid => Stretch::Rigid,
+        StretchEffect::Linear => specific().map_or(Stretch::Rigid, Stretch::Linear),
+        StretchEffect::Polynomial => {
+            let key = ("polynomial", "tension_of_strain_N", "");
+            require(cable.tension_of_strain.is_some(), key, index, cable)?;
+            let coefficients = cable.tension_of_strain.as_deref().unwrap_or_default();
+            Stretch::Polynomial(Polynomial::new(coefficients, cable.tension_max).map_err(refused)?)
+        }
+        StretchEffect::Hysteresis => {
+            let Some(table) = &cable.hysteresis else {
+                require(false, ("hysteresis", "hysteresis", " as a table, e.g. from `cdpr test-bench`"), index, cable)?;
+                return Ok(Stretch::Rigid);
+            };
+            Stretch::Hysteresis(Box::new(Hysteresis::new(table).map_err(refused)?), Memory::virgin())
+        }
+    })
+}
