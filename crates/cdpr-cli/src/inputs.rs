@@ -14,6 +14,10 @@ use crate::failure::Failure;
 use crate::files;
 use crate::numbers::NumberList;
 
+/// Said when angles become lengths without a drum.
+pub(crate) const IDEAL_WINCH: &str = "motor angles are taken for those of ideal winches, drum_start_length_m + drum_radius_m · angle: \
+                                      the effect `drum` takes pitch and place of the drums into account";
+
 /// `ROBOT` of every command.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct RobotArgument {

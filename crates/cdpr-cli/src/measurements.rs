@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use cdpr::measurement::{Samples, SensorSigmas, Sidecar};
-use cdpr::robot::Robot;
+use cdpr::model::Model;
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
+use crate::inputs::IDEAL_WINCH;
 use crate::numbers::number_from_zero;
 
 /// `DATA` and `--sigma`.
@@ -61,13 +62,13 @@ impl FromStr for SigmaOption {
 
 impl DataArguments {
     /// The samples, with the accuracies of the sidecar and then those of the command line.
-    pub(crate) fn read(&self, robot: &Robot, output: &Output) -> Result<Samples, Failure> {
-        self.read_other(&self.data, robot, output)
+    pub(crate) fn read(&self, model: &Model, output: &Output) -> Result<Samples, Failure> {
+        self.read_other(&self.data, model, output)
     }
 
     /// Another data set, with the same accuracies of the command line.
-    pub(crate) fn read_other(&self, path: &Path, robot: &Robot, output: &Output) -> Result<Samples, Failure> {
-        let mut samples = read_samples(path, robot, output)?;
+    pub(crate) fn read_other(&self, path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
+        let mut samples = read_samples(path, model, output)?;
         self.sigma.iter().for_each(|option| option.apply(&mut samples.sigmas));
         Ok(samples)
     }
@@ -95,12 +96,17 @@ impl SigmaOption {
     }
 }
 
-/// Reads a measurement file and its sidecar; remarks of the reader go to stderr.
-pub(crate) fn read_samples(path: &Path, robot: &Robot, output: &Output) -> Result<Samples, Failure> {
+/// Reads a measurement file and its sidecar; remarks of the reader go to stderr. Motor angles become the lengths of the
+/// model's winches.
+pub(crate) fn read_samples(path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
     let name = path.display().to_string();
-    let reading = Samples::from_csv(&files::read(path)?, &name, robot)?;
+    let reading = Samples::from_csv(&files::read(path)?, &name, model.robot())?;
     reading.notices.iter().for_each(|notice| output.remark(notice));
-    let mut samples = reading.samples;
+    let mut samples =
+        model.with_lengths(&reading.samples).map_err(|error| Failure::refused(&name, &error))?.into_owned();
+    if samples.motor_angles.is_some() && !model.composition().drum {
+        output.remark(&format!("{name}: {IDEAL_WINCH}"));
+    }
     let sidecar = path.with_extension("meta.toml");
     if let Some(bytes) = files::read_if_there(&sidecar)? {
         samples.sigmas = Sidecar::from_toml_bytes(&bytes, &sidecar.display().to_string())?.sigmas;

@@ -5,6 +5,7 @@
 
 use crate::cable::DegenerateCourse;
 use crate::cable::outlet::pulley::PlacementError;
+use crate::cable::winch::{DrumError, GrooveError};
 use crate::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::identification::candidate::CandidateError;
@@ -12,7 +13,7 @@ use crate::identification::selection::RequirementError;
 use crate::identification::{EvaluationError, fit, selection};
 use crate::measurement::{DataError, SplitError};
 use crate::metamodel;
-use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError};
+use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
 use crate::reading::ReadError;
 use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
@@ -35,6 +36,30 @@ impl ErrorCode for DegenerateCourse {
         match self {
             Self::ZeroLength { .. } | Self::InsidePulley { .. } | Self::OnSwivelAxis { .. } => "cable::no-course",
             Self::NotFinite { .. } => "numerical::overflow",
+        }
+    }
+}
+
+impl ErrorCode for DrumError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::PulleyInside { .. } | Self::Number { .. } => "winch::drum",
+        }
+    }
+}
+
+impl ErrorCode for GrooveError {
+    fn code(&self) -> &'static str {
+        "winch::groove"
+    }
+}
+
+impl ErrorCode for WinchError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoRadius { .. } => "winch::no-radius",
+            Self::Groove { reason, .. } => reason.code(),
+            Self::Count { .. } => "winch::angle-count",
         }
     }
 }
@@ -84,9 +109,9 @@ impl ErrorCode for CompositionError {
 impl ErrorCode for ModelError {
     fn code(&self) -> &'static str {
         match self {
-            Self::NotYet { .. } => "model::unknown-effect",
             Self::Stretch { reason, .. } => reason.code(),
             Self::MissingKey { .. } | Self::NoGravity { .. } => "model::missing-key",
+            Self::Drum { reason, .. } => reason.code(),
             Self::NoCables { .. } => "robot::no-cables",
         }
     }
@@ -100,6 +125,7 @@ impl ErrorCode for ParameterError {
             Self::NoSuchCable { .. } => "parameter::no-such-cable",
             Self::NotInModel { .. } => "parameter::not-in-model",
             Self::ConstantSpring { .. } => "parameter::constant-spring",
+            Self::StartLengthTwice { .. } => "parameter::collinear",
         }
     }
 }
@@ -187,6 +213,8 @@ impl ErrorCode for metamodel::InputError {
             Self::Machine(error) => error.code(),
             Self::Limits(error) => error.code(),
             Self::Distribution(error) => error.code(),
+            Self::Winch(error) => error.code(),
+            Self::NoDrum => "study::no-drum",
             Self::NoPoses => "study::no-poses",
         }
     }
@@ -216,6 +244,7 @@ impl ErrorCode for EvaluationError {
         match self {
             Self::Load(error) => error.code(),
             Self::Forward(error) => error.code(),
+            Self::Winch(error) => error.code(),
             Self::CableCount { .. } => "data::cable-count",
         }
     }
@@ -226,11 +255,13 @@ impl ErrorCode for fit::InputError {
         match self {
             Self::Parameters(error) => error.code(),
             Self::Model(error) => error.code(),
+            Self::Winch(error) => error.code(),
             Self::NoSamples => "data::no-samples",
             Self::CableCount { .. } => "data::cable-count",
             Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
             Self::Degenerate { reason, .. } => reason.code(),
             Self::PriorSyntax { .. } => "prior::syntax",
+            Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions => "data::no-tensions",
             Self::NegativeTension { .. } => "data::negative-tensions",
             Self::Load(error) => error.code(),

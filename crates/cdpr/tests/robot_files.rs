@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr::geometry::MotionPattern;
 use cdpr::reading::ReadError;
-use cdpr::robot::{Robot, StiffnessBasis, builtin};
+use cdpr::robot::{DrumSide, Robot, StiffnessBasis, builtin};
 
 /// The collection beside the project; `None`, said aloud, when it is absent outside CI.
 fn shared_robots() -> Option<Vec<PathBuf>> {
@@ -138,6 +138,52 @@ fn every_calibrated_key_is_read_and_written() {
     assert!(Robot::from_toml(SPATIAL, "box.toml").is_ok());
 }
 
+/// A planar robot whose drums stand across its plane, with every winch key.
+fn with_drum() -> String {
+    PLANAR.replacen(
+        "platform_anchor_m = ",
+        "drum_radius_m = 0.1\ndrum_pitch_m = 0.008\ndrum_axis = [0.0, 1.0, 0.0]\ndrum_position_m = [-1.0, -0.5, 0.2]\n\
+         drum_side = \"right\"\ndrum_guided = false\ndrum_pulley_m = [-1.0, 2.5]\ndrum_start_angle_rad = 0.3\n\
+         drum_start_length_m = 1.5\ndrum_groove_length_m = 0.2\ndrum_layer_height_m = 0.007\ngear_ratio = -12.0\n\
+         encoder_counts_per_turn = 4096.0\nplatform_anchor_m = ",
+        1,
+    )
+}
+
+#[test]
+fn every_winch_key_is_read_and_written() {
+    let robot = Robot::from_toml(&with_drum(), "frame.toml").unwrap();
+    let cable = &robot.cables[0];
+    assert_eq!((cable.drum_radius, cable.drum_pitch, cable.drum_guided), (Some(0.1), Some(0.008), Some(false)));
+    assert_eq!(cable.drum_axis.unwrap().as_slice(), [0.0, 1.0, 0.0]);
+    assert_eq!(cable.drum_position.unwrap().as_slice(), [-1.0, -0.5, 0.2]);
+    assert_eq!(cable.drum_pulley.unwrap().as_slice(), [-1.0, 0.0, 2.5]);
+    assert_eq!((cable.drum_side, cable.gear_ratio), (Some(DrumSide::Right), Some(-12.0)));
+    assert_eq!((cable.drum_start_angle, cable.drum_start_length), (Some(0.3), Some(1.5)));
+    assert_eq!((cable.drum_groove_length, cable.drum_layer_height), (Some(0.2), Some(0.007)));
+    assert_eq!(cable.encoder_counts_per_turn, Some(4096.0));
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+}
+
+#[test]
+fn mistakes_of_winches_are_told_with_their_place() {
+    let text = with_drum();
+    for (from, to, at, code) in [
+        ("drum_radius_m = 0.1", "drum_radius_m = 0.0", "0.0", "robot::not-positive"),
+        ("drum_radius_m = 0.1", "drum_radius_m = 10.0", "[-1.0, -0.5", "robot::drum-place"),
+        ("drum_pitch_m = 0.008", "drum_pitch_m = -0.008", "-0.008", "robot::negative"),
+        ("drum_pitch_m = 0.008", "drum_pitch_m = 0.0", "0.2", "robot::groove"),
+        ("drum_axis = [0.0, 1.0, 0.0]", "drum_axis = [0.0, 2.0, 0.0]", "[0.0, 2.0", "robot::drum-axis"),
+        ("drum_axis = [0.0, 1.0, 0.0]", "drum_axis = [1.0]", "[1.0]", "robot::component-count"),
+        ("drum_groove_length_m = 0.2\n", "", "0.007", "robot::groove"),
+        ("gear_ratio = -12.0", "gear_ratio = 0.0", "0.0", "robot::gear-ratio"),
+        ("\"right\"", "\"top\"", "\"top\"", "toml::unknown-value"),
+        ("encoder_counts_per_turn = 4096.0", "encoder_counts_per_turn = -1.0", "-1.0", "robot::not-positive"),
+    ] {
+        mistake(&text, from, to, at, code);
+    }
+}
+
 /// The error after one replacement, and that it points at the text `at` in the line `line`.
 fn mistake(original: &str, from: &str, to: &str, at: &str, code: &str) -> ReadError {
     assert!(original.contains(from), "{from} is not in the file");
@@ -200,7 +246,7 @@ fn mistakes_of_planar_files_are_told_with_their_place() {
         ("hidden_length_m = 1.5", "hidden_length_m = -1.5", "-1.5", "robot::negative"),
         ("length_scale = 1.001", "length_scale = 0.0", "0.0", "robot::not-positive"),
         ("tension_scale = 0.98", "tension_scale = -0.98", "-0.98", "robot::not-positive"),
-        ("tension_scale", "drum_radius_m", "drum_radius_m", "toml::unknown-key"),
+        ("tension_scale", "winch_radius_m", "winch_radius_m", "toml::unknown-key"),
     ] {
         mistake(PLANAR, from, to, at, code);
     }

@@ -60,7 +60,7 @@ struct Evaluated {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let samples = arguments.data.read(model.robot(), output)?;
+    let samples = arguments.data.read(&model, output)?;
     let progress = Progress::spinner("predicting poses");
     let evaluation =
         evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;

@@ -13,7 +13,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, load_of, pose_or_home};
+use crate::inputs::{IDEAL_WINCH, ModelArguments, load_of, pose_or_home};
 use crate::numbers::NumberList;
 
 const EXAMPLES: &str = "\
@@ -21,6 +21,7 @@ Examples:
   cdpr fk planar-example --lengths 6.621,5.731,7.214,6.265
   cdpr fk robot.toml --model pulley --lengths 6.62,5.73,7.21,6.27 --guess 0,4 --format json
   cdpr fk robot.toml --model elastic --lengths 6.62,5.73,7.21,6.27 --wrench 0,-1962
+  cdpr fk robot.toml --model drum --motor-angles 66.2,57.3,72.1,62.7
   cdpr fk planar-example --tensions 5808,5909,2390,2421
   cdpr fk calibrated.toml --recorded --lengths 6.62,5.73,7.21,6.27";
 
@@ -35,8 +36,13 @@ pub(crate) struct Arguments {
     model: ModelArguments,
 
     /// Controlled cable lengths, one per cable (m).
-    #[arg(long, value_name = "LENGTHS", allow_hyphen_values = true, required_unless_present = "tensions")]
+    #[arg(long, value_name = "LENGTHS", allow_hyphen_values = true, required_unless_present_any = ["tensions", "motor_angles"])]
     lengths: Option<NumberList>,
+
+    /// Instead of lengths: angles of the winches' motors, one per cable (rad). With the effect `drum` the drums of the file
+    /// tell the lengths, otherwise ideal winches of their radius.
+    #[arg(long, value_name = "ANGLES", allow_hyphen_values = true, conflicts_with_all = ["lengths", "tensions", "recorded"])]
+    motor_angles: Option<NumberList>,
 
     /// Instead of lengths: tensions that winches or weights keep constant, one per cable (N).
     #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true, conflicts_with_all = ["lengths", "recorded"])]
@@ -59,10 +65,22 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let guess = pose_or_home(model.robot(), "--guess", arguments.guess.as_ref())?;
-    let answer = match (&arguments.tensions, &arguments.lengths) {
-        (Some(tensions), _) => arguments.by_tensions(&model, &tensions.0, &guess)?,
-        (None, Some(lengths)) => arguments.by_lengths(&model, &lengths.0, &guess)?,
-        (None, None) => return Err(Failure::input("usage::missing-argument", "neither lengths nor tensions are given", "give --lengths or --tensions")),
+    let answer = match (&arguments.tensions, &arguments.lengths, &arguments.motor_angles) {
+        (Some(tensions), _, _) => arguments.by_tensions(&model, &tensions.0, &guess)?,
+        (None, Some(lengths), _) => arguments.by_lengths(&model, &lengths.0, &guess)?,
+        (None, None, Some(angles)) => {
+            let refused = |error| Failure::refused("--motor-angles", &error);
+            let lengths = model.controlled_lengths_of_motor_angles(&angles.0).map_err(refused)?;
+            if !model.composition().drum {
+                output.remark(IDEAL_WINCH);
+            }
+            arguments.by_lengths(&model, &lengths, &guess)?
+        }
+        (None, None, None) => {
+            let message = "neither lengths nor motor angles nor tensions are given";
+            let help = "give --lengths, --motor-angles or --tensions";
+            return Err(Failure::input("usage::missing-argument", message, help));
+        }
     };
     output.answer(&answer)
 }

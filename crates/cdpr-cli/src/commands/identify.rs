@@ -122,9 +122,9 @@ struct Identified {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let samples = arguments.data.read(model.robot(), output)?;
+    let samples = arguments.data.read(&model, output)?;
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
-    let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, model.robot(), output));
+    let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, &model, output));
     let other = other.transpose()?;
     let progress = Progress::of(1, "identifying");
     let task = Task { model: &model, samples: &samples, arguments: &arguments, progress: &progress };

@@ -25,6 +25,7 @@ Examples:
   cdpr ik planar-example --pose 0.5,4
   cdpr ik cogiro --pose 0,0,1.5,0,0,0.1 --format json
   cdpr ik robot.toml --pose=-1,2 --model pulley
+  cdpr ik robot.toml --pose=-1,2 --model pulley+drum
   cdpr ik planar-example --pose 0.5,4 --model elastic
   cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400";
 
@@ -68,6 +69,11 @@ struct InverseKinematics {
     wrap_angles_rad: Option<Vec<Option<f64>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     recorded_lengths_m: Option<Vec<Option<f64>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motor_angles_rad: Option<Vec<Option<f64>>>,
+    /// Null where the file does not say how its encoder counts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    encoder_counts: Option<Vec<Option<f64>>>,
     #[serde(rename = "tensions_N", skip_serializing_if = "Option::is_none")]
     tensions: Option<Vec<f64>>,
     /// At the platform anchors, where they differ from those at the outlets.
@@ -94,6 +100,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         ));
     }
     answer.record(&model);
+    if model.composition().drum {
+        answer.wind(&model)?;
+    }
     output.answer(&answer)
 }
 
@@ -123,6 +132,8 @@ fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
         reason: (!reason.is_empty()).then_some(reason),
         pose: PoseAnswer::new(robot, pose),
         recorded_lengths_m: None,
+        motor_angles_rad: None,
+        encoder_counts: None,
         // a rigid cable is as long as its course
         controlled_lengths_m: lengths.clone(),
         cable_lengths_m: lengths,
@@ -186,6 +197,23 @@ impl InverseKinematics {
             self.recorded_lengths_m = Some(recorded.collect());
         }
     }
+
+    /// What the motors are told.
+    fn wind(&mut self, model: &Model) -> Result<(), Failure> {
+        let angle = |(cable, length): (usize, &Option<f64>)| length.map(|length| model.motor_angle(cable, length)).transpose();
+        let angles: Vec<Option<f64>> = self
+            .controlled_lengths_m
+            .iter()
+            .enumerate()
+            .map(angle)
+            .collect::<Result<_, _>>()
+            .map_err(|error| Failure::refused("--pose", &error))?;
+        let count = |(cable, angle): (usize, &Option<f64>)| model.winch(cable)?.encoder_counts((*angle)?);
+        let counts: Vec<Option<f64>> = angles.iter().enumerate().map(count).collect();
+        self.encoder_counts = counts.iter().any(Option::is_some).then_some(counts);
+        self.motor_angles_rad = Some(angles);
+        Ok(())
+    }
 }
 
 impl Answer for InverseKinematics {
@@ -202,6 +230,8 @@ impl Answer for InverseKinematics {
         let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
         heading.extend(is_elastic.then(|| "controlled m".to_owned()));
         heading.extend(self.recorded_lengths_m.iter().map(|_| "recorded m".to_owned()));
+        heading.extend(self.motor_angles_rad.iter().map(|_| "motor rad".to_owned()));
+        heading.extend(self.encoder_counts.iter().map(|_| "counts".to_owned()));
         heading.extend(self.tensions.iter().map(|_| "tension N".to_owned()));
         heading.extend(self.platform_tensions.iter().map(|_| "at platform N".to_owned()));
         heading.extend(self.axes.iter().map(|axis| format!("pull {axis}")));
@@ -211,6 +241,8 @@ impl Answer for InverseKinematics {
             let mut cells = vec![name.clone(), cell(self.cable_lengths_m[cable], 6)];
             cells.extend(is_elastic.then(|| cell(self.controlled_lengths_m[cable], 6)));
             cells.extend(self.recorded_lengths_m.iter().map(|recorded| cell(recorded[cable], 6)));
+            cells.extend(self.motor_angles_rad.iter().map(|angles| cell(angles[cable], 6)));
+            cells.extend(self.encoder_counts.iter().map(|counts| cell(counts[cable], 0)));
             cells.extend(self.tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
             cells.extend(self.platform_tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
             let direction = self.directions[cable].as_ref();

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::measurement::Split;
+use cdpr::model::{Composition, Model};
+use cdpr::robot::Robot;
 use clap::Args;
 
 use crate::answer::Output;
@@ -65,11 +67,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 impl Arguments {
     fn comparison(&self, output: &Output) -> Result<Comparison, Failure> {
         let robot = self.robot.read()?;
-        let samples = self.data.read(&robot, output)?;
+        let reader = reader_of(&robot, self.robot.model(Composition::STANDARD)?);
+        let samples = self.data.read(&reader, output)?;
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
         let Parted { samples, folds, words } = match &self.validation {
             Some(path) => {
-                let other = self.data.read_other(path, &robot, output)?;
+                let other = self.data.read_other(path, &reader, output)?;
                 two_files(&samples, &other, &path.display().to_string())?
             }
             None => one_file(samples, self.split, self.selection.seed)?,
@@ -89,4 +92,10 @@ impl Arguments {
             inputs,
         })
     }
+}
+
+/// The model that reads motor angles: with drums where the robot has them. Each candidate then reads them by its own winches.
+fn reader_of(robot: &Robot, plain: Model) -> Model {
+    let drums = Composition { drum: true, ..Composition::STANDARD };
+    Model::new(robot.clone(), drums).unwrap_or(plain)
 }

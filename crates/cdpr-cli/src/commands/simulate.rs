@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::metamodel::simulate::Simulation;
+use cdpr::metamodel::with_motor_angles;
 use clap::Args;
 use serde::Serialize;
 
@@ -16,7 +17,8 @@ use crate::progress::Progress;
 const EXAMPLES: &str = "\
 Examples:
   cdpr simulate study.toml --out samples.csv
-  cdpr simulate study.toml --out samples.csv --seed 7 --format json";
+  cdpr simulate study.toml --out samples.csv --seed 7 --format json
+  cdpr simulate study.toml --out samples.csv --motor-angles";
 
 /// Drive a machine by a control model through the poses of a study, and record what its sensors see.
 ///
@@ -32,6 +34,10 @@ pub(crate) struct Arguments {
     /// Measurement file to write (CSV).
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+
+    /// Record the angles of the winches' motors in place of cable lengths; control model or machine needs the effect `drum`.
+    #[arg(long)]
+    motor_angles: bool,
 
     /// Seed of random poses and noise.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
@@ -53,12 +59,16 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let laboratory = Laboratory::read(&arguments.study)?;
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let progress = Progress::spinner("measuring");
-    let Simulation { samples, left_out, .. } = &laboratory.record(arguments.seed)?;
+    let Simulation { mut samples, left_out, .. } = laboratory.record(arguments.seed)?;
     drop(progress);
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
         let message = format!("{}: no pose gave a sample: {reason}", arguments.study.display());
         return Err(Failure::input("study::no-samples", message, "`cdpr accuracy STUDY` counts what happens at the poses"));
+    }
+    if arguments.motor_angles {
+        samples = with_motor_angles(&laboratory.control, &laboratory.machine, &samples)
+            .map_err(|error| laboratory.refused(&error))?;
     }
     let sidecar = arguments.out.with_extension("meta.toml");
     let (known, table) = (laboratory.sidecar(arguments.seed).to_toml(), samples.to_csv(laboratory.machine.robot()));

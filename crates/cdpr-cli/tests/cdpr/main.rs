@@ -21,6 +21,7 @@ mod shells;
 mod statics;
 mod studies;
 mod tension;
+mod winches;
 
 use std::path::{Path, PathBuf};
 

@@ -6,5 +6,6 @@ pub mod law;
 pub mod outlet;
 pub mod span;
 pub mod stretch;
+pub mod winch;
 
 pub use course::{Course, DegenerateCourse};

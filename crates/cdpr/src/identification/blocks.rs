@@ -1,13 +1,14 @@
 //! The least-squares problem of one cable: its own parameters, its own column of recorded lengths.
 
 use super::pose_lanes::{CableValues, PoseLanes};
+use super::recordings::{Recorder, Recordings};
 use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
 use crate::scalar::{Kernel, LANES, Lanes, dispatch, dot, rotate_back};
 
-/// Parameters a cable can have: two anchors of three components, offset, scale, radius.
-pub(super) const SLOTS: usize = 9;
+/// Parameters a cable can have: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
+pub(super) const SLOTS: usize = 11;
 
 /// The block of one cable.
 pub(super) struct Block {
@@ -18,6 +19,8 @@ pub(super) struct Block {
     pub(super) start: CableValues,
     /// Recorded lengths, padded (m).
     recorded: Vec<f64>,
+    /// What makes lengths of motor angles, where a free parameter changes it.
+    recorder: Option<Recorder>,
     /// 1/σ of each residual, 0 in the padding (1/m).
     weights: Vec<f64>,
     axes: Vec<[f64; 3]>,
@@ -39,6 +42,7 @@ impl Block {
         Self {
             cable,
             slots: parameters.iter().map(|parameter| slot(model, parameter)).collect(),
+            recorder: Recorder::of(model, cable, &parameters, samples),
             parameters,
             start: CableValues::of(data, model.composition().pulley),
             recorded,
@@ -57,6 +61,16 @@ impl Block {
         self.recorded.iter().sum::<f64>() / self.recorded.len() as f64
     }
 
+    /// Metres that one unit of a parameter is worth.
+    pub(super) fn worth(&self, kind: ParameterKind) -> f64 {
+        match kind {
+            ParameterKind::LengthScale => self.mean_length(),
+            // the radius turns with the whole length
+            ParameterKind::DrumRadius => self.mean_length() / self.start.drum_radius.max(1e-3),
+            _ => 1.0,
+        }
+    }
+
     /// The cable's values after moving the block's parameters by `change`.
     pub(super) fn moved(&self, from: &CableValues, change: &[f64]) -> CableValues {
         let mut values = *from;
@@ -73,6 +87,8 @@ impl Block {
                 ParameterKind::LengthOffset => values.offset += amount,
                 ParameterKind::LengthScale => values.scale += amount,
                 ParameterKind::PulleyRadius => values.radius += amount,
+                ParameterKind::DrumRadius => values.drum_radius += amount,
+                ParameterKind::StartLength => values.start_length += amount,
                 // what needs elasticity belongs to the elastostatic problem
                 _ => {}
             }
@@ -88,22 +104,27 @@ impl Block {
             ParameterKind::LengthOffset => values.offset,
             ParameterKind::LengthScale => values.scale,
             ParameterKind::PulleyRadius => values.radius,
+            ParameterKind::DrumRadius => values.drum_radius,
+            ParameterKind::StartLength => values.start_length,
             _ => 0.0,
         }
     }
 
     /// Weighted normal equations at `values`.
     pub(super) fn normal<const P: usize>(&self, poses: &PoseLanes, values: &CableValues) -> NormalEquations<P> {
+        let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
+        let recordings = recordings.as_ref();
         // the first places of a row, as for anchors alone, stay in registers; others are looked up in memory
         match self.slots.iter().copied().eq(0..P) {
-            true => dispatch(Accumulate::<P, true> { block: self, poses, values }),
-            false => dispatch(Accumulate::<P, false> { block: self, poses, values }),
+            true => dispatch(Accumulate::<P, true> { block: self, poses, values, recordings }),
+            false => dispatch(Accumulate::<P, false> { block: self, poses, values, recordings }),
         }
     }
 
     /// Weighted residuals and the columns of the weighted Jacobian, for analysis after the fit.
     pub(super) fn rows(&self, poses: &PoseLanes, values: &CableValues, count: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
-        dispatch(WriteRows { block: self, poses, values, count })
+        let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
+        dispatch(WriteRows { block: self, poses, values, recordings: recordings.as_ref(), count })
     }
 
     /// 1/σ of each residual, padding included (1/m).
@@ -113,16 +134,25 @@ impl Block {
 
     /// Weighted residual and the derivatives by every slot for one group of samples.
     #[inline(always)]
-    fn row<L: Lanes>(&self, l: L, poses: &PoseLanes, values: &CableValues, group: usize) -> (L, [L; SLOTS]) {
+    fn row<L: Lanes>(
+        &self,
+        l: L,
+        poses: &PoseLanes,
+        values: &CableValues,
+        recordings: Option<&Recordings>,
+        group: usize,
+    ) -> (L, [L; SLOTS]) {
         let (position, rotation) = poses.at(l, group);
         let (course, _) = values.course(position, &rotation);
         let weight = l.load(&self.weights[group * LANES..]);
-        let recorded = l.load(&self.recorded[group * LANES..]);
+        let first = group * LANES;
+        let recorded = l.load(&recordings.map_or(&self.recorded, |changed| &changed.lengths)[first..]);
         let scale = l.constant(values.scale);
         let factor = weight * scale;
         let u = course.direction;
         let in_platform = rotate_back(&rotation, u);
-        let row = [
+        let zero = l.constant(0.0);
+        let mut row = [
             factor * u[0],
             factor * u[1],
             factor * u[2],
@@ -132,7 +162,16 @@ impl Block {
             weight,
             weight * course.length,
             factor * course.length_by_radius,
+            zero,
+            zero,
         ];
+        if let Some(recordings) = recordings {
+            for (entry, by_anchor) in row.iter_mut().zip(&recordings.by_anchor) {
+                *entry = *entry - weight * l.load(&by_anchor[first..]);
+            }
+            row[9] = -(weight * l.load(&recordings.by_radius[first..]));
+            row[10] = -weight;
+        }
         (weight * (scale * course.length + l.constant(values.offset) - recorded), row)
     }
 }
@@ -144,7 +183,9 @@ fn slot(model: &Model, parameter: &Parameter) -> usize {
         ParameterKind::PlatformAnchor => 3 + model.axes()[parameter.axis].iamax(),
         ParameterKind::LengthOffset => 6,
         ParameterKind::LengthScale => 7,
-        _ => 8,
+        ParameterKind::PulleyRadius => 8,
+        ParameterKind::DrumRadius => 9,
+        _ => 10,
     }
 }
 
@@ -161,6 +202,7 @@ pub(super) struct Accumulate<'a, const P: usize, const FIRST: bool> {
     pub(super) block: &'a Block,
     pub(super) poses: &'a PoseLanes,
     pub(super) values: &'a CableValues,
+    pub(super) recordings: Option<&'a Recordings>,
 }
 
 impl<const P: usize, const FIRST: bool> Kernel for Accumulate<'_, P, FIRST> {
@@ -173,7 +215,7 @@ impl<const P: usize, const FIRST: bool> Kernel for Accumulate<'_, P, FIRST> {
         let mut slots = [0; P];
         slots.copy_from_slice(&self.block.slots);
         for group in 0..self.poses.groups() {
-            let (residual, row) = self.block.row(l, self.poses, self.values, group);
+            let (residual, row) = self.block.row(l, self.poses, self.values, self.recordings, group);
             let mut entries = [zero; P];
             for i in 0..P {
                 entries[i] = row[if FIRST { i } else { slots[i] }];
@@ -201,6 +243,7 @@ struct WriteRows<'a> {
     block: &'a Block,
     poses: &'a PoseLanes,
     values: &'a CableValues,
+    recordings: Option<&'a Recordings>,
     count: usize,
 }
 
@@ -213,7 +256,7 @@ impl Kernel for WriteRows<'_> {
         let mut residuals = Vec::with_capacity(self.poses.groups() * LANES);
         let mut columns = vec![Vec::with_capacity(self.poses.groups() * LANES); slots.len()];
         for group in 0..self.poses.groups() {
-            let (residual, row) = self.block.row(l, self.poses, self.values, group);
+            let (residual, row) = self.block.row(l, self.poses, self.values, self.recordings, group);
             residuals.extend(residual.to_array());
             for (column, &slot) in columns.iter_mut().zip(slots) {
                 column.extend(row[slot].to_array());

@@ -8,7 +8,7 @@ use crate::equilibrium::{elastostatics, forward_kinematics};
 use crate::geometry::Pose;
 use crate::measurement::Samples;
 use crate::metamodel::errors::{LengthError, PoseError, TensionError};
-use crate::model::Model;
+use crate::model::{Model, WinchError};
 use crate::statics::{Load, LoadError};
 
 /// All errors of a model on a data set, SI units.
@@ -57,6 +57,9 @@ pub enum EvaluationError {
     /// An elastic model whose forward problem has no answer, such as one of rigid cables.
     #[error("the model cannot predict poses: {0}")]
     Forward(#[from] elastostatics::InputError),
+    /// Motor angles that the robot's winches cannot have.
+    #[error(transparent)]
+    Winch(#[from] WinchError),
     /// Not one length per cable.
     #[error("the robot has {robot} cables, the data have {data}")]
     CableCount {
@@ -125,6 +128,7 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
     if cables != samples.cable_count {
         return Err(EvaluationError::CableCount { robot: cables, data: samples.cable_count });
     }
+    let samples = &*model.with_lengths(samples)?;
     let mut evaluation = Evaluation { cable_count: cables, ..Evaluation::default() };
     let mut predictor = Predictor::new(model)?;
     let mut controlled = vec![0.0; cables];

@@ -16,7 +16,7 @@ use super::identifiability::{Analysis, Correlation, analyse};
 use super::weights::Weights;
 use crate::cable::DegenerateCourse;
 use crate::measurement::Samples;
-use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind};
+use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind, WinchError};
 use crate::statics::LoadError;
 
 /// What is assumed, and when the fit stops.
@@ -159,6 +159,9 @@ pub enum InputError {
     /// The calibrated robot is not a model.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// Motor angles that the robot's winches cannot have.
+    #[error(transparent)]
+    Winch(#[from] WinchError),
     /// No samples.
     #[error("the data set has no samples")]
     NoSamples,
@@ -210,6 +213,15 @@ pub enum InputError {
     PriorSyntax {
         /// The text.
         text: String,
+    },
+    /// Parameters of drums without recorded motor angles.
+    #[error(
+        "`{kind}` is free, but the data record lengths: give the columns motor_angle_rad_1, motor_angle_rad_2, … in their place, or \
+         free `length-offset` or `length-scale` instead"
+    )]
+    NoMotorAngles {
+        /// The parameter.
+        kind: ParameterKind,
     },
     /// An elastic model without recorded tensions.
     #[error(
@@ -278,6 +290,7 @@ pub fn fit_observed(
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
+    let samples = &*model.with_lengths(samples)?;
     let mut fit = if model.composition().is_elastic() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
@@ -320,6 +333,7 @@ pub fn optimal_parameters(
     settings: &Settings,
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
+    let samples = &*model.with_lengths(samples)?;
     if model.composition().is_elastic() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
@@ -359,6 +373,10 @@ fn checked_parameters(
         return Err(InputError::CableCount { robot, data });
     }
     let parameters = free.parameters(model, &settings.hold)?;
+    let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
+    if let Some(kind) = of_drum.filter(|_| samples.motor_angles.is_none()) {
+        return Err(InputError::NoMotorAngles { kind });
+    }
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
     if model.composition().is_elastic() {
         let (rows, count) =

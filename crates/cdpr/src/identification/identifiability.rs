@@ -99,8 +99,7 @@ pub(super) fn analyse(
         analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
         analysis.correlation_rows.extend(uncertainty.correlation_rows(analysis.correlation_rows.len()));
         let rotation = mean_rotation(samples);
-        let length = block.mean_length();
-        let worth = |p: &Parameter| if p.kind == ParameterKind::LengthScale { length } else { 1.0 };
+        let worth = |p: &Parameter| block.worth(p.kind);
         let named = Named {
             parameters: &block.parameters,
             axes: model.axes(),

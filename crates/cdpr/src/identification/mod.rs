@@ -14,6 +14,7 @@ pub mod evaluation;
 pub mod fit;
 mod identifiability;
 mod pose_lanes;
+mod recordings;
 pub mod selection;
 mod weights;
 mod words;

@@ -59,6 +59,9 @@ pub(super) struct CableValues {
     pub(super) offset: f64,
     pub(super) scale: f64,
     pub(super) radius: f64,
+    /// Radius of the winch's drum and length at its start; 0 where the file states none (m).
+    pub(super) drum_radius: f64,
+    pub(super) start_length: f64,
     /// `None` at a point outlet.
     pub(super) swivel_axis: Option<[f64; 3]>,
 }
@@ -72,6 +75,8 @@ impl CableValues {
             offset: cable.length_offset.unwrap_or(0.0),
             scale: cable.length_scale.unwrap_or(1.0),
             radius: cable.pulley_radius.unwrap_or(0.0),
+            drum_radius: cable.drum_radius.unwrap_or(0.0),
+            start_length: cable.drum_start_length.unwrap_or(0.0),
             swivel_axis: cable.pulley_swivel_axis.filter(|_| with_pulley).map(Into::into),
         }
     }

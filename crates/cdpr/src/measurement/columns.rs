@@ -15,6 +15,8 @@ pub(super) enum Quantity {
     Angle,
     /// Length of a cable, from 0.
     Length(usize),
+    /// Motor angle of a cable's winch, from 0.
+    MotorAngle(usize),
     /// Tension of a cable, from 0.
     Tension(usize),
     /// Subset.
@@ -75,6 +77,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
     }
     for (stem, units, build) in [
         ("cable_length", LENGTH_UNITS, Quantity::Length as fn(usize) -> Quantity),
+        ("motor_angle", ANGLE_UNITS, Quantity::MotorAngle as fn(usize) -> Quantity),
         ("tension", TENSION_UNITS, Quantity::Tension as fn(usize) -> Quantity),
     ] {
         let Some(rest) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')) else { continue };
@@ -107,11 +110,12 @@ mod tests {
         assert_eq!(found("z_mm"), Some((Quantity::Position(2), 1e-3)));
         assert_eq!(found("cable_length_mm_12"), Some((Quantity::Length(11), 1e-3)));
         assert_eq!(found("tension_kN_1"), Some((Quantity::Tension(0), 1e3)));
+        assert_eq!(found("motor_angle_rad_3"), Some((Quantity::MotorAngle(2), 1.0)));
         assert_eq!(found("t_s"), Some((Quantity::Time, 1.0)));
         for unclaimed in ["t_log_s", "mocap_gap_s", "x_controller_estimate_m", "cable_length_m", "swivel_rad_1", ""] {
             assert_eq!(found(unclaimed), None, "{unclaimed}");
         }
-        for wrong in ["x_furlong", "angle_grad", "cable_length_inch_1", "tension_lbf_2"] {
+        for wrong in ["x_furlong", "angle_grad", "cable_length_inch_1", "tension_lbf_2", "motor_angle_turns_1"] {
             assert!(meaning(wrong).is_err(), "{wrong}");
         }
     }

@@ -64,13 +64,17 @@ impl CsvFile<'_> {
         let mut samples = Samples { cable_count: m, ..Samples::default() };
         let mut notices = Vec::new();
         let (mut tensions, mut set, mut time) = (Vec::new(), Vec::new(), Vec::new());
+        let mut motor_angles = Vec::new();
         let (mut angles, mut too_far) = (Vec::new(), None);
         let columns = self.rows(&mut notices, &|columns| self.check_cables(columns), &mut |columns, row| {
             samples.poses.push(self.pose(columns, row)?);
             angles.extend(self.angles(columns, row)?);
             too_far = too_far.take().or_else(|| self.too_far(columns, row));
             for cable in 0..m {
-                samples.lengths.push(self.number(columns, row, Quantity::Length(cable))?);
+                match by_angle(columns) {
+                    true => motor_angles.push(self.number(columns, row, Quantity::MotorAngle(cable))?),
+                    false => samples.lengths.push(self.number(columns, row, Quantity::Length(cable))?),
+                }
                 if columns.contains_key(&Quantity::Tension(cable)) {
                     tensions.push(self.number(columns, row, Quantity::Tension(cable))?);
                 }
@@ -86,6 +90,15 @@ impl CsvFile<'_> {
         samples.tensions = (!tensions.is_empty()).then_some(tensions);
         samples.set = (!set.is_empty()).then_some(set);
         samples.time = (!time.is_empty()).then_some(time);
+        let has_motor_angles = columns.keys().any(|quantity| matches!(quantity, Quantity::MotorAngle(_)));
+        if has_motor_angles && motor_angles.is_empty() {
+            notices.push(format!("{}: the motor angles are not needed, since the lengths are given", self.file_name));
+        }
+        if !motor_angles.is_empty() {
+            samples.lengths = vec![f64::NAN; motor_angles.len()];
+            samples.motor_angles = Some(motor_angles);
+            return too_far.map_or(Ok(Reading { samples, notices }), Err);
+        }
         match magnitudes::judge(self.robot, &samples, &angles) {
             Finding::Wrong { quantity, message, help } => {
                 return Err(self.column_error(&columns, quantity, message).with_help(help));
@@ -180,15 +193,18 @@ impl CsvFile<'_> {
 
     fn check_cables(&self, columns: &Columns) -> Result<(), ReadError> {
         let m = self.robot.cable_count();
-        let lengths = columns.keys().filter(|quantity| matches!(quantity, Quantity::Length(_))).count();
-        let contiguous = (0..lengths).all(|cable| columns.contains_key(&Quantity::Length(cable)));
+        let (build, name): (fn(usize) -> Quantity, _) = match by_angle(columns) {
+            true => (Quantity::MotorAngle, "motor_angle_rad"),
+            false => (Quantity::Length, "cable_length_m"),
+        };
+        let is_same = |quantity: &Quantity| std::mem::discriminant(quantity) == std::mem::discriminant(&build(0));
+        let lengths = columns.keys().filter(|quantity| is_same(quantity)).count();
+        let contiguous = (0..lengths).all(|cable| columns.contains_key(&build(cable)));
         if lengths > 0 && lengths != m && contiguous {
             let message = format!("the data have {lengths} cables, robot \"{}\" has {m}", self.robot.name);
             return Err(self.header_error("csv::cable-count", message).with_help("is it the right robot file?"));
         }
-        (0..m).try_for_each(|cable| {
-            self.require(columns, Quantity::Length(cable), &format!("cable_length_m_{}", cable + 1))
-        })?;
+        (0..m).try_for_each(|cable| self.require(columns, build(cable), &format!("{name}_{}", cable + 1)))?;
         let has_tensions = columns.keys().any(|quantity| matches!(quantity, Quantity::Tension(_)));
         if has_tensions {
             (0..m).try_for_each(|cable| {
@@ -392,6 +408,13 @@ fn help_for_text(written: &str, row: &Row<'_>) -> &'static str {
         Ok(_) => "numbers are written with a decimal point, not with a comma",
         Err(_) => "numbers are written with a decimal point, without unit",
     }
+}
+
+/// True for a file that gives motor angles in place of lengths.
+fn by_angle(columns: &Columns) -> bool {
+    let has = |wanted: fn(&Quantity) -> bool| columns.keys().any(wanted);
+    has(|quantity| matches!(quantity, Quantity::MotorAngle(_)))
+        && !has(|quantity| matches!(quantity, Quantity::Length(_)))
 }
 
 fn shortened(text: &str) -> String {

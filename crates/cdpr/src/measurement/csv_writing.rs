@@ -17,7 +17,8 @@ impl Samples {
             MotionPattern::Spatial => names.extend(["qx", "qy", "qz", "qw"].map(str::to_owned)),
             _ => {}
         }
-        names.extend((1..=self.cable_count).map(|cable| format!("cable_length_m_{cable}")));
+        let recorded = if self.motor_angles.is_some() { "motor_angle_rad" } else { "cable_length_m" };
+        names.extend((1..=self.cable_count).map(|cable| format!("{recorded}_{cable}")));
         if self.tensions.is_some() {
             names.extend((1..=self.cable_count).map(|cable| format!("tension_N_{cable}")));
         }
@@ -47,7 +48,7 @@ impl Samples {
             fields.extend(pose.rotation.coords.iter().copied().map(number));
         }
         let of_cables = |values: &[f64]| values[sample * self.cable_count..][..self.cable_count].to_vec();
-        fields.extend(of_cables(&self.lengths).into_iter().map(number));
+        fields.extend(of_cables(self.motor_angles.as_ref().unwrap_or(&self.lengths)).into_iter().map(number));
         fields.extend(self.tensions.iter().flat_map(|tensions| of_cables(tensions)).map(number));
         fields.extend(self.set.iter().map(|set| set[sample].clone()));
         fields.extend(self.time.iter().map(|time| number(time[sample])));

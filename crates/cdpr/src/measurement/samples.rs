@@ -12,7 +12,12 @@ pub struct Samples {
     /// Measured platform poses.
     pub poses: Vec<Pose>,
     /// Recorded cable lengths, sample by sample (m), `poses.len()` × m, row-major.
+    ///
+    /// Where motor angles were recorded instead, they are what a model's winches make of them (`Model::with_lengths`), and
+    /// not numbers until one is asked.
     pub lengths: Vec<f64>,
+    /// Recorded motor angles, laid out as `lengths` (rad); `None` where lengths were recorded.
+    pub motor_angles: Option<Vec<f64>>,
     /// Recorded tensions, laid out as `lengths` (N).
     pub tensions: Option<Vec<f64>>,
     /// Number of cables m.
@@ -68,7 +73,8 @@ impl Samples {
     /// Refuses data whose rows are all equal.
     pub fn check(&self) -> Result<(), DataError> {
         let samples = self.len();
-        let same = |sample: usize| self.poses[sample] == self.poses[0] && self.lengths_of(sample) == self.lengths_of(0);
+        let same =
+            |sample: usize| self.poses[sample] == self.poses[0] && self.recorded_of(sample) == self.recorded_of(0);
         if samples > 1 && (1..samples).all(same) {
             return Err(DataError::AllEqual { samples });
         }
@@ -85,12 +91,18 @@ impl Samples {
         Ok(Self {
             poses: [self.poses.as_slice(), &other.poses].concat(),
             lengths: [self.lengths.as_slice(), &other.lengths].concat(),
+            motor_angles: joined(&self.motor_angles, &other.motor_angles),
             tensions: joined(&self.tensions, &other.tensions),
             cable_count: first,
             set: None,
             time: joined(&self.time, &other.time),
             sigmas: self.sigmas,
         })
+    }
+
+    /// Motor angles of one sample where they were recorded, otherwise its lengths.
+    fn recorded_of(&self, sample: usize) -> &[f64] {
+        &self.motor_angles.as_ref().unwrap_or(&self.lengths)[sample * self.cable_count..][..self.cable_count]
     }
 
     /// Number of samples.
@@ -117,6 +129,7 @@ impl Samples {
         Self {
             poses: indices.iter().map(|&i| self.poses[i]).collect(),
             lengths: rows(&self.lengths),
+            motor_angles: self.motor_angles.as_deref().map(rows),
             tensions: self.tensions.as_deref().map(rows),
             cable_count: self.cable_count,
             set: self.set.as_ref().map(|set| indices.iter().map(|&i| set[i].clone()).collect()),

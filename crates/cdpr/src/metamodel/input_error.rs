@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
 use crate::equilibrium::elastostatics;
-use crate::model::Model;
+use crate::model::{Model, WinchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
@@ -64,6 +64,12 @@ pub enum InputError {
     /// Numbers that no tension distribution can use.
     #[error("at the initial pose, {0}")]
     Distribution(#[from] tension::InputError),
+    /// Motor angles that the winches of control model or machine cannot have.
+    #[error(transparent)]
+    Winch(#[from] WinchError),
+    /// Motor angles are asked for where nobody knows of drums.
+    #[error("neither control model nor machine has the effect `drum`, so there are no motor angles to record")]
+    NoDrum,
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,

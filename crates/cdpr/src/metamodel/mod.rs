@@ -9,8 +9,10 @@ mod operate;
 pub mod simulate;
 pub mod study;
 mod winches;
+mod winding;
 
 pub use input_error::InputError;
 pub use operate::{Operation, Outcome, Status, operate};
 pub use study::Study;
 pub use winches::{initial_tensions, winch_offsets};
+pub use winding::with_motor_angles;

@@ -4,6 +4,7 @@ use super::control::Controller;
 use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
 use super::study::CommandedPose;
+use super::winding::Winding;
 use crate::geometry::Pose;
 use crate::model::Model;
 
@@ -13,7 +14,7 @@ pub struct Outcome {
     /// The pose that emerges: the best one found where the status is not [`Status::Converged`], the commanded one where
     /// nothing was sent.
     pub pose: Pose,
-    /// What the winches are told: the control model's lengths with the offsets, as the machine records them (m); empty where
+    /// What the winches are told: the control model's lengths with the offsets, as its own encoders count them (m); empty where
     /// the control model has none.
     pub sent: Vec<f64>,
     /// What the encoders read once the platform has come to rest (m): what the control model asked for, or, for a rigid
@@ -63,6 +64,8 @@ impl Status {
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
 /// distribution of `cdpr tension`). Both send them in the units of their own encoders, length_scale · q_θ + length_offset.
+/// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
+/// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
 /// its own encoders away and answers by its forward problem: elastic cables pull or are slack, rigid ones fit best.
 pub fn operate(
@@ -79,6 +82,7 @@ pub fn operate(
 pub struct Operation<'a> {
     control: Controller<'a>,
     machine: Machine<'a>,
+    winding: Winding<'a>,
     offsets: Vec<f64>,
 }
 
@@ -90,8 +94,9 @@ impl<'a> Operation<'a> {
         if expected != found {
             return Err(InputError::Count { key: "offset_m", expected, found });
         }
+        let winding = Winding::new(control, machine)?;
         let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
-        Ok(Self { control, machine, offsets: offsets.to_vec() })
+        Ok(Self { control, machine, winding, offsets: offsets.to_vec() })
     }
 
     /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
@@ -109,7 +114,15 @@ impl<'a> Operation<'a> {
         if let Some(test) = command.shortened {
             sent[test.cable] -= test.by;
         }
-        let mut outcome = self.machine.answer(sent, &command.pose);
+        let paid_out = match self.winding.to_machine(&sent) {
+            Ok(lengths) => lengths,
+            Err(reason) => return nothing_sent(&command.pose, reason),
+        };
+        let mut outcome = self.machine.answer(paid_out, &command.pose);
+        outcome.sent = sent;
+        if let Ok(recorded) = self.winding.to_control(&outcome.recorded) {
+            outcome.recorded = recorded;
+        }
         outcome.recorded.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length -= offset);
         outcome
     }

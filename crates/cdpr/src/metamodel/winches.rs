@@ -3,6 +3,7 @@
 use super::control::lengths_at;
 use super::input_error::{InputError, check_same_robot};
 use super::study::{Initial, TensionMethod};
+use super::winding::Winding;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::Load;
@@ -14,7 +15,8 @@ use crate::tension::{Limits, closed_form, quadratic};
 /// φ̂ is the machine's inverse, φ that of the model in use when the winches were set: the control model, or that of
 /// `offset_robot`. Both are taken in the units of their encoders. A kinematic φ knows no tension, so on a machine of the same
 /// geometry the offsets are −f q/k_F (eq. 6.24). An elastic φ is told the same initial tensions, so that a machine that is
-/// like its control model has offsets of zero.
+/// like its control model has offsets of zero. With drums the machine's lengths are those that the model believes in at the
+/// motor angles that give them.
 pub fn winch_offsets(
     initial: &Initial,
     set_with: &Model,
@@ -39,7 +41,8 @@ pub fn winch_offsets(
         // rigid cables have the same length at any tension
         None => vec![0.0; expected],
     };
-    let (wanted, sent) = (lengths_at(machine, pose, &tensions)?, lengths_at(set_with, pose, &tensions)?);
+    let wanted = Winding::new(set_with, machine)?.to_control(&lengths_at(machine, pose, &tensions)?)?;
+    let sent = lengths_at(set_with, pose, &tensions)?;
     Ok(wanted.iter().zip(&sent).map(|(wanted, sent)| wanted - sent).collect())
 }
 

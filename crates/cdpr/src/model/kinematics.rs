@@ -6,8 +6,10 @@ use thiserror::Error;
 use super::CableGroup;
 use super::composition::{Composition, StretchEffect};
 use super::laws;
+use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::winch::{DrumError, Winch};
 use crate::cable::{Course, DegenerateCourse, outlet};
 use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Robot, StretchError, TensionPlace};
@@ -23,6 +25,8 @@ pub struct Model {
     groups: Vec<CableGroup>,
     elasticity: Vec<Elasticity<f64>>,
     laws: Vec<CableLaw>,
+    /// See [`Model::winch`].
+    pub(super) winches: Vec<Option<Winch>>,
 }
 
 /// A robot that cannot carry the effects asked for.
@@ -62,11 +66,15 @@ pub enum ModelError {
         /// Name of the robot.
         robot: String,
     },
-    /// An effect of the contract that this version does not have.
-    #[error("the effect `{effect}` is not part of this version")]
-    NotYet {
-        /// The effect.
-        effect: &'static str,
+    /// Numbers of a drum that do not go together.
+    #[error("cable {cable} (\"{name}\"): {reason}")]
+    Drum {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+        /// What is wrong.
+        reason: DrumError,
     },
     /// A robot without cables.
     #[error("robot \"{robot}\" has no cables")]
@@ -97,9 +105,6 @@ impl Model {
         if robot.cables.is_empty() {
             return Err(ModelError::NoCables { robot: robot.name });
         }
-        if let Some(effect) = composition.words().find(|word| *word == "drum") {
-            return Err(ModelError::NotYet { effect });
-        }
         if composition.pulley {
             for (index, cable) in robot.cables.iter().enumerate() {
                 let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
@@ -118,7 +123,8 @@ impl Model {
         let linear = elasticity.chunks(LANES);
         let groups =
             robot.cables.chunks(LANES).zip(linear).map(|(cables, laws)| group(cables, laws, composition)).collect();
-        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws })
+        let winches = winches_of(&robot, composition.drum)?;
+        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
     }
 
     /// The robot.

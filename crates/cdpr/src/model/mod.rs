@@ -8,6 +8,7 @@ mod parameter;
 mod placement;
 #[cfg(test)]
 mod tests;
+mod winching;
 
 pub use composition::{Composition, CompositionError, SpanEffect, StretchEffect};
 pub(crate) use groups::CableGroup;
@@ -15,3 +16,4 @@ pub use kinematics::{CableGradient, Model, ModelError};
 pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};
 pub(crate) use parameter::{axis_name, specific_compliance};
 pub use placement::{PlacePulleysError, place_pulleys};
+pub use winching::WinchError;

@@ -24,6 +24,11 @@ pub enum ParameterKind {
     LengthScale,
     /// Pulley radius r_p (m).
     PulleyRadius,
+    /// Radius of the winch's drum to the cable's centre line (m); data of motor angles tell it.
+    DrumRadius,
+    /// Controlled length at the drum's start angle (m); data of motor angles tell it. It shifts lengths as the length offset
+    /// does: one of the two is free, never both.
+    StartLength,
     /// Specific compliance 1/EA (1/N): its inverse, the stiffness, runs away where data say little (see the book).
     Compliance,
     /// Strained length between winch and outlet q_h (m).
@@ -38,12 +43,14 @@ pub enum ParameterKind {
 
 impl ParameterKind {
     /// Every kind, in the order of a parameter vector.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
         Self::LengthScale,
         Self::PulleyRadius,
+        Self::DrumRadius,
+        Self::StartLength,
         Self::Compliance,
         Self::HiddenLength,
         Self::TensionScale,
@@ -59,6 +66,8 @@ impl ParameterKind {
             Self::LengthOffset => "length-offset",
             Self::LengthScale => "length-scale",
             Self::PulleyRadius => "pulley-radius",
+            Self::DrumRadius => "drum-radius",
+            Self::StartLength => "start-length",
             Self::Compliance => "compliance",
             Self::HiddenLength => "hidden-length",
             Self::TensionScale => "tension-scale",
@@ -80,6 +89,11 @@ impl ParameterKind {
     /// True for what only a model with elastic cables and recorded tensions can tell.
     pub fn needs_elasticity(self) -> bool {
         matches!(self, Self::Compliance | Self::HiddenLength | Self::TensionScale | Self::TensionOffset | Self::Wrench)
+    }
+
+    /// True for what only recorded motor angles can tell.
+    pub fn needs_motor_angles(self) -> bool {
+        matches!(self, Self::DrumRadius | Self::StartLength)
     }
 
     /// True for the anchors, which have a component along each axis of the pattern.
@@ -150,6 +164,8 @@ impl Parameter {
             ParameterKind::LengthOffset => cable.length_offset.unwrap_or(0.0),
             ParameterKind::LengthScale => cable.length_scale.unwrap_or(1.0),
             ParameterKind::PulleyRadius => cable.pulley_radius.unwrap_or(0.0),
+            ParameterKind::DrumRadius => cable.drum_radius.unwrap_or(0.0),
+            ParameterKind::StartLength => cable.drum_start_length.unwrap_or(0.0),
             ParameterKind::Compliance => specific_compliance(cable),
             ParameterKind::HiddenLength => cable.hidden_length.unwrap_or(0.0),
             ParameterKind::TensionScale => cable.tension_scale.unwrap_or(1.0),
@@ -169,6 +185,8 @@ impl Parameter {
             ParameterKind::LengthOffset => cable.length_offset.is_some(),
             ParameterKind::LengthScale => cable.length_scale.is_some(),
             ParameterKind::PulleyRadius => cable.pulley_radius.is_some(),
+            ParameterKind::DrumRadius => cable.drum_radius.is_some(),
+            ParameterKind::StartLength => cable.drum_start_length.is_some(),
             ParameterKind::Compliance => cable.axial_compliance.is_some() || cable.axial_stiffness.is_some(),
             ParameterKind::HiddenLength => cable.hidden_length.is_some(),
             ParameterKind::TensionScale => cable.tension_scale.is_some(),
@@ -196,6 +214,8 @@ impl Parameter {
             ParameterKind::LengthOffset => cable.length_offset = Some(value),
             ParameterKind::LengthScale => cable.length_scale = Some(value),
             ParameterKind::PulleyRadius => cable.pulley_radius = Some(value),
+            ParameterKind::DrumRadius => cable.drum_radius = Some(value),
+            ParameterKind::StartLength => cable.drum_start_length = Some(value),
             ParameterKind::Compliance => (cable.axial_compliance, cable.axial_stiffness) = (Some(value), None),
             ParameterKind::HiddenLength => cable.hidden_length = Some(value),
             ParameterKind::TensionScale => cable.tension_scale = Some(value),
@@ -213,13 +233,15 @@ impl Parameter {
         }
     }
 
-    /// Values it may take: radii, compliances and hidden lengths not below 0, scales positive.
+    /// Values it may take: radii, compliances and hidden lengths not below 0, scales and radii of drums positive.
     pub fn bounds(&self) -> (f64, f64) {
         match self.kind {
             ParameterKind::PulleyRadius | ParameterKind::Compliance | ParameterKind::HiddenLength => {
                 (0.0, f64::INFINITY)
             }
-            ParameterKind::LengthScale | ParameterKind::TensionScale => (1e-3, f64::INFINITY),
+            ParameterKind::LengthScale | ParameterKind::TensionScale | ParameterKind::DrumRadius => {
+                (1e-3, f64::INFINITY)
+            }
             _ => (f64::NEG_INFINITY, f64::INFINITY),
         }
     }
@@ -247,7 +269,7 @@ pub struct FreeParameters {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, drum-radius, start-length, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -277,6 +299,15 @@ pub enum ParameterError {
         model: String,
         /// The effect it belongs to.
         effect: &'static str,
+    },
+    /// Two parameters that shift the recorded lengths of a cable alike.
+    #[error(
+        "`start-length[{cable}]` and `length-offset[{cable}]` are both free, but they shift the recorded lengths of cable {cable} alike, \
+         so that no data tell them apart: free one of them"
+    )]
+    StartLengthTwice {
+        /// Number of the cable, from 1.
+        cable: usize,
     },
     /// A cable whose law has no specific compliance.
     #[error(
@@ -317,6 +348,16 @@ impl FreeParameters {
         self.selections.iter().any(|(other, cables)| *other == kind && covers(cables))
     }
 
+    /// Start length and length offset are never both free.
+    fn check_start_lengths(parameters: &[Parameter]) -> Result<(), ParameterError> {
+        let is_free =
+            |cable, kind| parameters.iter().any(|parameter| parameter.cable == cable && parameter.kind == kind);
+        let mut cables = parameters.iter().map(|parameter| parameter.cable);
+        let is_twice =
+            |cable: &usize| is_free(*cable, ParameterKind::StartLength) && is_free(*cable, ParameterKind::LengthOffset);
+        cables.find(is_twice).map_or(Ok(()), |cable| Err(ParameterError::StartLengthTwice { cable: cable + 1 }))
+    }
+
     /// The single parameters of a model that are free and not held, ordered by cable, kind and axis.
     pub fn parameters(&self, model: &Model, hold: &Self) -> Result<Vec<Parameter>, ParameterError> {
         self.check(model)?;
@@ -334,6 +375,7 @@ impl FreeParameters {
         if self.contains(kind, 0) && !hold.contains(kind, 0) {
             parameters.extend((0..model.dof()).map(|axis| Parameter { cable: 0, kind, axis }));
         }
+        Self::check_start_lengths(&parameters)?;
         Ok(parameters)
     }
 
@@ -348,6 +390,7 @@ impl FreeParameters {
         for &(kind, _) in &self.selections {
             let effect = match kind {
                 ParameterKind::PulleyRadius if !composition.pulley => "pulley",
+                kind if kind.needs_motor_angles() && !composition.drum => "drum",
                 kind if kind.needs_elasticity() && !composition.is_elastic() => "elastic",
                 _ => continue,
             };

@@ -85,9 +85,9 @@ fn check_names(reader: &Reader<'_>, file: &RobotFile, cables: &[Cable]) -> Resul
 }
 
 /// One `[[cable]]` table and where it stands.
-struct CableReader<'a> {
-    reader: &'a Reader<'a>,
-    section: &'a CableSection,
+pub(super) struct CableReader<'a> {
+    pub(super) reader: &'a Reader<'a>,
+    pub(super) section: &'a CableSection,
     index: usize,
 }
 
@@ -120,6 +120,7 @@ impl CableReader<'_> {
             tension_at: section.tension_at,
             linear_density: self.not_negative("linear_density_kg_per_m", section.linear_density_kg_per_m)?,
             finite_elements: self.finite_elements(section.finite_elements)?,
+            ..self.winch()?
         })
     }
 
@@ -127,20 +128,20 @@ impl CableReader<'_> {
         [Step::Key("cable"), Step::Index(self.index), Step::Key(key)]
     }
 
-    fn error(&self, key: &str, code: &'static str, message: &str) -> ReadError {
+    pub(super) fn error(&self, key: &str, code: &'static str, message: &str) -> ReadError {
         let message = format!("cable {} (`{}`): {message}", self.index + 1, self.section.name);
         self.reader.document.error_at(&self.path(key), code, message)
     }
 
-    fn vector(&self, key: &str, values: &[f64]) -> Result<Vector3<f64>, ReadError> {
+    pub(super) fn vector(&self, key: &str, values: &[f64]) -> Result<Vector3<f64>, ReadError> {
         self.reader.vector(&self.path(key), values)
     }
 
-    fn not_negative(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+    pub(super) fn not_negative(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
         self.reader.not_negative(&self.path(key), number)
     }
 
-    fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+    pub(super) fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
         match number {
             Some(number) if number <= 0.0 => {
                 let message = format!("{} is {number}; it must be above zero", key_name(&self.path(key)));
@@ -150,15 +151,24 @@ impl CableReader<'_> {
         }
     }
 
-    /// A unit vector; rounding of the printed digits is taken out, anything more is a mistake.
     fn direction(&self, values: &[f64]) -> Result<Vector3<f64>, ReadError> {
         let axis = self.vector("pulley_swivel_axis", values)?;
+        let help = "it is the unit vector from the winch into the pulley, e.g. [0.0, 0.0, 1.0]";
+        self.unit("pulley_swivel_axis", axis, "robot::swivel-axis", help)
+    }
+
+    /// A unit vector; rounding of the printed digits is taken out, anything more is a mistake.
+    pub(super) fn unit(
+        &self,
+        key: &str,
+        axis: Vector3<f64>,
+        code: &'static str,
+        help: &str,
+    ) -> Result<Vector3<f64>, ReadError> {
         let norm = axis.norm();
         if (norm - 1.0).abs() > DIRECTION_NORM_TOLERANCE {
-            let message = format!("pulley_swivel_axis has the norm {norm}; a direction has the norm 1");
-            return Err(self
-                .error("pulley_swivel_axis", "robot::swivel-axis", &message)
-                .with_help("it is the unit vector from the winch into the pulley, e.g. [0.0, 0.0, 1.0]"));
+            let message = format!("{key} has the norm {norm}; a direction has the norm 1");
+            return Err(self.error(key, code, &message).with_help(help.to_owned()));
         }
         // a vector that is already unit to rounding stays as it is, so that files are read back to the bit
         Ok(if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { axis } else { axis / norm })

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace};
+use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace};
 use crate::geometry::MotionPattern;
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
@@ -167,6 +167,33 @@ pub(super) struct CableSection {
     pub(super) tension_of_strain_N: Option<Vec<f64>>,
     /// Loading and unloading branch, which the effect `hysteresis` reads.
     pub(super) hysteresis: Option<HysteresisTable>,
+    /// Radius of the winch's drum to the cable's centre line (m): bottom of the groove plus half a cable diameter.
+    pub(super) drum_radius_m: Option<f64>,
+    /// Pitch of the drum's groove (m per turn).
+    #[schemars(range(min = 0))]
+    pub(super) drum_pitch_m: Option<f64>,
+    /// Unit vector along the drum's axis, the way the contact point travels while cable is paid out (world; three components also in a planar robot).
+    pub(super) drum_axis: Option<Vec<f64>>,
+    /// Point of the drum's axis level with the contact point at the start angle (world, m; three components also in a planar robot).
+    pub(super) drum_position_m: Option<Vec<f64>>,
+    /// Side on which the cable leaves the drum, seen along `drum_axis` with the first pulley above: `left` (the default, turning right-handed about the axis pays out) or `right`.
+    pub(super) drum_side: Option<DrumSide>,
+    /// True when a guide travels with the contact point, so that the free length behind the drum stays the same.
+    pub(super) drum_guided: Option<bool>,
+    /// Where the cable from the drum enters its first pulley (world, m); `frame_anchor_m` when missing.
+    pub(super) drum_pulley_m: Option<Vec<f64>>,
+    /// Drum angle at which the controlled length is `drum_start_length_m` (rad, paying out is positive); 0 when missing.
+    pub(super) drum_start_angle_rad: Option<f64>,
+    /// Controlled length at `drum_start_angle_rad` (m); 0 when missing. With a groove of finite length it is where the first layer is full.
+    pub(super) drum_start_length_m: Option<f64>,
+    /// Length of the groove along the axis (m); without ends when missing.
+    pub(super) drum_groove_length_m: Option<f64>,
+    /// Radius that each further layer of cable adds (m); one layer when missing.
+    pub(super) drum_layer_height_m: Option<f64>,
+    /// Motor angle = gear_ratio · drum angle; 1 when missing.
+    pub(super) gear_ratio: Option<f64>,
+    /// Counts of the motor's encoder in one turn of the motor.
+    pub(super) encoder_counts_per_turn: Option<f64>,
     /// Recorded length = length_scale · controlled length + length_offset_m.
     pub(super) length_scale: Option<f64>,
     /// See `length_scale` (m).

@@ -9,10 +9,11 @@ mod file;
 mod home_reading;
 mod reading;
 pub(crate) mod stretch;
+mod winch_reading;
 mod writing;
 
 pub use description::{
-    Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
+    Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
 };
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 

@@ -82,6 +82,14 @@ impl Robot {
         }
     }
 
+    /// A vector that may stand out of the plane of a planar robot.
+    fn spatial_components(&self, vector: &Vector3<f64>) -> Vec<f64> {
+        match self.motion_pattern.is_planar() && self.plane.normal().dot(vector) == 0.0 {
+            true => self.components(vector),
+            false => vector.as_slice().to_vec(),
+        }
+    }
+
     fn platform_section(&self, platform: &Platform) -> PlatformSection {
         let normal = self.plane.normal();
         let inertia = platform.inertia.map(|inertia| match self.motion_pattern.is_planar() {
@@ -137,6 +145,19 @@ impl Robot {
             tension_of_strain_N: cable.tension_of_strain.clone(),
             // a table of its own, written after the keys of the cable
             hysteresis: None,
+            drum_radius_m: cable.drum_radius,
+            drum_pitch_m: cable.drum_pitch,
+            drum_axis: cable.drum_axis.as_ref().map(|axis| self.spatial_components(axis)),
+            drum_position_m: cable.drum_position.as_ref().map(|point| self.spatial_components(point)),
+            drum_side: cable.drum_side,
+            drum_guided: cable.drum_guided,
+            drum_pulley_m: cable.drum_pulley.as_ref().map(|point| self.spatial_components(point)),
+            drum_start_angle_rad: cable.drum_start_angle,
+            drum_start_length_m: cable.drum_start_length,
+            drum_groove_length_m: cable.drum_groove_length,
+            drum_layer_height_m: cable.drum_layer_height,
+            gear_ratio: cable.gear_ratio,
+            encoder_counts_per_turn: cable.encoder_counts_per_turn,
             length_scale: cable.length_scale,
             length_offset_m: cable.length_offset,
             tension_scale: cable.tension_scale,

@@ -7,7 +7,7 @@ use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr::robot::{DrumSide, Robot};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -29,6 +29,20 @@ pub(crate) fn with_pulleys(robot: &Robot, default_radius: f64) -> Robot {
     let pulleys: Vec<_> =
         robot.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(default_radius), Vector3::z())).collect();
     place_pulleys(robot, &pulleys, &robot.home.expect("has a home pose")).expect("pulleys fit")
+}
+
+/// The robot with a winch two metres below every frame anchor, its drum along an edge of the frame, geared 10 : 1.
+pub(crate) fn with_drums(robot: &Robot) -> Robot {
+    let mut robot = robot.clone();
+    for (index, cable) in robot.cables.iter_mut().enumerate() {
+        let is_even = index % 2 == 0;
+        (cable.drum_radius, cable.drum_pitch) = (Some(0.1), Some(0.008));
+        cable.drum_axis = Some(if is_even { Vector3::x() } else { -Vector3::y() });
+        cable.drum_position = Some(cable.frame_anchor + Vector3::new(-0.1, 0.05, -2.0));
+        cable.drum_side = Some(if is_even { DrumSide::Left } else { DrumSide::Right });
+        (cable.drum_start_length, cable.gear_ratio) = (Some(4.0), Some(10.0));
+    }
+    robot
 }
 
 pub(crate) fn random_direction(rng: &mut ChaCha8Rng) -> Vector3<f64> {

@@ -58,6 +58,7 @@ impl<'a> Problem<'a> {
         let compliance = compliance.fold(1e-7, f64::max);
         let worth = |parameter: &Parameter| match parameter.kind {
             ParameterKind::LengthScale => length,
+            ParameterKind::DrumRadius => length / parameter.value(model).max(1e-3),
             ParameterKind::Compliance => tension * length,
             ParameterKind::HiddenLength => 1e-3,
             ParameterKind::TensionScale => compliance * tension * length,

@@ -7,7 +7,7 @@
 
 use super::covariance::{factorize, invert, solve};
 use super::normal::{NormalEquations, whiten};
-use super::rows::{Noise, RowModel, SampleRows, Sigmas};
+use super::rows::{Noise, Recorded, RowModel, SampleRows, Sigmas};
 use crate::geometry::{Pose, Twist};
 use crate::measurement::Samples;
 use crate::scalar::LANES;
@@ -74,7 +74,7 @@ impl Linearization {
             let factor = &mut self.factors[sample * count * count..][..count * count];
             let corrected = &mut self.tensions[sample * m..][..m];
             model.noise(&self.poses[sample], corrected, sigmas, &mut noise);
-            bare.write(&self.poses[sample], corrected, samples.lengths_of(sample), &mut rows);
+            bare.write(&self.poses[sample], corrected, Recorded::of(samples, sample), &mut rows);
             noise.covariance(factor);
             factorize(factor, count)?;
             let size = scratch.len();
@@ -110,7 +110,7 @@ impl Linearization {
     pub(super) fn write(&self, model: &RowModel<'_>, samples: &Samples, sample: usize, rows: &mut SampleRows) {
         let m = model.model.cable_count();
         let tensions = &self.tensions[sample * m..][..m];
-        model.write(&self.poses[sample], tensions, samples.lengths_of(sample), rows);
+        model.write(&self.poses[sample], tensions, Recorded::of(samples, sample), rows);
         for (row, shift) in self.shifts[sample * self.count..][..self.count].iter().enumerate() {
             rows.add_to_residual(row, *shift);
         }

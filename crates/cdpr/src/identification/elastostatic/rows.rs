@@ -4,7 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
+use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Twist, Wrench};
+use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind, specific_compliance};
 use crate::robot::StiffnessBasis;
 use crate::scalar::LANES;
@@ -37,6 +39,47 @@ pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usiz
     let is_wrench = |p: &Parameter| p.kind == ParameterKind::Wrench;
     let before = |cable: usize| parameters.iter().filter(|p| !is_wrench(p) && p.cable < cable).count();
     (0..=model.cable_count()).map(before).collect()
+}
+
+/// What one sample records of its cables.
+#[derive(Clone, Copy)]
+pub(super) struct Recorded<'a> {
+    /// Lengths (m).
+    lengths: &'a [f64],
+    /// Motor angles that the lengths come from (rad).
+    motor_angles: Option<&'a [f64]>,
+}
+
+impl<'a> Recorded<'a> {
+    pub(super) fn of(samples: &'a Samples, sample: usize) -> Self {
+        let row = |angles: &'a Vec<f64>| &angles[sample * samples.cable_count..][..samples.cable_count];
+        Self { lengths: samples.lengths_of(sample), motor_angles: samples.motor_angles.as_ref().map(row) }
+    }
+
+    #[cfg(test)]
+    pub(super) fn lengths(lengths: &'a [f64]) -> Self {
+        Self { lengths, motor_angles: None }
+    }
+
+    /// The length that a model's drum has at the recorded angle, not a number where it has none; `None` where lengths are
+    /// recorded.
+    #[inline]
+    fn wound(&self, model: &Model, cable: usize) -> Option<DrumLength> {
+        let angle = self.motor_angles?[cable];
+        Some(model.motor_angle_gradient(cable, angle).unwrap_or(DrumLength::NAN))
+    }
+}
+
+/// Derivative of the recorded length by a parameter of the cable.
+fn by_winch(wound: &DrumLength, parameter: &Parameter, model: &Model) -> f64 {
+    let cable = &model.robot().cables[parameter.cable];
+    match parameter.kind {
+        ParameterKind::DrumRadius => wound.by_radius,
+        ParameterKind::StartLength => wound.by_start_length,
+        // the first pulley moves with the anchor
+        ParameterKind::FrameAnchor if cable.drum_pulley.is_none() => wound.by_pulley.dot(&model.axes()[parameter.axis]),
+        _ => 0.0,
+    }
 }
 
 /// What one cable contributes to the rows of a sample.
@@ -90,7 +133,7 @@ impl<'a> RowModel<'a> {
     }
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
-    pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: &[f64], rows: &mut SampleRows) {
+    pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
         rows.entries.fill(0.0);
         let (position, rotation_rows, rotation) = (pose.position.into(), pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
@@ -101,11 +144,14 @@ impl<'a> RowModel<'a> {
             wrench += data.column() * data.tension;
             let expected = self.model.recorded_length(cable, data.controlled.value);
             let length_row = (n + cable) * stride;
-            rows.entries[length_row + residual] = expected - recorded[cable];
+            let wound = recorded.wound(self.model, cable);
+            rows.entries[length_row + residual] =
+                expected - wound.as_ref().map_or(recorded.lengths[cable], |w| w.value);
             for column in self.first[cable]..self.first[cable + 1] {
                 let (wrench_change, length_change) = data.by(&self.parameters[column], self.model, &rotation);
                 self.write_wrench(&wrench_change, column, rows);
-                rows.entries[length_row + column] = length_change;
+                let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, &self.parameters[column], self.model));
+                rows.entries[length_row + column] = length_change - by_winch;
             }
         }
         self.write_wrench(&wrench, residual, rows);
@@ -287,6 +333,8 @@ impl CableRows {
                 (wrench(direction, Vector3::zeros()), by_length * self.course.length_by_radius)
             }
             ParameterKind::LengthOffset => (none, 1.0),
+            // they change what is recorded, not what is expected
+            ParameterKind::DrumRadius | ParameterKind::StartLength => (none, 0.0),
             ParameterKind::LengthScale => (none, self.controlled.value),
             ParameterKind::Compliance => (none, self.length_scale * self.controlled.by_compliance),
             ParameterKind::HiddenLength => (none, self.length_scale * self.controlled.by_hidden_length),

@@ -3,7 +3,6 @@
 use super::{Settings, prior_sigma};
 use crate::identification::blocks::{Block, NormalEquations, SLOTS};
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
-use crate::model::ParameterKind;
 use crate::scalar::ldl;
 
 /// Steps that are recorded without allocating again; few descents take more.
@@ -32,6 +31,8 @@ pub(super) fn run(block: &Block, poses: &PoseLanes, settings: &Settings, from: O
         6 => Search::<6>::new(block, poses, settings).run(from),
         7 => Search::<7>::new(block, poses, settings).run(from),
         8 => Search::<8>::new(block, poses, settings).run(from),
+        9 => Search::<9>::new(block, poses, settings).run(from),
+        10 => Search::<10>::new(block, poses, settings).run(from),
         _ => Search::<SLOTS>::new(block, poses, settings).run(from),
     }
 }
@@ -51,7 +52,6 @@ struct Search<'a, const P: usize> {
 impl<'a, const P: usize> Search<'a, P> {
     fn new(block: &'a Block, poses: &'a PoseLanes, settings: &'a Settings) -> Self {
         let parameter = |k: usize| block.parameters[k];
-        let length = block.mean_length();
         Self {
             block,
             poses,
@@ -59,7 +59,7 @@ impl<'a, const P: usize> Search<'a, P> {
             prior_weights: std::array::from_fn(|k| {
                 prior_sigma(settings, parameter(k).kind).map_or(0.0, |s| 1.0 / (s * s))
             }),
-            worth: std::array::from_fn(|k| if parameter(k).kind == ParameterKind::LengthScale { length } else { 1.0 }),
+            worth: std::array::from_fn(|k| block.worth(parameter(k).kind)),
             bounds: std::array::from_fn(|k| parameter(k).bounds()),
             start: std::array::from_fn(|k| block.value(&block.start, &parameter(k))),
         }

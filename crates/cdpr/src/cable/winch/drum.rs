@@ -1,0 +1,260 @@
+//! The drum of a winch in the world: drum angle ↔ controlled length, layer by layer, within its groove.
+
+use nalgebra::Vector3;
+use thiserror::Error;
+
+use super::layers::{Layer, layers};
+use crate::robot::DrumSide;
+
+/// Numbers of a cylindrical drum with a helical groove.
+///
+/// The drum angle counts cable paid out as positive, whichever way the drum turns for it. At the start angle the
+/// controlled length is the start length and the contact point stands level with `position`; paying out moves it along
+/// `axis` by one pitch a turn. There the first layer is full: with a groove of finite length, paying out empties it, and
+/// reeling in beyond the start needs further layers, which run back and forth over the same groove.
+///
+/// All lengths are of the cable's centre line: the radius is that of the groove's bottom plus half a cable diameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// Radius r of the cable's centre line in the first layer (m).
+    pub radius: f64,
+    /// Travel of the contact point along the axis in one turn (m), not negative.
+    pub pitch: f64,
+    /// Drum angle at which the controlled length is `start_length` (rad).
+    pub start_angle: f64,
+    /// Controlled length at `start_angle` (m).
+    pub start_length: f64,
+    /// Where the drum stands; `None` with a guide that travels with the contact point, for which it does not matter.
+    pub mounting: Option<Mounting>,
+    /// Length of the groove along the axis (m); `None` is a groove without ends.
+    pub groove_length: Option<f64>,
+    /// Radius that each further layer adds (m); `None` is a drum of one layer.
+    pub layer_height: Option<f64>,
+}
+
+/// How a drum stands towards its first pulley.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mounting {
+    /// Point of the drum's axis level with the contact point at the start angle (world, m).
+    pub position: Vector3<f64>,
+    /// Unit vector along the drum's axis, the way the contact point travels while the first layer is paid out (world).
+    pub axis: Vector3<f64>,
+    /// Side on which the cable leaves.
+    pub side: DrumSide,
+    /// Where the cable enters the first pulley (world, m).
+    pub pulley: Vector3<f64>,
+}
+
+/// A controlled length with its derivatives by the parameters of a drum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrumLength {
+    /// q_θ (m).
+    pub value: f64,
+    /// ∂q_θ/∂θ by the drum angle (m/rad), above zero; minus the derivative by the start angle.
+    pub by_angle: f64,
+    /// ∂q_θ/∂r by the radius at a fixed angle (rad, about the angle turned).
+    pub by_radius: f64,
+    /// By the pitch at a fixed angle.
+    pub by_pitch: f64,
+    /// By the start length: 1.
+    pub by_start_length: f64,
+    /// By the point where the cable enters the first pulley (world): the direction of the free part at the start minus that now.
+    pub by_pulley: Vector3<f64>,
+}
+
+impl DrumLength {
+    /// What an angle beyond the groove gives where no error can be handed back.
+    pub(crate) const NAN: Self = Self {
+        value: f64::NAN,
+        by_angle: f64::NAN,
+        by_radius: f64::NAN,
+        by_pitch: f64::NAN,
+        by_start_length: f64::NAN,
+        by_pulley: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
+    };
+}
+
+/// The course of a cable between drum and first pulley.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Departure {
+    /// Where the cable leaves the drum (world, m).
+    pub contact: Vector3<f64>,
+    /// Length of the free part s (m).
+    pub free_length: f64,
+    /// Angle of the free part against the plane across the drum's axis (rad), positive where the pulley lies ahead along
+    /// `axis`; grooves hold a cable up to about 0.03 to 0.06 rad.
+    pub fleet_angle: f64,
+}
+
+/// A drum that cannot be.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DrumError {
+    /// The pulley lies in the drum.
+    #[error(
+        "the first pulley is {distance} m from the drum's axis, inside the drum of radius {radius} m; mend drum_position_m, drum_axis or drum_radius_m"
+    )]
+    PulleyInside {
+        /// Distance of the pulley from the axis (m).
+        distance: f64,
+        /// Radius (m).
+        radius: f64,
+    },
+    /// A number that no drum has.
+    #[error("{key} is {value}; {needed}")]
+    Number {
+        /// The robot-file key.
+        key: &'static str,
+        /// The value.
+        value: f64,
+        /// What it must be.
+        needed: &'static str,
+    },
+}
+
+/// A controlled length that the drum's groove does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error(
+    "the drum's groove holds {available:.4} m of cable, enough for controlled lengths from {shortest:.4} to {longest:.4} m, but {needed:.4} m is needed; use a longer groove (drum_groove_length_m), further layers (drum_layer_height_m) or another drum_start_length_m"
+)]
+pub struct GrooveError {
+    /// Cable that the groove holds in its first layer (m).
+    pub available: f64,
+    /// Least controlled length it allows (m).
+    pub shortest: f64,
+    /// Largest controlled length it allows (m).
+    pub longest: f64,
+    /// The controlled length asked for (m).
+    pub needed: f64,
+}
+
+/// A drum that has been checked: both directions of its law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drum {
+    parameters: Parameters,
+    /// The first layer, and those above it.
+    layers: Vec<Layer>,
+}
+
+impl Drum {
+    /// The drum, once its numbers are those of a drum.
+    pub fn new(parameters: Parameters) -> Result<Self, DrumError> {
+        parameters.check()?;
+        Ok(Self { layers: layers(&parameters), parameters })
+    }
+
+    /// The numbers it was made of.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Cable that the first layer holds (m); `None` for a groove without ends.
+    pub fn capacity(&self) -> Option<f64> {
+        let (_, longest) = self.lengths()?;
+        Some(longest - self.parameters.start_length)
+    }
+
+    /// Least and largest controlled length that the groove allows (m); `None` for a groove without ends.
+    pub fn lengths(&self) -> Option<(f64, f64)> {
+        self.parameters.groove_length?;
+        let (first, last) = (self.layers.first()?, self.layers.last()?);
+        Some((last.full().length, first.empty().length))
+    }
+
+    /// Controlled length at a drum angle (rad → m).
+    #[inline]
+    pub fn length(&self, angle: f64) -> Result<f64, GrooveError> {
+        Ok(self.layer_of_angle(angle)?.length(angle))
+    }
+
+    /// [`Drum::length`] with its derivatives.
+    pub fn gradient(&self, angle: f64) -> Result<DrumLength, GrooveError> {
+        Ok(self.layer_of_angle(angle)?.gradient(angle))
+    }
+
+    /// Drum angle at a controlled length (m → rad): the exact inverse of [`Drum::length`].
+    #[inline]
+    pub fn angle(&self, length: f64) -> Result<f64, GrooveError> {
+        // the lengths of the layers decrease as the angles do
+        let within = |layer: &&Layer| length >= layer.full().length;
+        match self.layers.iter().find(within) {
+            Some(layer) if length <= layer.empty().length => Ok(layer.angle(length)),
+            _ => Err(self.refuse(length)),
+        }
+    }
+
+    /// Where the cable leaves the drum at an angle, and how it runs to the first pulley; `None` behind a guide.
+    pub fn departure(&self, angle: f64) -> Result<Option<Departure>, GrooveError> {
+        let layer = self.layer_of_angle(angle)?;
+        let departure = |mounting: Mounting| {
+            let (radius, along) = (layer.turns.radius, layer.along(angle));
+            let (distance, place) = mounting.pulley_from_axis();
+            let tangent_squared = distance * distance - radius * radius;
+            let ahead = place - along;
+            let towards = (mounting.pulley - mounting.position - mounting.axis * place) / distance;
+            let left = towards.cross(&mounting.axis) * mounting.side.sign();
+            // tangent point of the circle: its radius makes the angle arccos(r/d) with the way to the pulley
+            let cosine = radius / distance;
+            let spoke = towards * cosine + left * (1.0 - cosine * cosine).sqrt();
+            Departure {
+                contact: mounting.position + mounting.axis * along + spoke * radius,
+                free_length: (tangent_squared + ahead * ahead).sqrt(),
+                fleet_angle: ahead.atan2(tangent_squared.sqrt()),
+            }
+        };
+        Ok(self.parameters.mounting.map(departure))
+    }
+
+    #[inline]
+    fn layer_of_angle(&self, angle: f64) -> Result<&Layer, GrooveError> {
+        let within = |layer: &&Layer| angle >= layer.full().angle;
+        let nearest = || if self.layers[0].empty().angle < angle { self.layers.first() } else { self.layers.last() };
+        match self.layers.iter().find(within) {
+            Some(layer) if angle <= layer.empty().angle => Ok(layer),
+            _ => Err(self.refuse(nearest().map_or(f64::NAN, |layer| layer.length(angle)))),
+        }
+    }
+
+    fn refuse(&self, needed: f64) -> GrooveError {
+        let (shortest, longest) = self.lengths().unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        GrooveError { available: self.capacity().unwrap_or(f64::INFINITY), shortest, longest, needed }
+    }
+}
+
+impl Mounting {
+    /// Distance of the first pulley from the drum's axis, and its place along the axis from `position` (m).
+    pub(super) fn pulley_from_axis(&self) -> (f64, f64) {
+        let from = self.pulley - self.position;
+        let place = self.axis.dot(&from);
+        ((from - self.axis * place).norm(), place)
+    }
+}
+
+impl Parameters {
+    fn check(&self) -> Result<(), DrumError> {
+        let number = |key, value: f64, fine: bool, needed| match fine && value.is_finite() {
+            true => Ok(()),
+            false => Err(DrumError::Number { key, value, needed }),
+        };
+        number("drum_radius_m", self.radius, self.radius > 0.0, "the radius of a drum is above zero")?;
+        number("drum_pitch_m", self.pitch, self.pitch >= 0.0, "the pitch of a groove is zero or above")?;
+        number("drum_start_angle_rad", self.start_angle, true, "it must be a finite number")?;
+        number("drum_start_length_m", self.start_length, true, "it must be a finite number")?;
+        if let Some(length) = self.groove_length {
+            number("drum_groove_length_m", length, length > 0.0, "the length of a groove is above zero")?;
+            number("drum_pitch_m", self.pitch, self.pitch > 0.0, "a groove with a length needs a pitch above zero")?;
+        }
+        if let Some(height) = self.layer_height {
+            number("drum_layer_height_m", height, height > 0.0, "the height of a layer is above zero")?;
+        }
+        let Some(mounting) = self.mounting else { return Ok(()) };
+        let norm = mounting.axis.norm();
+        number("drum_axis", norm, (norm - 1.0).abs() < 1e-6, "the axis is a direction, of length 1")?;
+        let (distance, _) = mounting.pulley_from_axis();
+        // written so that NaN is refused too
+        if !(distance.is_finite() && distance > self.radius) {
+            return Err(DrumError::PulleyInside { distance, radius: self.radius });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,156 @@
+//! The layers of cable on a drum: where each begins and ends, and the drum's law within it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use super::drum::{DrumLength, Mounting, Parameters};
+use super::turns::{FirstPulley, Turns};
+
+/// Layers beyond which nobody winds.
+const LAYER_LIMIT: usize = 16;
+
+/// One layer of cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Layer {
+    pub(super) turns: Turns<f64>,
+    /// Where φ = 0: the full end of the first layer, the empty end of those above, which is where the layer below is full.
+    start: State,
+    /// Where φ is the whole groove: the empty end of the first layer, the full end of those above.
+    end: State,
+    is_first: bool,
+    mounting: Option<Mounting>,
+}
+
+/// Drum angle and controlled length at one end of a layer, with derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct State {
+    /// Drum angle (rad).
+    pub(super) angle: f64,
+    angle_by_pitch: f64,
+    /// Controlled length (m).
+    pub(super) length: f64,
+    by_radius: f64,
+    by_pitch: f64,
+    by_pulley: Vector3<f64>,
+    /// Way of the contact point from the drum's position along the axis (m).
+    along: f64,
+}
+
+/// The first layer, and those above it that the drum has room for.
+pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
+    let start = State {
+        angle: drum.start_angle,
+        angle_by_pitch: 0.0,
+        length: drum.start_length,
+        by_radius: 0.0,
+        by_pitch: 0.0,
+        by_pulley: Vector3::zeros(),
+        along: 0.0,
+    };
+    let mut layers = vec![Layer::new(drum, 0, start)];
+    let Some(height) = drum.layer_height.filter(|_| drum.groove_length.is_some()) else { return layers };
+    let room = drum.mounting.map_or(f64::INFINITY, |mounting| mounting.pulley_from_axis().0);
+    let mut start = start;
+    for number in 1..LAYER_LIMIT {
+        if drum.radius + number as f64 * height >= room {
+            break;
+        }
+        let layer = Layer::new(drum, number, start);
+        start = layer.end;
+        layers.push(layer);
+    }
+    layers
+}
+
+impl Layer {
+    /// Layer `number`, counted from 0, from where its φ is zero.
+    fn new(drum: &Parameters, number: usize, start: State) -> Self {
+        let is_first = number == 0;
+        let radius = drum.radius + number as f64 * drum.layer_height.unwrap_or(0.0);
+        // layers run back and forth: as they are paid out, the first and every second one move along the axis
+        let travel = if number.is_multiple_of(2) { drum.pitch / TAU } else { -drum.pitch / TAU };
+        let pulley = drum.mounting.map(|mounting| {
+            let (distance, place) = mounting.pulley_from_axis();
+            FirstPulley { distance_squared: distance * distance, contact: start.along - place }
+        });
+        let turns = Turns { radius, travel, pulley };
+        let mut layer = Self { turns, start, end: start, is_first, mounting: drum.mounting };
+        let sign = if is_first { 1.0 } else { -1.0 };
+        let turn = drum.groove_length.map_or(f64::INFINITY, |length| TAU * length / drum.pitch);
+        layer.end = layer.end_after(sign * turn, drum.pitch);
+        layer
+    }
+
+    /// The other end of the layer, a turn φ = ±2π G/p away.
+    fn end_after(&self, turn: f64, pitch: f64) -> State {
+        if !turn.is_finite() {
+            return State { angle: turn, length: turn, ..self.start };
+        }
+        let angle = self.start.angle + turn;
+        let at_fixed_angle = self.gradient(angle);
+        let angle_by_pitch = self.start.angle_by_pitch - turn / pitch;
+        State {
+            angle,
+            angle_by_pitch,
+            length: at_fixed_angle.value,
+            by_radius: at_fixed_angle.by_radius,
+            by_pitch: at_fixed_angle.by_pitch + at_fixed_angle.by_angle * angle_by_pitch,
+            by_pulley: at_fixed_angle.by_pulley,
+            along: self.along(angle),
+        }
+    }
+
+    /// Where the layer is full of cable: its least angle and length.
+    #[inline]
+    pub(super) fn full(&self) -> State {
+        match self.is_first && self.end.angle.is_finite() {
+            true => self.start,
+            // without ends the first layer reaches as far as it is asked to
+            false if self.is_first => State { angle: f64::NEG_INFINITY, length: f64::NEG_INFINITY, ..self.start },
+            false => self.end,
+        }
+    }
+
+    /// Where the layer is empty: its largest angle and length.
+    #[inline]
+    pub(super) fn empty(&self) -> State {
+        if self.is_first { self.end } else { self.start }
+    }
+
+    /// Way of the contact point from the drum's position along the axis (m).
+    pub(super) fn along(&self, angle: f64) -> f64 {
+        self.start.along + self.turns.travel * (angle - self.start.angle)
+    }
+
+    /// Controlled length at a drum angle of this layer (m).
+    #[inline]
+    pub(super) fn length(&self, angle: f64) -> f64 {
+        self.start.length + self.turns.paid_out(angle - self.start.angle)
+    }
+
+    /// Drum angle at a controlled length of this layer (rad).
+    #[inline]
+    pub(super) fn angle(&self, length: f64) -> f64 {
+        self.start.angle + self.turns.turn(length - self.start.length)
+    }
+
+    /// [`Layer::length`] with its derivatives.
+    pub(super) fn gradient(&self, angle: f64) -> DrumLength {
+        let paid = self.turns.gradient(angle - self.start.angle);
+        let sign = self.turns.travel.signum();
+        let by_pulley = self.mounting.map_or_else(Vector3::zeros, |mounting| {
+            let (_, place) = mounting.pulley_from_axis();
+            let across = mounting.pulley - mounting.position - mounting.axis * place;
+            across * (2.0 * paid.by_distance_squared) - mounting.axis * paid.by_contact
+        });
+        DrumLength {
+            value: self.start.length + paid.value,
+            by_angle: paid.by_turn,
+            by_radius: self.start.by_radius + paid.by_radius,
+            by_pitch: self.start.by_pitch - paid.by_turn * self.start.angle_by_pitch + sign * paid.by_travel / TAU,
+            by_start_length: 1.0,
+            by_pulley: self.start.by_pulley + by_pulley,
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! What a machine's winches make of a control model's lengths: between the two stand motor angles.
+
+use super::input_error::InputError;
+use crate::cable::winch::{GrooveError, Winch};
+use crate::measurement::Samples;
+use crate::model::{Model, WinchError};
+
+/// The way from a control model's recorded lengths over motor angles to those of a machine, and back.
+///
+/// A model without the effect `drum` takes its winches for ideal ones, whose length is linear in the angle, with the radius of
+/// its own file or else that of the other. Where neither has the effect, lengths are lengths.
+pub(super) struct Winding<'a> {
+    control: &'a Model,
+    /// Winches of control model and machine, cable by cable; empty where lengths are lengths.
+    winches: Vec<[Winch; 2]>,
+}
+
+impl<'a> Winding<'a> {
+    pub(super) fn new(control: &'a Model, machine: &Model) -> Result<Self, InputError> {
+        if !control.composition().drum && !machine.composition().drum {
+            return Ok(Self { control, winches: Vec::new() });
+        }
+        let winch = |model: &Model, other: &Model, cable: usize| {
+            let ideal_of_other = || Winch::ideal(&other.robot().cables[cable]).and_then(Result::ok);
+            model.winch(cable).cloned().or_else(ideal_of_other).ok_or_else(|| WinchError::NoRadius {
+                cable: cable + 1,
+                name: model.robot().cables[cable].name.clone(),
+            })
+        };
+        let pair = |cable| Ok([winch(control, machine, cable)?, winch(machine, control, cable)?]);
+        let winches = (0..control.cable_count()).map(pair).collect::<Result<_, WinchError>>()?;
+        Ok(Self { control, winches })
+    }
+
+    /// Lengths that the machine pays out when the control model sends these (m).
+    pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
+        self.convert(sent, |[control, machine], length| machine.controlled_length(control.motor_angle(length)?))
+            .map_err(|error| error.to_string())
+    }
+
+    /// Lengths that the control model believes in when the machine has paid out these (m).
+    pub(super) fn to_control(&self, paid_out: &[f64]) -> Result<Vec<f64>, WinchError> {
+        self.convert(paid_out, |[control, machine], length| control.controlled_length(machine.motor_angle(length)?))
+    }
+
+    /// Motor angles at which the control model has sent these lengths (rad).
+    fn motor_angles(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
+        self.convert(sent, |[control, _], length| control.motor_angle(length))
+    }
+
+    fn convert(
+        &self,
+        lengths: &[f64],
+        through: impl Fn(&[Winch; 2], f64) -> Result<f64, GrooveError>,
+    ) -> Result<Vec<f64>, WinchError> {
+        if self.winches.is_empty() {
+            return Ok(lengths.to_vec());
+        }
+        let name = |cable: usize| self.control.robot().cables[cable].name.clone();
+        let one = |(cable, &length): (usize, &f64)| {
+            let converted = through(&self.winches[cable], length);
+            converted.map_err(|reason| WinchError::Groove { cable: cable + 1, name: name(cable), reason })
+        };
+        lengths.iter().enumerate().map(one).collect()
+    }
+}
+
+/// Simulated samples with the motor angles at which the control model has sent their lengths, in place of the lengths.
+///
+/// Any of the two models must have the effect `drum`: without it a length is all that a winch is told.
+pub fn with_motor_angles(control: &Model, machine: &Model, samples: &Samples) -> Result<Samples, InputError> {
+    let winding = Winding::new(control, machine)?;
+    if winding.winches.is_empty() {
+        return Err(InputError::NoDrum);
+    }
+    let rows = samples.lengths.chunks(samples.cable_count.max(1));
+    let angles: Vec<Vec<f64>> = rows.map(|lengths| winding.motor_angles(lengths)).collect::<Result<_, _>>()?;
+    Ok(Samples { motor_angles: Some(angles.concat()), ..samples.clone() })
+}

@@ -1,0 +1,91 @@
+//! The winch keys of a `[[cable]]` table.
+
+use nalgebra::Vector3;
+
+use super::Cable;
+use super::cable_reading::CableReader;
+use crate::geometry::MotionPattern;
+use crate::reading::ReadError;
+
+impl CableReader<'_> {
+    /// A cable with nothing but its winch.
+    pub(super) fn winch(&self) -> Result<Cable, ReadError> {
+        let section = self.section;
+        let cable = Cable {
+            drum_radius: self.positive("drum_radius_m", section.drum_radius_m)?,
+            drum_pitch: self.not_negative("drum_pitch_m", section.drum_pitch_m)?,
+            drum_axis: self.spatial_direction("drum_axis", section.drum_axis.as_deref())?,
+            drum_position: self.spatial("drum_position_m", section.drum_position_m.as_deref())?,
+            drum_side: section.drum_side,
+            drum_guided: section.drum_guided,
+            drum_pulley: self.spatial("drum_pulley_m", section.drum_pulley_m.as_deref())?,
+            drum_start_angle: section.drum_start_angle_rad,
+            drum_start_length: section.drum_start_length_m,
+            drum_groove_length: self.positive("drum_groove_length_m", section.drum_groove_length_m)?,
+            drum_layer_height: self.positive("drum_layer_height_m", section.drum_layer_height_m)?,
+            gear_ratio: section.gear_ratio,
+            encoder_counts_per_turn: self.positive("encoder_counts_per_turn", section.encoder_counts_per_turn)?,
+            frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
+            ..Cable::default()
+        };
+        self.check_groove(&cable)?;
+        self.check_first_pulley(&cable)?;
+        if cable.gear_ratio == Some(0.0) {
+            return Err(self
+                .error("gear_ratio", "robot::gear-ratio", "gear_ratio is 0, so its motor could not move the drum")
+                .with_help("motor angle = gear_ratio · drum angle; it is negative where the motor turns backwards"));
+        }
+        Ok(cable)
+    }
+
+    /// The axis of a drum need not lie in the plane of a planar robot: three components are accepted there too.
+    fn spatial(&self, key: &str, values: Option<&[f64]>) -> Result<Option<Vector3<f64>>, ReadError> {
+        match values {
+            None => Ok(None),
+            Some(&[x, y, z]) if self.reader.pattern != MotionPattern::Spatial => Ok(Some(Vector3::new(x, y, z))),
+            Some(values) => self.vector(key, values).map(Some),
+        }
+    }
+
+    fn spatial_direction(&self, key: &str, values: Option<&[f64]>) -> Result<Option<Vector3<f64>>, ReadError> {
+        let hint = "it is the unit vector along the drum's axis, the way the contact point travels when paid out, e.g. [0.0, 1.0, 0.0]";
+        self.spatial(key, values)?.map(|axis| self.unit(key, axis, "robot::drum-axis", hint)).transpose()
+    }
+
+    fn check_groove(&self, cable: &Cable) -> Result<(), ReadError> {
+        let refuse = |key: &str, message: &str, help: &str| {
+            Err(self.error(key, "robot::groove", message).with_help(help.to_owned()))
+        };
+        if cable.drum_groove_length.is_some() && !cable.drum_pitch.is_some_and(|pitch| pitch > 0.0) {
+            let message = "drum_groove_length_m is given, but there is no drum_pitch_m above zero";
+            return refuse("drum_groove_length_m", message, "its turns are groove length over pitch: add drum_pitch_m");
+        }
+        if cable.drum_layer_height.is_some() && cable.drum_groove_length.is_none() {
+            let message = "drum_layer_height_m is given, but no drum_groove_length_m";
+            return refuse(
+                "drum_layer_height_m",
+                message,
+                "a further layer begins where the groove is full: add its length",
+            );
+        }
+        Ok(())
+    }
+
+    fn check_first_pulley(&self, cable: &Cable) -> Result<(), ReadError> {
+        let (Some(axis), Some(position), Some(radius)) = (cable.drum_axis, cable.drum_position, cable.drum_radius)
+        else {
+            return Ok(());
+        };
+        let distance = axis.cross(&(cable.drum_pulley.unwrap_or(cable.frame_anchor) - position)).norm();
+        if cable.drum_guided == Some(true) || distance > radius {
+            return Ok(());
+        }
+        let point = if cable.drum_pulley.is_some() { "drum_pulley_m" } else { "frame_anchor_m" };
+        let message = format!(
+            "{point}, where the cable from the drum enters its first pulley, is {distance:.4} m from the drum's axis, inside the drum of radius {radius} m"
+        );
+        Err(self.error("drum_position_m", "robot::drum-place", &message).with_help(
+            "mend drum_position_m, drum_axis or drum_radius_m; with a travelling guide set drum_guided = true",
+        ))
+    }
+}
