@@ -81,24 +81,24 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 }
 
-/// Curves over 0 to 10 m, −4 to 2 mm.
+/// Curves over 0 to 10 m, −8 to 5 mm.
 fn figure(drums: &[(&str, Drum)]) -> Result<String, Box<dyn std::error::Error>> {
-    let (x, y) = (|length: f64| 60.0 + 50.0 * length, |surplus: f64| 110.0 - 25e3 * surplus);
+    let (x, y) = (|length: f64| 60.0 + 50.0 * length, |surplus: f64| 150.0 - 22e3 * surplus);
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 400\" font-family=\"sans-serif\" font-size=\"12\" role=\"img\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 416\" font-family=\"sans-serif\" font-size=\"12\" role=\"img\">\n\
          <title>Cable that a drum pays out beyond radius times angle (mm) over the length paid out (m)</title>\n\
-         <rect width=\"640\" height=\"400\" fill=\"white\"/>\n",
+         <rect width=\"640\" height=\"416\" fill=\"white\"/>\n",
     );
-    for millimetres in -8..=3 {
+    for millimetres in -8..=5 {
         let level = y(1e-3 * f64::from(millimetres));
         writeln!(svg, "<line x1=\"60\" x2=\"560\" y1=\"{level}\" y2=\"{level}\" stroke=\"#ddd\"/>")?;
         writeln!(svg, "<text x=\"52\" y=\"{}\" text-anchor=\"end\">{millimetres}</text>", level + 4.0)?;
     }
     for length in (0..=10).step_by(2) {
         let place = x(f64::from(length));
-        writeln!(svg, "<text x=\"{place}\" y=\"330\" text-anchor=\"middle\">{length}</text>")?;
+        writeln!(svg, "<text x=\"{place}\" y=\"344\" text-anchor=\"middle\">{length}</text>")?;
     }
-    writeln!(svg, "<text x=\"310\" y=\"346\" text-anchor=\"middle\">length paid out (m)</text>")?;
+    writeln!(svg, "<text x=\"310\" y=\"360\" text-anchor=\"middle\">length paid out (m)</text>")?;
     writeln!(svg, "<text x=\"60\" y=\"22\">more than radius · angle (mm)</text>")?;
     for (index, ((name, drum), colour)) in
         drums.iter().zip(["#555", "#0072b2", "#009e73", "#d55e00", "#cc79a7"]).enumerate()
@@ -113,7 +113,7 @@ fn figure(drums: &[(&str, Drum)]) -> Result<String, Box<dyn std::error::Error>> 
             "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>",
             points.trim_end()
         )?;
-        let (column, row) = (60 + 300 * (index / 3), 364 + 15 * (index % 3));
+        let (column, row) = (60 + 300 * (index / 3), 376 + 15 * (index % 3));
         writeln!(
             svg,
             "<line x1=\"{column}\" x2=\"{}\" y1=\"{row}\" y2=\"{row}\" stroke=\"{colour}\" stroke-width=\"2\"/>",
