@@ -101,7 +101,7 @@ impl Arguments {
             });
         }
         let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("--lengths", error);
-        let (elastic, underactuated) = (model.composition().is_elastic(), model.cable_count() < model.dof());
+        let (elastic, underactuated) = (model.composition().depends_on_tension(), model.cable_count() < model.dof());
         let own_load = Load::of(model.robot());
         let is_load_known = self.wrench.is_some() || own_load.is_ok();
         if elastic || (underactuated && is_load_known) {

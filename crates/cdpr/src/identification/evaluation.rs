@@ -81,21 +81,22 @@ struct Prediction {
 
 /// The forward problem of a model, for one sample after the other.
 enum Predictor<'a> {
-    Rigid(forward_kinematics::Solver<'a>),
-    Elastic(elastostatics::Solver<'a>),
+    Rigid(Box<forward_kinematics::Solver<'a>>),
+    Elastic(Box<elastostatics::Solver<'a>>),
 }
 
 impl<'a> Predictor<'a> {
     fn new(model: &'a Model) -> Result<Self, EvaluationError> {
-        if model.composition().is_elastic() {
+        if model.composition().depends_on_tension() {
             let load = Load::of(model.robot())?;
             let settings = elastostatics::Settings::default();
-            return Ok(Self::Elastic(elastostatics::Solver::new(model, &load, &settings)?));
+            return Ok(Self::Elastic(Box::new(elastostatics::Solver::new(model, &load, &settings)?)));
         }
         // the measured pose is near the solution: a residual there is the model's, not a wrong minimum's
         let defaults = forward_kinematics::Settings::default();
         let settings = forward_kinematics::Settings { suspicious_residual: defaults.plausible_residual, ..defaults };
-        Ok(Self::Rigid(forward_kinematics::Solver::new(model, &settings).expect("the default settings are valid")))
+        let solver = forward_kinematics::Solver::new(model, &settings).expect("the default settings are valid");
+        Ok(Self::Rigid(Box::new(solver)))
     }
 
     fn predict(&mut self, controlled: &[f64], near: &Pose) -> Prediction {
@@ -147,14 +148,13 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
         evaluation.rotation.push(predicted.pose.map_or(f64::NAN, |predicted| predicted.angle_to(pose)));
         let measured = samples.tensions.as_ref().map(|tensions| &tensions[sample * cables..][..cables]);
         for (cable, &length) in recorded.iter().enumerate() {
-            let modelled = model.course(cable, pose).map_or(f64::NAN, |(course, _)| course.length);
             let measured = measured.map(|tensions| model.real_tension(cable, tensions[cable]));
             let predicted = predicted.tensions.as_ref().map(|tensions| tensions[cable]);
             let tension = measured.or(predicted).unwrap_or(0.0);
-            let controlled = model.elasticity(cable).controlled_length(modelled, tension);
+            let controlled = modelled_length(model, cable, pose, tension);
             evaluation.length.push(model.recorded_length(cable, controlled) - length);
         }
-        if let Some(measured) = measured.filter(|_| model.composition().is_elastic()) {
+        if let Some(measured) = measured.filter(|_| model.composition().depends_on_tension()) {
             let error = |cable: usize| {
                 let predicted = predicted.tensions.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
                 model.recorded_tension(cable, predicted) - measured[cable]
@@ -163,6 +163,16 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
         }
     }
     Ok(evaluation)
+}
+
+/// Controlled length of a cable with this tension at a pose (m); NaN where there is none.
+fn modelled_length(model: &Model, cable: usize, pose: &Pose, tension: f64) -> f64 {
+    if model.composition().has_closed_form() {
+        let length = model.course(cable, pose).map_or(f64::NAN, |(course, _)| course.length);
+        return model.elasticity(cable).controlled_length(length, tension);
+    }
+    let known = model.known_tension(cable, tension);
+    model.hold(cable, pose, known).map_or(f64::NAN, |(hold, _)| hold.controlled_length)
 }
 
 impl Evaluation {

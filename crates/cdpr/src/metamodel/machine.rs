@@ -22,7 +22,7 @@ enum Forward<'a> {
 
 impl<'a> Machine<'a> {
     pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
-        let forward = if model.composition().is_elastic() {
+        let forward = if model.composition().depends_on_tension() {
             let load = Load::of(model.robot())?;
             Forward::Elastic(Box::new(elastostatics::Solver::new(model, &load, &elastostatics::Settings::default())?))
         } else {

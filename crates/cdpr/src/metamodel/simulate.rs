@@ -49,7 +49,7 @@ pub fn simulate(
     // pose and noise streams differ even for the same seed
     rng.set_stream(1);
     let mut sensors = Sensors { machine, noise, normal: move || StandardNormal.sample(&mut rng) };
-    let tensions = machine.composition().is_elastic().then(Vec::new);
+    let tensions = machine.composition().depends_on_tension().then(Vec::new);
     let mut samples = Samples { cable_count: machine.cable_count(), sigmas: *noise, tensions, ..Samples::default() };
     let mut sets = Vec::new();
     let (mut outcomes, mut left_out) = (Vec::new(), Vec::new());

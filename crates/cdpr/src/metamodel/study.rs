@@ -173,7 +173,9 @@ impl Study {
 
     /// True when a side of the study knows tensions.
     fn is_elastic(&self) -> bool {
-        [&self.control, &self.machine].iter().any(|side| side.composition().is_some_and(|effects| effects.is_elastic()))
+        [&self.control, &self.machine]
+            .iter()
+            .any(|side| side.composition().is_some_and(|effects| effects.depends_on_tension()))
     }
 
     /// What the study states without effect.

@@ -36,7 +36,7 @@ pub fn winch_offsets(
         };
     }
     check_same_robot(set_with, machine)?;
-    let tensions = match [machine, set_with].into_iter().find(|model| model.composition().is_elastic()) {
+    let tensions = match [machine, set_with].into_iter().find(|model| model.composition().depends_on_tension()) {
         Some(elastic) => initial_tensions(initial, elastic, pose)?,
         // rigid cables have the same length at any tension
         None => vec![0.0; expected],

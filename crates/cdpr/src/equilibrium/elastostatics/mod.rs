@@ -10,6 +10,7 @@
 //! and tensions together.
 
 mod balance;
+mod composed;
 mod descent;
 mod multipliers;
 mod polish;
@@ -21,6 +22,7 @@ mod unsymmetric;
 mod verdict;
 
 use balance::Springs;
+use composed::Composed;
 use descent::Tensions;
 use thiserror::Error;
 
@@ -166,6 +168,7 @@ pub struct Solver<'a> {
     is_rigid: Vec<bool>,
     springs: Vec<Springs>,
     tensions: Tensions,
+    composed: Option<Composed>,
     solution: Solution,
 }
 
@@ -211,7 +214,9 @@ impl<'a> Solver<'a> {
     pub fn new(model: &'a Model, load: &Load, settings: &Settings) -> Result<Self, InputError> {
         settings.validate()?;
         let cables = model.cable_count();
-        let is_rigid: Vec<bool> = (0..cables).map(|cable| model.elasticity(cable).is_rigid()).collect();
+        let composed = Composed::new(model);
+        let is_rigid: Vec<bool> =
+            (0..cables).map(|cable| composed.is_none() && model.elasticity(cable).is_rigid()).collect();
         let (rigid, dof) = (is_rigid.iter().filter(|rigid| **rigid).count(), model.dof());
         if rigid > dof {
             return Err(InputError::RigidRedundant { rigid, dof });
@@ -225,6 +230,7 @@ impl<'a> Solver<'a> {
             is_rigid,
             springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
             tensions: Tensions::new(groups),
+            composed,
             solution: Solution {
                 pose: Pose::identity(),
                 tensions: vec![f64::NAN; cables],
@@ -245,9 +251,22 @@ impl<'a> Solver<'a> {
         self.load = *load;
     }
 
+    /// Lets cables with a memory remember the tensions of the last solution; the next one continues from there.
+    pub fn remember(&mut self) {
+        if let Some(composed) = &mut self.composed {
+            let laws = composed.laws_mut().iter_mut();
+            laws.zip(&self.solution.tensions).for_each(|(law, &tension)| law.stretch.remember(tension));
+        }
+    }
+
     /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
+        if let Some(composed) = &mut self.composed {
+            let problem = (self.model, &self.load, &self.settings);
+            composed.solve(problem, controlled_lengths, guess, &mut self.solution)?;
+            return Ok(&self.solution);
+        }
         self.search(controlled_lengths, guess);
         Ok(&self.solution)
     }

@@ -87,7 +87,7 @@ fn check_limits(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
 
 fn check_tension_tests(study: &Study, tests: &TensionTests, place: &Place<'_>) -> Result<(), ReadError> {
     let path = ["poses", "tension_tests"];
-    if tests.count > 0 && !study.machine.composition().is_some_and(|effects| effects.is_elastic()) {
+    if tests.count > 0 && !study.machine.composition().is_some_and(|effects| effects.depends_on_tension()) {
         let message = format!("tension tests need an elastic machine; its model is `{}`", study.machine.model);
         return Err(place
             .error(&path, message)

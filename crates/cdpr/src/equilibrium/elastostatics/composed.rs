@@ -1,0 +1,326 @@
+//! The forward problem for cables of any effects: sagging, stiffening, with a memory.
+//!
+//! Each cable is solved for its controlled length at the pose, which leaves the residual wrench as a function of the pose.
+//! Newton steps with the tangents ∂t/∂p_B of the cables, shortened until the residual falls, find its zero. The first start is
+//! the guess; if that leads nowhere, the pose at which straight cables of linear stretch come to rest. Sagging cables that do
+//! not stretch start from a compliance that is taken away by and by, since too short ones have no shape.
+
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+use super::{InputError, Load, Model, Settings, Solution, Status};
+use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::span::State;
+use crate::cable::stretch::Stretch;
+use crate::geometry::{Pose, Twist};
+use crate::model::{Composition, SpanEffect, StretchEffect};
+use crate::scalar::decomposition::smallest_eigenvalue_of;
+use crate::statics::Held;
+
+/// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.
+const FIRST_COMPLIANCE: f64 = 1e-7;
+const LAST_COMPLIANCE: f64 = 1e-14;
+/// Longest step, relative to the mean cable length.
+const LONGEST_STEP: f64 = 0.1;
+
+/// Cables of any effects under a load.
+#[derive(Clone, Debug)]
+pub(super) struct Composed {
+    laws: Vec<CableLaw>,
+    states: Vec<Option<State<f64>>>,
+    trial_states: Vec<Option<State<f64>>>,
+    held: Vec<Held>,
+    trial: Vec<Held>,
+    /// Sagging cables without any stretch.
+    is_rigid: bool,
+}
+
+/// Where a search stands.
+#[derive(Clone, Copy)]
+struct Point {
+    pose: Pose,
+    /// Residual wrench in the pattern's rows, moments divided by the platform radius (N).
+    residual: Vector6<f64>,
+    size: f64,
+}
+
+/// Why a search ended without an equilibrium.
+enum Failure {
+    /// A cable has no shape at the start.
+    Cable(usize, HoldError),
+    /// No shorter step helped.
+    Stalled,
+    /// The limit of iterations.
+    Iterations,
+}
+
+/// What a search needs to know.
+struct Problem<'a> {
+    model: &'a Model,
+    load: &'a Load,
+    settings: &'a Settings,
+    lengths: &'a [f64],
+    radius: f64,
+    mean_length: f64,
+}
+
+impl Composed {
+    /// `None` for models that the closed forms serve.
+    pub(super) fn new(model: &Model) -> Option<Self> {
+        let composition = model.composition();
+        if composition.has_closed_form() {
+            return None;
+        }
+        let count = model.cable_count();
+        Some(Self {
+            laws: (0..count).map(|cable| model.law(cable).clone()).collect(),
+            states: vec![None; count],
+            trial_states: vec![None; count],
+            held: Vec::with_capacity(count),
+            trial: Vec::with_capacity(count),
+            is_rigid: composition.stretch == StretchEffect::Rigid,
+        })
+    }
+
+    /// The cables with what they remember.
+    pub(super) fn laws_mut(&mut self) -> &mut [CableLaw] {
+        &mut self.laws
+    }
+
+    /// Pose and tensions for controlled lengths (m).
+    pub(super) fn solve(
+        &mut self,
+        (model, load, settings): (&Model, &Load, &Settings),
+        lengths: &[f64],
+        guess: &Pose,
+        solution: &mut Solution,
+    ) -> Result<(), InputError> {
+        let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let radius = model.platform_radius();
+        let problem = Problem { model, load, settings, lengths, radius, mean_length };
+        (solution.iterations, solution.restarts, solution.reason) = (0, 0, None);
+        self.states.fill(None);
+        let mut found = self.search(&problem, guess, &mut solution.iterations);
+        if found.is_err() {
+            solution.restarts += 1;
+            let start = straight_pose(&problem, guess)?;
+            self.states.fill(None);
+            found = self.search(&problem, &start, &mut solution.iterations).or(found);
+        }
+        match found {
+            Ok(point) => self.judge(&problem, &point, solution),
+            Err(failure) => self.give_up(&problem, guess, failure, solution),
+        }
+        Ok(())
+    }
+
+    fn search(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
+        if !self.is_rigid {
+            return self.newton(problem, start, iterations);
+        }
+        let mut pose = *start;
+        let mut compliance = FIRST_COMPLIANCE;
+        while compliance > LAST_COMPLIANCE {
+            self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Linear(compliance));
+            let reached = self.newton(problem, &pose, iterations);
+            self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Rigid);
+            pose = reached?.pose;
+            compliance *= 0.1;
+        }
+        self.newton(problem, &pose, iterations)
+    }
+
+    fn newton(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
+        self.trial_states.copy_from_slice(&self.states);
+        let mut point = self.try_at(problem, start).map_err(|(cable, error)| Failure::Cable(cable, error))?;
+        self.accept();
+        for _ in 0..problem.settings.max_iterations {
+            *iterations += 1;
+            let Some(step) = self.step(problem, &point) else { return Err(Failure::Stalled) };
+            let size = step.norm();
+            let mut share = f64::min(1.0, LONGEST_STEP * problem.mean_length / size);
+            let is_last = size <= problem.settings.pose_tolerance * problem.mean_length.max(1.0);
+            loop {
+                let next = problem.displaced(&point.pose, &(step * share));
+                self.trial_states.copy_from_slice(&self.states);
+                match self.try_at(problem, &next) {
+                    Ok(trial) if is_last || trial.size < point.size * (1.0 - 1e-4 * share) => {
+                        self.accept();
+                        point = trial;
+                        break;
+                    }
+                    _ => share *= 0.5,
+                }
+                if share < 1e-7 {
+                    // where rounding is all that is left
+                    let is_still = size <= 1e-9 * problem.mean_length.max(1.0);
+                    return if is_still { Ok(point) } else { Err(Failure::Stalled) };
+                }
+            }
+            if is_last {
+                return Ok(point);
+            }
+        }
+        Err(Failure::Iterations)
+    }
+
+    /// All cables at a pose, into `trial`.
+    fn try_at(&mut self, problem: &Problem<'_>, pose: &Pose) -> Result<Point, (usize, HoldError)> {
+        self.trial.clear();
+        let mut wrench = problem.load.wrench(pose);
+        for (cable, law) in self.laws.iter().enumerate() {
+            let lever = pose.rotation * problem.model.robot().cables[cable].platform_anchor;
+            let known = Known::ControlledLength(problem.lengths[cable]);
+            let anchor = (pose.position + lever).into();
+            let hold: Hold = law.hold_from(anchor, known, self.trial_states[cable]).map_err(|error| (cable, error))?;
+            let held = Held { hold, lever, is_known_at_platform: false };
+            wrench += held.wrench();
+            self.trial_states[cable] = Some(hold.state);
+            self.trial.push(held);
+        }
+        let residual = problem.scaled(&wrench);
+        let size = residual.norm();
+        if !size.is_finite() {
+            return Err((0, HoldError::NoCourse));
+        }
+        Ok(Point { pose: *pose, residual, size })
+    }
+
+    fn accept(&mut self) {
+        std::mem::swap(&mut self.held, &mut self.trial);
+        std::mem::swap(&mut self.states, &mut self.trial_states);
+    }
+
+    /// K_wx of the accepted cables, turns as the way at the platform radius; the unit matrix where the pattern has no motion.
+    fn stiffness(&self, problem: &Problem<'_>, pose: &Pose) -> Matrix6<f64> {
+        let whole = self.held.iter().fold(-problem.load.gradient(pose), |sum, held| sum + held.stiffness());
+        let basis = problem.model.twist_basis();
+        let mut scaled = Matrix6::identity();
+        for (i, row) in basis.iter().enumerate() {
+            for (j, column) in basis.iter().enumerate() {
+                scaled[(i, j)] = row.dot(&(whole * column)) / (problem.unit(i) * problem.unit(j));
+            }
+        }
+        scaled
+    }
+
+    /// Newton's step δx = K_wx⁻¹ (Aᵀf + w), turns as the way at the platform radius (m).
+    fn step(&self, problem: &Problem<'_>, point: &Point) -> Option<Vector6<f64>> {
+        let stiffness = self.stiffness(problem, &point.pose);
+        let plain = stiffness.lu().solve(&point.residual).filter(|step| step.norm().is_finite());
+        plain.or_else(|| {
+            // indifferent directions are held by a little of the others' stiffness
+            let floor = 1e-9 * stiffness.diagonal().amax().max(1e-6);
+            (stiffness + Matrix6::identity() * floor).lu().solve(&point.residual)
+        })
+    }
+
+    fn judge(&self, problem: &Problem<'_>, point: &Point, solution: &mut Solution) {
+        solution.pose = point.pose;
+        solution.wrench_residual = point.size;
+        solution.slack = 0;
+        for (cable, held) in self.held.iter().enumerate() {
+            solution.tensions[cable] = held.hold.outlet_tension;
+            solution.residuals[cable] = held.hold.controlled_length - problem.lengths[cable];
+            let weight = Vector3::from(self.laws[cable].weight).norm() * held.hold.state.length;
+            solution.slack += usize::from(held.hold.platform_tension <= 0.5 * weight);
+        }
+        let stiffness = self.stiffness(problem, &point.pose);
+        solution.stability = smallest(&((stiffness + stiffness.transpose()) * 0.5), problem.model.dof());
+        let indifferent = 1e-9 * stiffness.diagonal().amax();
+        (solution.status, solution.reason) = if solution.stability > indifferent {
+            (Status::Converged, None)
+        } else if solution.stability < -indifferent {
+            let reason = format!(
+                "forces balance, but the stiffness has the eigenvalue {:.3e} N/m: the platform would leave this pose at the \
+                 smallest disturbance",
+                solution.stability
+            );
+            (Status::Unstable, Some(reason))
+        } else {
+            let reason =
+                "the platform can move without resistance from here: lengths and load do not determine its pose";
+            (Status::Singular, Some(reason.to_owned()))
+        };
+    }
+
+    fn give_up(&mut self, problem: &Problem<'_>, guess: &Pose, failure: Failure, solution: &mut Solution) {
+        solution.pose = *guess;
+        solution.tensions.fill(f64::NAN);
+        solution.residuals.fill(f64::NAN);
+        (solution.stability, solution.wrench_residual, solution.slack) = (f64::NAN, f64::NAN, 0);
+        solution.status = Status::NotConverged;
+        solution.reason = Some(match failure {
+            Failure::Cable(cable, error) => format!("cable {}: {error}", cable + 1),
+            Failure::Stalled => {
+                "no shorter step brings forces nearer to balance, from the guess and from the equilibrium of straight cables; \
+                 do lengths and load belong to this robot?"
+                    .to_owned()
+            }
+            Failure::Iterations => format!("the limit of {} iterations was reached", problem.settings.max_iterations),
+        });
+    }
+}
+
+impl Problem<'_> {
+    /// 1 for a translation, the platform radius for a turn.
+    fn unit(&self, entry: usize) -> f64 {
+        if entry < self.model.axes().len() { 1.0 } else { self.radius }
+    }
+
+    fn scaled(&self, wrench: &Twist) -> Vector6<f64> {
+        let mut scaled = Vector6::zeros();
+        for (index, twist) in self.model.twist_basis().iter().enumerate() {
+            scaled[index] = twist.dot(wrench) / self.unit(index);
+        }
+        scaled
+    }
+
+    fn displaced(&self, pose: &Pose, step: &Vector6<f64>) -> Pose {
+        let mut twist = Twist::zeros();
+        for (index, direction) in self.model.twist_basis().iter().enumerate() {
+            twist += direction * (step[index] / self.unit(index));
+        }
+        pose.displaced(&twist)
+    }
+}
+
+fn smallest(symmetric: &Matrix6<f64>, dof: usize) -> f64 {
+    fn lower<const N: usize>(matrix: &Matrix6<f64>) -> f64 {
+        smallest_eigenvalue_of(std::array::from_fn::<[f64; N], N, _>(|row| {
+            std::array::from_fn(|column| matrix[(row, column)])
+        }))
+    }
+    match dof {
+        2 => lower::<2>(symmetric),
+        3 => lower::<3>(symmetric),
+        _ => lower::<6>(symmetric),
+    }
+}
+
+/// Where the platform comes to rest when its cables are straight and stretch linearly, as these do at half their largest
+/// tension; the guess when nothing is found.
+fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError> {
+    let mut robot = problem.model.robot().clone();
+    for (cable, data) in robot.cables.iter_mut().enumerate() {
+        let law = problem.model.law(cable);
+        let tension = 0.5 * data.tension_max.unwrap_or(1e3);
+        let compliance = match &law.stretch {
+            Stretch::Rigid if law.series_compliance == 0.0 => FIRST_COMPLIANCE,
+            stretch => stretch.secant_compliance(tension).0,
+        };
+        (data.axial_compliance, data.axial_stiffness, data.spring_constant) = (Some(compliance), None, None);
+        data.series_compliance = Some(law.series_compliance);
+    }
+    let composition = Composition {
+        stretch: StretchEffect::Linear,
+        span: SpanEffect::Straight,
+        drum: false,
+        ..problem.model.composition()
+    };
+    let Ok(model) = Model::new(robot, composition) else { return Ok(*guess) };
+    let solution = super::solve(&model, problem.lengths, problem.load, guess, problem.settings)?;
+    match solution.status {
+        Status::NotConverged => Ok(*guess),
+        _ => Ok(solution.pose),
+    }
+}

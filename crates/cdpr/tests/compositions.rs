@@ -1,0 +1,83 @@
+//! Every composition of effects on one machine: the inverse problem and the forward problem lead to each other.
+
+use cdpr::equilibrium::{distribution, elastostatics};
+use cdpr::geometry::{Pose, Twist};
+use cdpr::model::{Composition, Model};
+use cdpr::robot::{HysteresisTable, Robot};
+use cdpr::statics::{self, Load};
+use cdpr::tension::Limits;
+use rand::{RngExt, SeedableRng};
+
+/// The CableRobot Simulator with everything that an effect asks for: pulleys of 160 mm, cables of 0.8 kg/m that stiffen.
+fn machine() -> Robot {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let middle = robot.home_or_middle().position;
+    for cable in &mut robot.cables {
+        let upright = if cable.frame_anchor.z > middle.z { 1.0 } else { -1.0 };
+        cable.pulley_radius = Some(0.16);
+        cable.pulley_swivel_axis = Some(cdpr::nalgebra::Vector3::new(0.0, 0.0, upright));
+        cable.linear_density = Some(0.8);
+        cable.finite_elements = Some(8);
+        cable.tension_of_strain = Some(vec![2e6, 2e8]);
+        cable.hysteresis = Some(HysteresisTable {
+            strain: vec![0.0, 0.005, 0.02],
+            loading_N: vec![0.0, 1.2e4, 6e4],
+            unloading_N: vec![0.0, 1.0e4, 6e4],
+            loading_slope_N: None,
+            unloading_slope_N: None,
+            transition_strain: vec![4e-4],
+            transition_share: None,
+        });
+    }
+    robot
+}
+
+/// All compositions of pulleys, stretch and span; drums act before the cable and have their own tests.
+fn compositions() -> impl Iterator<Item = Composition> {
+    Composition::all().filter(|composition| !composition.drum && composition.depends_on_tension())
+}
+
+/// Poses over the middle of the frame, turned by up to 6°.
+fn poses(home: Pose, count: usize, seed: u64) -> Vec<Pose> {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+    let mut draw = |extent: f64| rng.random_range(-extent..extent);
+    (0..count)
+        .map(|_| home.displaced(&Twist::new(draw(1.5), draw(1.5), draw(0.8), draw(0.1), draw(0.1), draw(0.1))))
+        .collect()
+}
+
+/// The tensions that the distribution chooses, the lengths for them, and the pose that these lengths lead to from 5 cm and 2°
+/// beside: the same as before to 1e-9 m.
+#[test]
+fn inverse_and_forward_problem_lead_to_each_other() {
+    let robot = machine();
+    let home = robot.home_or_middle();
+    let count = if cfg!(debug_assertions) { 100 } else { 1000 };
+    for composition in compositions() {
+        let model = Model::new(robot.clone(), composition).unwrap();
+        let load = Load::of(&robot).unwrap();
+        let limits = Limits::of(&robot, None, None).unwrap();
+        let mut solver = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).unwrap();
+        let mut distributions = distribution::Solver::new(&model, &load, &limits);
+        let (mut compared, mut refused) = (0, None);
+        for pose in poses(home, count, 3) {
+            let chosen = distributions.solve(&pose).unwrap();
+            if let Some(reason) = chosen.reason {
+                refused = Some(reason);
+                continue;
+            }
+            let lengths = statics::controlled_lengths(&model, &pose, &chosen.tensions).unwrap();
+            let guess = pose.displaced(&Twist::new(0.03, -0.04, 0.02, 0.02, -0.02, 0.03));
+            let found = solver.solve(&lengths, &guess).unwrap();
+            assert_eq!(found.status, elastostatics::Status::Converged, "{composition}: {:?}", found.reason);
+            let missed = found.pose.displacement_to(&pose).norm();
+            assert!(missed < 1e-9, "{composition}: {missed} m");
+            for (tension, expected) in found.tensions.iter().zip(&chosen.tensions) {
+                // 1e-9 m over a compliance of 1e-6 m/N and more
+                assert!((tension - expected).abs() < 1e-3, "{composition}: {tension} {expected}");
+            }
+            compared += 1;
+        }
+        assert!(compared > count / 2, "{composition}: {compared} of {count}; {refused:?}");
+    }
+}
