@@ -10,7 +10,7 @@ use rand::{RngExt, SeedableRng};
 
 /// The CableRobot Simulator with everything that an effect asks for: pulleys of 160 mm, cables of 0.8 kg/m that stiffen.
 fn machine() -> Robot {
-    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("a built-in robot");
     let middle = robot.home_or_middle().position;
     for cable in &mut robot.cables {
         let upright = if cable.frame_anchor.z > middle.z { 1.0 } else { -1.0 };
