@@ -34,7 +34,9 @@ impl ErrorCode for ReadError {
 impl ErrorCode for DegenerateCourse {
     fn code(&self) -> &'static str {
         match self {
-            Self::ZeroLength { .. } | Self::InsidePulley { .. } | Self::OnSwivelAxis { .. } => "cable::no-course",
+            Self::ZeroLength { .. } | Self::InsidePulley { .. } | Self::OnSwivelAxis { .. } | Self::OpenSide { .. } => {
+                "cable::no-course"
+            }
             Self::NotFinite { .. } => "numerical::overflow",
         }
     }
@@ -112,6 +114,7 @@ impl ErrorCode for ModelError {
             Self::Stretch { reason, .. } => reason.code(),
             Self::MissingKey { .. } | Self::NoGravity { .. } => "model::missing-key",
             Self::Drum { reason, .. } => reason.code(),
+            Self::SpatialWrapSide { .. } => "robot::wrap-side",
             Self::NoCables { .. } => "robot::no-cables",
         }
     }

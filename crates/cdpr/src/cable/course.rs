@@ -52,6 +52,14 @@ pub enum DegenerateCourse {
         /// Number of the cable, from 1.
         cable: usize,
     },
+    /// The cable would lift off a pulley that does not swivel.
+    #[error(
+        "cable {cable}: its platform anchor lies on the open side of its pulley, which does not swivel, so the cable would lift off; is pulley_wrap_side right?"
+    )]
+    OpenSide {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
     /// A number of the pose or the cable is so large or so small that the length overflows.
     #[error("cable {cable}: its length is not a finite number; check the units of pose and anchors (m)")]
     NotFinite {

@@ -34,7 +34,6 @@ impl Block {
         samples: &Samples,
         weights: &Weights,
     ) -> Self {
-        let data = &model.robot().cables[cable];
         let count = samples.len();
         let mut recorded = Vec::with_capacity(count.next_multiple_of(LANES));
         recorded.extend(samples.lengths.iter().skip(cable).step_by(model.cable_count()));
@@ -44,7 +43,7 @@ impl Block {
             slots: parameters.iter().map(|parameter| slot(model, parameter)).collect(),
             recorder: Recorder::of(model, cable, &parameters, samples),
             parameters,
-            start: CableValues::of(data, model.composition().pulley),
+            start: CableValues::of(model, cable),
             recorded,
             weights: weights.of_cable(cable).to_vec(),
             axes: model.axes().iter().map(|axis| (*axis).into()).collect(),

@@ -12,7 +12,7 @@ const REPLICATES: usize = 1000;
 ///
 /// The block length is the one that is optimal for a first-order autoregressive process with the series' lag-one
 /// correlation (Politis and White 2004): (2ρ/(1 − ρ²))^⅔ (3N/2)^⅓, at least 1. Seeded: the same series gives the same error.
-pub(super) fn standard_error(series: &[f64], seed: u64) -> f64 {
+pub fn standard_error(series: &[f64], seed: u64) -> f64 {
     let count = series.len();
     if count < 2 {
         return f64::NAN;

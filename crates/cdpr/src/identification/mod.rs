@@ -19,6 +19,7 @@ pub mod selection;
 mod weights;
 mod words;
 
+pub use bootstrap::standard_error;
 pub use candidate::Candidate;
 pub use coverage::{Coverage, coverage};
 pub use elastostatic::Basin;

@@ -2,7 +2,7 @@
 
 use crate::cable::{Course, outlet};
 use crate::measurement::Samples;
-use crate::robot::Cable;
+use crate::model::Model;
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
 /// Measured poses as structure of arrays, padded to whole groups of lanes with copies of the last sample.
@@ -64,12 +64,17 @@ pub(super) struct CableValues {
     pub(super) start_length: f64,
     /// `None` at a point outlet.
     pub(super) swivel_axis: Option<[f64; 3]>,
+    /// x_A of a pulley that does not swivel.
+    pub(super) side: Option<[f64; 3]>,
 }
 
 impl CableValues {
-    /// The values a robot's cable has, in a model with pulleys or without.
-    pub(super) fn of(cable: &Cable, with_pulley: bool) -> Self {
+    /// The values that a cable (0-based) has in a model.
+    pub(super) fn of(model: &Model, cable: usize) -> Self {
+        let with_pulley = model.composition().pulley;
+        let cable = &model.robot().cables[cable];
         Self {
+            side: model.robot().pulley_side(cable).map(Into::into),
             frame_anchor: cable.frame_anchor.into(),
             platform_anchor: cable.platform_anchor.into(),
             offset: cable.length_offset.unwrap_or(0.0),
@@ -88,9 +93,14 @@ impl CableValues {
         let lever = rotate(rotation, constants(l, self.platform_anchor));
         let anchor = add(position, lever);
         let frame_anchor = constants(l, self.frame_anchor);
-        let course = match self.swivel_axis {
-            Some(axis) => outlet::pulley::course(frame_anchor, constants(l, axis), l.constant(self.radius), anchor),
-            None => outlet::point::course(frame_anchor, anchor),
+        let radius = l.constant(self.radius);
+        let course = match (self.swivel_axis, self.side) {
+            (Some(axis), None) => outlet::pulley::course(frame_anchor, constants(l, axis), radius, anchor),
+            (Some(axis), Some(side)) => {
+                let (axis, side) = (constants(l, axis), constants(l, side));
+                outlet::pulley::course_on_side(frame_anchor, axis, side, radius, anchor)
+            }
+            (None, _) => outlet::point::course(frame_anchor, anchor),
         };
         (course, lever)
     }

@@ -59,7 +59,7 @@ pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes
     }
     let mut regular = true;
     for (cable, inverse_sigma) in weights.inverse_sigma.chunks_mut(rows).enumerate() {
-        let values = CableValues::of(&model.robot().cables[cable], model.composition().pulley);
+        let values = CableValues::of(model, cable);
         regular &= dispatch(WriteWeights { values: &values, poses, variances: &variances, inverse_sigma });
         if !weights.absolute {
             inverse_sigma.fill(1.0 / ASSUMED_NOISE);
@@ -116,7 +116,7 @@ impl Kernel for WriteWeights<'_> {
             let variance = l.constant(self.variances.length) + scale_squared * pose_variance;
             (one / variance.sqrt()).store(&mut self.inverse_sigma[group * LANES..]);
             finite = finite + (course.length + dot(u, u));
-            if let Some(axis) = self.values.swivel_axis {
+            if let (Some(axis), None) = (self.values.swivel_axis, self.values.side) {
                 let d = sub(add(position, lever), constants(l, self.values.frame_anchor));
                 let along = dot(d, constants(l, axis));
                 // generous: the exact test decides afterwards

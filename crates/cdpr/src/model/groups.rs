@@ -14,6 +14,8 @@ pub(crate) struct CableGroup {
     /// 1 for a cable, 0 for a copy that fills the group.
     pub(crate) weight: [f64; LANES],
     pub(crate) has_pulley: bool,
+    /// x_A of pulleys that do not swivel; the pulleys of a model all swivel or none does.
+    pub(crate) pulley_side: Option<[[f64; LANES]; 3]>,
     /// κ_q, κ_θ, c₀ of [`Elasticity`]; all 0 in a model without elasticity.
     pub(crate) elasticity: [[f64; LANES]; 3],
 }
@@ -26,9 +28,11 @@ impl CableGroup {
         let lever = rotate(&rows, load(l, &self.platform_anchor));
         let anchor = add(constants(l, position), lever);
         let frame_anchor = load(l, &self.frame_anchor);
-        let course = match self.has_pulley {
-            true => outlet::pulley::course(frame_anchor, load(l, &self.swivel_axis), l.load(&self.radius), anchor),
-            false => outlet::point::course(frame_anchor, anchor),
+        let (axis, radius) = (|| load(l, &self.swivel_axis), || l.load(&self.radius));
+        let course = match (self.has_pulley, &self.pulley_side) {
+            (true, None) => outlet::pulley::course(frame_anchor, axis(), radius(), anchor),
+            (true, Some(side)) => outlet::pulley::course_on_side(frame_anchor, axis(), load(l, side), radius(), anchor),
+            (false, _) => outlet::point::course(frame_anchor, anchor),
         };
         (course, lever)
     }

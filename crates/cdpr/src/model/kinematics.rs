@@ -76,6 +76,17 @@ pub enum ModelError {
         /// What is wrong.
         reason: DrumError,
     },
+    /// A pulley that does not swivel, on a robot that leaves its plane.
+    #[error(
+        "cable {cable} (\"{name}\") has `pulley_wrap_side`, but the robot is spatial: its platform would leave the plane of a pulley \
+         that does not swivel; leave the key out"
+    )]
+    SpatialWrapSide {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+    },
     /// A robot without cables.
     #[error("robot \"{robot}\" has no cables")]
     NoCables {
@@ -111,6 +122,7 @@ impl Model {
                 require(cable.pulley_swivel_axis.is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
                 require(cable.pulley_radius.is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
             }
+            check_wrap_sides(&robot)?;
         }
         let elasticity = match composition.stretch == StretchEffect::Linear {
             true => elasticity_of(&robot)?,
@@ -120,9 +132,8 @@ impl Model {
         let axes =
             twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
         let laws = laws::laws(&robot, composition, &elasticity)?;
-        let linear = elasticity.chunks(LANES);
-        let groups =
-            robot.cables.chunks(LANES).zip(linear).map(|(cables, laws)| group(cables, laws, composition)).collect();
+        let chunks = robot.cables.chunks(LANES).zip(elasticity.chunks(LANES));
+        let groups = chunks.map(|(cables, linear)| group(&robot, cables, linear, composition)).collect();
         let winches = winches_of(&robot, composition.drum)?;
         Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
     }
@@ -211,11 +222,13 @@ impl Model {
         let data = &self.robot.cables[cable];
         let lever = rotate(rotation, data.platform_anchor.into());
         let anchor = add(position, lever);
+        let entry = data.frame_anchor.into();
         let course = match (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius) {
-            (true, Some(axis), Some(radius)) => {
-                outlet::pulley::course(data.frame_anchor.into(), axis.into(), radius, anchor)
-            }
-            _ => outlet::point::course(data.frame_anchor.into(), anchor),
+            (true, Some(axis), Some(radius)) => match self.robot.pulley_side(data) {
+                None => outlet::pulley::course(entry, axis.into(), radius, anchor),
+                Some(side) => outlet::pulley::course_on_side(entry, axis.into(), side.into(), radius, anchor),
+            },
+            _ => outlet::point::course(entry, anchor),
         };
         (course, lever.into())
     }
@@ -223,11 +236,12 @@ impl Model {
     /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
     /// (−π, π] (rad): what an encoder at the swivel measures.
     ///
-    /// `None` in a model without pulleys, and where the angle is not determined: the platform anchor or the reference lies on
+    /// `None` in a model without pulleys, for one that does not swivel, and where the angle is not determined: the platform anchor or the reference lies on
     /// the swivel axis.
     pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
         let data = &self.robot.cables[cable];
-        let axis = data.pulley_swivel_axis.filter(|_| self.composition.pulley)?;
+        let swivels = self.composition.pulley && data.pulley_wrap_side.is_none();
+        let axis = data.pulley_swivel_axis.filter(|_| swivels)?;
         let anchor = pose.transform(&data.platform_anchor);
         outlet::pulley::swivel_angle(data.frame_anchor.into(), axis.into(), (*reference).into(), anchor.into())
     }
@@ -243,6 +257,16 @@ impl Model {
         else {
             return (d.norm() == 0.0).then_some(DegenerateCourse::ZeroLength { cable });
         };
+        if let Some(side) = self.robot.pulley_side(data) {
+            if side.dot(&d) < 0.0 && axis.dot(&d) > 0.0 {
+                return Some(DegenerateCourse::OpenSide { cable });
+            }
+            return match course.length.is_finite() && course.free_length > 0.0 {
+                true => None,
+                false if radius == 0.0 => Some(DegenerateCourse::ZeroLength { cable }),
+                false => Some(DegenerateCourse::InsidePulley { cable, radius }),
+            };
+        }
         let from_axis = d - axis * axis.dot(&d);
         // nearer than rounding can tell a side of the axis
         if radius > 0.0 && from_axis.norm() <= outlet::pulley::ON_AXIS * (d.norm() + radius) {
@@ -333,6 +357,21 @@ pub(super) fn require(present: bool, (effect, key, hint): Need, index: usize, ca
     if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
 }
 
+/// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.
+fn check_wrap_sides(robot: &Robot) -> Result<(), ModelError> {
+    let with_side = |cable: &Cable| cable.pulley_wrap_side.is_some();
+    let Some(first) = robot.cables.iter().position(with_side) else { return Ok(()) };
+    if !robot.motion_pattern.is_planar() {
+        return Err(ModelError::SpatialWrapSide { cable: first + 1, name: robot.cables[first].name.clone() });
+    }
+    let hint = ": the pulleys of a robot all swivel or none does";
+    robot
+        .cables
+        .iter()
+        .enumerate()
+        .try_for_each(|(index, cable)| require(with_side(cable), ("pulley", "pulley_wrap_side", hint), index, cable))
+}
+
 fn elasticity_of(robot: &Robot) -> Result<Vec<Elasticity<f64>>, ModelError> {
     let hint = " (or axial_compliance_per_N, or spring_constant_N_per_m)";
     let law = |(index, cable): (usize, &Cable)| {
@@ -344,7 +383,7 @@ fn elasticity_of(robot: &Robot) -> Result<Vec<Elasticity<f64>>, ModelError> {
 }
 
 /// Packs up to eight cables; the last one fills the rest with weight 0.
-fn group(cables: &[Cable], laws: &[Elasticity<f64>], composition: Composition) -> CableGroup {
+fn group(robot: &Robot, cables: &[Cable], laws: &[Elasticity<f64>], composition: Composition) -> CableGroup {
     let at = |lane: usize| &cables[lane.min(cables.len() - 1)];
     let law = |lane: usize| laws[lane.min(laws.len() - 1)];
     let vectors =
@@ -356,6 +395,7 @@ fn group(cables: &[Cable], laws: &[Elasticity<f64>], composition: Composition) -
         radius: std::array::from_fn(|lane| at(lane).pulley_radius.unwrap_or(0.0)),
         weight: std::array::from_fn(|lane| if lane < cables.len() { 1.0 } else { 0.0 }),
         has_pulley: composition.pulley,
+        pulley_side: robot.pulley_side(at(0)).map(|first| vectors(&|cable| robot.pulley_side(cable).unwrap_or(first))),
         elasticity: [
             std::array::from_fn(|lane| law(lane).by_length),
             std::array::from_fn(|lane| law(lane).by_controlled_length),

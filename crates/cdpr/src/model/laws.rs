@@ -38,6 +38,7 @@ pub(super) fn laws(
         Ok(CableLaw {
             frame_anchor: cable.frame_anchor.into(),
             pulley,
+            pulley_side: robot.pulley_side(cable).map(Into::into),
             series_compliance: match composition.is_elastic() {
                 true => cable.series_compliance.unwrap_or(0.0) + cable.spring_constant.map_or(0.0, |k| 1.0 / k),
                 false => 0.0,

@@ -35,7 +35,7 @@ pub enum PlacePulleysError {
 /// The robot with a pulley at every cable, each placed so that the contact point at `pose` is the published frame anchor.
 ///
 /// `pulleys` gives radius (m) and unit swivel axis (world) per cable. Lengths, directions and structure matrix at `pose`
-/// then agree with the point model but for the wrapped length (sec. 3.8).
+/// then agree with the point model but for the wrapped length (sec. 3.8). A pulley with `pulley_wrap_side` stays on its side.
 pub fn place_pulleys(robot: &Robot, pulleys: &[(f64, Vector3<f64>)], pose: &Pose) -> Result<Robot, PlacePulleysError> {
     let mut placed = robot.clone();
     for (index, (cable, &(radius, axis))) in placed.cables.iter_mut().zip(pulleys).enumerate() {
@@ -45,8 +45,12 @@ pub fn place_pulleys(robot: &Robot, pulleys: &[(f64, Vector3<f64>)], pose: &Pose
             return Err(PlacePulleysError::Input { cable: number, radius, axis_length: axis.norm() });
         }
         let anchor = pose.transform(&cable.platform_anchor);
-        let entry = pulley::place(cable.frame_anchor.into(), axis.into(), radius, anchor.into())
-            .map_err(|reason| PlacePulleysError::Cable { cable: number, reason })?;
+        let outlet = cable.frame_anchor.into();
+        let entry = match cable.pulley_wrap_side.map(|side| robot.side_of(&axis, side)) {
+            Some(side) => pulley::place_on_side(outlet, axis.into(), side.into(), radius, anchor.into()),
+            None => pulley::place(outlet, axis.into(), radius, anchor.into()),
+        };
+        let entry = entry.map_err(|reason| PlacePulleysError::Cable { cable: number, reason })?;
         cable.frame_anchor = entry.into();
         cable.pulley_radius = Some(radius);
         cable.pulley_swivel_axis = Some(axis);

@@ -6,7 +6,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::{Course, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
-use crate::robot::{Cable, Platform, Robot};
+use crate::robot::{Cable, Platform, Robot, WrapSide};
 use crate::scalar::{add, rotate};
 
 /// Derivatives by [δr; δφ], frame anchor, platform anchor, radius.
@@ -58,7 +58,8 @@ fn tilted_pose() -> Pose {
 }
 
 /// Course of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is all a dual number sees.
-fn dual_course(cable: &Cable, pose: &Pose, with_pulley: bool) -> Course<Dual> {
+fn dual_course(robot: &Robot, pose: &Pose, with_pulley: bool) -> Course<Dual> {
+    let cable = &robot.cables[0];
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
     let lever = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 9));
     let turn = numbers(Vector3::zeros(), 3);
@@ -67,22 +68,29 @@ fn dual_course(cable: &Cable, pose: &Pose, with_pulley: bool) -> Course<Dual> {
     match (with_pulley, cable.pulley_swivel_axis) {
         (true, Some(axis)) => {
             let radius = variable(cable.pulley_radius.unwrap(), 12);
-            outlet::pulley::course(frame_anchor, [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor)
+            let constants = |v: Vector3<f64>| [0, 1, 2].map(|k| Dual::from(v[k]));
+            match robot.pulley_side(cable) {
+                None => outlet::pulley::course(frame_anchor, constants(axis), radius, anchor),
+                Some(side) => {
+                    outlet::pulley::course_on_side(frame_anchor, constants(axis), constants(side), radius, anchor)
+                }
+            }
         }
         _ => outlet::point::course(frame_anchor, anchor),
     }
 }
 
 /// Analytic and dual derivatives of length and direction agree; both are exact, so only rounding separates them.
-fn check_derivatives(cable: &Cable, pose: &Pose, with_pulley: bool) {
+fn check_derivatives(robot: &Robot, pose: &Pose, with_pulley: bool) {
     let composition = if with_pulley { Composition::PULLEY } else { Composition::STANDARD };
-    let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
+    let model = Model::new(robot.clone(), composition).unwrap();
     let (course, lever) = model.course(0, pose).unwrap();
     // indices 9.. are the platform anchor, 12 the radius; the layout needs 13 variables
-    let dual = dual_course(cable, pose, with_pulley);
+    let dual = dual_course(robot, pose, with_pulley);
     let (by_pose, directions_by_pose) = course.by_pose(lever.into());
     let (by_anchor, directions_by_anchor) = course.by_platform_anchor(&pose.rotation_rows());
-    let tolerance = 1e-12;
+    // next to the axis and to the rim directions change fast, and rounding grows with their gradient (1/m)
+    let tolerance = 1e-12 * course.direction_gradient.iter().flatten().fold(1.0, |max: f64, x| max.max(x.abs()));
     let analytic = |pose: [f64; 6], frame: [f64; 3], platform: [f64; 3], radius: f64| {
         let mut all = pose.to_vec();
         all.extend(frame);
@@ -104,15 +112,169 @@ fn derivatives_of_both_outlets_agree_with_dual_numbers() {
     let mut cable = tilted_pulley_cable();
     for pose in [tilted_pose(), Pose::identity(), Pose::from_xyz_angles(Vector3::new(-1.7, 1.4, 5.0), [1.0, 0.5, -2.0])]
     {
-        check_derivatives(&cable, &pose, false);
-        check_derivatives(&cable, &pose, true);
+        check_derivatives(&robot_of(vec![cable.clone()]), &pose, false);
+        check_derivatives(&robot_of(vec![cable.clone()]), &pose, true);
     }
     // nearer to the axis than the radius, below and above: where eq. 2.19 and principal values go wrong
     cable.pulley_swivel_axis = Some(Vector3::z());
     for z in [-1.0, 1.0] {
         let near_axis = Pose { position: Vector3::new(-2.0 + 0.05 - 0.3, 1.5 + 0.2, 3.0 + z), ..Pose::identity() };
-        check_derivatives(&cable, &near_axis, true);
+        check_derivatives(&robot_of(vec![cable.clone()]), &near_axis, true);
     }
+}
+
+/// A planar robot in the xz plane with one cable over a pulley on the given side of a cable that comes up.
+fn planar_robot(side: WrapSide) -> Robot {
+    let cable = Cable {
+        frame_anchor: Vector3::new(-2.0, 0.0, 3.0),
+        platform_anchor: Vector3::new(0.3, 0.0, 0.1),
+        pulley_swivel_axis: Some(Vector3::z()),
+        pulley_wrap_side: Some(side),
+        ..tilted_pulley_cable()
+    };
+    let plane = Plane::from_axes("xz").unwrap();
+    Robot { motion_pattern: MotionPattern::Planar, plane, ..robot_of(vec![cable]) }
+}
+
+/// Platform poses on both sides of the cable that comes up, above and below the entry, but for the open side.
+fn planar_poses() -> Vec<Pose> {
+    let turned = |x: f64, z: f64| Pose::from_xyz_angles(Vector3::new(x, 0.0, z), [0.0, 0.3, 0.0]);
+    vec![turned(0.0, 0.0), turned(1.0, 4.0), turned(-2.2, 1.0), turned(-4.0, 1.5), turned(-2.25, 5.0)]
+}
+
+#[test]
+fn derivatives_over_a_pulley_that_does_not_swivel_agree_with_dual_numbers() {
+    for pose in planar_poses() {
+        check_derivatives(&planar_robot(WrapSide::Right), &pose, true);
+        let mirrored =
+            Pose { position: pose.position + Vector3::x() * (2.0 * (-2.3 - pose.position.x)), rotation: pose.rotation };
+        check_derivatives(&planar_robot(WrapSide::Left), &mirrored, true);
+    }
+}
+
+/// On the side where a swivelling pulley would turn to, both are the same; on the other side the cable wraps further.
+#[test]
+fn a_pulley_that_does_not_swivel_differs_beyond_its_entry_only() {
+    let robot = planar_robot(WrapSide::Right);
+    let mut swivelling = robot.clone();
+    swivelling.cables[0].pulley_wrap_side = None;
+    let [fixed, swivelling] = [robot, swivelling].map(|robot| Model::new(robot, Composition::PULLEY).unwrap());
+    for pose in planar_poses() {
+        let (on_side, turned) = (fixed.course(0, &pose).unwrap().0, swivelling.course(0, &pose).unwrap().0);
+        let beyond = (pose.transform(&fixed.robot().cables[0].platform_anchor)).x < -2.0;
+        assert_eq!(on_side.wrap_angle > turned.wrap_angle + 1e-9, beyond, "{pose:?}");
+        assert!(beyond || (on_side.length - turned.length).abs() < 1e-14);
+        // the free part is tangent to the circle, whose centre is to the right of the entry
+        let center = Vector3::new(-2.0 + 0.12, 0.0, 3.0);
+        let anchor = pose.transform(&fixed.robot().cables[0].platform_anchor);
+        let contact = anchor + Vector3::from(on_side.direction) * on_side.free_length;
+        assert!(((contact - center).norm() - 0.12).abs() < 1e-14);
+        assert!((contact - center).dot(&Vector3::from(on_side.direction)).abs() < 1e-14);
+    }
+    assert_eq!(fixed.swivel_angle(0, &planar_poses()[0], &Vector3::x()), None);
+}
+
+#[test]
+fn the_open_side_of_a_pulley_and_spatial_wrap_sides_are_refused() {
+    use crate::cable::DegenerateCourse as Reason;
+    let model = Model::new(planar_robot(WrapSide::Right), Composition::PULLEY).unwrap();
+    let left_above = Pose { position: Vector3::new(-4.0, 0.0, 5.0), ..Pose::identity() };
+    assert_eq!(model.course(0, &left_above).unwrap_err(), Reason::OpenSide { cable: 1 });
+    assert!(model.course_or_nan(0, &left_above).0.length.is_nan());
+    let inside = Pose { position: Vector3::new(-2.3 + 0.1, 0.0, 2.9), ..Pose::identity() };
+    assert_eq!(model.course(0, &inside).unwrap_err(), Reason::InsidePulley { cable: 1, radius: 0.12 });
+
+    let spatial = robot_of(planar_robot(WrapSide::Right).cables);
+    let refused = Model::new(spatial, Composition::PULLEY).unwrap_err();
+    assert!(matches!(refused, ModelError::SpatialWrapSide { cable: 1, .. }), "{refused}");
+    let mut mixed = planar_robot(WrapSide::Right);
+    mixed.cables.push(Cable { pulley_wrap_side: None, ..mixed.cables[0].clone() });
+    let refused = Model::new(mixed, Composition::PULLEY).unwrap_err().to_string();
+    assert!(refused.contains("pulley_wrap_side") && refused.contains("cable 2"), "{refused}");
+}
+
+/// With r_p → 0 the pulley is a point, wherever the anchor may be.
+#[test]
+fn radius_zero_is_a_point_also_without_a_swivel() {
+    let mut robot = planar_robot(WrapSide::Right);
+    robot.cables[0].pulley_radius = Some(0.0);
+    let [pulley, point] = [Composition::PULLEY, Composition::STANDARD].map(|effects| {
+        let model = Model::new(robot.clone(), effects).unwrap();
+        planar_poses().iter().map(|pose| model.course(0, pose).unwrap().0).collect::<Vec<_>>()
+    });
+    for (pulley, point) in pulley.iter().zip(&point) {
+        assert!((pulley.length - point.length).abs() < 1e-14);
+        for k in [0, 2] {
+            assert!((pulley.direction[k] - point.direction[k]).abs() < 1e-14);
+            for column in [0, 2] {
+                let (found, expected) = (pulley.direction_gradient[k][column], point.direction_gradient[k][column]);
+                assert!((found - expected).abs() < 1e-13);
+            }
+        }
+    }
+}
+
+/// The second derivatives of the length by anchor and radius: ∂²q/∂r_p∂p_B = −∂u/∂r_p and ∂²q/∂r_p² = (1 − cos β)²/q_f, so that
+/// the Hessian is symmetric.
+#[test]
+fn second_derivatives_by_anchor_and_radius_are_one_symmetric_matrix() {
+    let swivelling = (robot_of(vec![tilted_pulley_cable()]), vec![tilted_pose(), Pose::identity()]);
+    for (robot, poses) in [swivelling, (planar_robot(WrapSide::Right), planar_poses())] {
+        for pose in poses {
+            let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
+            let (course, _) = model.course(0, &pose).unwrap();
+            let by_radius = gradient(&dual_course(&robot, &pose, true).length_by_radius);
+            for k in 0..3 {
+                assert!((by_radius[k] + course.direction_by_radius[k]).abs() < 1e-12);
+                for column in 0..3 {
+                    let (upper, lower) = (course.direction_gradient[k][column], course.direction_gradient[column][k]);
+                    assert!((upper - lower).abs() < 1e-13);
+                }
+            }
+            let turned = 1.0 - course.wrap_angle.cos();
+            assert!((by_radius[12] - turned * turned / course.free_length).abs() < 1e-12);
+        }
+    }
+}
+
+/// A nanometre from the swivel axis and from the rim there are derivatives, and they are right; where there is no course there
+/// is a reason. Nothing is ever NaN.
+#[test]
+fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
+    let cable = Cable {
+        frame_anchor: Vector3::zeros(),
+        platform_anchor: Vector3::zeros(),
+        pulley_swivel_axis: Some(Vector3::z()),
+        ..tilted_pulley_cable()
+    };
+    let robot = robot_of(vec![cable]);
+    let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
+    let radius = 0.12;
+    let mut without = 0;
+    for exponent in 3..=18 {
+        let distance = 10_f64.powi(-exponent);
+        for turn in 0..12 {
+            let angle = f64::from(turn) * std::f64::consts::TAU / 12.0 + 0.1;
+            let rim = Vector3::new(radius + (radius + distance) * angle.cos(), 0.0, (radius + distance) * angle.sin());
+            let axis =
+                Vector3::new(distance * angle.cos(), distance * angle.sin(), if turn % 2 == 0 { 1.0 } else { -1.0 });
+            for position in [rim, axis] {
+                let pose = Pose { position, ..Pose::identity() };
+                let Ok((course, _)) = model.course(0, &pose) else {
+                    without += 1;
+                    continue;
+                };
+                let gradient = course.direction_gradient.iter().flatten();
+                let numbers = [course.length, course.wrap_angle, course.length_by_radius];
+                assert!(gradient.chain(&course.direction_by_radius).chain(&numbers).all(|x| x.is_finite()), "{pose:?}");
+                // nearer than this, rounding of the position itself decides the digits
+                if distance >= 1e-9 {
+                    check_derivatives(&robot, &pose, true);
+                }
+            }
+        }
+    }
+    assert!(without > 0, "the nearest poses have no course");
 }
 
 #[test]

@@ -97,12 +97,14 @@ impl CableReader<'_> {
         self.check_stiffness()?;
         self.check_tension_limits()?;
         self.check_stretch()?;
+        self.check_wrap_side()?;
         Ok(Cable {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
             platform_anchor: self.vector("platform_anchor_m", &section.platform_anchor_m)?,
             pulley_radius: self.not_negative("pulley_radius_m", section.pulley_radius_m)?,
             pulley_swivel_axis: section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?,
+            pulley_wrap_side: section.pulley_wrap_side,
             tension_min: section.tension_min_N,
             tension_max: section.tension_max_N,
             axial_stiffness: self.positive("axial_stiffness_EA_N", section.axial_stiffness_EA_N)?,
@@ -220,6 +222,18 @@ impl CableReader<'_> {
             let [list, cable, table] = self.path("hysteresis");
             refused(&[list, cable, table, Step::Key(error.key())], &error)
         })
+    }
+
+    /// A pulley of a spatial robot always swivels.
+    fn check_wrap_side(&self) -> Result<(), ReadError> {
+        if self.section.pulley_wrap_side.is_none() || self.reader.pattern.is_planar() {
+            return Ok(());
+        }
+        let message = "pulley_wrap_side belongs to planar robots; the platform of this one would leave the plane of a pulley that \
+                       does not swivel";
+        Err(self
+            .error("pulley_wrap_side", "robot::wrap-side", message)
+            .with_help("leave the key out: with pulley_swivel_axis alone the pulley turns to the platform"))
     }
 
     fn check_tension_limits(&self) -> Result<(), ReadError> {

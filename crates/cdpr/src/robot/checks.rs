@@ -57,6 +57,9 @@ impl Robot {
         without("pulley_swivel_axis without pulley_radius_m, so the effect `pulley` cannot be used", &|cable| {
             cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_none()
         });
+        without("pulley_wrap_side without pulley_swivel_axis, so it has no effect", &|cable| {
+            cable.pulley_wrap_side.is_some() && cable.pulley_swivel_axis.is_none()
+        });
         if self.home.is_none() {
             warnings.push("no [home_pose]: the middle of the frame anchors is used to start from".to_owned());
         }

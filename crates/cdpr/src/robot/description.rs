@@ -109,6 +109,8 @@ pub struct Cable {
     pub pulley_radius: Option<f64>,
     /// Unit vector along the swivel axis, from the winch into the pulley (world).
     pub pulley_swivel_axis: Option<Vector3<f64>>,
+    /// Side of a pulley that does not swivel (planar robots); `None` where it swivels.
+    pub pulley_wrap_side: Option<WrapSide>,
     /// Least tension allowed (N).
     pub tension_min: Option<f64>,
     /// Largest tension allowed (N).
@@ -169,6 +171,17 @@ pub struct Cable {
     pub linear_density: Option<f64>,
     /// Elements of the effect `finite-element`; 10 when unknown.
     pub finite_elements: Option<usize>,
+}
+
+/// Side of the cable on which a pulley stands that does not swivel: of a cable that runs along `pulley_swivel_axis`, seen with
+/// the first axis of the plane turning counterclockwise to the second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum WrapSide {
+    /// The cable turns left around it.
+    Left,
+    /// The cable turns right around it.
+    Right,
 }
 
 /// Which length divides the specific stiffness.
@@ -274,6 +287,21 @@ impl Robot {
     /// Number of degrees of freedom n.
     pub fn dof(&self) -> usize {
         self.motion_pattern.dof()
+    }
+
+    /// x_A of a pulley that does not swivel, from D to its centre (unit, world); `None` for one that does, or without an axis.
+    pub fn pulley_side(&self, cable: &Cable) -> Option<Vector3<f64>> {
+        let side = cable.pulley_wrap_side?;
+        Some(self.side_of(&cable.pulley_swivel_axis?, side))
+    }
+
+    /// The side of a direction in the plane (unit, world).
+    pub(crate) fn side_of(&self, direction: &Vector3<f64>, side: WrapSide) -> Vector3<f64> {
+        let left = self.plane.normal().cross(direction);
+        match side {
+            WrapSide::Left => left,
+            WrapSide::Right => -left,
+        }
     }
 
     /// The home pose, or the middle of the frame anchors with the platform unturned when the file gives none.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace};
+use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
@@ -154,6 +154,8 @@ pub(super) struct CableSection {
     pub(super) spring_constant_N_per_m: Option<f64>,
     /// Unit vector along the swivel axis, from the winch into the pulley (world).
     pub(super) pulley_swivel_axis: Option<Vec<f64>>,
+    /// Planar robots only: the pulley does not swivel and stands on this side of the cable that runs into it along `pulley_swivel_axis`: `left` or `right`, seen with the first of `axes` turning counterclockwise to the second. The cable turns to that side.
+    pub(super) pulley_wrap_side: Option<WrapSide>,
     /// Which length divides E·A: `actual` (k = EA/q, the default) or `unstrained` (k = EA/q_θ).
     pub(super) stiffness_by: Option<StiffnessBasis>,
     /// Strained length between winch and outlet that the geometry does not see (m).

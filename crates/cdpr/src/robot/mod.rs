@@ -14,6 +14,7 @@ mod writing;
 
 pub use description::{
     Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
+    WrapSide,
 };
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 

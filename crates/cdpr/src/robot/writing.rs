@@ -139,6 +139,7 @@ impl Robot {
             axial_compliance_per_N: cable.axial_compliance,
             spring_constant_N_per_m: cable.spring_constant,
             pulley_swivel_axis: cable.pulley_swivel_axis.as_ref().map(|axis| self.components(axis)),
+            pulley_wrap_side: cable.pulley_wrap_side,
             stiffness_by: cable.stiffness_by,
             hidden_length_m: cable.hidden_length,
             series_compliance_m_per_N: cable.series_compliance,

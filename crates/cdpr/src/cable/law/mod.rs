@@ -19,7 +19,9 @@ mod tests;
 
 use thiserror::Error;
 
+use super::course::Course;
 use super::elasticity::Elasticity;
+use super::outlet::{point, pulley};
 use super::span::{Shape, State};
 use super::stretch::Stretch;
 
@@ -30,6 +32,8 @@ pub struct CableLaw {
     pub frame_anchor: [f64; 3],
     /// Swivel axis (unit vector, world) and radius (m) of the pulley.
     pub pulley: Option<([f64; 3], f64)>,
+    /// x_A of a pulley that does not swivel (unit vector, world).
+    pub pulley_side: Option<[f64; 3]>,
     /// How it stretches; for [`Kind::Linear`] see `elasticity`.
     pub stretch: Stretch,
     /// q_h, strained length between winch and outlet that the geometry does not see (m).
@@ -147,6 +151,17 @@ pub enum HoldError {
 }
 
 impl CableLaw {
+    /// The straight, rigid cable between the same ends.
+    fn course(&self, platform_anchor: [f64; 3]) -> Course<f64> {
+        match (self.pulley, self.pulley_side) {
+            (Some((axis, radius)), None) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
+            (Some((axis, radius)), Some(side)) => {
+                pulley::course_on_side(self.frame_anchor, axis, side, radius, platform_anchor)
+            }
+            (None, _) => point::course(self.frame_anchor, platform_anchor),
+        }
+    }
+
     /// The cable at a platform anchor (world, m), with one more thing known.
     pub fn hold(&self, platform_anchor: [f64; 3], known: Known) -> Result<Hold, HoldError> {
         self.hold_from(platform_anchor, known, None)

@@ -2,7 +2,6 @@
 
 use super::sagging::Evaluation;
 use super::{CableLaw, Hold, HoldError, Known};
-use crate::cable::outlet::{point, pulley};
 use crate::cable::span::{Shape, State};
 use crate::scalar::{add, dot, scale, sub};
 
@@ -69,10 +68,7 @@ pub(super) struct Chord {
 impl CableLaw {
     /// The straight cable between the same ends.
     pub(super) fn chord(&self, platform_anchor: [f64; 3]) -> Result<Chord, HoldError> {
-        let course = match self.pulley {
-            Some((axis, radius)) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
-            None => point::course(self.frame_anchor, platform_anchor),
-        };
+        let course = self.course(platform_anchor);
         if !(course.length.is_finite() && course.free_length > 0.0) {
             return Err(HoldError::NoCourse);
         }

@@ -3,7 +3,6 @@
 use super::{CableLaw, Hold, HoldError, Kind, Known};
 use crate::cable::course::Course;
 use crate::cable::elasticity::Elasticity;
-use crate::cable::outlet::{point, pulley};
 use crate::cable::span::State;
 use crate::scalar::scale;
 
@@ -17,10 +16,7 @@ struct Length {
 
 impl CableLaw {
     pub(super) fn hold_straight(&self, platform_anchor: [f64; 3], known: Known) -> Result<Hold, HoldError> {
-        let course = match self.pulley {
-            Some((axis, radius)) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
-            None => point::course(self.frame_anchor, platform_anchor),
-        };
+        let course = self.course(platform_anchor);
         if !(course.length.is_finite() && course.free_length > 0.0) {
             return Err(HoldError::NoCourse);
         }

@@ -15,6 +15,7 @@ fn steel(shape: Shape, with_pulley: bool) -> CableLaw {
     CableLaw {
         frame_anchor: [1.0, -2.0, 6.0],
         pulley: with_pulley.then_some((scale(1.0 / norm, axis), 0.16)),
+        pulley_side: None,
         stretch: Stretch::Linear(1e-7),
         hidden_length: 3.0,
         series_compliance: 2e-7,

@@ -1,4 +1,5 @@
-//! Swivelling pulley: the cable enters at D on the swivel axis, wraps and leaves tangentially (eq. 2.16–2.29).
+//! Pulley: the cable enters at D, wraps and leaves tangentially (eq. 2.16–2.29). Its plane turns with the platform anchor about
+//! the swivel axis, or stands still with a given side (planar robots).
 
 use thiserror::Error;
 
@@ -12,20 +13,61 @@ const AXIS_GUARD: f64 = 1e-300;
 /// Sine of the angle from the swivel axis below which rounding does not tell the sides of the axis apart.
 pub(crate) const ON_AXIS: f64 = 1e-12;
 
+/// The plane of a pulley and the platform anchor in it.
+struct PulleyPlane<T> {
+    /// z_A.
+    swivel_axis: [T; 3],
+    /// x_A.
+    radial: [T; 3],
+    /// Component of the anchor along z_A from D (m).
+    b_z: T,
+    /// Component of the anchor along x_A from D (m).
+    b_xy: T,
+    /// How the plane turns when the anchor moves across it (1/m): 1/b_xy, or 0 where it stands still.
+    turning: T,
+}
+
 /// Course over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
 ///
-/// With the anchor's components b_xy (from the axis) and b_z (along it) from D and h = b_xy − r_p:
-/// q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β and
-/// −u = cos β z_A + sin β x_A. Inside the pulley (h² + b_z² < r_p²) the result is NaN.
+/// x_A points from the axis to the platform anchor. Inside the pulley (b_M < r_p) the result is NaN.
 #[inline(always)]
 pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Course<T> {
-    let one = radius.constant(1.0);
     let d = sub(platform_anchor, entry);
     let b_z = dot(d, swivel_axis);
     let across = sub(d, scale(b_z, swivel_axis));
     let b_xy = (dot(across, across) + radius.constant(AXIS_GUARD)).sqrt();
-    let by_b_xy = one / b_xy;
-    let radial = scale(by_b_xy, across); // x_A
+    let turning = radius.constant(1.0) / b_xy;
+    course_in_plane(PulleyPlane { swivel_axis, radial: scale(turning, across), b_z, b_xy, turning }, radius)
+}
+
+/// Course over a pulley that does not swivel: its centre stands at D + r_p x_A, with the unit vector x_A = `side` (world).
+///
+/// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the cable would
+/// lift off, the result is NaN.
+#[inline(always)]
+pub fn course_on_side<T: Real>(
+    entry: [T; 3],
+    swivel_axis: [T; 3],
+    side: [T; 3],
+    radius: T,
+    platform_anchor: [T; 3],
+) -> Course<T> {
+    let zero = radius.constant(0.0);
+    let d = sub(platform_anchor, entry);
+    let (b_z, b_xy) = (dot(d, swivel_axis), dot(d, side));
+    // a case without a branch: NaN in the last quadrant, else 0
+    let open_side = zero * (radius.constant(1.5 * std::f64::consts::PI) - b_xy.full_angle(b_z)).sqrt();
+    let mut course = course_in_plane(PulleyPlane { swivel_axis, radial: side, b_z, b_xy, turning: zero }, radius);
+    course.length = course.length + open_side;
+    course
+}
+
+/// With h = b_xy − r_p: q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β and
+/// −u = cos β z_A + sin β x_A.
+#[inline(always)]
+fn course_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> Course<T> {
+    let PulleyPlane { swivel_axis, radial, b_z, b_xy, turning } = plane;
+    let one = radius.constant(1.0);
     let h = b_xy - radius;
     let center_distance_squared = h * h + b_z * b_z; // b_M²
     let by_square = one / center_distance_squared;
@@ -37,7 +79,7 @@ pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_a
     // The free part swings about C in the pulley's plane (along `bend`) and turns with the swivel (along `side`).
     let bend = sub(scale(cosine, radial), scale(sine, swivel_axis));
     let side = cross(swivel_axis, radial);
-    let (swing, swivel) = (one / free_length, sine * by_b_xy);
+    let (swing, swivel) = (one / free_length, sine * turning);
     let mut direction_gradient = [[one; 3]; 3];
     for row in 0..3 {
         for column in 0..3 {
@@ -107,5 +149,32 @@ pub fn place(
         return if cosine > 0.0 || radius == 0.0 { Ok(outlet) } else { Err(PlacementError::AlongAxis) };
     }
     let radial = scale(1.0 / sine, across);
-    Ok(sub(sub(outlet, scale(radius * (1.0 - cosine), radial)), scale(radius * sine, swivel_axis)))
+    Ok(entry_before(outlet, (swivel_axis, cosine), (radial, sine), radius))
+}
+
+/// [`place`] for a pulley that does not swivel, with x_A = `side`: every direction in its plane has a place.
+pub fn place_on_side(
+    outlet: [f64; 3],
+    swivel_axis: [f64; 3],
+    side: [f64; 3],
+    radius: f64,
+    platform_anchor: [f64; 3],
+) -> Result<[f64; 3], PlacementError> {
+    let away = sub(platform_anchor, outlet);
+    let length = dot(away, away).sqrt();
+    if length == 0.0 {
+        return Err(PlacementError::ZeroLength);
+    }
+    let (cosine, sine) = (dot(away, swivel_axis) / length, dot(away, side) / length);
+    Ok(entry_before(outlet, (swivel_axis, cosine), (side, sine), radius))
+}
+
+/// D from the contact point, with z_A and cos β, x_A and sin β.
+fn entry_before(
+    outlet: [f64; 3],
+    (swivel_axis, cosine): ([f64; 3], f64),
+    (radial, sine): ([f64; 3], f64),
+    radius: f64,
+) -> [f64; 3] {
+    sub(sub(outlet, scale(radius * (1.0 - cosine), radial)), scale(radius * sine, swivel_axis))
 }
