@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr::geometry::MotionPattern;
 use cdpr::reading::ReadError;
-use cdpr::robot::{DrumSide, Robot, StiffnessBasis, builtin};
+use cdpr::robot::{DrumSide, Robot, StiffnessBasis, WrapSide, builtin};
 
 /// The collection beside the project; `None`, said aloud, when it is absent outside CI.
 fn shared_robots() -> Option<Vec<PathBuf>> {
@@ -78,6 +78,7 @@ frame_anchor_m = [0.0, 2.0]
 platform_anchor_m = [-0.1, 0.0]
 pulley_radius_m = 0.05
 pulley_swivel_axis = [0.0, 1.0]
+pulley_wrap_side = "right"
 tension_min_N = 1.0
 tension_max_N = 10.0
 
@@ -130,6 +131,9 @@ fn every_calibrated_key_is_read_and_written() {
     assert_eq!((cable.series_compliance, cable.stiffness_by), (Some(1e-7), Some(StiffnessBasis::Unstrained)));
     assert_eq!((cable.length_scale, cable.length_offset), (Some(1.001), Some(-0.02)));
     assert_eq!((cable.tension_scale, cable.tension_offset), (Some(0.98), Some(3.0)));
+    assert_eq!(robot.cables[0].pulley_wrap_side, Some(WrapSide::Right));
+    // in the xz plane a cable that comes up turns right towards +x
+    assert_eq!(robot.pulley_side(&robot.cables[0]), Some(cdpr::nalgebra::Vector3::x()));
     assert_eq!(cable.tension_of_strain, Some(vec![1e5, 2e6]));
     assert_eq!(cable.hysteresis.as_ref().unwrap().unloading_N, [0.0, 900.0, 4500.0]);
     // in the xz plane the moment is about −y
@@ -285,6 +289,7 @@ fn mistakes_of_spatial_files_are_told_with_their_place() {
         ("rotation = ", "angle_rad = 0.0 #", "0.0", "robot::home-pose"),
         ("moment_Nm = [0.0, 0.0, 0.0]", "moment_Nm = 0.0", "0.0", "robot::moment"),
         ("[0.0, 2.0, 3.0]", "[0.0, 2.0]", "[0.0, 2.0]", "robot::component-count"),
+        ("swivel_axis = ", "wrap_side = \"left\"\npulley_swivel_axis = ", "\"left\"", "robot::wrap-side"),
     ] {
         mistake(SPATIAL, from, to, at, code);
     }
@@ -295,6 +300,7 @@ fn a_misspelt_key_or_value_is_answered_by_the_one_meant() {
     for (from, to, meant) in [
         ("axial_compliance_per_N", "axial_complience_per_N", "did you mean `axial_compliance_per_N`?"),
         ("\"1R2T\"", "\"1r2t\"", "did you mean `1R2T`? allowed: 2T, 3T, 1R2T, 3R3T"),
+        ("\"right\"\ntension", "\"rigth\"\ntension", "did you mean `right`? allowed: left, right"),
         ("\"unstrained\"", "\"unstraind\"", "did you mean `unstrained`? allowed: actual, unstrained"),
     ] {
         let error = Robot::from_toml(&PLANAR.replacen(from, to, 1), "robot.toml").unwrap_err();
