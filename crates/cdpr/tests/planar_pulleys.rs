@@ -8,6 +8,7 @@ use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{Robot, WrapSide};
+use cdpr::statics::controlled_lengths;
 use cdpr::tension::{Limits, quadratic};
 use support::builtin;
 
@@ -101,5 +102,22 @@ fn the_radius_of_a_pulley_that_does_not_swivel_is_identified() {
     let found = fit::fit(&nominal, &samples, &"pulley-radius".parse().unwrap(), &fit::Settings::default()).unwrap();
     for estimate in &found.parameters {
         assert!((estimate.value - 0.15).abs() < 1e-9, "{}: {}", estimate.name, estimate.value);
+    }
+}
+
+/// Sagging cables find the same side: with a ten-thousandth of a gram per metre they are as long as straight ones.
+#[test]
+fn cables_that_weigh_next_to_nothing_run_over_the_same_side() {
+    let mut robot = over_the_top(0.4);
+    robot.cables.iter_mut().for_each(|cable| cable.linear_density = Some(1e-7));
+    let straight = Model::new(robot.clone(), Composition::PULLEY).unwrap();
+    let sagging = Model::new(robot, "pulley+catenary".parse().unwrap()).unwrap();
+    for (x, y) in [(-3.0, 1.0), (0.0, 5.2), (3.5, 6.5), (-4.5, 7.0)] {
+        let pose = Pose { position: Vector3::new(x, y, 0.0), ..Pose::identity() };
+        let lengths = straight.cable_lengths(&pose).unwrap();
+        let with_weight = controlled_lengths(&sagging, &pose, &[3000.0; 4]).unwrap();
+        for (straight, sagging) in lengths.iter().zip(with_weight) {
+            assert!((straight - sagging).abs() < 1e-9, "{straight} {sagging}");
+        }
     }
 }
