@@ -74,7 +74,7 @@ fn draw(svg: &mut String, drawn: &Drawn) -> std::fmt::Result {
         writeln!(svg, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.5\"/>")?;
     }
     if !drawn.with_letters {
-        return text(svg, [mx, my + 1.5 * SCALE], &format!("pulley_wrap_side = \"{}\"", drawn.name));
+        return text(svg, [mx, my + 2.35 * SCALE], &format!("pulley_wrap_side = \"{}\"", drawn.name));
     }
     text(svg, [mx + 0.9 * SCALE, my + 2.15 * SCALE], drawn.name)?;
     for (point, words) in [
@@ -83,9 +83,9 @@ fn draw(svg: &mut String, drawn: &Drawn) -> std::fmt::Result {
         ([cx + 14.0, cy - 8.0], "C"),
         ([bx - 40.0, by + 28.0], "platform anchor"),
         ([dx - 22.0, dy - 1.75 * SCALE], "z_A"),
-        ([mx + 1.45 * SCALE, my + 5.0], "→ x_A"),
+        ([mx + 0.62 * SCALE, my + 5.0], "→ x_A"),
         ([mx - 26.0, my - 8.0], "r_p"),
-        ([dx + 4.0, dy - 1.15 * SCALE], "r_p β"),
+        ([dx + 8.0, dy - 0.95 * SCALE], "r_p β"),
         ([0.5 * (cx + bx) + 18.0, 0.5 * (cy + by) - 12.0], "q_f"),
         ([dx + 4.0, winch + 18.0], "from the winch"),
     ] {
