@@ -14,6 +14,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "tension",
     "load",
     "stiffness",
+    "model",
     "place-pulleys",
     "identify",
     "evaluate",

@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 mod control;
+pub mod effects;
 pub mod errors;
 mod input_error;
 mod machine;

@@ -109,7 +109,7 @@ impl Composition {
     }
 
     /// This composition with one more effect, or with that effect in place of its alternative.
-    fn with(mut self, word: &str) -> Option<Self> {
+    pub(super) fn with(mut self, word: &str) -> Option<Self> {
         match word {
             "pulley" => self.pulley = true,
             "drum" => self.drum = true,

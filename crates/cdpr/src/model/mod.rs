@@ -6,6 +6,7 @@ mod kinematics;
 mod laws;
 mod parameter;
 mod placement;
+mod supported;
 #[cfg(test)]
 mod tests;
 mod winching;
@@ -16,4 +17,5 @@ pub use kinematics::{CableGradient, Model, ModelError};
 pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};
 pub(crate) use parameter::{axis_name, specific_compliance};
 pub use placement::{PlacePulleysError, place_pulleys};
+pub use supported::Supported;
 pub use winching::WinchError;

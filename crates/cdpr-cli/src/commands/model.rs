@@ -1,0 +1,323 @@
+//! `cdpr model`: what each effect that a robot's file supports changes at a pose.
+
+use std::process::ExitCode;
+
+use cdpr::geometry::Pose;
+use cdpr::metamodel::effects::{Contribution, Displacement, Method, State, contributions, cost, largest};
+use cdpr::model::{Composition, Model, Supported};
+use cdpr::statics::{Load, balanced_wrench};
+use clap::Args;
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::inputs::{RobotArgument, load_of, pose_of};
+use crate::numbers::NumberList;
+use crate::pose_answer::PoseAnswer;
+use crate::statics_failure::refused;
+use crate::table::{Table, cell};
+use crate::tension_choice::{Chosen, tensions_of};
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr model cablerobot-simulator-helicopter --pose 1,0.5,1.7,0,0,0
+  cdpr model planar-example --pose 0.5,4 --wrench 0,-3000
+  cdpr model robot.toml --pose 0,0,2,0,0,0 --tensions 3678,2169,4250,1708,3985,2394,4715,1684 --format json";
+
+/// Effects that matter: what each one changes at a pose, before any study.
+///
+/// The machine has all effects at once that the robot file has the keys for; the control model lacks one of them, or has a
+/// simpler one in its place. The answer is the difference of the controlled lengths, of the tensions, and of the pose that the
+/// platform takes when the control model's lengths drive the machine.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    robot: RobotArgument,
+
+    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
+    pose: NumberList,
+
+    /// Constant load in place of the robot's wrench and weight: fx,fy | fx,fy,m | fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m).
+    #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
+    wrench: Option<NumberList>,
+
+    /// Cable tensions, one per cable (N), and with them the load that they balance; those nearest the middle of the limits that
+    /// balance the robot's load when left out.
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true, conflicts_with = "wrench")]
+    tensions: Option<NumberList>,
+}
+
+#[derive(Serialize)]
+struct ModelAnswer {
+    robot: String,
+    /// Every effect at once that the file supports.
+    model: String,
+    /// `compared`; `infeasible`, `not-converged` without tensions, `singular` without courses.
+    status: &'static str,
+    reason: Option<String>,
+    pose: PoseAnswer,
+    #[serde(rename = "tensions_N")]
+    tensions: Option<Vec<f64>>,
+    effects: Vec<EffectAnswer>,
+    /// Effects that the file does not support.
+    missing: Vec<Missing>,
+}
+
+#[derive(Serialize)]
+struct Missing {
+    effect: &'static str,
+    reason: String,
+}
+
+/// One effect; what cannot be told is null, with its reason among the `reasons`.
+#[derive(Serialize)]
+struct EffectAnswer {
+    effect: &'static str,
+    /// The effect that the control model has instead; null where it has none.
+    replaced_by: Option<&'static str>,
+    control_model: String,
+    length_change_m: Option<LengthChange>,
+    #[serde(rename = "tension_change_N")]
+    tension_change: Option<f64>,
+    platform: Option<PlatformChange>,
+    length_change_beyond_home_m: Option<LengthChange>,
+    platform_beyond_home: Option<PlatformChange>,
+    parameter_count: usize,
+    cost: &'static str,
+    reasons: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct LengthChange {
+    max: f64,
+    rms: f64,
+    cables: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct PlatformChange {
+    translation_m: f64,
+    rotation_rad: f64,
+    /// Largest change of a tension that goes with it; null for rigid straight cables.
+    #[serde(rename = "tension_change_N")]
+    tension_change: Option<f64>,
+    slack_cables: usize,
+    /// `exact` or `first-order`.
+    method: &'static str,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let robot = arguments.robot.read()?;
+    let supported = Composition::supported(&robot).map_err(|error| Failure::refused("ROBOT", &error))?;
+    let model = Model::new(robot, supported.richest).map_err(|error| Failure::refused("ROBOT", &error))?;
+    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let mut answer = ModelAnswer::new(&model, &supported, &pose);
+    if let Err(course) = model.cable_lengths(&pose) {
+        (answer.status, answer.reason) = ("singular", Some(course.to_string()));
+        return output.answer(&answer);
+    }
+    let tensions = match tensions(&model, &pose, &arguments)? {
+        Chosen::Tensions(tensions) => (!tensions.is_empty()).then_some(tensions),
+        Chosen::None { status, reason } => {
+            (answer.status, answer.reason) = (status, Some(reason));
+            return output.answer(&answer);
+        }
+    };
+    let load = load(&model, &pose, &arguments)?;
+    let state = State { pose, load, tensions };
+    let found =
+        contributions(&model, &supported, &state).map_err(|error| Failure::refused("ROBOT", &error))?;
+    answer.effects = found.iter().map(|contribution| EffectAnswer::new(contribution, model.cable_count())).collect();
+    answer.tensions = state.tensions;
+    output.answer(&answer)
+}
+
+/// The tensions of the state; none where lengths do not depend on them.
+fn tensions(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Chosen, Failure> {
+    if arguments.tensions.is_none() && !model.composition().depends_on_tension() {
+        return Ok(Chosen::Tensions(Vec::new()));
+    }
+    tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())
+}
+
+/// What given tensions balance, or the load asked for.
+fn load(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Result<Load, String>, Failure> {
+    match &arguments.tensions {
+        Some(NumberList(tensions)) => {
+            let wrench = balanced_wrench(model, pose, tensions).map_err(|error| refused("--tensions", &error))?;
+            Ok(Ok(Load::constant(wrench)))
+        }
+        None if arguments.wrench.is_none() => Ok(Load::of(model.robot()).map_err(|error| error.to_string())),
+        None => load_of(model.robot(), arguments.wrench.as_ref()).map(Ok),
+    }
+}
+
+impl ModelAnswer {
+    fn new(model: &Model, supported: &Supported, pose: &Pose) -> Self {
+        let missing =
+            supported.missing.iter().map(|(effect, reason)| Missing { effect, reason: reason.to_string() }).collect();
+        Self {
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            status: "compared",
+            reason: None,
+            pose: PoseAnswer::new(model.robot(), pose),
+            tensions: None,
+            effects: Vec::new(),
+            missing,
+        }
+    }
+}
+
+impl EffectAnswer {
+    fn new(contribution: &Contribution, cable_count: usize) -> Self {
+        let Contribution { lengths, distribution, platform, lengths_beyond_home, platform_beyond_home, .. } =
+            contribution;
+        let reasons = [
+            lengths.as_ref().err(),
+            distribution.as_ref().err(),
+            platform.as_ref().err(),
+            lengths_beyond_home.as_ref().err(),
+            platform_beyond_home.as_ref().err(),
+        ];
+        let mut told: Vec<String> = Vec::new();
+        for reason in reasons.into_iter().flatten() {
+            if !told.contains(reason) {
+                told.push(reason.clone());
+            }
+        }
+        let effect = contribution.effect;
+        let (per_cable, cost) = cost(effect);
+        Self {
+            effect,
+            replaced_by: contribution.replaced_by,
+            control_model: contribution.control.to_string(),
+            length_change_m: lengths.as_deref().ok().map(LengthChange::new),
+            tension_change: distribution.as_ref().ok().copied(),
+            platform: platform.as_ref().ok().map(PlatformChange::new),
+            length_change_beyond_home_m: lengths_beyond_home.as_deref().ok().map(LengthChange::new),
+            platform_beyond_home: platform_beyond_home.as_ref().ok().map(PlatformChange::new),
+            parameter_count: per_cable * cable_count,
+            cost,
+            reasons: told,
+        }
+    }
+
+    /// The effect, with what stands in its place.
+    fn title(&self) -> String {
+        self.replaced_by.map_or_else(|| self.effect.to_owned(), |other| format!("{} → {other}", self.effect))
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let millimetres = |length: Option<f64>| cell(length.map(|metres| 1e3 * metres), 3);
+        let of_platform = |platform: &Option<PlatformChange>| {
+            let first_order = platform.as_ref().is_some_and(|platform| platform.method == "first-order");
+            let distance = millimetres(platform.as_ref().map(|platform| platform.translation_m));
+            let angle = cell(platform.as_ref().map(|platform| platform.rotation_rad.to_degrees()), 3);
+            [if first_order { format!("≈{distance}") } else { distance }, angle]
+        };
+        let lengths = self.length_change_m.as_ref();
+        let mut cells = vec![self.title(), millimetres(lengths.map(|change| change.max))];
+        cells.push(millimetres(lengths.map(|change| change.rms)));
+        cells.push(cell(self.tension_change, 2));
+        cells.extend(of_platform(&self.platform));
+        cells.push(millimetres(self.length_change_beyond_home_m.as_ref().map(|change| change.max)));
+        cells.extend(of_platform(&self.platform_beyond_home));
+        cells
+    }
+}
+
+impl LengthChange {
+    fn new(cables: &[f64]) -> Self {
+        let rms = (cables.iter().map(|x| x * x).sum::<f64>() / cables.len().max(1) as f64).sqrt();
+        Self { max: largest(cables.iter().copied()), rms, cables: cables.iter().map(|x| x + 0.0).collect() }
+    }
+}
+
+impl PlatformChange {
+    fn new(displacement: &Displacement) -> Self {
+        Self {
+            translation_m: displacement.translation,
+            rotation_rad: displacement.rotation,
+            tension_change: displacement.tension,
+            slack_cables: displacement.slack,
+            method: match displacement.method {
+                Method::Exact => "exact",
+                Method::FirstOrder => "first-order",
+            },
+        }
+    }
+}
+
+/// What the columns mean.
+const LEGEND: &str = "\
+cable: controlled length of the model without the effect minus that with it, at the same tensions; tension: change of the
+tensions that balance the load nearest to the middle of the limits; platform: what the lengths of the model without the
+effect do to the machine that has it (≈: to first order). Winch offsets set at the home pose take up the difference there:
+“beyond home” is what they leave.
+";
+
+impl Answer for ModelAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self) -> String {
+        let mut text = format!("{} at {}\neffects that the file supports: {}\n", self.robot, self.pose.words(), self.model);
+        self.reason.iter().for_each(|reason| text.push_str(&format!("{}: {reason}\n", self.status)));
+        if !self.effects.is_empty() {
+            let mut table = Table::new([
+                "effect left out",
+                "cable max mm",
+                "cable rms mm",
+                "tension N",
+                "platform mm",
+                "platform °",
+                "beyond home: cable mm",
+                "platform mm",
+                "platform °",
+            ]);
+            self.effects.iter().for_each(|effect| table.row(effect.cells()));
+            text.push_str(&format!("\n{}\n{LEGEND}", table.text()));
+            text.push_str(&self.remarks());
+        } else if self.reason.is_none() {
+            text.push_str("without any, there is nothing to leave out: the model is `standard`\n");
+        }
+        if !self.missing.is_empty() {
+            text.push_str("\nnot supported\n");
+            self.missing.iter().for_each(|missing| text.push_str(&format!("  {}: {}\n", missing.effect, missing.reason)));
+        }
+        text
+    }
+}
+
+impl ModelAnswer {
+    /// Slack cables, what could not be told, and what each effect costs.
+    fn remarks(&self) -> String {
+        let mut text = String::new();
+        let mut told: Vec<&str> = Vec::new();
+        for effect in &self.effects {
+            for (platform, when) in [(&effect.platform, ""), (&effect.platform_beyond_home, ", with offsets set at home")] {
+                if let Some(count) = platform.as_ref().map(|platform| platform.slack_cables).filter(|&count| count > 0) {
+                    let cables = if count == 1 { "cable goes" } else { "cables go" };
+                    text.push_str(&format!("without {}{when}, {count} {cables} slack\n", effect.title()));
+                }
+            }
+            for reason in effect.reasons.iter().filter(|reason| !told.contains(&reason.as_str())).collect::<Vec<_>>() {
+                text.push_str(&format!("not told ({}): {reason}\n", effect.title()));
+                told.push(reason);
+            }
+        }
+        text.push_str("\nwhat an effect costs\n");
+        for effect in self.effects.iter().filter(|effect| effect.replaced_by.is_none()) {
+            let count = match effect.parameter_count {
+                0 => String::new(),
+                count => format!("{count} parameters, "),
+            };
+            text.push_str(&format!("  {}: {count}{}\n", effect.effect, effect.cost));
+        }
+        text
+    }
+}

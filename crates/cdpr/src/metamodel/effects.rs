@@ -1,0 +1,182 @@
+//! What each effect changes at a pose: the machine has all effects that its file supports, the control model lacks one.
+//!
+//! The control model computes the controlled lengths for the pose and its tensions; the machine answers with another pose and
+//! other tensions. The difference of the lengths δq_θ is what the effect amounts to in the cable. Winch offsets that are set
+//! at the home pose take up the difference there, so that in operation only the rest matters: how much the difference
+//! changes between the home pose and this one.
+
+mod displacement;
+
+use crate::equilibrium::distribution;
+use crate::geometry::Pose;
+use crate::model::{Composition, Model, ModelError, Supported, WinchError};
+use crate::statics::{Load, controlled_lengths};
+use crate::tension::Limits;
+
+pub use displacement::{Displacement, Method, displacement};
+
+/// The state at which effects are compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// The platform pose.
+    pub pose: Pose,
+    /// The load on the platform, or why it is unknown, which suits rigid straight cables alone.
+    pub load: Result<Load, String>,
+    /// Tensions that balance the load, where the robot measures them (N); `None` when there are none, which suits rigid straight
+    /// cables alone.
+    pub tensions: Option<Vec<f64>>,
+}
+
+/// What one effect changes. A quantity that cannot be told comes with the reason in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contribution {
+    /// The effect.
+    pub effect: &'static str,
+    /// The effect that the control model has in its place; `None` where it is just left out.
+    pub replaced_by: Option<&'static str>,
+    /// The effects of the control model.
+    pub control: Composition,
+    /// Controlled lengths of the control model minus those of the machine, per cable (m).
+    pub lengths: Result<Vec<f64>, String>,
+    /// Largest change of the tensions that balance the load and are nearest to the middle of the limits (N).
+    pub distribution: Result<f64, String>,
+    /// What the platform of the machine does with the control model's lengths.
+    pub platform: Result<Displacement, String>,
+    /// The lengths minus those at the home pose: what winch offsets set there do not take up (m).
+    pub lengths_beyond_home: Result<Vec<f64>, String>,
+    /// What the platform does with these.
+    pub platform_beyond_home: Result<Displacement, String>,
+}
+
+/// What the effects of a machine with the richest composition that its robot supports change, each on its own, and what
+/// alternatives change.
+pub fn contributions(machine: &Model, supported: &Supported, state: &State) -> Result<Vec<Contribution>, ModelError> {
+    let left_out = machine.composition().words().map(|effect| (effect, None, machine.composition().without(effect)));
+    let replaced = supported
+        .alternatives
+        .iter()
+        .map(|&(alternative, effect)| (effect, Some(alternative), supported.with_alternative(alternative)));
+    let home = home(machine, state);
+    left_out
+        .chain(replaced)
+        .map(|(effect, replaced_by, control)| {
+            let control = Model::new(machine.robot().clone(), control)?;
+            let comparison = Comparison { machine, control: &control };
+            Ok(comparison.contribution(effect, replaced_by, state, home.as_ref()))
+        })
+        .collect()
+}
+
+/// The state at the home pose under the same load.
+fn home(machine: &Model, state: &State) -> Result<State, String> {
+    let pose = machine.robot().home.ok_or("the file has no home pose at which winch offsets would be set")?;
+    if pose == state.pose {
+        return Ok(state.clone());
+    }
+    let tensions = match distribution(machine, &pose, &state.load) {
+        Ok(tensions) => Some(tensions),
+        Err(_) if !machine.composition().depends_on_tension() => None,
+        Err(reason) => return Err(format!("at the home pose: {reason}")),
+    };
+    Ok(State { pose, load: state.load.clone(), tensions })
+}
+
+/// The tensions nearest to the middle of the limits.
+fn distribution(model: &Model, pose: &Pose, load: &Result<Load, String>) -> Result<Vec<f64>, String> {
+    let load = load.as_ref().map_err(Clone::clone)?;
+    let limits = Limits::of(model.robot(), None, None).map_err(|error| error.to_string())?;
+    let found = distribution::solve(model, pose, load, &limits).map_err(|error| error.to_string())?;
+    match found.reason {
+        None => Ok(found.tensions),
+        Some(reason) => Err(reason.words().to_owned()),
+    }
+}
+
+/// A machine and a model that controls it.
+struct Comparison<'a> {
+    machine: &'a Model,
+    control: &'a Model,
+}
+
+impl Comparison<'_> {
+    fn contribution(
+        &self,
+        effect: &'static str,
+        replaced_by: Option<&'static str>,
+        state: &State,
+        home: Result<&State, &String>,
+    ) -> Contribution {
+        let lengths = self.lengths(state);
+        let lengths_beyond_home = lengths.clone().and_then(|here| {
+            let there = self.lengths(home.map_err(Clone::clone)?)?;
+            Ok(here.iter().zip(&there).map(|(here, there)| here - there).collect::<Vec<f64>>())
+        });
+        let moved = |lengths: &Result<Vec<f64>, String>| {
+            displacement(self.machine, state, lengths.as_ref().map_err(Clone::clone)?)
+        };
+        Contribution {
+            effect,
+            replaced_by,
+            control: self.control.composition(),
+            distribution: self.distribution(state),
+            platform: moved(&lengths),
+            platform_beyond_home: moved(&lengths_beyond_home),
+            lengths,
+            lengths_beyond_home,
+        }
+    }
+
+    /// Controlled lengths of the control model minus those of the machine, for the same tensions where robots measure them.
+    fn lengths(&self, state: &State) -> Result<Vec<f64>, String> {
+        let none = vec![0.0; self.machine.cable_count()];
+        let tensions = match &state.tensions {
+            Some(tensions) => tensions,
+            None if self.machine.composition().depends_on_tension() => {
+                return Err("the tensions are unknown".to_owned());
+            }
+            None => &none,
+        };
+        let of = |model: &Model| controlled_lengths(model, &state.pose, tensions).map_err(|error| error.to_string());
+        let paid_out = |(cable, length): (usize, f64)| self.paid_out(cable, length).map_err(|error| error.to_string());
+        let control: Vec<f64> =
+            of(self.control)?.into_iter().enumerate().map(paid_out).collect::<Result<_, String>>()?;
+        Ok(control.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine).collect())
+    }
+
+    /// The length that the machine pays out when the control model asks for this one (m): winches are told motor angles, and
+    /// without the effect `drum` the control model takes them for ideal ones.
+    fn paid_out(&self, cable: usize, length: f64) -> Result<f64, WinchError> {
+        match self.machine.composition().drum && !self.control.composition().drum {
+            true => self.machine.controlled_length_of_motor_angle(cable, self.control.motor_angle(cable, length)?),
+            false => Ok(length),
+        }
+    }
+
+    fn distribution(&self, state: &State) -> Result<f64, String> {
+        let of = |model: &Model| distribution(model, &state.pose, &state.load);
+        Ok(largest(of(self.control)?.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine)))
+    }
+}
+
+/// Parameters of one cable that identification would have to find for an effect, and what else has to be known, in words.
+pub fn cost(effect: &str) -> (usize, &'static str) {
+    match effect {
+        "pulley" => (1, "a radius per cable; swivel axes and entry points from the drawing"),
+        "drum" => (2, "radius and start length per cable; pitch, axis and place of the drum from the drawing"),
+        "elastic" => {
+            (1, "a compliance per cable, and the load; a hidden length where the winch stands far from the outlet")
+        }
+        "polynomial" => (0, "the coefficients from a test bench (`cdpr test-bench`), and the load"),
+        "hysteresis" => {
+            (0, "both branches from a test bench (`cdpr test-bench`), the load, and the order of the motions")
+        }
+        "catenary" => (0, "nothing to identify: weigh a metre of cable; lengths follow from an iteration"),
+        "finite-element" => (0, "nothing to identify: as `catenary`, and slower the more elements there are"),
+        _ => (0, ""),
+    }
+}
+
+/// The largest amount.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |largest, value| largest.max(value.abs()))
+}

@@ -1,0 +1,142 @@
+//! What the platform does when the controlled lengths are other than the machine's own.
+
+use nalgebra::{DVector, Vector3};
+
+use super::{State, largest};
+use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::geometry::{Pose, Twist};
+use crate::model::Model;
+use crate::statics::{Stiffness, controlled_lengths, held};
+
+/// The machine's own lengths must lead back to its pose within this (m; angles times the platform radius): otherwise the
+/// forward problem does not answer for this machine.
+const WAY_BACK: f64 = 1e-6;
+
+/// How a displacement was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// By the forward problem.
+    Exact,
+    /// By δx = −K_wx⁻¹ K_wq δq_θ (eq. 2.80), for small changes.
+    FirstOrder,
+}
+
+/// Displacement of the platform and change of the tensions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Displacement {
+    /// Distance (m).
+    pub translation: f64,
+    /// Angle (rad).
+    pub rotation: f64,
+    /// Largest change of a tension at the outlets (N); `None` for rigid straight cables, whose tensions lengths do not tell.
+    pub tension: Option<f64>,
+    /// Number of cables that lose their tension.
+    pub slack: usize,
+    /// How it was found.
+    pub method: Method,
+}
+
+/// What the platform of a machine at rest in a state does when its controlled lengths change by `change` (m), one per cable.
+pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Displacement, String> {
+    let tensions = match &state.tensions {
+        Some(tensions) if machine.composition().depends_on_tension() => tensions,
+        _ => return by_geometry(machine, &state.pose, change),
+    };
+    match by_equilibrium(machine, state, tensions, change) {
+        Some(found) => Ok(found),
+        None => to_first_order(machine, state, tensions, change),
+    }
+}
+
+/// Rigid straight cables: the pose whose lengths fit best.
+fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacement, String> {
+    let own = machine.cable_lengths(pose).map_err(|error| error.to_string())?;
+    let lengths: Vec<f64> = own.iter().zip(change).map(|(own, change)| own + change).collect();
+    let found = forward_kinematics::solve(machine, &lengths, pose, &forward_kinematics::Settings::default())
+        .map_err(|error| error.to_string())?;
+    match found.status {
+        forward_kinematics::Status::Converged => {
+            let (translation, rotation) = apart(pose, &found.pose);
+            Ok(Displacement { translation, rotation, tension: None, slack: 0, method: Method::Exact })
+        }
+        _ => Err(found.reason.unwrap_or_else(|| "the lengths lead to no pose".to_owned())),
+    }
+}
+
+/// By the forward problem; `None` where it has no answer.
+fn by_equilibrium(machine: &Model, state: &State, tensions: &[f64], change: &[f64]) -> Option<Displacement> {
+    let settings = elastostatics::Settings { max_restarts: 0, ..elastostatics::Settings::default() };
+    let mut solver = elastostatics::Solver::new(machine, state.load.as_ref().ok()?, &settings).ok()?;
+    let mut at_rest = |lengths: &[f64]| {
+        let found = solver.solve(lengths, &state.pose).ok()?;
+        (found.status == elastostatics::Status::Converged).then(|| (found.pose, found.tensions.clone(), found.slack))
+    };
+    let own = controlled_lengths(machine, &state.pose, tensions).ok()?;
+    let (start, start_tensions, _) = at_rest(&own)?;
+    let (distance, angle) = apart(&state.pose, &start);
+    if distance + machine.platform_radius() * angle > WAY_BACK {
+        return None;
+    }
+    let lengths: Vec<f64> = own.iter().zip(change).map(|(own, change)| own + change).collect();
+    let (end, end_tensions, slack) = at_rest(&lengths)?;
+    let (translation, rotation) = apart(&start, &end);
+    let tension = Some(largest(end_tensions.iter().zip(&start_tensions).map(|(end, start)| end - start)));
+    Some(Displacement { translation, rotation, tension, slack, method: Method::Exact })
+}
+
+fn to_first_order(machine: &Model, state: &State, tensions: &[f64], change: &[f64]) -> Result<Displacement, String> {
+    let load = state.load.as_ref().map_err(Clone::clone)?;
+    let stiffness = Stiffness::at(machine, &state.pose, tensions, load).map_err(|error| error.to_string())?;
+    let by_lengths = stiffness
+        .pose_by_controlled_lengths()
+        .ok_or("the platform can move without resistance, so that its displacement is not determined")?;
+    let moved = by_lengths * DVector::from_column_slice(change);
+    let twist: Twist = machine.twist_basis().iter().zip(moved.iter()).map(|(unit, share)| unit * *share).sum();
+    let (step, turn) = (Vector3::new(twist[0], twist[1], twist[2]), Vector3::new(twist[3], twist[4], twist[5]));
+    let (mut most, mut slack) = (0.0_f64, 0);
+    for (index, (&tension, change)) in tensions.iter().zip(change).enumerate() {
+        let held = held(machine, &state.pose, index, tension).map_err(|error| error.to_string())?;
+        let by_anchor = Vector3::from(held.hold.controlled_length_by_anchor).dot(&(step + turn.cross(&held.lever)));
+        let tension_change = (change - by_anchor) / held.hold.controlled_length_by_tension;
+        most = most.max(tension_change.abs());
+        slack += usize::from(held.hold.outlet_tension + tension_change < 0.0);
+    }
+    let (translation, rotation) = (step.norm(), turn.norm());
+    Ok(Displacement { translation, rotation, tension: Some(most), slack, method: Method::FirstOrder })
+}
+
+/// Distance (m) and angle (rad) between poses.
+fn apart(from: &Pose, to: &Pose) -> (f64, f64) {
+    ((to.position - from.position).norm(), from.angle_to(to))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Composition;
+    use crate::robot::Robot;
+    use crate::statics::{Load, balanced_wrench};
+
+    /// The forward problem and the stiffness describe one machine: for small changes they agree.
+    #[test]
+    fn small_changes_lead_to_the_same_place_by_both_methods() {
+        let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+        let pose = robot.home.unwrap();
+        let model = Model::new(robot, Composition::ELASTIC).unwrap();
+        let tensions = vec![3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
+        let load = Load::constant(balanced_wrench(&model, &pose, &tensions).unwrap());
+        let state = State { pose, load: Ok(load), tensions: Some(tensions.clone()) };
+        let change: Vec<f64> = (0..8).map(|cable| 1e-5 * f64::from(cable - 3)).collect();
+        let exact = displacement(&model, &state, &change).unwrap();
+        let linear = to_first_order(&model, &state, &tensions, &change).unwrap();
+        assert_eq!((exact.method, linear.method), (Method::Exact, Method::FirstOrder));
+        // what is left is of second order: the change over the length, 1e-5 of the result
+        for (exact, linear) in [
+            (exact.translation, linear.translation),
+            (exact.rotation, linear.rotation),
+            (exact.tension.unwrap(), linear.tension.unwrap()),
+        ] {
+            assert!((exact - linear).abs() < 1e-3 * exact, "{exact} {linear}");
+        }
+    }
+}
