@@ -8,6 +8,9 @@ use crate::scalar::decomposition::symmetric_eigen;
 /// Anchors count as collinear or coplanar when they leave the line or plane by less than this share of their extent.
 const FLATNESS: f64 = 1e-6;
 
+/// Tangent of a fleet angle at which no groove holds a cable.
+const STEEP_FLEET: f64 = 0.1;
+
 impl Robot {
     /// Sentences about what is probably not meant, or what some computations will miss; empty when nothing is odd.
     pub fn warnings(&self) -> Vec<String> {
@@ -60,6 +63,10 @@ impl Robot {
         without("pulley_wrap_side without pulley_swivel_axis, so it has no effect", &|cable| {
             cable.pulley_wrap_side.is_some() && cable.pulley_swivel_axis.is_none()
         });
+        without(
+            "the cable leaves its drum at more than 0.1 rad against the groove at the start: are drum_axis and drum_position_m right?",
+            &|cable| fleet_tangent(cable).is_some_and(|tangent| tangent.abs() > STEEP_FLEET),
+        );
         if self.home.is_none() {
             warnings.push("no [home_pose]: the middle of the frame anchors is used to start from".to_owned());
         }
@@ -94,6 +101,14 @@ impl Robot {
     }
 }
 
+/// Tangent of the angle between the cable from a drum at its start and the plane across the drum's axis; `None` behind a guide.
+fn fleet_tangent(cable: &Cable) -> Option<f64> {
+    let (axis, position) = (cable.drum_axis?, cable.drum_position.filter(|_| cable.drum_guided != Some(true))?);
+    let way = cable.drum_pulley.unwrap_or(cable.frame_anchor) - position;
+    let along = axis.dot(&way);
+    Some(along / (way - axis * along).norm())
+}
+
 /// In how many dimensions points extend: 0 one point, 1 a line, 2 a plane, 3 space.
 fn extent_dimensions(points: &[Vector3<f64>]) -> usize {
     let middle: Vector3<f64> = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
@@ -126,6 +141,17 @@ mod tests {
         for part in ["share a frame anchor", "pulley_swivel_axis", "tension limits", "plane", "home_pose", "mass_kg"] {
             assert!(said.contains(part), "{part} is not in\n{said}");
         }
+    }
+
+    #[test]
+    fn a_drum_that_stands_askew_is_noticed() {
+        let mut robot = Robot::builtin("cucablerobot").unwrap();
+        let cable = &mut robot.cables[0];
+        cable.drum_axis = Some(Vector3::x());
+        cable.drum_position = Some(cable.frame_anchor - Vector3::new(0.1, 0.0, 2.0));
+        assert_eq!(robot.warnings(), Vec::<String>::new());
+        robot.cables[0].drum_axis = Some(Vector3::z());
+        assert!(robot.warnings().join("\n").contains("drum_position_m"));
     }
 
     #[test]
