@@ -266,7 +266,7 @@ impl ErrorCode for fit::InputError {
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions => "data::no-tensions",
-            Self::NegativeTension { .. } => "data::negative-tensions",
+            Self::Hold { .. } | Self::NegativeTension { .. } => "data::negative-tensions",
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",
             Self::Setting { .. } => "setting::value",

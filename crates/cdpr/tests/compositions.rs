@@ -2,7 +2,10 @@
 
 use cdpr::equilibrium::{distribution, elastostatics};
 use cdpr::geometry::{Pose, Twist};
-use cdpr::model::{Composition, Model};
+use cdpr::identification::evaluate;
+use cdpr::identification::fit::{Settings, fit};
+use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::{self, Load};
 use cdpr::tension::Limits;
@@ -10,7 +13,8 @@ use rand::{RngExt, SeedableRng};
 
 /// The CableRobot Simulator with everything that an effect asks for: pulleys of 160 mm, cables of 0.8 kg/m that stiffen.
 fn machine() -> Robot {
-    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("a built-in robot");
+    let mut robot =
+        Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("a built-in robot");
     let middle = robot.home_or_middle().position;
     for cable in &mut robot.cables {
         let upright = if cable.frame_anchor.z > middle.z { 1.0 } else { -1.0 };
@@ -80,4 +84,54 @@ fn inverse_and_forward_problem_lead_to_each_other() {
         }
         assert!(compared > count / 2, "{composition}: {compared} of {count}; {refused:?}");
     }
+}
+
+/// Exact records of a machine with sagging cables: its own model is found again, frame anchors and stiffness, from anchors 3 cm
+/// off; the same model with straight cables cannot explain them.
+#[test]
+fn a_sagging_machine_is_identified_by_a_sagging_model() {
+    let truth = machine();
+    let composition: Composition = "pulley+elastic+catenary".parse().expect("a composition");
+    let model = Model::new(truth.clone(), composition).expect("everything it needs");
+    let load = Load::of(&truth).expect("the file states it");
+    let mut samples = Samples { cable_count: 8, ..Samples::default() };
+    let mut tensions = Vec::new();
+    for (index, pose) in poses(truth.home_or_middle(), 40, 5).into_iter().enumerate() {
+        // another level of tension at every pose tells the stiffness
+        let level = 1500.0 + 1000.0 * f64::from(u8::try_from(index % 4).expect("below 4"));
+        let limits = Limits::uniform(8, level, level + 9000.0).expect("a range");
+        let chosen = distribution::solve(&model, &pose, &load, &limits).expect("valid input");
+        if chosen.reason.is_some() {
+            continue;
+        }
+        samples.lengths.extend(statics::controlled_lengths(&model, &pose, &chosen.tensions).expect("taut cables"));
+        tensions.extend(chosen.tensions);
+        samples.poses.push(pose);
+    }
+    assert!(samples.poses.len() > 25, "{}", samples.poses.len());
+    samples.tensions = Some(tensions);
+    samples.sigmas =
+        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: Some(50.0) };
+    let mut start = truth.clone();
+    for (index, cable) in start.cables.iter_mut().enumerate() {
+        cable.frame_anchor += cdpr::nalgebra::Vector3::new(0.03, -0.02, 0.01) * if index % 2 == 0 { 1.0 } else { -1.0 };
+    }
+    let free: FreeParameters = "frame-anchor,compliance".parse().expect("parameters");
+    let fitted = |words: &str| {
+        let composition: Composition = words.parse().expect("a composition");
+        let model = Model::new(start.clone(), composition).expect("everything it needs");
+        fit(&model, &samples, &free, &Settings::default()).expect("data that fit the model")
+    };
+    let found = fitted("pulley+elastic+catenary");
+    for (cable, expected) in found.model.robot().cables.iter().zip(&truth.cables) {
+        // the data are exact: only the tolerance of the fit is left
+        let missed = (cable.frame_anchor - expected.frame_anchor).norm();
+        assert!(missed < 1e-5, "cable {}: {missed} m", cable.name);
+    }
+    let rms = |model: &Model| {
+        let errors = evaluate(model, &samples).expect("the same cables").length;
+        (errors.iter().map(|x| x * x).sum::<f64>() / errors.len() as f64).sqrt()
+    };
+    let (sagging, straight) = (rms(&found.model), rms(&fitted("pulley+elastic").model));
+    assert!(sagging < 1e-6 && straight > 20.0 * sagging, "{sagging} m, {straight} m");
 }

@@ -162,6 +162,16 @@ pub enum InputError {
     /// Motor angles that the robot's winches cannot have.
     #[error(transparent)]
     Winch(#[from] WinchError),
+    /// A recorded tension that the model's cable cannot have.
+    #[error("sample {sample}, cable {cable}: {reason}; is the recorded tension right, or the cable's weight?")]
+    Hold {
+        /// Number of the sample, from 1.
+        sample: usize,
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// What is wrong.
+        reason: crate::cable::law::HoldError,
+    },
     /// No samples.
     #[error("the data set has no samples")]
     NoSamples,
@@ -291,7 +301,7 @@ pub fn fit_observed(
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
-    let mut fit = if model.composition().is_elastic() {
+    let mut fit = if model.composition().depends_on_tension() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
     } else {
@@ -306,7 +316,7 @@ pub fn fit_observed(
 
 /// Descents of one fit: the starts of an elastic model, one of any other.
 pub fn descent_count(model: &Model, settings: &Settings) -> usize {
-    if model.composition().is_elastic() { settings.starts.max(1) as usize } else { 1 }
+    if model.composition().depends_on_tension() { settings.starts.max(1) as usize } else { 1 }
 }
 
 /// The optimum of a fit alone.
@@ -334,7 +344,7 @@ pub fn optimal_parameters(
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
-    if model.composition().is_elastic() {
+    if model.composition().depends_on_tension() {
         let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
@@ -378,7 +388,7 @@ fn checked_parameters(
         return Err(InputError::NoMotorAngles { kind });
     }
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
-    if model.composition().is_elastic() {
+    if model.composition().depends_on_tension() {
         let (rows, count) =
             (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
         return match count > rows {

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
-use super::Model;
+use super::{Model, StretchEffect};
 use crate::geometry::Wrench;
 use crate::robot::{Cable, ExternalWrench, Robot};
 
@@ -391,7 +391,9 @@ impl FreeParameters {
             let effect = match kind {
                 ParameterKind::PulleyRadius if !composition.pulley => "pulley",
                 kind if kind.needs_motor_angles() && !composition.drum => "drum",
-                kind if kind.needs_elasticity() && !composition.is_elastic() => "elastic",
+                ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => "elastic",
+                ParameterKind::HiddenLength if !composition.is_elastic() => "elastic",
+                kind if kind.needs_elasticity() && !composition.depends_on_tension() => "elastic",
                 _ => continue,
             };
             return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });

@@ -11,12 +11,15 @@
 //! Laws that every cable obeys: the tangent ∂t/∂p_B at fixed q_θ is symmetric, for it is the Hessian of an energy
 //! (hysteresis excepted, whose tangent is symmetric too, but of no energy).
 
+mod parameters;
 mod sagging;
 mod solve;
 mod straight;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use parameters::outlet_change;
+pub use parameters::{LawChange, LawParameter};
 use thiserror::Error;
 
 use super::course::Course;

@@ -7,6 +7,7 @@
 mod analysis;
 mod covariance;
 mod descent;
+mod general_rows;
 mod linearization;
 mod normal;
 mod optimum;

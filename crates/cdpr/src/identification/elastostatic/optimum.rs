@@ -83,7 +83,7 @@ pub(crate) fn find(
 ) -> Result<Optimum, InputError> {
     let tensions = checked_tensions(model, samples)?;
     let start_model = with_constant_wrench(model, samples, &tensions, parameters)?;
-    check_courses(&start_model, samples)?;
+    check_courses(&start_model, samples, &tensions)?;
     let (sigmas, absolute) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let adjust = Adjust { problem: &problem, sigmas, absolute };
@@ -222,10 +222,17 @@ fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputE
     }
 }
 
-fn check_courses(model: &Model, samples: &Samples) -> Result<(), InputError> {
+fn check_courses(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
+    let m = model.cable_count();
+    let has_closed_form = model.composition().has_closed_form();
     for (sample, pose) in samples.poses.iter().enumerate() {
         for cable in 0..model.cable_count() {
             model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
+            if !has_closed_form {
+                let tension = model.real_tension(cable, tensions[sample * m + cable]);
+                let refused = |reason| InputError::Hold { sample: sample + 1, cable: cable + 1, reason };
+                model.hold(cable, pose, model.known_tension(cable, tension)).map_err(refused)?;
+            }
         }
     }
     Ok(())
@@ -258,6 +265,12 @@ fn pull(model: &Model, samples: &Samples, tensions: &[f64], sample: usize) -> Wr
     let m = model.cable_count();
     let mut sum = Wrench::zeros();
     for cable in 0..m {
+        if model.composition().is_sagging() {
+            let tension = model.real_tension(cable, tensions[sample * m + cable]);
+            let held = crate::statics::held(model, &samples.poses[sample], cable, tension);
+            sum += held.map_or_else(|_| Wrench::repeat(f64::NAN), |held| held.wrench());
+            continue;
+        }
         let (course, lever) = model.course_or_nan(cable, &samples.poses[sample]);
         let u = nalgebra::Vector3::from(course.direction);
         let moment = lever.cross(&u);

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::general_rows::GeneralCable;
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::winch::DrumLength;
@@ -140,6 +141,10 @@ impl<'a> RowModel<'a> {
         let (stride, residual) = (rows.stride, rows.parameter_count);
         let mut wrench = self.load.wrench(pose);
         for cable in 0..m {
+            if !self.model.composition().has_closed_form() {
+                wrench += self.write_general(cable, pose, tensions[cable], recorded, rows);
+                continue;
+            }
             let data = self.cable(cable, position, &rotation_rows, tensions[cable]);
             wrench += data.column() * data.tension;
             let expected = self.model.recorded_length(cable, data.controlled.value);
@@ -158,6 +163,59 @@ impl<'a> RowModel<'a> {
         for column in self.first[m]..self.parameters.len() {
             rows.entries[self.parameters[column].axis * stride + column] = 1.0;
         }
+    }
+
+    /// Writes the rows of a cable whose law has no closed form; the answer is its wrench. Rows are NaN where it has no shape.
+    fn write_general(
+        &self,
+        cable: usize,
+        pose: &Pose,
+        tension: f64,
+        recorded: Recorded<'_>,
+        rows: &mut SampleRows,
+    ) -> Wrench {
+        let length_row = (self.model.dof() + cable) * rows.stride;
+        let Some(data) = GeneralCable::at(self.model, cable, pose, tension) else {
+            rows.entries[length_row + rows.parameter_count] = f64::NAN;
+            return Wrench::repeat(f64::NAN);
+        };
+        let expected = self.model.recorded_length(cable, data.controlled_length());
+        let wound = recorded.wound(self.model, cable);
+        rows.entries[length_row + rows.parameter_count] =
+            expected - wound.as_ref().map_or(recorded.lengths[cable], |w| w.value);
+        let rotation = pose.rotation_matrix();
+        for column in self.first[cable]..self.first[cable + 1] {
+            let (wrench_change, length_change) = data.by(&self.parameters[column], &rotation);
+            self.write_wrench(&wrench_change, column, rows);
+            let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, &self.parameters[column], self.model));
+            rows.entries[length_row + column] = length_change - by_winch;
+        }
+        data.wrench()
+    }
+
+    /// [`RowModel::noise`] of a cable whose law has no closed form; the answer is the change of its wrench by the pose.
+    fn general_noise(
+        &self,
+        cable: usize,
+        pose: &Pose,
+        tension: f64,
+        sigmas: &Sigmas,
+        noise: &mut Noise,
+    ) -> nalgebra::Matrix6<f64> {
+        let Some(data) = GeneralCable::at(self.model, cable, pose, tension) else {
+            return nalgebra::Matrix6::repeat(f64::NAN);
+        };
+        let basis = self.model.twist_basis();
+        let n = basis.len();
+        let (wrench, length) = data.by_recorded_tension();
+        for (k, twist) in basis.iter().enumerate() {
+            noise.by_tension[cable][k] = twist.dot(&wrench) * sigmas.tension;
+            noise.by_pose[n + cable][k] = data.length_by_twist(twist) * sigmas.along(twist);
+        }
+        noise.by_tension[cable][n] = length * sigmas.tension;
+        let is_slack = data.tension <= SLACK_SIGMAS * sigmas.tension && !self.model.composition().is_sagging();
+        noise.length[cable] = if is_slack { SLACK_SIGMA } else { sigmas.length };
+        data.wrench_by_pose()
     }
 
     /// Writes a wrench (world) to the wrench rows of a column, in the degrees of freedom of the pattern.
@@ -180,6 +238,10 @@ impl<'a> RowModel<'a> {
         // ∂(wrench)/∂\[δr; δφ\] of load and cables together
         let mut by_twist = self.load.gradient(pose);
         for (cable, &recorded) in tensions.iter().enumerate() {
+            if !self.model.composition().has_closed_form() {
+                by_twist += self.general_noise(cable, pose, recorded, sigmas, noise);
+                continue;
+            }
             let data = self.cable(cable, position, &rotation, recorded);
             by_twist += data.column_by_pose() * data.tension;
             let column = data.column();

@@ -185,3 +185,52 @@ fn tensions_that_push_are_refused_with_their_rows() {
     let error = fit(&model, &samples, &"compliance".parse().unwrap(), &Settings::default()).unwrap_err().to_string();
     assert!(error.contains("tension_N_1"), "{error}");
 }
+
+/// Rows of cables without a closed form: every column against the rows of the robot with that parameter changed.
+#[test]
+fn the_rows_of_any_composition_are_the_differences_of_changed_robots() {
+    let mut robot = odd_robot(StiffnessBasis::Unstrained);
+    for cable in &mut robot.cables {
+        cable.linear_density = Some(0.8);
+        cable.axial_compliance = Some(1.0 / cable.axial_stiffness.take().expect("built in"));
+        cable.tension_of_strain = Some(vec![2e6, 2e8]);
+    }
+    let kinds =
+        "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius,tension-scale,tension-offset,wrench";
+    for (words, more) in [
+        ("pulley+elastic+catenary", ",compliance,hidden-length"),
+        ("pulley+elastic+finite-element", ",compliance,hidden-length"),
+        ("pulley+catenary", ""),
+        ("pulley+polynomial", ",hidden-length"),
+        ("pulley+polynomial+catenary", ",hidden-length"),
+    ] {
+        let composition: Composition = words.parse().expect("a composition");
+        let free: FreeParameters = format!("{kinds}{more}").parse().expect("parameters");
+        let model = Model::new(robot.clone(), composition).expect("everything an effect needs");
+        let parameters = free.parameters(&model, &FreeParameters::default()).expect("of this model");
+        let tensions = [2000.0, 1500.0, 2500.0, 3000.0, 900.0, 1200.0, 1800.0, 2200.0];
+        let write = |model: &Model, pose: &Pose, tensions: &[f64]| {
+            let mut rows = SampleRows::new(model, parameters.len());
+            let load = Load::of(model.robot()).expect("the file states it");
+            RowModel::new(model, load, &parameters).write(pose, tensions, Recorded::lengths(&[8.0; 8]), &mut rows);
+            rows
+        };
+        let rows = write(&model, &pose(), &tensions);
+        for (column, parameter) in parameters.iter().enumerate() {
+            let h = if parameter.kind == ParameterKind::Compliance { 1e-11 } else { 1e-6 };
+            let changed = |step: f64| {
+                let mut robot = robot.clone();
+                parameter.assign(&model, &mut robot, parameter.value(&model) + step);
+                write(&Model::new(robot, composition).expect("a small change"), &pose(), &tensions)
+            };
+            let (ahead, behind) = (changed(h), changed(-h));
+            for row in 0..rows.count {
+                let slope = (ahead.residual(row) - behind.residual(row)) / (2.0 * h);
+                let found = rows.entries[row * rows.stride + column];
+                // rounding of forces of 3000 N and lengths of 10 m over the step, truncation beside
+                let tolerance = if row < 6 { 1e-12 * 3e3 * 10.0 } else { 1e-14 * 10.0 } / h + 1e-6 * found.abs();
+                assert!((slope - found).abs() < tolerance, "{words} {parameter:?} row {row}: {slope} {found}");
+            }
+        }
+    }
+}
