@@ -10,7 +10,7 @@ use crate::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::identification::candidate::CandidateError;
 use crate::identification::selection::RequirementError;
-use crate::identification::{EvaluationError, fit, selection};
+use crate::identification::{EvaluationError, fit, selection, test_bench};
 use crate::measurement::{DataError, SplitError};
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
@@ -270,6 +270,19 @@ impl ErrorCode for fit::InputError {
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",
             Self::Setting { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for test_bench::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoRange { .. } => "record::no-range",
+            Self::TooFewCycles { .. } => "record::too-few-cycles",
+            Self::TooFewRows { .. } => "record::too-few-rows",
+            Self::NotRising { .. } => "record::not-rising",
+            Self::BranchesCross { .. } => "record::branches-cross",
+            Self::NoLaw(reason) => reason.code(),
         }
     }
 }

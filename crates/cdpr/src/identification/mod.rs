@@ -16,6 +16,7 @@ mod identifiability;
 mod pose_lanes;
 mod recordings;
 pub mod selection;
+pub mod test_bench;
 mod weights;
 mod words;
 
