@@ -42,6 +42,7 @@ commands! {
     demo: Demo,
     identify: Identify,
     evaluate: Evaluate,
+    test_bench: TestBench,
     import: Import,
     export: Export,
     schema: Schema,

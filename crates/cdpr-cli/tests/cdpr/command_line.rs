@@ -18,6 +18,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "place-pulleys",
     "identify",
     "evaluate",
+    "test-bench",
     "import",
     "export",
     "schema",

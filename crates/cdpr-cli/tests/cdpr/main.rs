@@ -22,6 +22,7 @@ mod shells;
 mod statics;
 mod studies;
 mod tension;
+mod test_bench;
 mod winches;
 
 use std::path::{Path, PathBuf};

@@ -164,7 +164,7 @@ pub(super) struct CableSection {
     /// Further compliance in series with the cable (m/N).
     #[schemars(range(min = 0))]
     pub(super) series_compliance_m_per_N: Option<f64>,
-    /// Tension as a polynomial of the strain, f = c1 ε + c2 ε² + … (N), which the effect `polynomial` reads: rising up to tension_max_N. The strain is counted from the length that `stiffness_by` names.
+    /// Tension as a polynomial of the strain, f = c1 ε + c2 ε² + … (N), which the effect `polynomial` reads: rising up to tension_max_N. The strain is counted from the unstrained length.
     #[schemars(length(min = 1))]
     pub(super) tension_of_strain_N: Option<Vec<f64>>,
     /// Loading and unloading branch, which the effect `hysteresis` reads.

@@ -8,14 +8,12 @@ const DOUBLINGS: usize = 100;
 /// Newton steps and halvings; a law of kinks and pieces takes about ten.
 const STEPS: usize = 100;
 
-/// A step of this share of the strain is rounding.
-const ROUNDING: f64 = 1e-15;
-
 /// The strain ≥ 0 at which the rising `law` (tension and slope) has the tension `target` ≥ 0, and the slope there.
 ///
-/// Newton's iteration that halves where it would leave the bracket; `start` > 0 is any strain of the right size.
-#[inline]
-pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, law: impl Fn(T) -> (T, T)) -> (T, T) {
+/// Newton's iteration that halves where it would leave the bracket, until a step is below `smallest` as a share of the
+/// strain, and one step more; `start` > 0 is any strain of the right size.
+#[inline(always)]
+pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, smallest: f64, law: impl Fn(T) -> (T, T)) -> (T, T) {
     let mut lower = target.constant(0.0);
     let mut upper = target.constant(start);
     for _ in 0..DOUBLINGS {
@@ -35,7 +33,7 @@ pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, law: impl Fn(T
         let newton = middle.select(newton.is_less(lower), newton);
         let next = middle.select(upper.is_less(newton), newton);
         let moved = (next - strain).abs();
-        let is_moving = (target.constant(ROUNDING) * next.abs()).is_less(moved);
+        let is_moving = (target.constant(smallest) * next.abs()).is_less(moved);
         strain = next;
         if !target.any(is_moving) {
             break;

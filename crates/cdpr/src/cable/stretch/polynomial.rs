@@ -35,7 +35,7 @@ impl Polynomial {
     }
 
     /// Tension f (N) at a strain and the stiffness ∂f/∂ε (N).
-    #[inline]
+    #[inline(always)]
     pub fn tension<T: Select>(&self, strain: T) -> (T, T) {
         let zero = strain.constant(0.0);
         let inside = strain.max(zero).min(strain.constant(self.end));
@@ -50,14 +50,15 @@ impl Polynomial {
     }
 
     /// Strain ε at a tension (N) and the compliance ∂ε/∂f (1/N): the exact inverse of [`Polynomial::tension`].
-    #[inline]
+    #[inline(always)]
     pub fn strain<T: Select>(&self, tension: T) -> (T, T) {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));
         let Some(&stiffness) = self.coefficients.first() else { return (zero, zero) };
         let at_zero = tension.constant(1.0 / stiffness);
         // a cable that stiffens has less strain than a linear one; the start may be any positive strain
         let start = 1e-2;
-        let (strain, slope) = strain_of_tension(tension.max(zero), start, |strain| self.tension(strain));
+        // a smooth law: after a step of 1e-8 the next one is rounding
+        let (strain, slope) = strain_of_tension(tension.max(zero), start, 1e-8, |strain| self.tension(strain));
         let pushes = tension.is_less(zero);
         ((tension * at_zero).select(pushes, strain), at_zero.select(pushes, one / slope))
     }

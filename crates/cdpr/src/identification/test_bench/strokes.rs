@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn turns_are_found_in_spite_of_noise() {
-        let wave = |k: usize| (k as f64 * 0.05).cos() * -1.0 + 1e-3 * ((k * 7919) % 13) as f64 / 13.0;
+        let wave = |k: usize| -(k as f64 * 0.05).cos() + 1e-3 * ((k * 7919) % 13) as f64 / 13.0;
         let elongations: Vec<f64> = (0..=251).map(wave).collect();
         let found = strokes(&record(&elongations));
         // −cos turns at π, 2π, 3π and 4π: rows 63, 126, 188, 251
