@@ -127,3 +127,24 @@ fn identification_allocates_for_its_result_and_not_for_its_steps() {
     assert_eq!(one_step, all_steps);
     assert_eq!(one_step, count(1, &half).0);
 }
+
+/// Sagging cables too: shapes, tangents and steps live in memory claimed before.
+#[test]
+fn a_reused_solver_of_sagging_cables_allocates_nothing() {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    robot.cables.iter_mut().for_each(|cable| cable.linear_density = Some(0.8));
+    let model = Model::new(robot, "elastic+catenary".parse().unwrap()).unwrap();
+    let load = Load::of(model.robot()).unwrap();
+    let pose = model.robot().home_or_middle();
+    let lengths = cdpr::statics::controlled_lengths(&model, &pose, &[4000.0; 8]).unwrap();
+    let start = elastostatics::solve(&model, &lengths, &load, &pose, &elastostatics::Settings::default()).unwrap();
+    let mut solver = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).unwrap();
+    let guess = start.pose.displaced(&Twist::new(1e-3, -1e-3, 2e-3, 1e-3, 0.0, -1e-3));
+    let work = || {
+        for _ in 0..10 {
+            let solution = solver.solve(&lengths, &guess).unwrap();
+            assert_eq!((solution.status, solution.restarts), (elastostatics::Status::Converged, 0));
+        }
+    };
+    assert_eq!(allocations(work), 0);
+}

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use crate::cable::elasticity::Elasticity;
-use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, ParameterKind};
+use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, ParameterKind, SpanEffect};
 use crate::robot::Robot;
 
 /// A composition of effects with the parameters that identification frees.
@@ -89,7 +89,8 @@ pub struct Ladder {
 
 /// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
 /// offsets, with both; then elastic models as given, with compliance and wrench, with offsets and with anchors too. Every
-/// rung also with pulleys where the robot's file describes them.
+/// rung also with pulleys where the robot's file describes them, and every elastic one with sag where it states the weight of
+/// the cables.
 ///
 /// Platform anchors stay out of it unless they have a prior: where the orientation varies little, they only repeat the frame
 /// anchors.
@@ -98,6 +99,7 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     let has_pulleys =
         robot.cables.iter().all(|cable| cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_some());
     let is_elastic = robot.cables.iter().all(|cable| Elasticity::of(cable).is_some_and(|law| !law.is_rigid()));
+    let has_weight = robot.gravity.is_some() && robot.cables.iter().all(|cable| cable.linear_density.is_some());
     let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
         (&[], &[&[], &[PulleyRadius]]),
         (&[LengthOffset], &[&[LengthOffset], &[LengthOffset, PulleyRadius]]),
@@ -128,6 +130,10 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
             }
             rungs.push(candidate(Composition::ELASTIC, free));
             rungs.extend(has_pulleys.then(|| candidate(Composition::PULLEY_ELASTIC, free)));
+            // a cable that weighs something is worth one try for each set of parameters, over pulleys where there are any
+            let base = if has_pulleys { Composition::PULLEY_ELASTIC } else { Composition::ELASTIC };
+            let sagging = Composition { span: SpanEffect::Catenary, ..base };
+            rungs.extend(has_weight.then(|| candidate(sagging, free)));
         }
     }
     rungs
