@@ -45,15 +45,14 @@ impl CableLaw {
         let (strain, _) = self.stretch.strain(tension);
         let outside = wrapped + self.hidden_length - self.series_compliance * tension;
         let contact = add(self.frame_anchor, contact);
-        let columns = [0, 1, 2].map(Change::of_force).map(|change| self.moved(shape, state, outlet.as_ref(), &change));
-        let by_length = self.moved(shape, state, outlet.as_ref(), &Change::OF_LENGTH);
-        let [x, y, z] = columns;
-        let by_state = Matrix4::of_columns([x, y, z, by_length].map(|moved| {
+        let (span, columns) = shape.with_derivatives(state, self.weight, &self.stretch, &Change::OF_STATE);
+        let by_state = Matrix4::of_columns(std::array::from_fn(|index| {
+            let moved = self.moved(state, outlet.as_ref(), &Change::OF_STATE[index], columns[index]);
             let [x, y, z] = moved.end;
             [x, y, z, moved.controlled_length]
         }));
         Evaluation {
-            end: add(contact, shape.vector(state, self.weight, &self.stretch)),
+            end: add(contact, span),
             controlled_length: state.length + outside / (1.0 + strain) - self.hidden_length,
             end_force: sub(state.force, scale(state.length, self.weight)),
             wrap_angle,
@@ -61,13 +60,14 @@ impl CableLaw {
         }
     }
 
-    /// How end and controlled length move along a change of state or weight.
+    /// How end and controlled length move along a change of state or weight that moves the span by this.
+    #[inline(always)]
     pub(super) fn moved(
         &self,
-        shape: Shape,
         state: &State<f64>,
         outlet: Option<&(Pulley<f64>, Outlet<f64>)>,
         change: &Change,
+        span: [f64; 3],
     ) -> Moved {
         let tension = dot(state.force, state.force).sqrt();
         let t = scale(1.0 / tension, state.force);
@@ -80,7 +80,7 @@ impl CableLaw {
         let outside = radius * wrap + self.hidden_length - self.series_compliance * tension;
         let d_outside = radius * d_wrap - self.series_compliance * d_tension;
         Moved {
-            end: add(d_contact, shape.derivative(state, self.weight, &self.stretch, change)),
+            end: add(d_contact, span),
             controlled_length: change.length + ratio * (d_outside - outside * ratio * slope * d_tension),
         }
     }

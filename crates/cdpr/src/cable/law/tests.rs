@@ -324,7 +324,9 @@ fn equations_agree_with_dual_numbers() {
             for axis in 0..3 {
                 let mut unit = [0.0; 3];
                 unit[axis] = 1.0;
-                let moved = law.moved(shape, &state, Some(&(plain, plain_outlet)), &Change::of_weight(unit));
+                let change = Change::of_weight(unit);
+                let (_, [span]) = shape.with_derivatives(&state, law.weight, &law.stretch, &[change]);
+                let moved = law.moved(&state, Some(&(plain, plain_outlet)), &change, span);
                 let found = if row < 3 { moved.end[row] } else { moved.controlled_length };
                 assert!((found - expected[4 + axis]).abs() < 1e-13, "{shape:?} {row} weight {axis}");
             }

@@ -23,32 +23,63 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
     add(unstretched, along_chord(force, length, weight, stretch))
 }
 
-pub(super) fn derivative(state: &State<f64>, weight: [f64; 3], stretch: &Stretch, change: &Change) -> [f64; 3] {
-    let (force, length) = (state.force, state.length);
-    let parts = Parts::new(force, length, weight);
-    let Parts { y, ratio, across, middle, sum, .. } = parts;
-    let (psi, psi_slope) = psi(y);
-    let inner = add(middle, scale(psi * ratio * ratio, across));
+/// S and its derivatives along changes of state and weight, with everything they share computed once.
+#[inline(always)]
+pub(super) fn with_derivatives<const N: usize>(
+    state: &State<f64>,
+    weight: [f64; 3],
+    stretch: &Stretch,
+    changes: &[Change; N],
+) -> ([f64; 3], [[f64; 3]; N]) {
+    let parts = Parts::new(state.force, state.length, weight);
+    let psi = psi(parts.y);
+    let inner = add(parts.middle, scale(psi.0 * parts.ratio * parts.ratio, parts.across));
+    let hanging = Hanging { state, weight, parts, psi, inner };
+    let vector = add(scale(2.0 * hanging.parts.ratio, inner), along_chord(state.force, state.length, weight, stretch));
+    let derivatives = std::array::from_fn(|index| {
+        let change = &changes[index];
+        add(hanging.derivative(change), along_chord_derivative(state, weight, stretch, change))
+    });
+    (vector, derivatives)
+}
 
-    // changes of τ₁, σ, L/σ, p·p, y, F (p·p) − p (F·p) and ½ (τ₀ + τ₁)
-    let d_end = sub(sub(change.force, scale(change.length, weight)), scale(length, change.weight));
-    let d_sum = dot(force, change.force) / parts.start_tension + dot(parts.end, d_end) / parts.end_tension;
-    let d_ratio = (change.length - ratio * d_sum) / sum;
-    let d_square = 2.0 * dot(weight, change.weight);
-    let square = dot(weight, weight);
-    let d_y = d_square * ratio * ratio + 2.0 * square * ratio * d_ratio;
-    let along = dot(force, weight);
-    let d_along = dot(change.force, weight) + dot(force, change.weight);
-    let d_across = sub(
-        add(scale(square, change.force), scale(d_square, force)),
-        add(scale(along, change.weight), scale(d_along, weight)),
-    );
-    let d_middle = scale(0.5, add(change.force, d_end));
+/// A span with everything that its derivatives share.
+struct Hanging<'a> {
+    state: &'a State<f64>,
+    weight: [f64; 3],
+    parts: Parts<f64>,
+    /// ψ and its slope.
+    psi: (f64, f64),
+    /// What 2 L/σ multiplies.
+    inner: [f64; 3],
+}
 
-    let d_factor = psi_slope * d_y * ratio * ratio + 2.0 * psi * ratio * d_ratio;
-    let d_inner = add(d_middle, add(scale(d_factor, across), scale(psi * ratio * ratio, d_across)));
-    let unstretched = add(scale(2.0 * d_ratio, inner), scale(2.0 * ratio, d_inner));
-    add(unstretched, along_chord_derivative(state, weight, stretch, change))
+impl Hanging<'_> {
+    /// Derivative of the part without stretch.
+    #[inline(always)]
+    fn derivative(&self, change: &Change) -> [f64; 3] {
+        let (force, length, weight) = (self.state.force, self.state.length, self.weight);
+        let Parts { ratio, across, sum, .. } = self.parts;
+        let (psi, psi_slope) = self.psi;
+        // changes of τ₁, σ, L/σ, p·p, y, F (p·p) − p (F·p) and ½ (τ₀ + τ₁)
+        let d_end = sub(sub(change.force, scale(change.length, weight)), scale(length, change.weight));
+        let d_start = dot(force, change.force) / self.parts.start_tension;
+        let d_sum = d_start + dot(self.parts.end, d_end) / self.parts.end_tension;
+        let d_ratio = (change.length - ratio * d_sum) / sum;
+        let d_square = 2.0 * dot(weight, change.weight);
+        let square = dot(weight, weight);
+        let d_y = d_square * ratio * ratio + 2.0 * square * ratio * d_ratio;
+        let along = dot(force, weight);
+        let d_along = dot(change.force, weight) + dot(force, change.weight);
+        let d_across = sub(
+            add(scale(square, change.force), scale(d_square, force)),
+            add(scale(along, change.weight), scale(d_along, weight)),
+        );
+        let d_middle = scale(0.5, add(change.force, d_end));
+        let d_factor = psi_slope * d_y * ratio * ratio + 2.0 * psi * ratio * d_ratio;
+        let d_inner = add(d_middle, add(scale(d_factor, across), scale(psi * ratio * ratio, d_across)));
+        add(scale(2.0 * d_ratio, self.inner), scale(2.0 * ratio, d_inner))
+    }
 }
 
 /// What values and derivatives share.

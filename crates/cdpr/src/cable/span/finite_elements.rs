@@ -28,19 +28,25 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
     sum
 }
 
-pub(super) fn derivative(
+/// S and its derivatives along changes of state and weight, each element looked at once.
+pub(super) fn with_derivatives<const N: usize>(
     state: &State<f64>,
     weight: [f64; 3],
     stretch: &Stretch,
     count: usize,
-    change: &Change,
-) -> [f64; 3] {
-    (0..count).fold([0.0; 3], |sum, element| {
+    changes: &[Change; N],
+) -> ([f64; 3], [[f64; 3]; N]) {
+    let (mut vector, mut derivatives) = ([0.0; 3], [[0.0; 3]; N]);
+    for element in 0..count {
         let node = node(element, count);
         let tau = at(state.force, state.length, weight, &node);
         let factor = factor(dot(tau, tau).sqrt(), stretch);
-        add(sum, node_derivative(state, weight, &node, change, factor))
-    })
+        vector = add(vector, scale(factor.0 * state.length * node.weight, tau));
+        for (derivative, change) in derivatives.iter_mut().zip(changes) {
+            *derivative = add(*derivative, node_derivative(state, weight, &node, change, factor));
+        }
+    }
+    (vector, derivatives)
 }
 
 /// 1/T + ε(T)/T and its derivative.

@@ -35,17 +35,6 @@ pub struct State<T> {
     pub length: T,
 }
 
-/// Where the end of a span lies, with derivatives.
-#[derive(Clone, Copy, Debug)]
-pub struct Reach {
-    /// S, from the outlet to the platform anchor (world, m).
-    pub vector: [f64; 3],
-    /// ∂S/∂F by columns (m/N); symmetric.
-    pub by_force: [[f64; 3]; 3],
-    /// ∂S/∂L.
-    pub by_length: [f64; 3],
-}
-
 /// A change of state or weight, along which a derivative is taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
@@ -60,15 +49,13 @@ pub struct Change {
 impl Change {
     const NONE: Self = Self { force: [0.0; 3], length: 0.0, weight: [0.0; 3] };
 
-    /// A change of one component of the force.
-    pub fn of_force(axis: usize) -> Self {
-        let mut change = Self::NONE;
-        change.force[axis] = 1.0;
-        change
-    }
-
-    /// A change of the length.
-    pub const OF_LENGTH: Self = Self { length: 1.0, ..Self::NONE };
+    /// Changes of the state: the three components of the force, and the length.
+    pub const OF_STATE: [Self; 4] = [
+        Self { force: [1.0, 0.0, 0.0], ..Self::NONE },
+        Self { force: [0.0, 1.0, 0.0], ..Self::NONE },
+        Self { force: [0.0, 0.0, 1.0], ..Self::NONE },
+        Self { length: 1.0, ..Self::NONE },
+    ];
 
     /// A change of the weight.
     pub fn of_weight(weight: [f64; 3]) -> Self {
@@ -86,23 +73,18 @@ impl Shape {
         }
     }
 
-    /// Derivative of S along a change of state and weight.
+    /// S and its derivatives along changes of state and weight.
     #[inline]
-    pub fn derivative(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch, change: &Change) -> [f64; 3] {
+    pub fn with_derivatives<const N: usize>(
+        self,
+        state: &State<f64>,
+        weight: [f64; 3],
+        stretch: &Stretch,
+        changes: &[Change; N],
+    ) -> ([f64; 3], [[f64; 3]; N]) {
         match self {
-            Self::Catenary => catenary::derivative(state, weight, stretch, change),
-            Self::FiniteElements(count) => finite_elements::derivative(state, weight, stretch, count, change),
-        }
-    }
-
-    /// S with its derivatives by the state.
-    #[inline]
-    pub fn reach(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch) -> Reach {
-        let along = |change: &Change| self.derivative(state, weight, stretch, change);
-        Reach {
-            vector: self.vector(state, weight, stretch),
-            by_force: [0, 1, 2].map(|axis| along(&Change::of_force(axis))),
-            by_length: along(&Change::OF_LENGTH),
+            Self::Catenary => catenary::with_derivatives(state, weight, stretch, changes),
+            Self::FiniteElements(count) => finite_elements::with_derivatives(state, weight, stretch, count, changes),
         }
     }
 }
