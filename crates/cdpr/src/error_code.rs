@@ -4,9 +4,10 @@
 //! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
 
 use crate::cable::DegenerateCourse;
+use crate::cable::law::HoldError;
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
-use crate::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use crate::equilibrium::{distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::identification::candidate::CandidateError;
 use crate::identification::selection::RequirementError;
@@ -28,6 +29,25 @@ pub trait ErrorCode: std::error::Error {
 impl ErrorCode for ReadError {
     fn code(&self) -> &'static str {
         self.code
+    }
+}
+
+impl ErrorCode for HoldError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoCourse => "cable::no-course",
+            Self::TooShort { .. } | Self::TensionTooLow { .. } | Self::NotConverged { .. } => "cable::no-shape",
+            Self::Overstretched { .. } => "tensions::overstretched",
+        }
+    }
+}
+
+impl ErrorCode for distribution::DistributionError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Statics(error) => error.code(),
+            Self::Tension(error) => error.code(),
+        }
     }
 }
 
@@ -139,7 +159,8 @@ impl ErrorCode for StaticsError {
             Self::TensionCount { .. } => "tensions::count",
             Self::NotFinite { .. } => "tensions::not-finite",
             Self::Negative { .. } => "tensions::negative",
-            Self::Hold { .. } | Self::Overstretched { .. } => "tensions::overstretched",
+            Self::Hold { reason, .. } => reason.code(),
+            Self::Overstretched { .. } => "tensions::overstretched",
             Self::Rigid { .. } => "stiffness::rigid-cable",
             Self::UnknownCable { .. } | Self::RepeatedCable { .. } => "group::cables",
             Self::Course(reason) => reason.code(),
@@ -266,7 +287,8 @@ impl ErrorCode for fit::InputError {
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions => "data::no-tensions",
-            Self::Hold { .. } | Self::NegativeTension { .. } => "data::negative-tensions",
+            Self::Hold { reason, .. } => reason.code(),
+            Self::NegativeTension { .. } => "data::negative-tensions",
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",
             Self::Setting { .. } => "setting::value",

@@ -313,7 +313,7 @@ fn an_error_reads_well_as_a_whole() {
     let text = PLANAR.replacen("tension_min_N = 1.0", "tension_min_N = 11.0", 1);
     assert_eq!(
         Robot::from_toml(&text, "frame.toml").unwrap_err().to_string(),
-        "frame.toml:30:17: cable 1 (`left`): tension_min_N = 11 is above tension_max_N = 10\n  \
+        "frame.toml:31:17: cable 1 (`left`): tension_min_N = 11 is above tension_max_N = 10\n  \
          help: swap them, or mend the wrong one"
     );
 }

@@ -71,12 +71,6 @@ pub enum Known {
     PlatformTension(f64),
 }
 
-impl Known {
-    fn is_tension(self) -> bool {
-        !matches!(self, Self::ControlledLength(_))
-    }
-}
-
 /// A cable at rest between its outlet and a platform anchor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hold {

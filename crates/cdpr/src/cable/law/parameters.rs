@@ -2,7 +2,7 @@
 
 use super::solve::Matrix4;
 use super::{CableLaw, Hold, Kind};
-use crate::cable::outlet::{bent, pulley};
+use crate::cable::outlet::bent;
 use crate::scalar::{add, dot, scale};
 
 /// A parameter of one cable, beside its anchors.
@@ -39,8 +39,8 @@ impl CableLaw {
                 self.held_change(hold, &evaluation.by_state, end, length)
             }
             _ => match (parameter, self.pulley) {
-                (LawParameter::PulleyRadius, Some((axis, radius))) => {
-                    let course = pulley::course(self.frame_anchor, axis, radius, platform_anchor);
+                (LawParameter::PulleyRadius, Some(_)) => {
+                    let course = self.course(platform_anchor);
                     LawChange {
                         pull: scale(tension, course.direction_by_radius),
                         controlled_length: ratio * course.length_by_radius,

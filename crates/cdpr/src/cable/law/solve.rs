@@ -301,13 +301,19 @@ impl Search<'_> {
             let rows = self.rows(&evaluation, &state, known);
             let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
             let step = solved.map(|[entry, _]| entry);
-            let length_by_known = solved[3][1];
+            // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
+            // does not change its length beyond rounding.
+            let is_slacker = match known {
+                Known::ControlledLength(_) => false,
+                Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+                    solved[3][1] * tension > 1e-9 * state.length
+                }
+            };
             let force_step = [step[0], step[1], step[2]];
             let tension = dot(state.force, state.force).sqrt();
             let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
             if relative < LAST_STEP {
-                // of two lengths with one tension the slacker one grows with it
-                return match known.is_tension() && length_by_known > 0.0 {
+                return match is_slacker {
                     true => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
                     false => Ok(moved(&state, &step, 1.0)),
                 };
@@ -328,8 +334,7 @@ impl Search<'_> {
                 }
                 share *= 0.5;
                 if share < 1e-8 {
-                    return match size < 1e-12 * self.chord.free_length && !(known.is_tension() && length_by_known > 0.0)
-                    {
+                    return match size < 1e-12 * self.chord.free_length && !is_slacker {
                         true => Ok(state),
                         false => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
                     };
