@@ -24,6 +24,13 @@ pub(crate) fn check(root: &Path) -> Outcome {
             skipped(&format!("vectors are {} here and {} in {REFERENCE}", counts.unit, reference.unit))
         }
         Ok((reference, counts)) => reference.compare(&counts),
+        // a limit of the tool, not of the work: compilers choose instructions that an old valgrind has not learned
+        Err(complaint) if complaint.contains("Illegal opcode") => {
+            println!(
+                "instructions are not counted: this valgrind does not know an instruction of the program\n{complaint}"
+            );
+            Outcome::default()
+        }
         Err(complaint) => Outcome::of(vec![complaint]),
     }
 }
