@@ -1,6 +1,6 @@
 //! The tensions that a question about a pose is asked with.
 
-use cdpr::equilibrium::distribution::{self, DistributionError, Reason};
+use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::tension::{Limits, LimitsError};
@@ -41,13 +41,10 @@ pub(crate) fn tensions_of(
     };
     Ok(match found.reason {
         None => Chosen::Tensions(found.tensions),
-        Some(reason) => {
-            let status = match reason {
-                Reason::Infeasible(_) => "infeasible",
-                Reason::NotConverged(_) => "not-converged",
-            };
-            Chosen::None { status, reason: format!("{}; --tensions gives others, whatever the limits", reason.words()) }
-        }
+        Some(reason) => Chosen::None {
+            status: reason.status(),
+            reason: format!("{}; --tensions gives others, whatever the limits", reason.words()),
+        },
     })
 }
 

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 use std::str::FromStr;
 
 use cdpr::cable::DegenerateCourse;
+use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::statics::Load;
@@ -151,22 +152,44 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 }
 
 fn find(model: &Model, pose: &Pose, load: &Load, limits: &Limits, method: Method) -> Result<Found, Failure> {
-    let structure_matrix = match model.structure_matrix(pose) {
-        Ok(structure_matrix) => structure_matrix,
-        Err(reason @ DegenerateCourse::NotFinite { .. }) => return Err(Failure::numerical(reason.to_string())),
-        Err(reason) => {
-            return Ok(Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() });
-        }
-    };
+    if let Err(reason) = model.structure_matrix(pose) {
+        return match reason {
+            DegenerateCourse::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
+            _ => Ok(Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() }),
+        };
+    }
     let wrench = load.in_pattern(model, pose).as_slice().to_vec();
     let refused = |error: InputError| match error {
         InputError::NotFinite { .. } => Failure::numerical(error.to_string()),
         _ => Failure::refused("--wrench", &error),
     };
+    // what sagging cables pull follows their tensions: the method is asked until both agree
+    let balance = distribution::balance(model, pose, &wrench, &mut |matrix, wrench| {
+        Ok(match method {
+            Method::Qp => {
+                let found = quadratic::solve(matrix, wrench, limits, None)?;
+                (found.status == Status::Feasible).then_some(found.tensions)
+            }
+            Method::ClosedForm => {
+                let tensions = closed_form::solve(matrix, wrench, limits)?.tensions;
+                tensions.iter().all(|tension| *tension >= 0.0).then_some(tensions)
+            }
+        })
+    });
+    let balance = balance.map_err(|error| match error {
+        DistributionError::Tension(error) => refused(error),
+        error => Failure::numerical(error.to_string()),
+    })?;
+    if let Some(reason) = balance.reason {
+        let status = reason.status();
+        return Ok(Found { status, reason: Some(reason.words().to_owned()), wrench: Some(wrench), ..Found::default() });
+    }
     let found = match method {
-        Method::Qp => by_quadratic_programme(quadratic::solve(&structure_matrix, &wrench, limits, None).map_err(refused)?)?,
+        Method::Qp => by_quadratic_programme(
+            quadratic::solve(&balance.matrix, &balance.wrench, limits, None).map_err(refused)?,
+        )?,
         Method::ClosedForm => {
-            let solution = closed_form::solve(&structure_matrix, &wrench, limits).map_err(refused)?;
+            let solution = closed_form::solve(&balance.matrix, &balance.wrench, limits).map_err(refused)?;
             let reason = solution.reason(limits);
             Found {
                 status: if reason.is_none() { "feasible" } else { "infeasible" },

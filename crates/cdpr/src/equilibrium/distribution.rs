@@ -14,9 +14,9 @@ use crate::model::Model;
 use crate::statics::{Load, StaticsError, held};
 use crate::tension::{InputError, Limits, quadratic};
 
-/// Programmes solved before giving up.
+/// Distributions tried before giving up.
 const MAX_ITERATIONS: u32 = 50;
-/// Tensions that change by less than this share of the largest limit are settled: Newton has doubled its digits before, and the
+/// Tensions that change by less than this share of the largest are settled: Newton has doubled its digits before, and the
 /// shapes of taut cables that do not stretch are known no better.
 const SETTLED: f64 = 1e-10;
 
@@ -42,6 +42,14 @@ pub enum Reason {
 }
 
 impl Reason {
+    /// The word for results: `infeasible` or `not-converged`.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::Infeasible(_) => "infeasible",
+            Self::NotConverged(_) => "not-converged",
+        }
+    }
+
     /// The words.
     pub fn words(&self) -> &str {
         match self {
@@ -80,81 +88,102 @@ impl<'a> Solver<'a> {
 
     /// The tensions nearest to the middle of the limits that keep them and balance the load at a pose.
     pub fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
-        let structure_matrix = self.model.structure_matrix(pose).map_err(StaticsError::from)?;
         let wrench = self.load.in_pattern(self.model, pose);
-        let first = self.programme(&structure_matrix, wrench.as_slice())?;
-        if first.reason.is_some() || !self.model.composition().is_sagging() {
-            return Ok(first);
-        }
-        self.iterate(pose, wrench.as_slice(), first.tensions)
-    }
-
-    fn programme(&mut self, matrix: &DMatrix<f64>, wrench: &[f64]) -> Result<Distribution, DistributionError> {
-        // a pose is answered to the same bits whatever was asked before
-        self.programme.forget();
-        let found = self.programme.solve(matrix, wrench, &self.limits, None)?;
-        let reason = found.reason().map(Reason::Infeasible);
-        Ok(Distribution { tensions: found.tensions.clone(), reason, iterations: 1 })
-    }
-
-    fn iterate(
-        &mut self,
-        pose: &Pose,
-        wrench: &[f64],
-        mut tensions: Vec<f64>,
-    ) -> Result<Distribution, DistributionError> {
-        let largest = self.limits.maximum().iter().fold(0.0_f64, |a, b| a.max(*b));
-        let mut change = f64::INFINITY;
-        for iteration in 1..=MAX_ITERATIONS {
-            let (matrix, rest) = match self.linearized(pose, wrench, &tensions) {
-                Ok(linearized) => linearized,
-                Err(StaticsError::Hold { cable, reason: reason @ HoldError::TensionTooLow { .. } }) => {
-                    let reason = Reason::Infeasible(format!("cable {cable}: {reason}"));
-                    return Ok(Distribution { tensions, reason: Some(reason), iterations: iteration });
-                }
-                Err(error) => return Err(error.into()),
-            };
-            let found = self.programme(&matrix, &rest)?;
-            if found.reason.is_some() {
-                return Ok(Distribution { iterations: iteration, ..found });
-            }
-            change = found.tensions.iter().zip(&tensions).fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs()));
-            tensions = found.tensions;
-            if change <= SETTLED * largest {
-                return Ok(Distribution { tensions, reason: None, iterations: iteration });
-            }
-        }
-        let words = format!(
-            "the directions of the sagging cables and their tensions do not settle: after {MAX_ITERATIONS} programmes the \
-             tensions still change by {change:.3e} N"
-        );
-        Ok(Distribution { tensions, reason: Some(Reason::NotConverged(words)), iterations: MAX_ITERATIONS })
-    }
-
-    /// ∂W/∂f in the pattern's rows, and load plus W(f) − ∂W/∂f f.
-    fn linearized(
-        &self,
-        pose: &Pose,
-        wrench: &[f64],
-        tensions: &[f64],
-    ) -> Result<(DMatrix<f64>, Vec<f64>), StaticsError> {
-        let basis = self.model.twist_basis();
-        let mut matrix = DMatrix::zeros(basis.len(), tensions.len());
-        let mut rest = wrench.to_vec();
-        for (cable, &tension) in tensions.iter().enumerate() {
-            let held = held(self.model, pose, cable, tension)?;
-            let (whole, by_tension) = (held.wrench(), held.wrench_by_tension());
-            for (row, twist) in basis.iter().enumerate() {
-                let slope = twist.dot(&by_tension);
-                matrix[(row, cable)] = slope;
-                rest[row] += twist.dot(&whole) - slope * tension;
-            }
-        }
-        Ok((matrix, rest))
+        let (programme, limits) = (&mut self.programme, &self.limits);
+        let mut found = (Vec::new(), None);
+        let balance = balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
+            // a pose is answered to the same bits whatever was asked before
+            programme.forget();
+            let distribution = programme.solve(matrix, wrench, limits, None)?;
+            found = (distribution.tensions.clone(), distribution.reason());
+            Ok(found.1.is_none().then(|| found.0.clone()))
+        })?;
+        let (tensions, infeasible) = found;
+        let reason = infeasible.map(Reason::Infeasible).or(balance.reason);
+        Ok(Distribution { tensions, reason, iterations: balance.iterations })
     }
 }
 
 /// One distribution; see [`Solver`] for many.
 pub fn solve(model: &Model, pose: &Pose, load: &Load, limits: &Limits) -> Result<Distribution, DistributionError> {
     Solver::new(model, load, limits).solve(pose)
+}
+
+/// The balance of tensions and load at a pose, linear in the tensions: matrix · f + wrench = 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balance {
+    /// The structure matrix of straight cables; of sagging ones ∂W/∂f at the tensions that a method settled on, n × m.
+    pub matrix: DMatrix<f64>,
+    /// The load in the pattern's n rows, with what sagging cables pull beside matrix · f (N, N·m).
+    pub wrench: Vec<f64>,
+    /// Times the method was asked.
+    pub iterations: u32,
+    /// Why the method did not settle; nothing where it found no tensions, for which it has its own words.
+    pub reason: Option<Reason>,
+}
+
+/// Any method of tension distribution: matrix and wrench to tensions, or to none where it finds none.
+pub type Method<'a> = dyn FnMut(&DMatrix<f64>, &[f64]) -> Result<Option<Vec<f64>>, InputError> + 'a;
+
+/// The linear balance in which a method's tensions are those at which it was linearized, for a load in the pattern's rows.
+///
+/// Straight cables need no iteration.
+pub fn balance(
+    model: &Model,
+    pose: &Pose,
+    wrench: &[f64],
+    method: &mut Method<'_>,
+) -> Result<Balance, DistributionError> {
+    let matrix = model.structure_matrix(pose).map_err(StaticsError::from)?;
+    let mut balance = Balance { matrix, wrench: wrench.to_vec(), iterations: 1, reason: None };
+    let Some(mut tensions) = method(&balance.matrix, &balance.wrench)? else { return Ok(balance) };
+    if !model.composition().is_sagging() {
+        return Ok(balance);
+    }
+    let mut change = f64::INFINITY;
+    while balance.iterations < MAX_ITERATIONS {
+        match linearized(model, pose, wrench, &tensions) {
+            Ok((matrix, wrench)) => (balance.matrix, balance.wrench) = (matrix, wrench),
+            Err(StaticsError::Hold { cable, reason: reason @ HoldError::TensionTooLow { .. } }) => {
+                balance.reason = Some(Reason::Infeasible(format!("cable {cable}: {reason}")));
+                return Ok(balance);
+            }
+            Err(error) => return Err(error.into()),
+        }
+        balance.iterations += 1;
+        let Some(next) = method(&balance.matrix, &balance.wrench)? else { return Ok(balance) };
+        let largest = next.iter().fold(0.0, |most, tension| f64::max(most, tension.abs()));
+        change = next.iter().zip(&tensions).fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs()));
+        tensions = next;
+        if change <= SETTLED * largest {
+            return Ok(balance);
+        }
+    }
+    balance.reason = Some(Reason::NotConverged(format!(
+        "the directions of the sagging cables and their tensions do not settle: after {MAX_ITERATIONS} distributions the \
+         tensions still change by {change:.3e} N"
+    )));
+    Ok(balance)
+}
+
+/// ∂W/∂f in the pattern's rows, and load plus W(f) − ∂W/∂f f.
+fn linearized(
+    model: &Model,
+    pose: &Pose,
+    wrench: &[f64],
+    tensions: &[f64],
+) -> Result<(DMatrix<f64>, Vec<f64>), StaticsError> {
+    let basis = model.twist_basis();
+    let mut matrix = DMatrix::zeros(basis.len(), tensions.len());
+    let mut rest = wrench.to_vec();
+    for (cable, &tension) in tensions.iter().enumerate() {
+        let held = held(model, pose, cable, tension)?;
+        let (whole, by_tension) = (held.wrench(), held.wrench_by_tension());
+        for (row, twist) in basis.iter().enumerate() {
+            let slope = twist.dot(&by_tension);
+            matrix[(row, cable)] = slope;
+            rest[row] += twist.dot(&whole) - slope * tension;
+        }
+    }
+    Ok((matrix, rest))
 }

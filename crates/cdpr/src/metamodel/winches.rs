@@ -4,10 +4,11 @@ use super::control::lengths_at;
 use super::input_error::{InputError, check_same_robot};
 use super::study::{Initial, TensionMethod};
 use super::winding::Winding;
+use crate::equilibrium::distribution::{self, DistributionError};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::Load;
-use crate::tension::{Limits, closed_form, quadratic};
+use crate::tension::{Limits, closed_form};
 
 /// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose with the
 /// initial tensions, q_off = φ̂(x_ini, f_ini) − φ(x_ini).
@@ -51,13 +52,25 @@ pub fn winch_offsets(
 /// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method `closed-form`,
 /// the middle of the limits (eq. 3.41), and neither asks for the limits. The method `qp` keeps them.
 pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
-    let structure_matrix = model.structure_matrix(pose)?;
-    let wrench = Load::of(model.robot())?.in_pattern(model, pose);
+    // a pose without a course is told in the words of the geometry
+    model.structure_matrix(pose)?;
+    let load = Load::of(model.robot())?;
+    let wrench = load.in_pattern(model, pose);
+    let refused = |error| match error {
+        DistributionError::Statics(error) => InputError::from(error),
+        DistributionError::Tension(error) => InputError::from(error),
+    };
     let nearest_to = |middle: &Limits| -> Result<Vec<f64>, InputError> {
-        let found = closed_form::solve(&structure_matrix, wrench.as_slice(), middle)?;
-        match found.balanced {
-            true => Ok(found.tensions),
-            false => Err(not_balanced("the cables leave a part of it whatever their tensions".to_owned())),
+        let mut found = None;
+        let balance = distribution::balance(model, pose, wrench.as_slice(), &mut |matrix, wrench| {
+            let solution = closed_form::solve(matrix, wrench, middle)?;
+            found = solution.balanced.then_some(solution.tensions);
+            Ok(found.clone().filter(|tensions| tensions.iter().all(|tension| *tension >= 0.0)))
+        });
+        match (found, balance.map_err(refused)?.reason) {
+            (Some(tensions), None) => Ok(tensions),
+            (None, _) => Err(not_balanced("the cables leave a part of it whatever their tensions".to_owned())),
+            (_, Some(reason)) => Err(not_balanced(reason.words().to_owned())),
         }
     };
     let tensions = match (&initial.tensions_N, initial.tension_method) {
@@ -71,10 +84,10 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
         (None, Some(TensionMethod::ClosedForm)) => nearest_to(&Limits::of(model.robot(), None, None)?)?,
         (None, Some(TensionMethod::Qp)) => {
             let limits = Limits::of(model.robot(), None, None)?;
-            let found = quadratic::solve(&structure_matrix, wrench.as_slice(), &limits, None)?;
-            match found.reason() {
+            let found = distribution::solve(model, pose, &load, &limits).map_err(refused)?;
+            match found.reason {
                 None => found.tensions,
-                Some(reason) => return Err(not_balanced(reason)),
+                Some(reason) => return Err(not_balanced(reason.words().to_owned())),
             }
         }
         (None, None) => return Err(InputError::NoTensions),
