@@ -3,7 +3,7 @@
 
 use thiserror::Error;
 
-use crate::cable::course::Course;
+use crate::cable::course::{Course, normalized};
 use crate::scalar::{Real, add, cross, dot, scale, sub};
 
 /// Added under the root of the distance from the swivel axis: too small to change any bit of a distance above 1e-142 m,
@@ -136,13 +136,9 @@ pub fn place(
     radius: f64,
     platform_anchor: [f64; 3],
 ) -> Result<[f64; 3], PlacementError> {
-    let away = sub(platform_anchor, outlet);
-    let length = dot(away, away).sqrt();
-    if length == 0.0 {
-        return Err(PlacementError::ZeroLength);
-    }
-    let cosine = dot(away, swivel_axis) / length;
-    let across = sub(scale(1.0 / length, away), scale(cosine, swivel_axis));
+    let away = direction(outlet, platform_anchor)?;
+    let cosine = dot(away, swivel_axis);
+    let across = sub(away, scale(cosine, swivel_axis));
     let sine = dot(across, across).sqrt();
     if sine < 1e-12 {
         // along the axis the pulley is not touched; against it the cable turns by π in an unknown plane
@@ -150,6 +146,12 @@ pub fn place(
     }
     let radial = scale(1.0 / sine, across);
     Ok(entry_before(outlet, (swivel_axis, cosine), (radial, sine), radius))
+}
+
+/// Unit vector from the outlet to the platform anchor.
+fn direction(outlet: [f64; 3], platform_anchor: [f64; 3]) -> Result<[f64; 3], PlacementError> {
+    let (away, length) = normalized(sub(platform_anchor, outlet));
+    if length > 0.0 { Ok(away) } else { Err(PlacementError::ZeroLength) }
 }
 
 /// [`place`] for a pulley that does not swivel, with x_A = `side`: every direction in its plane has a place.
@@ -160,12 +162,8 @@ pub fn place_on_side(
     radius: f64,
     platform_anchor: [f64; 3],
 ) -> Result<[f64; 3], PlacementError> {
-    let away = sub(platform_anchor, outlet);
-    let length = dot(away, away).sqrt();
-    if length == 0.0 {
-        return Err(PlacementError::ZeroLength);
-    }
-    let (cosine, sine) = (dot(away, swivel_axis) / length, dot(away, side) / length);
+    let away = direction(outlet, platform_anchor)?;
+    let (cosine, sine) = (dot(away, swivel_axis), dot(away, side));
     Ok(entry_before(outlet, (swivel_axis, cosine), (side, sine), radius))
 }
 
