@@ -5,6 +5,8 @@ use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::evaluate;
 use cdpr::identification::fit::{Settings, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::metamodel::study::{CommandedPose, Initial, TensionMethod};
+use cdpr::metamodel::{initial_tensions, operate, winch_offsets};
 use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::{self, Load};
@@ -134,4 +136,58 @@ fn a_sagging_machine_is_identified_by_a_sagging_model() {
     };
     let (sagging, straight) = (rms(&found.model), rms(&fitted("pulley+elastic").model));
     assert!(sagging < 1e-6 && straight > 20.0 * sagging, "{sagging} m, {straight} m");
+}
+
+/// Initial tensions of a sagging machine balance its load as it hangs, not as straight cables would: with its winches set there,
+/// a kinematic control model brings it to the initial pose itself.
+#[test]
+fn winches_of_a_sagging_machine_are_set_where_it_is_in_balance() {
+    let robot = machine();
+    let sagging = Model::new(robot.clone(), "elastic+catenary".parse().expect("a composition")).expect("a model");
+    let control = Model::new(robot.clone(), Composition::STANDARD).expect("a model");
+    let pose = robot.home_or_middle();
+    let load = Load::of(&robot).expect("the file states it");
+    for method in [TensionMethod::Qp, TensionMethod::ClosedForm] {
+        let initial = Initial {
+            pose: vec![],
+            tensions_N: None,
+            tension_method: Some(method),
+            offset: None,
+            offset_m: None,
+            offset_robot: None,
+        };
+        let tensions = initial_tensions(&initial, &sagging, &pose).expect("tensions");
+        let residual = statics::wrench_residual(&sagging, &pose, &tensions, &load).expect("taut cables");
+        // settled to 1e-10 of 5000 N, at levers of 1 m
+        assert!(residual.amax() < 1e-5, "{method:?}: {residual}");
+        let offsets = winch_offsets(&initial, &control, &sagging, &pose).expect("offsets");
+        let commanded = CommandedPose { pose, set: None, shortened: None };
+        let outcomes = operate(&control, &sagging, &offsets, &[commanded]).expect("the same robot");
+        let missed = outcomes[0].pose.displacement_to(&pose).norm();
+        assert!(missed < 1e-9, "{method:?}: {missed} {:?}", outcomes[0].reason);
+    }
+}
+
+/// A cable with a memory: pulled in by 4 mm and let out again, it has less tension than before, and after one such cycle the
+/// next one repeats it.
+#[test]
+fn solvers_remember_the_way_of_cables_with_hysteresis() {
+    let robot = machine();
+    let model = Model::new(robot.clone(), "hysteresis".parse().expect("a composition")).expect("a model");
+    let load = Load::of(&robot).expect("the file states it");
+    let lengths = statics::controlled_lengths(&model, &robot.home_or_middle(), &[5000.0; 8]).expect("taut cables");
+    let tight: Vec<f64> = lengths.iter().map(|length| length - 4e-3).collect();
+    let mut solver = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).expect("valid");
+    let mut sum_at = |lengths: &[f64]| {
+        let solution = solver.solve(lengths, &robot.home_or_middle()).expect("valid input");
+        assert_eq!(solution.status, elastostatics::Status::Converged, "{:?}", solution.reason);
+        let sum = solution.tensions.iter().sum::<f64>();
+        solver.remember();
+        sum
+    };
+    let (first, _, second) = (sum_at(&lengths), sum_at(&tight), sum_at(&lengths));
+    let (_, third) = (sum_at(&tight), sum_at(&lengths));
+    assert!(second < first - 100.0, "{first} {second}");
+    // to the pose tolerance of 1e-11 m at 1e6 N/m
+    assert!((third - second).abs() < 1e-3, "{second} {third}");
 }

@@ -2,7 +2,6 @@
 
 use super::solve::Matrix4;
 use super::{CableLaw, Hold, Kind};
-use crate::cable::outlet::bent;
 use crate::scalar::{add, dot, scale};
 
 /// A parameter of one cable, beside its anchors.
@@ -35,7 +34,7 @@ impl CableLaw {
             Kind::Sagging(shape) => {
                 let side = self.chord(platform_anchor).map_or(1.0, |chord| chord.side);
                 let evaluation = self.evaluate(shape, &hold.state, side);
-                let (end, length) = self.sagging_change(hold, parameter, side, ratio);
+                let (end, length) = self.sagging_change(hold, parameter, side);
                 self.held_change(hold, &evaluation.by_state, end, length)
             }
             _ => match (parameter, self.pulley) {
@@ -53,21 +52,20 @@ impl CableLaw {
     }
 
     /// Changes of end and controlled length at a fixed state.
-    fn sagging_change(&self, hold: &Hold, parameter: LawParameter, side: f64, ratio: f64) -> ([f64; 3], f64) {
-        let (state, tension) = (&hold.state, hold.outlet_tension);
-        match (parameter, self.bent_pulley(side)) {
-            (LawParameter::PulleyRadius, Some(pulley)) => {
-                let outlet = bent::outlet(&pulley, scale(1.0 / tension, state.force));
-                let (contact, wrapped) = outlet.by_radius(&pulley);
+    fn sagging_change(&self, hold: &Hold, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
+        let state = &hold.state;
+        let frame = self.frame_end(state, side);
+        let ratio = frame.ratio;
+        match (parameter, &frame.outlet) {
+            (LawParameter::PulleyRadius, Some((pulley, outlet))) => {
+                let (contact, wrapped) = outlet.by_radius(pulley);
                 (contact, ratio * wrapped)
             }
             (LawParameter::PulleyRadius, None) => ([0.0; 3], 0.0),
-            (LawParameter::Compliance, pulley) => {
-                let wrapped = pulley.map_or(0.0, |pulley| pulley.radius * hold.wrap_angle);
-                let outside = wrapped + self.hidden_length - self.series_compliance * tension;
+            (LawParameter::Compliance, _) => {
                 // ∫ τ ds, of elements too
                 let middle = add(state.force, scale(-0.5 * state.length, self.weight));
-                (scale(state.length, middle), -outside * ratio * ratio * tension)
+                (scale(state.length, middle), -frame.outside * ratio * ratio * hold.outlet_tension)
             }
             (LawParameter::HiddenLength, _) => ([0.0; 3], ratio - 1.0),
         }

@@ -34,26 +34,31 @@ impl CableLaw {
         self.pulley.map(|(swivel_axis, radius)| Pulley { swivel_axis, radius, side })
     }
 
-    /// The equations at a state; `side` tells on which side of the swivel axis the cable leaves.
-    pub(super) fn evaluate(&self, shape: Shape, state: &State<f64>, side: f64) -> Evaluation {
+    /// What the frame's end of a cable does in a state; `side` tells on which side of the swivel axis the cable leaves.
+    pub(super) fn frame_end(&self, state: &State<f64>, side: f64) -> FrameEnd {
         let tension = dot(state.force, state.force).sqrt();
         let direction = scale(1.0 / tension, state.force);
-        let pulley = self.bent_pulley(side);
-        let outlet = pulley.map(|pulley| (pulley, bent::outlet(&pulley, direction)));
-        let (contact, wrap_angle) = outlet.map_or(([0.0; 3], 0.0), |(_, outlet)| (outlet.contact, outlet.wrap_angle));
-        let wrapped = self.pulley.map_or(0.0, |(_, radius)| radius * wrap_angle);
-        let (strain, _) = self.stretch.strain(tension);
+        let outlet = self.bent_pulley(side).map(|pulley| (pulley, bent::outlet(&pulley, direction)));
+        let wrapped = outlet.map_or(0.0, |(pulley, outlet)| pulley.radius * outlet.wrap_angle);
+        let (strain, slope) = self.stretch.strain(tension);
         let outside = wrapped + self.hidden_length - self.series_compliance * tension;
-        let contact = add(self.frame_anchor, contact);
+        FrameEnd { tension, direction, outlet, outside, ratio: 1.0 / (1.0 + strain), slope }
+    }
+
+    /// The equations at a state; `side` as in [`Self::frame_end`].
+    pub(super) fn evaluate(&self, shape: Shape, state: &State<f64>, side: f64) -> Evaluation {
+        let frame = self.frame_end(state, side);
+        let (contact, wrap_angle) =
+            frame.outlet.map_or(([0.0; 3], 0.0), |(_, outlet)| (outlet.contact, outlet.wrap_angle));
         let (span, columns) = shape.with_derivatives(state, self.weight, &self.stretch, &Change::OF_STATE);
         let by_state = Matrix4::of_columns(std::array::from_fn(|index| {
-            let moved = self.moved(state, outlet.as_ref(), &Change::OF_STATE[index], columns[index]);
+            let moved = self.moved(&frame, &Change::OF_STATE[index], columns[index]);
             let [x, y, z] = moved.end;
             [x, y, z, moved.controlled_length]
         }));
         Evaluation {
-            end: add(contact, span),
-            controlled_length: state.length + outside / (1.0 + strain) - self.hidden_length,
+            end: add(add(self.frame_anchor, contact), span),
+            controlled_length: state.length + frame.outside * frame.ratio - self.hidden_length,
             end_force: sub(state.force, scale(state.length, self.weight)),
             wrap_angle,
             by_state,
@@ -62,26 +67,34 @@ impl CableLaw {
 
     /// How end and controlled length move along a change of state or weight that moves the span by this.
     #[inline(always)]
-    pub(super) fn moved(
-        &self,
-        state: &State<f64>,
-        outlet: Option<&(Pulley<f64>, Outlet<f64>)>,
-        change: &Change,
-        span: [f64; 3],
-    ) -> Moved {
-        let tension = dot(state.force, state.force).sqrt();
-        let t = scale(1.0 / tension, state.force);
+    pub(super) fn moved(&self, frame: &FrameEnd, change: &Change, span: [f64; 3]) -> Moved {
+        let FrameEnd { tension, direction: t, ratio, .. } = *frame;
         let d_tension = dot(t, change.force);
         let turned = scale(1.0 / tension, sub(change.force, scale(d_tension, t)));
-        let (d_contact, d_wrap) = outlet.map_or(([0.0; 3], 0.0), |(pulley, outlet)| outlet.derivative(pulley, turned));
-        let (radius, wrap) = outlet.map_or((0.0, 0.0), |(pulley, outlet)| (pulley.radius, outlet.wrap_angle));
-        let (strain, slope) = self.stretch.strain(tension);
-        let ratio = 1.0 / (1.0 + strain);
-        let outside = radius * wrap + self.hidden_length - self.series_compliance * tension;
-        let d_outside = radius * d_wrap - self.series_compliance * d_tension;
+        let (d_contact, d_wrapped) = frame.outlet.as_ref().map_or(([0.0; 3], 0.0), |(pulley, outlet)| {
+            let (contact, wrap) = outlet.derivative(pulley, turned);
+            (contact, pulley.radius * wrap)
+        });
+        let d_outside = d_wrapped - self.series_compliance * d_tension;
         Moved {
             end: add(d_contact, span),
-            controlled_length: change.length + ratio * (d_outside - outside * ratio * slope * d_tension),
+            controlled_length: change.length + ratio * (d_outside - frame.outside * ratio * frame.slope * d_tension),
         }
     }
+}
+
+/// The frame's end of a cable in a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FrameEnd {
+    /// |F| (N).
+    tension: f64,
+    /// F/|F|.
+    direction: [f64; 3],
+    pub(super) outlet: Option<(Pulley<f64>, Outlet<f64>)>,
+    /// Strained length between winch and outlet, less what is in series (m).
+    pub(super) outside: f64,
+    /// 1/(1 + ε) at the outlet.
+    pub(super) ratio: f64,
+    /// ∂ε/∂T at the outlet (1/N).
+    slope: f64,
 }

@@ -88,9 +88,9 @@ impl CableLaw {
         let chord = self.chord(platform_anchor)?;
         self.refuse_impossible(&chord, known)?;
         let search = Search { law: self, shape, platform_anchor, chord };
-        let first = guess.map_or_else(|| search.start(known), Ok)?;
+        let first = guess.unwrap_or_else(|| search.start(known));
         let found = match search.newton(known, first) {
-            Err(_) if guess.is_some() => search.start(known).and_then(|start| search.newton(known, start)),
+            Err(_) if guess.is_some() => search.newton(known, search.start(known)),
             other => other,
         };
         let state = match found {
@@ -172,11 +172,11 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// A state near the one sought.
-    fn start(&self, known: Known) -> Result<State<f64>, HoldError> {
+    fn start(&self, known: Known) -> State<f64> {
         match known {
-            Known::OutletTension(tension) => Ok(self.taut(tension, 0.5)),
-            Known::PlatformTension(tension) => Ok(self.taut(tension, -0.5)),
-            Known::ControlledLength(length) => Ok(self.of_length(length)),
+            Known::OutletTension(tension) => self.taut(tension, 0.5),
+            Known::PlatformTension(tension) => self.taut(tension, -0.5),
+            Known::ControlledLength(length) => self.of_length(length),
         }
     }
 
@@ -249,8 +249,9 @@ impl Search<'_> {
         let [x, y, z] = sub(evaluation.end, self.platform_anchor);
         let last = match known {
             Known::ControlledLength(length) => evaluation.controlled_length - length,
-            Known::OutletTension(tension) => dot(state.force, state.force).sqrt() - tension,
-            Known::PlatformTension(tension) => dot(evaluation.end_force, evaluation.end_force).sqrt() - tension,
+            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+                self.known_tension(state, known) - tension
+            }
         };
         [x, y, z, last]
     }

@@ -47,6 +47,8 @@ struct Point {
 enum Failure {
     /// A cable has no shape at the start.
     Cable(usize, HoldError),
+    /// Forces that are not finite numbers.
+    Overflow,
     /// No shorter step helped.
     Stalled,
     /// The limit of iterations.
@@ -131,7 +133,7 @@ impl Composed {
 
     fn newton(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
         self.trial_states.copy_from_slice(&self.states);
-        let mut point = self.try_at(problem, start).map_err(|(cable, error)| Failure::Cable(cable, error))?;
+        let mut point = self.try_at(problem, start)?;
         self.accept();
         for _ in 0..problem.settings.max_iterations {
             *iterations += 1;
@@ -164,14 +166,15 @@ impl Composed {
     }
 
     /// All cables at a pose, into `trial`.
-    fn try_at(&mut self, problem: &Problem<'_>, pose: &Pose) -> Result<Point, (usize, HoldError)> {
+    fn try_at(&mut self, problem: &Problem<'_>, pose: &Pose) -> Result<Point, Failure> {
         self.trial.clear();
         let mut wrench = problem.load.wrench(pose);
         for (cable, law) in self.laws.iter().enumerate() {
             let lever = pose.rotation * problem.model.robot().cables[cable].platform_anchor;
             let known = Known::ControlledLength(problem.lengths[cable]);
             let anchor = (pose.position + lever).into();
-            let hold: Hold = law.hold_from(anchor, known, self.trial_states[cable]).map_err(|error| (cable, error))?;
+            let hold: Hold =
+                law.hold_from(anchor, known, self.trial_states[cable]).map_err(|error| Failure::Cable(cable, error))?;
             let held = Held { hold, lever, is_known_at_platform: false };
             wrench += held.wrench();
             self.trial_states[cable] = Some(hold.state);
@@ -180,7 +183,7 @@ impl Composed {
         let residual = problem.scaled(&wrench);
         let size = residual.norm();
         if !size.is_finite() {
-            return Err((0, HoldError::NoCourse));
+            return Err(Failure::Overflow);
         }
         Ok(Point { pose: *pose, residual, size })
     }
@@ -251,6 +254,7 @@ impl Composed {
         solution.status = Status::NotConverged;
         solution.reason = Some(match failure {
             Failure::Cable(cable, error) => format!("cable {}: {error}", cable + 1),
+            Failure::Overflow => "the forces at the start are not finite numbers; check units and magnitudes".to_owned(),
             Failure::Stalled => {
                 "no shorter step brings forces nearer to balance, from the guess and from the equilibrium of straight cables; \
                  do lengths and load belong to this robot?"
