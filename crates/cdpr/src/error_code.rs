@@ -19,6 +19,7 @@ use crate::reading::ReadError;
 use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
+use crate::workspace::WorkspaceError;
 
 /// An error with a stable short name.
 pub trait ErrorCode: std::error::Error {
@@ -334,6 +335,20 @@ impl ErrorCode for selection::InputError {
             Self::NoCandidates => "candidate::none",
             Self::NoValidation => "data::no-validation",
             Self::AllFailed { .. } => "candidate::all-failed",
+        }
+    }
+}
+
+impl ErrorCode for WorkspaceError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoCriterion => "workspace::no-criterion",
+            Self::SaggingCables { .. } => "workspace::sagging-cables",
+            Self::MissingKey { .. } => "workspace::missing-key",
+            Self::Setting { .. } => "workspace::setting",
+            Self::Limits(error) => error.code(),
+            Self::Load(error) => error.code(),
+            Self::Tension(error) => error.code(),
         }
     }
 }

@@ -26,7 +26,7 @@
 //! ```
 //!
 //! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
-//! [`statics`], [`equilibrium`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
+//! [`statics`], [`equilibrium`], [`workspace`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
 //! file reader, [`error_code`] the stable name of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
 pub use nalgebra;
@@ -48,3 +48,4 @@ pub mod robot;
 pub mod scalar;
 pub mod statics;
 pub mod tension;
+pub mod workspace;

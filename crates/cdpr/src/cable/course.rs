@@ -68,6 +68,19 @@ pub enum DegenerateCourse {
     },
 }
 
+impl DegenerateCourse {
+    /// Number of the cable, from 1.
+    pub fn cable(&self) -> usize {
+        match *self {
+            Self::ZeroLength { cable }
+            | Self::InsidePulley { cable, .. }
+            | Self::OnSwivelAxis { cable }
+            | Self::OpenSide { cable }
+            | Self::NotFinite { cable } => cable,
+        }
+    }
+}
+
 impl<T: Real> Course<T> {
     /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the lever b = R b_P.
     ///

@@ -1,0 +1,42 @@
+//! Criteria: what has to hold at a pose, one file each.
+
+mod any_all;
+mod narrowing;
+#[cfg(test)]
+mod tests;
+mod wrench_closure;
+mod wrench_feasible;
+
+pub use any_all::{All, Any};
+pub use wrench_closure::WrenchClosure;
+pub use wrench_feasible::WrenchFeasible;
+
+use super::Verdict;
+use crate::geometry::Pose;
+
+/// Something that holds at some poses and fails at others.
+///
+/// A criterion holds what it needs (model, load, limits) and answers the same for the same pose, whatever was asked
+/// before: threads share it.
+pub trait Criterion: Sync {
+    /// Name on the command line, e.g. `wrench-feasible`.
+    fn name(&self) -> &str;
+
+    /// Unit of the margin; `1` where it has none.
+    fn unit(&self) -> &str;
+
+    /// The full answer at a pose.
+    fn judge(&self, pose: &Pose) -> Verdict;
+
+    /// Whether it holds at a pose: the verdict of [`Criterion::judge`], faster where that can be.
+    fn holds(&self, pose: &Pose) -> bool {
+        self.judge(pose).holds()
+    }
+
+    /// Whether it holds at each of many poses; `answers` has one entry per pose.
+    fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
+        for (pose, answer) in poses.iter().zip(answers) {
+            *answer = self.holds(pose);
+        }
+    }
+}

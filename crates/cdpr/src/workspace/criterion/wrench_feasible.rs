@@ -1,0 +1,111 @@
+//! Wrench feasibility: tensions within their limits balance the load.
+
+use super::narrowing::{Closing, Narrowing, largest};
+use super::{Criterion, Verdict};
+use crate::equilibrium::distribution::{self, Balance, DistributionError};
+use crate::geometry::Pose;
+use crate::model::Model;
+use crate::statics::{Load, StaticsError};
+use crate::tension::quadratic::{Solver, Status};
+use crate::tension::{InputError, Limits};
+use crate::workspace::WorkspaceError;
+
+/// Tensions f with f_min ≤ f ≤ f_max balance the load, Aᵀ f + w = 0 (Verhoeven 2004; Pott 2018, ch. 5): exact.
+///
+/// The margin (N) is the largest t for which limits narrowed by t on both sides, f_min + t ≤ f ≤ f_max − t, still leave
+/// tensions: how far every tension can stay away from its limits. Below zero it is how far the limits would have to be
+/// widened. It is continuous in the pose, the load and the limits while the structure matrix keeps its rank, at most half
+/// the narrowest range, and −∞ where no tensions at all would do. With sagging cables it is that of the directions at which
+/// tensions and shapes agree, or were left.
+#[derive(Clone, Debug)]
+pub struct WrenchFeasible<'a> {
+    model: &'a Model,
+    load: Load,
+    limits: Limits,
+}
+
+impl<'a> WrenchFeasible<'a> {
+    /// The criterion for this model, load and limits.
+    pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Result<Self, WorkspaceError> {
+        let (expected, found) = (model.cable_count(), limits.cable_count());
+        if expected != found {
+            return Err(InputError::LimitCount { expected, found }.into());
+        }
+        Ok(Self { model, load: *load, limits: limits.clone() })
+    }
+
+    fn programme(&self) -> Solver {
+        Solver::new(self.model.cable_count(), self.model.dof())
+    }
+
+    /// The verdict for straight cables by one programme; `programme` carries memory only.
+    fn holds_straight(&self, programme: &mut Solver, pose: &Pose) -> bool {
+        let Ok(matrix) = self.model.structure_matrix(pose) else { return false };
+        let wrench = self.load.in_pattern(self.model, pose);
+        programme.forget();
+        let found = programme.solve(&matrix, wrench.as_slice(), &self.limits, None);
+        found.is_ok_and(|found| found.status == Status::Feasible)
+    }
+
+    fn margin(&self, programme: &mut Solver, balance: &Balance, is_feasible: bool) -> Narrowing {
+        let closing = Closing { limits: &self.limits, rise: 1.0, fall: 1.0 };
+        let start = if is_feasible { closing.end() } else { Narrowing { amount: 0.0, cable: None } };
+        largest(programme, &balance.matrix, &balance.wrench, &closing, start)
+            .unwrap_or(Narrowing { amount: f64::NEG_INFINITY, cable: None })
+    }
+}
+
+impl Criterion for WrenchFeasible<'_> {
+    fn name(&self) -> &str {
+        "wrench-feasible"
+    }
+
+    fn unit(&self) -> &str {
+        "N"
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        let wrench = self.load.in_pattern(self.model, pose);
+        let mut programme = self.programme();
+        let mut infeasible = None;
+        let balance = distribution::balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
+            programme.forget();
+            let found = programme.solve(matrix, wrench, &self.limits, None)?;
+            infeasible = found.reason();
+            Ok(infeasible.is_none().then(|| found.tensions.clone()))
+        });
+        let balance = match balance {
+            Ok(Balance { reason: Some(reason), .. }) => return Verdict::impossible(reason.words(), None),
+            Ok(balance) => balance,
+            Err(error) => return Verdict::impossible(error.to_string(), cable_of(&error)),
+        };
+        let Narrowing { amount, cable } = self.margin(&mut programme, &balance, infeasible.is_none());
+        match infeasible {
+            None => Verdict::held(amount, cable),
+            Some(reason) => Verdict::failed(amount, reason, cable),
+        }
+    }
+
+    fn holds(&self, pose: &Pose) -> bool {
+        match self.model.composition().is_sagging() {
+            true => self.judge(pose).holds(),
+            false => self.holds_straight(&mut self.programme(), pose),
+        }
+    }
+
+    fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
+        let (mut programme, is_sagging) = (self.programme(), self.model.composition().is_sagging());
+        for (pose, answer) in poses.iter().zip(answers) {
+            *answer = if is_sagging { self.holds(pose) } else { self.holds_straight(&mut programme, pose) };
+        }
+    }
+}
+
+/// The cable (from 0) that keeps the question from having a meaning.
+fn cable_of(error: &DistributionError) -> Option<usize> {
+    match error {
+        DistributionError::Statics(StaticsError::Course(course)) => Some(course.cable() - 1),
+        DistributionError::Statics(StaticsError::Hold { cable, .. }) => Some(cable - 1),
+        _ => None,
+    }
+}
