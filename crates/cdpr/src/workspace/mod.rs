@@ -4,6 +4,7 @@
 
 pub mod criterion;
 mod error;
+pub mod mesh;
 mod verdict;
 
 pub use criterion::Criterion;
