@@ -2,6 +2,7 @@
 
 use super::solve::Matrix4;
 use super::{CableLaw, Hold, Kind};
+use crate::cable::stretch::Stretch;
 use crate::scalar::{add, dot, scale};
 
 /// A parameter of one cable, beside its anchors.
@@ -25,11 +26,10 @@ pub struct LawChange {
 }
 
 impl CableLaw {
-    /// Derivative of a hold at this platform anchor by a parameter; zero for one that the law does not have.
+    /// Derivative of a hold at this platform anchor by a parameter; zero for one that the law does not have, and for compliance and
+    /// hidden length of a linear law, which has its own ([`crate::cable::elasticity::Elasticity::controlled_length_gradient`]).
     pub fn by_parameter(&self, hold: &Hold, platform_anchor: [f64; 3], parameter: LawParameter) -> LawChange {
         let tension = hold.outlet_tension;
-        let (strain, _) = self.stretch.strain(tension);
-        let ratio = 1.0 / (1.0 + strain);
         match self.kind {
             Kind::Sagging(shape) => {
                 let side = self.chord(platform_anchor).map_or(1.0, |chord| chord.side);
@@ -42,10 +42,13 @@ impl CableLaw {
                     let course = self.course(platform_anchor);
                     LawChange {
                         pull: scale(tension, course.direction_by_radius),
-                        controlled_length: ratio * course.length_by_radius,
+                        controlled_length: self.length(course.length, tension).by_length * course.length_by_radius,
                     }
                 }
-                (LawParameter::HiddenLength, _) => LawChange { pull: [0.0; 3], controlled_length: ratio - 1.0 },
+                (LawParameter::HiddenLength, _) if self.kind == Kind::Stretching => {
+                    let (strain, _) = self.stretch.strain(tension);
+                    LawChange { pull: [0.0; 3], controlled_length: 1.0 / (1.0 + strain) - 1.0 }
+                }
                 _ => LawChange { pull: [0.0; 3], controlled_length: 0.0 },
             },
         }
@@ -62,6 +65,7 @@ impl CableLaw {
                 (contact, ratio * wrapped)
             }
             (LawParameter::PulleyRadius, None) => ([0.0; 3], 0.0),
+            (LawParameter::Compliance, _) if !matches!(self.stretch, Stretch::Linear(_)) => ([0.0; 3], 0.0),
             (LawParameter::Compliance, _) => {
                 // ∫ τ ds, of elements too
                 let middle = add(state.force, scale(-0.5 * state.length, self.weight));

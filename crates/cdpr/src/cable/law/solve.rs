@@ -303,11 +303,13 @@ impl Search<'_> {
             let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
             let step = solved.map(|[entry, _]| entry);
             // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
-            // does not change its length beyond rounding.
+            // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
+            // wrapped part shrinks.
             let is_slacker = match known {
                 Known::ControlledLength(_) => false,
                 Known::OutletTension(tension) | Known::PlatformTension(tension) => {
-                    solved[3][1] * tension > 1e-9 * state.length
+                    let by_tension: f64 = (0..4).map(|k| evaluation.by_state.0[3][k] * solved[k][1]).sum();
+                    by_tension * tension > 1e-9 * state.length
                 }
             };
             let force_step = [step[0], step[1], step[2]];

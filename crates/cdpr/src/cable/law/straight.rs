@@ -8,9 +8,9 @@ use crate::scalar::scale;
 
 /// The equation q_θ(q, f) with its derivatives.
 #[derive(Clone, Copy, Debug)]
-struct Length {
+pub(super) struct Length {
     value: f64,
-    by_length: f64,
+    pub(super) by_length: f64,
     by_tension: f64,
 }
 
@@ -38,7 +38,7 @@ impl CableLaw {
     }
 
     /// q_θ of a cable of this length and tension.
-    fn length(&self, q: f64, tension: f64) -> Length {
+    pub(super) fn length(&self, q: f64, tension: f64) -> Length {
         match self.kind {
             Kind::Linear(law) => linear(&law, q, tension),
             _ => {

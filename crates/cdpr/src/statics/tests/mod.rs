@@ -2,6 +2,7 @@
 
 mod balance;
 mod derivatives;
+mod every;
 mod laws;
 
 use nalgebra::{DVector, Vector3};

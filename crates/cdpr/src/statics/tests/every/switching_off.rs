@@ -1,0 +1,147 @@
+//! An effect whose parameter goes to zero leaves the model without it, in values and derivatives, and smoothly.
+
+use super::*;
+use crate::model::StretchEffect;
+
+/// What a model says of its cables at these tensions: lengths, wrenches in the pattern's degrees of freedom, and their
+/// derivatives.
+fn answers(model: &Model, pose: &Pose, tensions: &[f64]) -> Vec<f64> {
+    let basis = model.twist_basis();
+    let mut answers = Vec::new();
+    for held in holds(model, pose, tensions).unwrap() {
+        let hold = &held.hold;
+        answers.extend([hold.controlled_length, hold.controlled_length_by_tension]);
+        answers.extend(hold.controlled_length_by_anchor);
+        let stiffness = held.stiffness_at_tension();
+        for row in basis {
+            answers.extend([row.dot(&held.wrench()), row.dot(&held.wrench_by_tension())]);
+            answers.extend(basis.iter().map(|column| row.dot(&(stiffness * column))));
+        }
+    }
+    answers
+}
+
+/// An effect, and the robot with its parameter scaled.
+struct Effect {
+    word: &'static str,
+    scale: fn(&mut Robot, f64),
+}
+
+const EFFECTS: [Effect; 4] = [
+    Effect {
+        word: "pulley",
+        scale: |robot, share| {
+            each(robot, |cable| cable.pulley_radius = cable.pulley_radius.map(|radius| radius * share))
+        },
+    },
+    Effect {
+        word: "elastic",
+        scale: |robot, share| {
+            each(robot, |cable| {
+                let stiffness = cable.axial_stiffness.take();
+                let compliance = cable.axial_compliance.or(stiffness.map(|k| 1.0 / k)).unwrap_or(1e-6);
+                cable.axial_compliance = Some(compliance * share);
+                cable.spring_constant = None;
+                cable.series_compliance = cable.series_compliance.map(|series| series * share);
+            });
+        },
+    },
+    Effect { word: "catenary", scale: lighter },
+    Effect { word: "finite-element", scale: lighter },
+];
+
+fn lighter(robot: &mut Robot, share: f64) {
+    each(robot, |cable| cable.linear_density = cable.linear_density.map(|density| density * share));
+}
+
+fn each(robot: &mut Robot, change: impl Fn(&mut crate::robot::Cable)) {
+    robot.cables.iter_mut().for_each(change);
+}
+
+/// The greatest difference of two lists, each entry against its own size or that of a unit.
+fn gap(found: &[f64], expected: &[f64]) -> f64 {
+    let relative = |(a, b): (&f64, &f64)| (a - b).abs() / (1.0 + b.abs());
+    found.iter().zip(expected).map(relative).fold(0.0, f64::max)
+}
+
+/// A robot whose composition is comparable with and without weight: sag counts strain by the unstrained length.
+fn by_unstrained_length(seed: u64) -> Robot {
+    let mut robot = random_robot(seed);
+    each(&mut robot, |cable| {
+        let spring = cable.spring_constant.take();
+        if spring.is_some() {
+            cable.axial_stiffness = Some(2e6);
+        }
+        cable.stiffness_by = Some(StiffnessBasis::Unstrained);
+        cable.tension_at = None;
+    });
+    robot
+}
+
+/// Every composition with each of its effects turned down: what is left goes with the parameter, and at zero nothing is left.
+#[test]
+fn effects_that_vanish_leave_the_model_without_them() {
+    for seed in [1, 2, 4] {
+        let robot = by_unstrained_length(seed);
+        for effect in &EFFECTS {
+            for composition in Composition::all().filter(|all| all.words().any(|word| word == effect.word)) {
+                vanishes(&robot, effect, composition, seed);
+            }
+        }
+    }
+}
+
+fn vanishes(robot: &Robot, effect: &Effect, composition: Composition, seed: u64) {
+    let without = Model::new(robot.clone(), composition.without(effect.word)).unwrap();
+    let with = |share: f64| {
+        let mut scaled = robot.clone();
+        (effect.scale)(&mut scaled, share);
+        Model::new(scaled, composition).unwrap()
+    };
+    let models = [1e-3, 1e-4, 0.0].map(with);
+    for (pose, tensions) in random_states(&without, 200 + seed, 2) {
+        let expected = answers(&without, &pose, &tensions);
+        let gaps = models.each_ref().map(|model| gap(&answers(model, &pose, &tensions), &expected));
+        // at zero only rounding of wrenches of 1e4 N in the sagging equations' Newton steps is left
+        assert!(gaps[2] < 1e-8, "{composition} without {}: {:e} at 0", effect.word, gaps[2]);
+        // smooth: a tenth of the parameter leaves about a tenth or less of the effect
+        assert!(gaps[0] < 0.05, "{composition} without {}: {:e} at 1e-3", effect.word, gaps[0]);
+        assert!(gaps[1] < 0.11 * gaps[0] + 1e-8, "{composition} without {}: {gaps:?}", effect.word);
+    }
+}
+
+/// Loops that close on the polynomial f = c₁ε + c₂ε² (its cubic pieces hold it exactly): the loop's width takes its effect
+/// along, in values and derivatives, wherever the memory is.
+#[test]
+fn loops_without_width_are_a_polynomial() {
+    for seed in [1, 2, 4] {
+        let mut robot = by_unstrained_length(seed);
+        let coefficients = [2e6, 4e7];
+        each(&mut robot, |cable| cable.tension_of_strain = Some(coefficients.to_vec()));
+        let with = |width: f64| {
+            let mut narrowed = robot.clone();
+            each(&mut narrowed, |cable| {
+                let mut table = loop_of(coefficients[0], width);
+                let slopes: Vec<f64> =
+                    table.strain.iter().map(|e| coefficients[0] + 2.0 * coefficients[1] * e).collect();
+                (table.loading_slope_N, table.unloading_slope_N) = (Some(slopes.clone()), Some(slopes));
+                cable.hysteresis = Some(table);
+            });
+            narrowed
+        };
+        for composition in Composition::all().filter(|all| all.stretch == StretchEffect::Hysteresis) {
+            let polynomial = Composition { stretch: StretchEffect::Polynomial, ..composition };
+            let expected = Model::new(robot.clone(), polynomial).unwrap();
+            let models = [1e-3, 1e-4, 0.0].map(|width| Model::new(with(width), composition).unwrap());
+            for (pose, tensions) in random_states(&expected, 300 + seed, 2) {
+                let expected = answers(&expected, &pose, &tensions);
+                let gaps = models.each_ref().map(|model| gap(&answers(model, &pose, &tensions), &expected));
+                // A span with hysteresis strains by its middle tension, one with a polynomial at every point: 5e-6 of
+                // what they say; without sag nothing but rounding.
+                let rest = if composition.is_sagging() { 5e-6 } else { 1e-9 };
+                assert!(gaps[2] < rest, "{composition}: {gaps:?}");
+                assert!(gaps[0] < 0.05 && gaps[1] < 0.11 * gaps[0] + rest, "{composition}: {gaps:?}");
+            }
+        }
+    }
+}
