@@ -166,7 +166,7 @@ impl Answer for ForwardAnswer {
         if let Some(rms) = self.residual_rms_m {
             text.push_str(&format!("rms residual {} mm\n", cell(Some(1e3 * rms), 6)));
         }
-        if let Some(stability) = self.stability_N_per_m {
+        if let Some(stability) = self.stability_N_per_m.filter(|stability| stability.is_finite()) {
             text.push_str(&format!("smallest stiffness {stability:.4e} N/m\n"));
         }
         text
