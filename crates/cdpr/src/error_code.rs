@@ -20,6 +20,7 @@ use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 use crate::workspace::WorkspaceError;
+use crate::workspace::wrench_set::{PayloadError, WrenchSetError};
 
 /// An error with a stable short name.
 pub trait ErrorCode: std::error::Error {
@@ -197,6 +198,26 @@ impl ErrorCode for tension::InputError {
     }
 }
 
+impl ErrorCode for WrenchSetError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::TooManyCables { .. } => "robot::too-many-cables",
+            Self::Rows { .. } => "wrench::component-count",
+            Self::Count { .. } => "limits::count",
+            Self::Number { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for PayloadError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::MissingKey { .. } => "load::missing-key",
+            Self::Mass { .. } | Self::Acceleration { .. } => "setting::value",
+        }
+    }
+}
+
 impl ErrorCode for forward_kinematics::InputError {
     fn code(&self) -> &'static str {
         match self {
@@ -345,6 +366,8 @@ impl ErrorCode for WorkspaceError {
             Self::NoCriterion => "workspace::no-criterion",
             Self::SaggingCables { .. } => "workspace::sagging-cables",
             Self::MissingKey { .. } => "workspace::missing-key",
+            Self::WrenchSet(error) => error.code(),
+            Self::Payload(error) => error.code(),
             Self::Setting { .. } => "workspace::setting",
             Self::Limits(error) => error.code(),
             Self::Load(error) => error.code(),

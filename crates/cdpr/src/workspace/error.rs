@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::wrench_set::{PayloadError, WrenchSetError};
 use crate::statics::LoadError;
 use crate::tension::{InputError, LimitsError};
 
@@ -50,6 +51,12 @@ pub enum WorkspaceError {
     /// A load that is unknown.
     #[error(transparent)]
     Load(#[from] LoadError),
+    /// Cables without a wrench set.
+    #[error(transparent)]
+    WrenchSet(#[from] WrenchSetError),
+    /// A payload that is unknown or none.
+    #[error(transparent)]
+    Payload(#[from] PayloadError),
     /// Limits or wrenches that do not fit the model.
     #[error(transparent)]
     Tension(#[from] InputError),

@@ -6,6 +6,7 @@ pub mod criterion;
 mod error;
 pub mod mesh;
 mod verdict;
+pub mod wrench_set;
 
 pub use criterion::Criterion;
 pub use error::WorkspaceError;
