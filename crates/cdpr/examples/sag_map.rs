@@ -5,7 +5,6 @@
 
 #![expect(clippy::print_stdout, reason = "the tables are what it is for")]
 
-#[path = "sag_map/drawing.rs"]
 mod drawing;
 
 use std::error::Error;
