@@ -192,7 +192,7 @@ impl ErrorCode for tension::InputError {
         match self {
             Self::MatrixShape { .. } | Self::WrenchLength { .. } => "wrench::component-count",
             Self::LimitCount { .. } => "limits::count",
-            Self::ReferenceLength { .. } => "tensions::count",
+            Self::ReferenceLength { .. } | Self::AnswerCount { .. } => "tensions::count",
             Self::NotFinite { .. } => "numerical::overflow",
         }
     }

@@ -2,6 +2,7 @@
 
 pub mod distribution;
 pub mod elastostatics;
+pub mod feasibility;
 pub mod forward_kinematics;
 pub mod forward_statics;
 mod restarts;

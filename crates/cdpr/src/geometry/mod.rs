@@ -2,9 +2,12 @@
 
 mod pattern;
 mod pose;
+mod pose_batch;
 
 pub use pattern::{MotionPattern, PatternError, Plane};
 pub use pose::Pose;
+pub use pose_batch::PoseBatch;
+pub(crate) use pose_batch::{POSE_ROWS, in_lanes, transpose};
 
 /// Six numbers [v; ω] (m/s, rad/s) or a small displacement [δr; δφ] (m, rad): world axes, rotation acting from the left.
 pub type Twist = nalgebra::Vector6<f64>;

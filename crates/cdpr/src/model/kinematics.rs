@@ -255,7 +255,9 @@ impl Model {
         }
         let (true, Some(axis), Some(radius)) = (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius)
         else {
-            return (d.norm() == 0.0).then_some(DegenerateCourse::ZeroLength { cable });
+            // one may round to zero where the other does not
+            let is_zero = d.norm() == 0.0 || !(course.length > 0.0);
+            return is_zero.then_some(DegenerateCourse::ZeroLength { cable });
         };
         if let Some(side) = self.robot.pulley_side(data) {
             if side.dot(&d) < 0.0 && axis.dot(&d) > 0.0 {
@@ -289,16 +291,31 @@ impl Model {
     /// Aᵀ f + w = 0 and δq = −A δx (see the book, “Models”).
     pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
         let mut matrix = DMatrix::zeros(self.dof(), self.cable_count());
+        self.write_structure_matrix(pose, &mut matrix)?;
+        Ok(matrix)
+    }
+
+    /// [`Model::structure_matrix`] into memory of the right size.
+    pub(crate) fn write_structure_matrix(
+        &self,
+        pose: &Pose,
+        matrix: &mut DMatrix<f64>,
+    ) -> Result<(), DegenerateCourse> {
         for cable in 0..self.cable_count() {
-            let (course, lever) = self.course(cable, pose)?;
-            let u = course.direction;
-            let moment = cross(lever.into(), u);
-            let column = Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]);
+            let column = self.structure_column(cable, pose)?;
             for (row, basis) in self.twist_basis.iter().enumerate() {
                 matrix[(row, cable)] = basis.dot(&column);
             }
         }
-        Ok(matrix)
+        Ok(())
+    }
+
+    /// \[u; b × u\] of one cable (0-based; world).
+    pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, DegenerateCourse> {
+        let (course, lever) = self.course(cable, pose)?;
+        let u = course.direction;
+        let moment = cross(lever.into(), u);
+        Ok(Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]))
     }
 
     /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).

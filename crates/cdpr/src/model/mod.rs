@@ -1,5 +1,6 @@
 //! A robot with chosen effects: lengths, directions, structure matrix, and their derivatives by pose and by parameter.
 
+mod batch;
 mod composition;
 mod groups;
 mod kinematics;
@@ -11,6 +12,7 @@ mod supported;
 mod tests;
 mod winching;
 
+pub(crate) use batch::in_pattern;
 pub use composition::{Composition, CompositionError, SpanEffect, StretchEffect};
 pub(crate) use groups::CableGroup;
 pub use kinematics::{CableGradient, Model, ModelError};

@@ -14,6 +14,7 @@ pub(crate) mod ldl;
 mod portable;
 mod select;
 mod smooth;
+mod table;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -25,6 +26,7 @@ pub use dispatch::{Kernel, Unit, dispatch, dispatch_narrow, dispatch_on};
 pub use portable::Portable;
 pub use select::Select;
 pub use smooth::Smooth;
+pub use table::{LaneTable, Line};
 
 /// A number that cable geometry can be computed with.
 ///

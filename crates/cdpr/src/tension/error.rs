@@ -45,6 +45,14 @@ pub enum InputError {
         /// Tensions given.
         found: usize,
     },
+    /// Not one answer per pose.
+    #[error("expected room for {expected} answers, one per pose, found {found}")]
+    AnswerCount {
+        /// Number of poses.
+        expected: usize,
+        /// Room given.
+        found: usize,
+    },
     /// NaN, infinite, or so large that its square is.
     #[error("the {what} is not finite, or too large to calculate with")]
     NotFinite {

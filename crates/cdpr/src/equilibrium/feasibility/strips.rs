@@ -1,0 +1,132 @@
+//! Whether strips have a common point, for eight poses at once.
+
+use super::factors::{self, Rows, Solutions};
+use crate::scalar::{LANES, Lanes};
+use crate::tension::Limits;
+
+/// A verdict that hangs on less than this share of the largest tension is left to the single pose. It is much more than
+/// rounding, so that nearly parallel rows of the null space may count as parallel.
+const BAND: f64 = 1e-4;
+/// The same for sums of products that may all be rounding.
+const ROUNDING: f64 = 1e-11;
+/// Sum of determinants below which strips are parallel, or do not depend on λ at all: then smaller sets of strips, which other
+/// determinants test, decide. Changing the rows that much changes tensions by less than `BAND` allows for.
+const PARALLEL: f64 = 1e-11;
+/// Tensions above this (N) cannot be calculated with.
+const LARGEST: f64 = 1e100;
+
+/// The limits as f_m ± ρ.
+pub(super) struct Strips {
+    dof: usize,
+    cables: usize,
+    /// ρ, half the width of each cable's limits (N).
+    half: [f64; LANES],
+    /// Largest limit by amount (N).
+    scale: f64,
+}
+
+/// What the tests found so far.
+struct Margins<L> {
+    /// Largest excess less the band: above rounding, no tensions exist.
+    outside: L,
+    /// Largest excess plus the band: below −rounding, tensions exist.
+    inside: L,
+    band: L,
+}
+
+impl<L: Lanes> Margins<L> {
+    /// One set of strips: the amount by which their common coordinate is missed, its reach, and the sum of determinants.
+    #[inline(always)]
+    fn add(&mut self, missed: L, reach: L, size: L) {
+        let excess = missed.abs() - reach;
+        let band = self.band * size;
+        self.outside = (excess - band).max(self.outside);
+        let inside = (excess + band).max(self.inside);
+        self.inside = self.inside.select(size.is_less(size.constant(PARALLEL)), inside);
+    }
+}
+
+impl Strips {
+    pub(super) fn new(limits: &Limits, dof: usize) -> Self {
+        let mut half = [0.0; LANES];
+        let ends = limits.minimum().iter().zip(limits.maximum());
+        for (half, (least, largest)) in half.iter_mut().zip(ends) {
+            *half = 0.5 * (largest - least);
+        }
+        let all = limits.minimum().iter().chain(limits.maximum());
+        let scale = all.fold(0.0, |most: f64, limit| most.max(limit.abs()));
+        Self { dof, cables: limits.cable_count(), half, scale }
+    }
+
+    /// 1 where tensions exist, −1 where none do, 0 where that is in doubt; `rest` is what the middle of the limits leaves of
+    /// the load, and `doubt` above 0 where the rows mean nothing.
+    #[inline(always)]
+    pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, rest: [L; 6], doubt: L) -> L {
+        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let solutions = factors::solve(lanes, [self.dof, self.cables], rows, rest);
+        let mut scale = lanes.constant(self.scale);
+        for cable in 0..self.cables {
+            scale = scale + solutions.shortest[cable].abs();
+        }
+        let none = lanes.constant(f64::NEG_INFINITY);
+        let mut margins = Margins { outside: none, inside: none, band: scale * lanes.constant(BAND) };
+        match self.cables - self.dof {
+            0 => self.test_single(lanes, &solutions, &mut margins),
+            1 => self.test_pairs(lanes, &solutions, &mut margins),
+            _ => self.test_triples(lanes, &solutions, &mut margins),
+        }
+        let rounding = scale * lanes.constant(ROUNDING);
+        let mut verdict = one.select(margins.inside.is_less(-rounding), zero);
+        verdict = (-one).select(rounding.is_less(margins.outside), verdict);
+        // NaN passes none of these
+        verdict = verdict.select(zero.is_less(solutions.has_rank), zero);
+        verdict = verdict.select(scale.is_less(lanes.constant(LARGEST)), zero);
+        verdict.select(doubt.is_less(one), zero)
+    }
+
+    #[inline(always)]
+    fn test_single<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
+        for i in 0..self.cables {
+            margins.add(solutions.shortest[i], lanes.constant(self.half[i]), lanes.constant(1.0));
+        }
+    }
+
+    #[inline(always)]
+    fn test_pairs<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
+        let (f, h) = (&solutions.shortest, &solutions.null_space[0]);
+        for i in 0..self.cables {
+            for j in i + 1..self.cables {
+                let (h_i, h_j) = (h[i].abs(), h[j].abs());
+                let reach = h_j * lanes.constant(self.half[i]) + h_i * lanes.constant(self.half[j]);
+                margins.add(h[j] * f[i] - h[i] * f[j], reach, h_i + h_j);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn test_triples<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
+        let f = &solutions.shortest;
+        let [x, y] = &solutions.null_space;
+        let mut determinants = [[lanes.constant(0.0); LANES]; LANES];
+        for i in 0..self.cables {
+            for j in i + 1..self.cables {
+                determinants[i][j] = x[i] * y[j] - x[j] * y[i];
+            }
+        }
+        for i in 0..self.cables {
+            let half_i = lanes.constant(self.half[i]);
+            for j in i + 1..self.cables {
+                let (along, half_j) = (determinants[i][j], lanes.constant(self.half[j]));
+                let along_size = along.abs();
+                for k in j + 1..self.cables {
+                    let (first, second) = (determinants[j][k], determinants[i][k]);
+                    let (first_size, second_size) = (first.abs(), second.abs());
+                    let half_k = lanes.constant(self.half[k]);
+                    let reach = first_size * half_i + second_size * half_j + along_size * half_k;
+                    let missed = first * f[i] - second * f[j] + along * f[k];
+                    margins.add(missed, reach, first_size + second_size + along_size);
+                }
+            }
+        }
+    }
+}

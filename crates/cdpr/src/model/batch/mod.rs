@@ -1,0 +1,168 @@
+//! Lengths and structure matrices at many poses at once, a pose per lane.
+//!
+//! Every number has the bits that the single pose gives, on every vector unit: [`Model::cable_lengths`] and
+//! [`Model::structure_matrix`] are the same formulas for one number instead of eight. Where a cable has no course its numbers
+//! are NaN; [`Model::course`] says why.
+
+mod course;
+#[cfg(test)]
+mod tests;
+
+use super::Model;
+use crate::geometry::{PoseBatch, Twist};
+use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, cross, dispatch};
+#[cfg(test)]
+use crate::scalar::{Unit, dispatch_on};
+
+impl Model {
+    /// Geometric cable lengths q (m) of many poses, a row per cable: [`Model::cable_lengths`] for each.
+    ///
+    /// Claims no memory once `lengths` has had as many poses before.
+    ///
+    /// ```
+    /// use cdpr::geometry::PoseBatch;
+    /// use cdpr::model::{Composition, Model};
+    /// use cdpr::robot::Robot;
+    /// use cdpr::scalar::LaneTable;
+    ///
+    /// let robot = Robot::builtin("cablerobot-simulator-helicopter").ok_or("unknown robot")?;
+    /// let home = robot.home.ok_or("no home pose")?;
+    /// let model = Model::new(robot, Composition::STANDARD)?;
+    /// let poses: PoseBatch = [home; 100].iter().collect();
+    /// let mut lengths = LaneTable::default();
+    /// model.batch_cable_lengths(&poses, &mut lengths);
+    /// assert_eq!(lengths.get(3, 42), model.cable_lengths(&home)?[3]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn batch_cable_lengths(&self, poses: &PoseBatch, lengths: &mut LaneTable) {
+        lengths.reshape(self.cable_count(), poses.len());
+        dispatch(Lengths { model: self, poses, lengths });
+    }
+
+    /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column, so that
+    /// row `cable · n + k` of the table holds component k of that cable.
+    ///
+    /// Claims no memory once `matrices` has had as many poses before.
+    pub fn batch_structure_matrices(&self, poses: &PoseBatch, matrices: &mut LaneTable) {
+        matrices.reshape(self.dof() * self.cable_count(), poses.len());
+        dispatch(StructureMatrices { model: self, poses, matrices });
+    }
+}
+
+/// [`Model::batch_cable_lengths`] on any unit.
+struct Lengths<'a> {
+    model: &'a Model,
+    poses: &'a PoseBatch,
+    lengths: &'a mut LaneTable,
+}
+
+impl Kernel for Lengths<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Self { model, poses, lengths } = self;
+        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        for group in 0..poses.table().groups() {
+            let (position, rotation) = poses.at(lanes, group);
+            let target = lengths.group_mut(group);
+            let mut doubt = zero;
+            for (cables, target) in model.groups().iter().zip(target.chunks_mut(LANES)) {
+                for (lane, target) in target.iter_mut().enumerate() {
+                    let cable = cables.course_in_lanes(lane, position, &rotation);
+                    cable.course.length.store(&mut target.0);
+                    doubt = one.select(zero.is_less(cable.doubt), doubt);
+                }
+            }
+            if lanes.any(zero.is_less(doubt)) {
+                settle_lengths(model, poses, group, lengths.group_mut(group));
+            }
+        }
+    }
+}
+
+/// The lengths of one group as the single pose gives them.
+#[cold]
+#[inline(never)]
+fn settle_lengths(model: &Model, poses: &PoseBatch, group: usize, lengths: &mut [Line]) {
+    for lane in 0..LANES.min(poses.len() - group * LANES) {
+        let pose = poses.get(group * LANES + lane);
+        for (cable, line) in lengths.iter_mut().enumerate() {
+            line.0[lane] = model.course(cable, &pose).map_or(f64::NAN, |(course, _)| course.length);
+        }
+    }
+}
+
+/// [`Model::batch_structure_matrices`] on any unit.
+struct StructureMatrices<'a> {
+    model: &'a Model,
+    poses: &'a PoseBatch,
+    matrices: &'a mut LaneTable,
+}
+
+impl Kernel for StructureMatrices<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Self { model, poses, matrices } = self;
+        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let n = model.dof();
+        for group in 0..poses.table().groups() {
+            let (position, rotation) = poses.at(lanes, group);
+            let target = matrices.group_mut(group);
+            let mut doubt = zero;
+            for (cables, target) in model.groups().iter().zip(target.chunks_mut(LANES * n)) {
+                for (lane, target) in target.chunks_exact_mut(n).enumerate() {
+                    let cable = cables.course_in_lanes(lane, position, &rotation);
+                    let moment = cross(cable.lever, cable.course.direction);
+                    let column = in_pattern(model.twist_basis(), cable.course.direction, moment);
+                    for (target, entry) in target.iter_mut().zip(column) {
+                        entry.store(&mut target.0);
+                    }
+                    doubt = one.select(zero.is_less(cable.doubt), doubt);
+                }
+            }
+            if lanes.any(zero.is_less(doubt)) {
+                settle_matrices(model, poses, group, matrices.group_mut(group));
+            }
+        }
+    }
+}
+
+/// [force; moment] in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that
+/// start at zero.
+#[inline(always)]
+pub(crate) fn in_pattern<L: Lanes>(basis: &[Twist], force: [L; 3], moment: [L; 3]) -> [L; 6] {
+    let zero = force[0].constant(0.0);
+    let wrench = [force[0], force[1], force[2], moment[0], moment[1], moment[2]];
+    let mut column = [zero; 6];
+    if basis.len() == 6 {
+        for row in 0..6 {
+            column[row] = zero + wrench[row];
+        }
+        return column;
+    }
+    for (sum, twist) in column.iter_mut().zip(basis) {
+        for row in 0..6 {
+            *sum = *sum + zero.constant(twist[row]) * wrench[row];
+        }
+    }
+    column
+}
+
+/// The structure matrices of one group as the single pose gives them.
+#[cold]
+#[inline(never)]
+fn settle_matrices(model: &Model, poses: &PoseBatch, group: usize, matrices: &mut [Line]) {
+    let n = model.dof();
+    for lane in 0..LANES.min(poses.len() - group * LANES) {
+        let pose = poses.get(group * LANES + lane);
+        for (cable, lines) in matrices.chunks_exact_mut(n).enumerate() {
+            let column = model.structure_column(cable, &pose);
+            for (line, twist) in lines.iter_mut().zip(model.twist_basis()) {
+                line.0[lane] = column.as_ref().map_or(f64::NAN, |column| twist.dot(column));
+            }
+        }
+    }
+}
