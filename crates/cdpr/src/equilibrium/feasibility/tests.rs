@@ -94,7 +94,7 @@ fn verdicts_agree_across_the_boundary() {
     let model = Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap();
     let (load, limits) = problem(&model);
     let mut rng = ChaCha8Rng::seed_from_u64(73);
-    let mut one = |pose: &Pose| {
+    let one = |pose: &Pose| {
         let mut answer = [false];
         feasible(&model, &load, &limits, std::slice::from_ref(pose), &mut answer).unwrap();
         let single = distribution::solve(&model, pose, &load, &limits).unwrap();

@@ -41,7 +41,7 @@ impl CableGroup {
             let d = sub(anchor, frame_anchor);
             let b_z = dot(d, axis);
             let square = dot(d, d);
-            let course = match &self.pulley_side {
+            match &self.pulley_side {
                 None => {
                     let across = square - b_z * b_z;
                     let least = (square + radius * radius) * l.constant(CLEAR * CLEAR);
@@ -56,8 +56,7 @@ impl CableGroup {
                     doubt = zero.select(least.is_less(inside), one);
                     outlet::pulley::course_on_side(frame_anchor, axis, side, radius, anchor)
                 }
-            };
-            course
+            }
         } else {
             outlet::point::course(frame_anchor, anchor)
         };
