@@ -20,6 +20,7 @@ use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 use crate::workspace::WorkspaceError;
+use crate::workspace::criterion::registry::WantedError;
 use crate::workspace::wrench_set::{PayloadError, WrenchSetError};
 
 /// An error with a stable short name.
@@ -369,9 +370,24 @@ impl ErrorCode for WorkspaceError {
             Self::WrenchSet(error) => error.code(),
             Self::Payload(error) => error.code(),
             Self::Setting { .. } => "workspace::setting",
+            Self::BoundsCount { .. } | Self::Bounds { .. } => "workspace::bounds",
+            Self::Step { .. } | Self::StepTooFine { .. } => "workspace::step",
+            Self::NoRotation { .. } | Self::NoOrientation { .. } => "workspace::orientations",
+            Self::Rays { .. } => "workspace::rays",
+            Self::Tolerance { .. } => "workspace::tolerance",
+            Self::CenterOutsideBounds { .. } | Self::CenterOutside { .. } => "workspace::center-outside",
             Self::Limits(error) => error.code(),
             Self::Load(error) => error.code(),
             Self::Tension(error) => error.code(),
+        }
+    }
+}
+
+impl ErrorCode for WantedError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Unknown { .. } => "workspace::criterion",
+            Self::Number { .. } | Self::Missing { .. } => "workspace::setting",
         }
     }
 }

@@ -6,10 +6,13 @@ mod support;
 use cdpr::equilibrium::forward_kinematics::{self, Settings, Status};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, place_pulleys};
-use cdpr::nalgebra::Vector3;
+use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::robot::{Robot, WrapSide};
-use cdpr::statics::controlled_lengths;
-use cdpr::tension::{Limits, quadratic};
+use cdpr::statics::{Load, controlled_lengths};
+use cdpr::tension::Limits;
+use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr::workspace::grid::{self, Grid};
+use cdpr::workspace::{Archetype, Bounds, Region};
 use support::builtin;
 
 /// All four cables over the top: upper cables come up, lower ones from the inside along the ground; all turn inwards.
@@ -26,20 +29,12 @@ fn over_the_top(radius: f64) -> Robot {
 
 /// Area in which tensions of 1000 to 8000 N balance the load (m²), by the middles of squares of 50 mm.
 fn wrench_feasible_area(model: &Model) -> f64 {
-    const SIDE: f64 = 0.05;
-    let limits = Limits::uniform(4, 1000.0, 8000.0).unwrap();
-    let mut solver = quadratic::Solver::new(4, 2);
-    let mut feasible = 0;
-    for column in 0..238 {
-        for row in 0..180 {
-            let position =
-                Vector3::new(-6.4 + SIDE * (f64::from(column) + 0.5), -0.5 + SIDE * (f64::from(row) + 0.5), 0.0);
-            let Ok(matrix) = model.structure_matrix(&Pose { position, ..Pose::identity() }) else { continue };
-            let found = solver.solve(&matrix, &[0.0, -1962.0], &limits, None).unwrap();
-            feasible += i32::from(found.status == quadratic::Status::Feasible);
-        }
-    }
-    SIDE * SIDE * f64::from(feasible)
+    let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::uniform(4, 1000.0, 8000.0).unwrap());
+    let criterion = WrenchFeasible::new(model, &load, &limits).unwrap();
+    let upright = Archetype::ConstantOrientation(UnitQuaternion::identity());
+    let region = Region::new(model, &criterion, &upright).unwrap();
+    let cells = Grid::new(&Bounds::new(2, &[-6.4, 5.5, -0.5, 8.5]).unwrap(), 0.05).unwrap();
+    grid::count(&region, &cells).outcome(&cells).size
 }
 
 /// 71.15 m² with points, 98.95 % of it over pulleys of 0.15 m and 97.4 % over 0.4 m. How the last two were sampled is not known:

@@ -45,6 +45,86 @@ pub enum WorkspaceError {
         /// What is allowed.
         wanted: &'static str,
     },
+    /// Another number of ends than the box has.
+    #[error("expected {expected} bounds, two per translation of the platform, found {found}")]
+    BoundsCount {
+        /// Two for each dimension.
+        expected: usize,
+        /// Numbers given.
+        found: usize,
+    },
+    /// Ends of a box that are not in order.
+    #[error(
+        "the bounds along axis {axis} run from {least} m to {largest} m; the first must be below the second, both finite"
+    )]
+    Bounds {
+        /// Number of the axis, from 1.
+        axis: usize,
+        /// Lower end given (m).
+        least: f64,
+        /// Upper end given (m).
+        largest: f64,
+    },
+    /// Cells without a size.
+    #[error("the step is {step} m; cells need a finite size above zero")]
+    Step {
+        /// What was given (m).
+        step: f64,
+    },
+    /// More cells than can be counted.
+    #[error("a step of {step} m cuts {extent} m into more cells than can be judged; take a larger one")]
+    StepTooFine {
+        /// What was given (m).
+        step: f64,
+        /// A side of the box (m).
+        extent: f64,
+    },
+    /// Orientations asked of a platform that does not turn.
+    #[error("the {archetype} workspace asks for orientations, but motion pattern {pattern} does not turn")]
+    NoRotation {
+        /// Word for the archetype.
+        archetype: &'static str,
+        /// Name of the motion pattern.
+        pattern: &'static str,
+    },
+    /// A set of orientations without any.
+    #[error("the {archetype} workspace needs at least one orientation, none is given")]
+    NoOrientation {
+        /// Word for the archetype.
+        archetype: &'static str,
+    },
+    /// Too few rays for a face, or more than memory.
+    #[error("{rays} rays do not make a hull; between {least} and {most} do")]
+    Rays {
+        /// What was given.
+        rays: usize,
+        /// Fewest.
+        least: usize,
+        /// Most.
+        most: usize,
+    },
+    /// A bisection that would not end, or not begin.
+    #[error("the tolerance is {tolerance} m; it must be finite and above zero")]
+    Tolerance {
+        /// What was given (m).
+        tolerance: f64,
+    },
+    /// A centre outside the box.
+    #[error("the center {center} lies outside the bounds; move it inside, or widen them")]
+    CenterOutsideBounds {
+        /// Its coordinates.
+        center: String,
+    },
+    /// A centre at which the criterion fails.
+    #[error(
+        "the center {center} does not belong to the workspace, so that no ray leaves it there: {reason}; choose a pose at which the criteria hold"
+    )]
+    CenterOutside {
+        /// Its coordinates.
+        center: String,
+        /// Why it fails there.
+        reason: String,
+    },
     /// Limits of tension that are unknown or leave none.
     #[error(transparent)]
     Limits(#[from] LimitsError),

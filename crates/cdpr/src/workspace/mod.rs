@@ -1,13 +1,25 @@
 //! Where a platform can be: criteria that judge one pose, and methods that find the set of poses at which they hold.
 //!
-//! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, where it fails, the first reason in words.
+//! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, where it fails, the first reason in words. A
+//! [`Region`] asks it about positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines them at
+//! the boundary only, and [`hull`] follows rays from a centre to the boundary.
 
+mod bounds;
 pub mod criterion;
+pub mod differential;
 mod error;
+pub mod grid;
+pub mod hull;
 pub mod mesh;
+pub mod octree;
+mod polygon;
+mod region;
 mod verdict;
 pub mod wrench_set;
 
+pub use bounds::{Bounds, Point};
 pub use criterion::Criterion;
 pub use error::WorkspaceError;
+pub use polygon::Polygon;
+pub use region::{Archetype, Region};
 pub use verdict::Verdict;

@@ -2,6 +2,7 @@
 
 mod any_all;
 mod narrowing;
+pub mod registry;
 #[cfg(test)]
 mod tests;
 mod wrench_closure;

@@ -1,0 +1,160 @@
+//! The boundary of a region as seen from a point in it (Pott 2008): rays in all directions, each bisected.
+//!
+//! A region that is not star-shaped about the centre has rays which leave and enter it again. Such rays are counted, and
+//! then there is no volume, for it would be wrong.
+
+mod center;
+mod measure;
+pub use center::find_center;
+pub use measure::Measure;
+mod search;
+mod sphere;
+mod surface;
+
+use sphere::{circle, halvings_for, icosphere};
+
+use super::{Bounds, Point, Region, WorkspaceError};
+
+/// How many rays, and how exact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Rays at least; in space as many as a refined icosahedron has corners: 12, 42, 162, 642, 2562, …
+    pub rays: usize,
+    /// A ray is bisected until its boundary is known to this (m).
+    pub tolerance: f64,
+    /// Points judged along each ray before it is bisected: what is thinner than their distance may be missed.
+    pub probes: usize,
+}
+
+impl Settings {
+    /// 360 rays in a plane, 2562 in space; probes at every 48th part of a ray; a millionth of the box.
+    pub fn new(bounds: &Bounds) -> Self {
+        let longest = (0..bounds.dimension()).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
+        let rays = if bounds.dimension() == 2 { 360 } else { 2562 };
+        Self { rays, tolerance: 1e-6 * longest, probes: 48 }
+    }
+}
+
+/// Whether the region has a hull.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Status {
+    /// Every ray leaves the region once, as far as its probes can tell.
+    StarShaped,
+    /// Rays enter the region again after they have left it: what the rays saw first is no boundary of all of it.
+    NotStarShaped {
+        /// Number of such rays.
+        rays: usize,
+        /// Direction of the one that enters again over the longest way.
+        direction: Point,
+    },
+}
+
+/// The hull of a region.
+#[must_use = "check `status` before using the size"]
+#[derive(Clone, Debug)]
+pub struct Hull {
+    /// Where the rays start (m).
+    pub center: Point,
+    /// Direction of each ray, of length 1.
+    pub directions: Vec<Point>,
+    /// How far each ray runs within the region (m): the point there lies in it, the one a tolerance further does not.
+    pub radii: Vec<f64>,
+    /// Faces between the rays, seen from outside in the positive sense; in the plane the third entry repeats the second.
+    pub faces: Vec<[u32; 3]>,
+    /// Rays that reach the faces of the box within the region, so that more of it may lie outside.
+    pub rays_at_bounds: usize,
+    /// Largest distance between the last point within and the first outside (m).
+    pub tolerance: f64,
+    /// Points judged.
+    pub points: u64,
+    /// Those that belong to the region.
+    pub feasible_points: u64,
+    /// Whether the region is star-shaped about the centre.
+    pub status: Status,
+    /// Faces between the rays of the refinement before.
+    coarse_faces: Vec<[u32; 3]>,
+    dimension: usize,
+}
+
+/// Looks for the hull of a region about a centre, within a box.
+pub fn solve(
+    region: &Region<'_>,
+    bounds: &Bounds,
+    center: &Point,
+    settings: &Settings,
+) -> Result<Hull, WorkspaceError> {
+    check(region, bounds, center, settings)?;
+    let sphere = match bounds.dimension() {
+        2 => circle(settings.rays),
+        _ => icosphere(halvings_for(settings.rays)),
+    };
+    let lengths: Vec<f64> = sphere.directions.iter().map(|direction| bounds.way_out(center, direction)).collect();
+    let rays = search::Rays { region, center, directions: &sphere.directions, lengths: &lengths };
+    let found = rays.search(settings);
+    Ok(Hull {
+        center: *center,
+        radii: found.radii,
+        rays_at_bounds: found.rays_at_bounds,
+        points: found.points,
+        feasible_points: found.feasible_points,
+        status: found.status,
+        directions: sphere.directions,
+        faces: sphere.faces,
+        coarse_faces: sphere.coarse_faces,
+        tolerance: settings.tolerance,
+        dimension: bounds.dimension(),
+    })
+}
+
+fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settings) -> Result<(), WorkspaceError> {
+    let least = if bounds.dimension() == 2 { 3 } else { 4 };
+    if settings.rays < least || settings.rays > MOST_RAYS {
+        return Err(WorkspaceError::Rays { rays: settings.rays, least, most: MOST_RAYS });
+    }
+    // written so that NaN is refused too
+    if !(settings.tolerance > 0.0 && settings.tolerance.is_finite()) {
+        return Err(WorkspaceError::Tolerance { tolerance: settings.tolerance });
+    }
+    let words = || {
+        let parts: Vec<String> = center.iter().take(bounds.dimension()).map(|part| part.to_string()).collect();
+        parts.join(", ")
+    };
+    if !bounds.contain(center) {
+        return Err(WorkspaceError::CenterOutsideBounds { center: words() });
+    }
+    match region.judge(center).reason {
+        Some(reason) => Err(WorkspaceError::CenterOutside { center: words(), reason }),
+        None => Ok(()),
+    }
+}
+
+/// As many as seven halvings of the icosahedron's edges make.
+const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
+
+impl Hull {
+    /// End point of a ray (m).
+    pub fn vertex(&self, ray: usize) -> Point {
+        [0, 1, 2].map(|axis| self.center[axis] + self.radii[ray] * self.directions[ray][axis])
+    }
+
+    /// End points of all rays (m).
+    pub fn vertices(&self) -> Vec<Point> {
+        (0..self.radii.len()).map(|ray| self.vertex(ray)).collect()
+    }
+
+    /// 2 in a plane, 3 in space.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// True where the hull bounds the region.
+    pub fn is_star_shaped(&self) -> bool {
+        self.status == Status::StarShaped
+    }
+
+    /// The same rays with other lengths (m).
+    pub fn with_radii(&self, radii: Vec<f64>) -> Self {
+        Self { radii, ..self.clone() }
+    }
+}

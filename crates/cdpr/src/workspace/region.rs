@@ -1,0 +1,200 @@
+//! Positions at which a criterion holds: in one orientation, in every one of a set, or in some one of it.
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::{Criterion, Point, Verdict, WorkspaceError};
+use crate::geometry::{MotionPattern, Pose};
+use crate::model::Model;
+
+/// Which orientations count (the archetypes of Merlet 2006, ch. 7, and Pott 2018, ch. 5).
+///
+/// Sets of orientations are samples: a position of the total orientation or the dextrous workspace was judged in each of
+/// them and in none between.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Archetype {
+    /// Positions that the platform reaches in this orientation.
+    ConstantOrientation(UnitQuaternion<f64>),
+    /// Positions that it reaches in every one of these orientations.
+    TotalOrientation(Vec<UnitQuaternion<f64>>),
+    /// Positions that it reaches in at least one of these orientations.
+    InclusionOrientation(Vec<UnitQuaternion<f64>>),
+    /// Positions that it reaches in at least one orientation at all, out of so many spread evenly.
+    Maximal {
+        /// Number of orientations.
+        orientations: usize,
+    },
+    /// Positions that it reaches in every orientation, out of so many spread evenly.
+    Dextrous {
+        /// Number of orientations.
+        orientations: usize,
+    },
+}
+
+impl Archetype {
+    /// The word for it: `constant-orientation`, `total-orientation` and so on.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::ConstantOrientation(_) => "constant-orientation",
+            Self::TotalOrientation(_) => "total-orientation",
+            Self::InclusionOrientation(_) => "inclusion-orientation",
+            Self::Maximal { .. } => "maximal",
+            Self::Dextrous { .. } => "dextrous",
+        }
+    }
+}
+
+/// Positions at which a criterion holds, as the archetype asks: what grid, octree and hull measure.
+#[derive(Clone)]
+pub struct Region<'a> {
+    criterion: &'a dyn Criterion,
+    axes: Vec<Vector3<f64>>,
+    orientations: Vec<UnitQuaternion<f64>>,
+    needs_every: bool,
+    archetype: &'static str,
+}
+
+/// Points handed to the criterion at once.
+const BATCH: usize = 512;
+
+impl<'a> Region<'a> {
+    /// The positions of this model's platform at which the criterion holds.
+    pub fn new(model: &Model, criterion: &'a dyn Criterion, archetype: &Archetype) -> Result<Self, WorkspaceError> {
+        let robot = model.robot();
+        let name = archetype.name();
+        let (orientations, needs_every) = match archetype {
+            Archetype::ConstantOrientation(orientation) => (vec![*orientation], true),
+            _ if !robot.motion_pattern.has_rotation() => {
+                return Err(WorkspaceError::NoRotation { archetype: name, pattern: robot.motion_pattern.name() });
+            }
+            Archetype::TotalOrientation(orientations) => (orientations.clone(), true),
+            Archetype::InclusionOrientation(orientations) => (orientations.clone(), false),
+            Archetype::Maximal { orientations } => (spread(model, *orientations), false),
+            Archetype::Dextrous { orientations } => (spread(model, *orientations), true),
+        };
+        match orientations.is_empty() {
+            true => Err(WorkspaceError::NoOrientation { archetype: name }),
+            false => Ok(Self { criterion, axes: model.axes().to_vec(), orientations, needs_every, archetype: name }),
+        }
+    }
+
+    /// 2 in a plane, 3 in space.
+    pub fn dimension(&self) -> usize {
+        self.axes.len()
+    }
+
+    /// The criterion.
+    pub fn criterion(&self) -> &'a dyn Criterion {
+        self.criterion
+    }
+
+    /// The orientations that count.
+    pub fn orientations(&self) -> &[UnitQuaternion<f64>] {
+        &self.orientations
+    }
+
+    /// The word for the archetype.
+    pub fn archetype(&self) -> &'static str {
+        self.archetype
+    }
+
+    /// The same question of another criterion.
+    #[must_use]
+    pub fn with_criterion<'b>(&self, criterion: &'b dyn Criterion) -> Region<'b> {
+        Region { criterion, ..self.clone() }
+    }
+
+    /// A point in the world (m).
+    pub fn position(&self, point: &Point) -> Vector3<f64> {
+        self.axes.iter().zip(point).map(|(axis, along)| axis * *along).sum()
+    }
+
+    /// The coordinates of a position in the world (m).
+    pub fn point(&self, position: &Vector3<f64>) -> Point {
+        let mut point = [0.0; 3];
+        point.iter_mut().zip(&self.axes).for_each(|(along, axis)| *along = axis.dot(position));
+        point
+    }
+
+    /// The full answer at a point: the least margin of the orientations where all must hold, the largest where one must.
+    ///
+    /// Reason and cable are those of the orientation whose margin it is.
+    pub fn judge(&self, point: &Point) -> Verdict {
+        let position = self.position(point);
+        let mut decisive: Option<Verdict> = None;
+        for rotation in &self.orientations {
+            let verdict = self.criterion.judge(&Pose { position, rotation: *rotation });
+            let is_decisive = |before: &Verdict| match self.needs_every {
+                true => verdict.margin < before.margin,
+                false => verdict.margin > before.margin,
+            };
+            if decisive.as_ref().is_none_or(is_decisive) {
+                decisive = Some(verdict);
+            }
+        }
+        decisive.unwrap_or_else(|| Verdict::impossible("there is no orientation to judge", None))
+    }
+
+    /// Whether a point belongs to the region.
+    pub fn holds(&self, point: &Point) -> bool {
+        let position = self.position(point);
+        let mut answers =
+            self.orientations.iter().map(|rotation| self.criterion.holds(&Pose { position, rotation: *rotation }));
+        if self.needs_every { answers.all(|holds| holds) } else { answers.any(|holds| holds) }
+    }
+
+    /// Whether each of many points belongs to the region; `answers` has one entry per point.
+    ///
+    /// Threads share the points with the feature `parallel`; the answers do not depend on it.
+    pub fn holds_all(&self, points: &[Point], answers: &mut [bool]) {
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            let shares = points.par_chunks(BATCH).zip(answers.par_chunks_mut(BATCH));
+            shares.for_each(|(points, answers)| self.holds_batch(points, answers));
+        }
+        #[cfg(not(feature = "parallel"))]
+        for (points, answers) in points.chunks(BATCH).zip(answers.chunks_mut(BATCH)) {
+            self.holds_batch(points, answers);
+        }
+    }
+
+    /// Asks orientation after orientation for the points that the ones before left open.
+    fn holds_batch(&self, points: &[Point], answers: &mut [bool]) {
+        answers.fill(self.needs_every);
+        let mut open: Vec<usize> = (0..points.len()).collect();
+        let (mut poses, mut said) = (Vec::with_capacity(points.len()), vec![false; points.len()]);
+        for &rotation in &self.orientations {
+            poses.clear();
+            poses.extend(open.iter().map(|&index| Pose { position: self.position(&points[index]), rotation }));
+            self.criterion.holds_all(&poses, &mut said[..open.len()]);
+            open.iter().zip(&said).for_each(|(&index, &holds)| answers[index] = holds);
+            open.retain(|&index| answers[index] == self.needs_every);
+            if open.is_empty() {
+                break;
+            }
+        }
+    }
+}
+
+/// Orientations spread evenly over all that the platform can take.
+///
+/// In a plane angles of equal distance; in space the super-Fibonacci spiral (Alexa 2022, eq. 5).
+fn spread(model: &Model, count: usize) -> Vec<UnitQuaternion<f64>> {
+    let tau = std::f64::consts::TAU;
+    if model.robot().motion_pattern == MotionPattern::Planar {
+        let normal = model.robot().plane.normal();
+        return (0..count).map(|index| UnitQuaternion::new(normal * (tau * index as f64 / count as f64))).collect();
+    }
+    // the positive root of ψ⁴ = ψ + 4 makes the second spiral as irrational as √2 makes the first
+    let (phi, psi) = (std::f64::consts::SQRT_2, 1.533_751_168_755_204_3);
+    let at = |index: usize| {
+        let s = index as f64 + 0.5;
+        let share = s / count as f64;
+        let (inner, outer) = (share.sqrt(), (1.0 - share).sqrt());
+        let (alpha, beta) = (tau * s / phi, tau * s / psi);
+        let quaternion =
+            nalgebra::Quaternion::new(outer * beta.cos(), inner * alpha.sin(), inner * alpha.cos(), outer * beta.sin());
+        UnitQuaternion::new_normalize(quaternion)
+    };
+    (0..count).map(at).collect()
+}
