@@ -145,8 +145,9 @@ fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 /// Runs the command; a negative answer (1) has its page too.
 fn cdpr(root: &Path, arguments: &[&str]) -> Result<(), String> {
-    let all = [&["run", "--quiet", "-p", "cdpr-cli", "--bin", "cdpr", "--"], arguments].concat();
-    let output = cargo::command(root, &all).output().map_err(|error| format!("cannot start cargo: {error}"))?;
+    let program = cargo::program(root, "cdpr")?;
+    let output = Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).output();
+    let output = output.map_err(|error| format!("cannot start {}: {error}", program.display()))?;
     match output.status.code() {
         Some(0 | 1) => Ok(()),
         _ => Err(format!("`cdpr {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr).trim())),

@@ -1,7 +1,7 @@
 //! Runs cargo and counts what its tests say.
 
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::outcome::Outcome;
@@ -47,6 +47,32 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
         outcome.complaints.push(format!("`cargo {}` failed outside its tests", arguments.join(" ")));
     }
     outcome
+}
+
+/// What the `tests` step builds, and the programs and examples beside: one selection for all, so that cargo chooses the same features
+/// of every dependency and builds it once.
+const SELECTION: [&str; 4] = ["--workspace", "--bins", "--examples", "--tests"];
+
+/// Builds the workspace's programs and tells where one of them is: `cdpr`, or `examples/NAME`.
+pub(crate) fn program(root: &Path, name: &str) -> Result<PathBuf, String> {
+    let arguments: Vec<&str> = ["build", "--quiet"].into_iter().chain(SELECTION).collect();
+    match command(root, &arguments).status() {
+        Ok(status) if status.success() => {}
+        Ok(status) => return Err(format!("`cargo {}` ended with {status}", arguments.join(" "))),
+        Err(error) => return Err(format!("cannot start cargo: {error}")),
+    }
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |folder| root.join(folder));
+    Ok(target.join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION))
+}
+
+/// Builds and runs one of them; its output goes to the terminal.
+pub(crate) fn run_program(root: &Path, name: &str, arguments: &[&str]) -> Result<(), String> {
+    let program = program(root, name)?;
+    match Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{name} ended with {status}")),
+        Err(error) => Err(format!("cannot start {}: {error}", program.display())),
+    }
 }
 
 /// The components that a machine with nothing but rustup may lack.

@@ -1,6 +1,7 @@
 //! Files that the product itself writes: kept in the repository for editors, compared in every test run.
 
 use std::path::Path;
+use std::process::Command;
 
 use crate::outcome::Outcome;
 use crate::{cargo, notices};
@@ -19,8 +20,12 @@ const FILES: &[Generated] = &[
 
 /// Complains of every file that differs from what the program writes now.
 pub(crate) fn check(root: &Path) -> Outcome {
+    let program = match cargo::program(root, "cdpr") {
+        Ok(program) => program,
+        Err(message) => return Outcome::of(vec![message]),
+    };
     let complaints = FILES.iter().filter_map(|file| {
-        let expected = match output(root, file) {
+        let expected = match output(root, &program, file) {
             Ok(expected) => expected,
             Err(message) => return Some(message),
         };
@@ -35,21 +40,21 @@ pub(crate) fn check(root: &Path) -> Outcome {
 
 /// Writes every file.
 pub(crate) fn write(root: &Path) -> Result<(), String> {
+    let program = cargo::program(root, "cdpr")?;
     for file in FILES {
         let path = root.join(file.path);
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
         }
-        std::fs::write(&path, output(root, file)?).map_err(|error| format!("{}: {error}", path.display()))?;
+        std::fs::write(&path, output(root, &program, file)?).map_err(|error| format!("{}: {error}", path.display()))?;
         println!("wrote {}", file.path);
     }
     notices::write(root)
 }
 
-fn output(root: &Path, file: &Generated) -> Result<Vec<u8>, String> {
-    let mut arguments = vec!["run", "--quiet", "-p", "cdpr-cli", "--bin", "cdpr", "--"];
-    arguments.extend(file.command);
-    let output = cargo::command(root, &arguments).output().map_err(|error| format!("cannot start cargo: {error}"))?;
+fn output(root: &Path, program: &Path, file: &Generated) -> Result<Vec<u8>, String> {
+    let output = Command::new(program).args(file.command).current_dir(root).output();
+    let output = output.map_err(|error| format!("cannot start {}: {error}", program.display()))?;
     if output.status.success() {
         Ok(output.stdout)
     } else {

@@ -18,12 +18,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
     if let Err(error) = std::fs::create_dir_all(&folder) {
         return Outcome::of(vec![format!("{}: {error}", folder.display())]);
     }
-    let text = cases.display().to_string();
-    let written = cargo::succeed(root, &["run", "--quiet", "-p", "cdpr", "--example", "judge_cases", "--", &text]);
-    if written.failed > 0 {
-        return written;
+    match cargo::run_program(root, "examples/judge_cases", &[&cases.display().to_string()]) {
+        Ok(()) => judge(root, &python, &cases),
+        Err(complaint) => Outcome::of(vec![complaint]),
     }
-    judge(root, &python, &cases)
 }
 
 /// Runs the judge, shows its table, and counts its verdicts.
