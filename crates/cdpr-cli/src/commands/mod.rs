@@ -34,6 +34,7 @@ commands! {
     tension: Tension,
     load: Load,
     stiffness: Stiffness,
+    workspace: Workspace,
     model: Model,
     place_pulleys: PlacePulleys,
     select: Select,

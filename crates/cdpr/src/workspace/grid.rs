@@ -142,6 +142,18 @@ impl Count {
         }
     }
 
+    /// True when this can be a count of that grid, as far as a state that was read back tells.
+    pub fn fits(&self, grid: &Grid) -> bool {
+        let size = grid.slab_points() as u64;
+        let held = |lengths: &[u32]| lengths.iter().map(|&length| u64::from(length)).sum::<u64>();
+        let [before, previous] = [0, 1].map(|slab| held(&self.last[slab]));
+        self.slabs <= grid.slabs()
+            && self.points == self.slabs as u64 * size
+            && self.feasible_points <= self.points
+            && previous == if self.slabs > 0 { size } else { 0 }
+            && before == if self.slabs > 1 { size } else { 0 }
+    }
+
     /// Judges the next slabs, some ten thousand cells at once, and shows each slab with its answers; false when none is left.
     ///
     /// Memory is that of these cells, whatever the size of the grid.

@@ -1,0 +1,198 @@
+//! `cdpr workspace`: where the platform can be.
+
+mod answer;
+mod counting;
+mod orientations;
+mod question;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use answer::{WorkspaceAnswer, by_grid, by_hull, by_octree};
+use cdpr::workspace::criterion::registry::{self, Wanted};
+use cdpr::workspace::grid::Grid;
+use cdpr::workspace::hull::Hull;
+use cdpr::workspace::mesh::Format;
+use cdpr::workspace::{Region, hull, octree};
+use clap::{Args, ValueEnum};
+use orientations::OrientationArguments;
+use question::Question;
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::inputs::ModelArguments;
+use crate::numbers::{NumberList, finite_number, number_from_zero};
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr workspace planar-example
+  cdpr workspace planar-example --method hull --rays 36
+  cdpr workspace cablerobot-simulator-icosahedron --wrench 0,0,-4905,0,0,0 --min 1000 --max 9000 --method hull --mesh hull.glb
+  cdpr workspace cogiro --criterion wrench-feasible --method octree --step 0.1
+  cdpr workspace ipanema-1 --archetype total-orientation --angles -0.2,0.2,3,-0.2,0.2,3,0,0,1";
+
+/// Where the platform can be: area or volume of the poses at which criteria hold.
+///
+/// `grid` judges the middle of every cell of a box; `octree` refines only the cells that the boundary passes; `hull` follows
+/// rays from a center to the boundary and gives a surface (`--mesh`). Each tells a bound of its error. The answer is negative
+/// (exit code 1) when the criteria hold nowhere, and when a hull would be wrong because rays enter the workspace again.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    pub(super) model: ModelArguments,
+
+    /// External wrench fx,fy | fx,fy,m | fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m; world axes, moment about the platform
+    /// origin), instead of the robot's external wrench and weight.
+    #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
+    pub(super) wrench: Option<NumberList>,
+
+    /// Least tension of every cable (N), instead of the robot's.
+    #[arg(long, value_name = "N", value_parser = number_from_zero, allow_hyphen_values = true)]
+    pub(super) min: Option<f64>,
+
+    /// Largest tension of every cable (N), instead of the robot's.
+    #[arg(long, value_name = "N", value_parser = finite_number, allow_hyphen_values = true)]
+    pub(super) max: Option<f64>,
+
+    #[arg(long, value_name = "CRITERION", default_value = "wrench-feasible", help = criteria_help())]
+    pub(super) criterion: Vec<String>,
+
+    /// How the workspace is found.
+    #[arg(long, value_enum, default_value_t = Method::Grid, value_name = "grid|octree|hull")]
+    #[arg(hide_possible_values = true)]
+    pub(super) method: Method,
+
+    #[command(flatten)]
+    pub(super) orientations: OrientationArguments,
+
+    /// Box to look in, ends along each translation x0,x1,y0,y1(,z0,z1) (m); a box around the robot when left out.
+    #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
+    pub(super) bounds: Option<NumberList>,
+
+    /// Largest side of a cell of grid or octree (m); a hundredth of the longest side of the box in a plane, a fiftieth in
+    /// space.
+    #[arg(long, value_name = "STEP", value_parser = finite_number, allow_hyphen_values = true)]
+    pub(super) step: Option<f64>,
+
+    /// Rays of a hull, at least: 360 in a plane; in space 2562, the corners of an icosahedron refined four times.
+    #[arg(long, value_name = "N")]
+    pub(super) rays: Option<usize>,
+
+    /// Rays are bisected until the boundary is known to this (m); a millionth of the box when left out.
+    #[arg(long, value_name = "M", value_parser = finite_number, allow_hyphen_values = true)]
+    pub(super) tolerance: Option<f64>,
+
+    /// Pose from which the rays of a hull start, components as in `cdpr ik --pose`; its orientation counts unless --rotation
+    /// is given. When left out the home pose, or the middle of what a coarse grid finds.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
+    pub(super) center: Option<NumberList>,
+
+    /// Write the hull as a surface: .stl, .glb, .ply, .vtk, or .csv for its vertices, with margin and limiting cable.
+    #[arg(long, value_name = "FILE")]
+    pub(super) mesh: Option<PathBuf>,
+
+    /// Keep the state of a long count in this file and go on from it when the same command runs again.
+    #[arg(long, value_name = "FILE")]
+    pub(super) resume: Option<PathBuf>,
+}
+
+/// Ways to find a workspace.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    /// Every cell of a box.
+    Grid,
+    /// Cells refined at the boundary.
+    Octree,
+    /// Rays from a centre.
+    Hull,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    check_files(&arguments)?;
+    let wanted = arguments.criterion.iter().map(|text| text.parse::<Wanted>());
+    let wanted =
+        wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
+    let model = arguments.model.read()?;
+    let question = Question::new(&arguments, &model)?;
+    let criterion = question.criterion(&wanted)?;
+    let region = question.region(criterion.as_ref())?;
+    let answer = match arguments.method {
+        Method::Grid => {
+            let grid = Grid::new(&question.bounds, question.step).map_err(|error| Failure::refused("--step", &error))?;
+            let count = counting::count(&region, &grid, &question, arguments.resume.as_deref())?;
+            by_grid(&question, &region, &grid, &count)
+        }
+        Method::Octree => {
+            let progress = Progress::spinner("following the boundary");
+            let settings = octree::Settings::new(question.step);
+            let outcome = octree::solve(&region, &question.bounds, &settings);
+            drop(progress);
+            by_octree(&question, &region, &outcome.map_err(|error| Failure::refused("--step", &error))?)
+        }
+        Method::Hull => hull_answer(&arguments, &question, &region)?,
+    };
+    answer.remarks().iter().for_each(|remark| output.remark(remark));
+    output.answer(&answer)
+}
+
+/// Every criterion that there is, for the help.
+fn criteria_help() -> String {
+    let criteria = registry::ENTRIES.iter().map(|entry| {
+        let numbers: Vec<String> = entry.numbers.iter().map(|number| format!("{} ({})", number.name, number.unit)).collect();
+        let numbers = if numbers.is_empty() { String::new() } else { format!(", numbers {}", numbers.join(", ")) };
+        format!("`{}`: {}{numbers}", entry.name, entry.summary)
+    });
+    let criteria: Vec<String> = criteria.collect();
+    format!("What has to hold at a pose, NAME or NAME:NUMBER=VALUE,…; repeated, all of them. {}", criteria.join("; "))
+}
+
+fn hull_answer(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>) -> Result<WorkspaceAnswer, Failure> {
+    let progress = Progress::spinner("following rays");
+    let Some(center) = question.center(region)? else { return Ok(answer::empty(question, region)) };
+    let mut settings = hull::Settings::new(&question.bounds);
+    settings.rays = arguments.rays.unwrap_or(settings.rays);
+    settings.tolerance = arguments.tolerance.unwrap_or(settings.tolerance);
+    let found = hull::solve(region, &question.bounds, &center, &settings);
+    let found = found.map_err(|error| Failure::refused("--method hull", &error))?;
+    drop(progress);
+    if let Some(path) = &arguments.mesh {
+        write_mesh(path, &found, region)?;
+    }
+    Ok(by_hull(question, region, &found, arguments.mesh.as_deref()))
+}
+
+/// Options about files that the method would not write.
+fn check_files(arguments: &Arguments) -> Result<(), Failure> {
+    let refused = |code, message: String, help: &str| Err(Failure::input(code, message, help));
+    match (&arguments.mesh, &arguments.resume) {
+        (Some(_), _) if arguments.method != Method::Hull => {
+            let help = "add --method hull, which finds a surface";
+            refused("workspace::mesh", "--mesh writes the surface that rays find, but the method is another".to_owned(), help)
+        }
+        (Some(path), _) if format_of(path).is_none() => {
+            let endings: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
+            let message = format!("--mesh {}: the ending names no format of meshes", path.display());
+            refused("workspace::mesh", message, &format!("let the name end in {}", endings.join(", ")))
+        }
+        (_, Some(_)) if arguments.method != Method::Grid => {
+            let message = "--resume keeps the state of a count of cells, but the method is another".to_owned();
+            refused("workspace::resume", message, "leave --resume out, or use --method grid")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn format_of(path: &Path) -> Option<Format> {
+    Format::of_extension(path.extension()?.to_str()?)
+}
+
+fn write_mesh(path: &Path, hull: &Hull, region: &Region<'_>) -> Result<(), Failure> {
+    let Some(format) = format_of(path) else { return Ok(()) };
+    let mut bytes = Vec::new();
+    let written = hull.mesh(region).write(format, &mut bytes);
+    written.map_err(|error| Failure::io("write", &path.display().to_string(), &error))?;
+    files::write(path, &bytes)
+}
