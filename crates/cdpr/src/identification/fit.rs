@@ -1,6 +1,7 @@
 //! Optimal parameters of one model from measured poses and recorded lengths.
 
 mod descent;
+mod input_error;
 mod optimum;
 #[cfg(test)]
 mod tests;
@@ -8,16 +9,14 @@ pub(super) mod warnings;
 
 use std::str::FromStr;
 
+pub use input_error::InputError;
 use serde::Serialize;
-use thiserror::Error;
 
 use super::elastostatic::{self, Basin};
 use super::identifiability::{Analysis, Correlation, analyse};
 use super::weights::Weights;
-use crate::cable::DegenerateCourse;
 use crate::measurement::Samples;
-use crate::model::{FreeParameters, Model, ModelError, Parameter, ParameterError, ParameterKind, WinchError};
-use crate::statics::LoadError;
+use crate::model::{FreeParameters, Model, Parameter, ParameterKind};
 
 /// What is assumed, and when the fit stops.
 #[derive(Clone, Debug, PartialEq)]
@@ -147,136 +146,6 @@ impl Fit {
     /// Correlations above the limit, for reports.
     pub fn correlations(&self) -> &[Correlation] {
         &self.analysis.correlations
-    }
-}
-
-/// Data or settings that no fit can accept.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum InputError {
-    /// The free parameters do not fit the model.
-    #[error(transparent)]
-    Parameters(#[from] ParameterError),
-    /// The calibrated robot is not a model.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// Motor angles that the robot's winches cannot have.
-    #[error(transparent)]
-    Winch(#[from] WinchError),
-    /// A recorded tension that the model's cable cannot have.
-    #[error("sample {sample}, cable {cable}: {reason}; is the recorded tension right, or the cable's weight?")]
-    Hold {
-        /// Number of the sample, from 1.
-        sample: usize,
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// What is wrong.
-        reason: crate::cable::law::HoldError,
-    },
-    /// No samples.
-    #[error("the data set has no samples")]
-    NoSamples,
-    /// Data of another robot.
-    #[error("the robot has {robot} cables, the data have {data}")]
-    CableCount {
-        /// Cables of the robot.
-        robot: usize,
-        /// Cables in the data.
-        data: usize,
-    },
-    /// Fewer rows than parameters.
-    #[error(
-        "cable {cable} has {parameters} free parameters, but there are only {samples} samples: measure more poses, free fewer parameters, or give every kind a prior"
-    )]
-    TooFewSamples {
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// Its free parameters.
-        parameters: usize,
-        /// Samples.
-        samples: usize,
-    },
-    /// Fewer rows than parameters of an elastic model.
-    #[error(
-        "{parameters} parameters are free, but {samples} samples give only {rows} rows of wrenches and lengths: measure more poses, \
-         free fewer parameters, or give every kind a prior"
-    )]
-    TooFewRows {
-        /// Free parameters without prior.
-        parameters: usize,
-        /// Rows.
-        rows: usize,
-        /// Samples.
-        samples: usize,
-    },
-    /// A measured pose at which the model has no length.
-    #[error("sample {sample}: {reason}")]
-    Degenerate {
-        /// Number of the sample, from 1.
-        sample: usize,
-        /// What is wrong there.
-        reason: DegenerateCourse,
-    },
-    /// A prior that cannot be read.
-    #[error(
-        "cannot read the prior `{text}`: write NAME=SIGMA with a standard deviation above 0, e.g. platform-anchor=0.02"
-    )]
-    PriorSyntax {
-        /// The text.
-        text: String,
-    },
-    /// Parameters of drums without recorded motor angles.
-    #[error(
-        "`{kind}` is free, but the data record lengths: give the columns motor_angle_rad_1, motor_angle_rad_2, … in their place, or \
-         free `length-offset` or `length-scale` instead"
-    )]
-    NoMotorAngles {
-        /// The parameter.
-        kind: ParameterKind,
-    },
-    /// An elastic model without recorded tensions.
-    #[error(
-        "identifying an elastic model needs recorded tensions: add the columns tension_N_1, tension_N_2, … to the data, or choose a \
-         model without `elastic`"
-    )]
-    NoTensions,
-    /// Recorded tensions of cables that push.
-    #[error(
-        "negative tensions: cable {cable} is recorded with {tension} N in sample {}{}; cables can only pull, so check the sign and \
-         the zero of the force sensors (tension_offset_N), or remove the samples", .samples[0], others(.samples)
-    )]
-    NegativeTension {
-        /// Samples concerned, from 1.
-        samples: Vec<usize>,
-        /// Cable of the first one, from 1.
-        cable: usize,
-        /// Its recorded tension (N).
-        tension: f64,
-    },
-    /// The load on the platform is unknown.
-    #[error("{0}; or free `wrench`")]
-    Load(#[from] LoadError),
-    /// Numbers that overflow.
-    #[error(
-        "the residuals are not finite numbers: check the units of poses, lengths, tensions and of the robot's file"
-    )]
-    NotFinite,
-    /// A setting that means nothing.
-    #[error("the setting `{name}` is {value}; it must be a number above 0")]
-    Setting {
-        /// Field of [`Settings`].
-        name: &'static str,
-        /// Its value.
-        value: f64,
-    },
-}
-
-/// Words for the samples after the first.
-fn others(samples: &[usize]) -> String {
-    let listed: Vec<String> = samples.iter().skip(1).take(8).map(usize::to_string).collect();
-    match samples.len() {
-        0 | 1 => String::new(),
-        count if count <= 9 => format!(", and others in {}", listed.join(", ")),
-        count => format!(", and others in {} and {} more", listed.join(", "), count - 9),
     }
 }
 

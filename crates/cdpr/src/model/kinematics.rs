@@ -1,18 +1,18 @@
 //! The model type and what it answers at one pose.
 
 use nalgebra::{DMatrix, Vector3};
-use thiserror::Error;
 
 use super::CableGroup;
 use super::composition::{Composition, StretchEffect};
+use super::error::{ModelError, require};
 use super::laws;
 use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Hold, HoldError, Known};
-use crate::cable::winch::{DrumError, Winch};
+use crate::cable::winch::Winch;
 use crate::cable::{Course, DegenerateCourse, outlet};
 use crate::geometry::{Pose, Twist};
-use crate::robot::{Cable, Robot, StretchError, TensionPlace};
+use crate::robot::{Cable, Robot, TensionPlace};
 use crate::scalar::{LANES, add, cross, rotate};
 
 /// A robot with chosen effects. Immutable: a changed parameter makes a new model.
@@ -27,72 +27,6 @@ pub struct Model {
     laws: Vec<CableLaw>,
     /// See [`Model::winch`].
     pub(super) winches: Vec<Option<Winch>>,
-}
-
-/// A robot that cannot carry the effects asked for.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum ModelError {
-    /// An effect needs a key that the file lacks.
-    #[error(
-        "the effect `{effect}` needs `{key}`, which cable {cable} (\"{name}\") does not have; add the key to its [[cable]] table{hint}"
-    )]
-    MissingKey {
-        /// The effect.
-        effect: &'static str,
-        /// The key of the robot file.
-        key: &'static str,
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// Name of the cable.
-        name: String,
-        /// A command that helps.
-        hint: &'static str,
-    },
-    /// A law of stretch that is none.
-    #[error("cable {cable} (\"{name}\"): {reason}")]
-    Stretch {
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// Name of the cable.
-        name: String,
-        /// What is wrong.
-        reason: StretchError,
-    },
-    /// Cables with weight where no gravity is known.
-    #[error(
-        "cables of \"{robot}\" sag by their weight, but its file lacks `gravity_m_s2`; add it, e.g. gravity_m_s2 = [0.0, 0.0, -9.81]"
-    )]
-    NoGravity {
-        /// Name of the robot.
-        robot: String,
-    },
-    /// Numbers of a drum that do not go together.
-    #[error("cable {cable} (\"{name}\"): {reason}")]
-    Drum {
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// Name of the cable.
-        name: String,
-        /// What is wrong.
-        reason: DrumError,
-    },
-    /// A pulley that does not swivel, on a robot that leaves its plane.
-    #[error(
-        "cable {cable} (\"{name}\") has `pulley_wrap_side`, but the robot is spatial: its platform would leave the plane of a pulley \
-         that does not swivel; leave the key out"
-    )]
-    SpatialWrapSide {
-        /// Number of the cable, from 1.
-        cable: usize,
-        /// Name of the cable.
-        name: String,
-    },
-    /// A robot without cables.
-    #[error("robot \"{robot}\" has no cables")]
-    NoCables {
-        /// Name of the robot.
-        robot: String,
-    },
 }
 
 /// Derivatives of one recorded length by the parameters of its own cable.
@@ -364,14 +298,6 @@ impl Model {
         let mean = sum / self.cable_count() as f64;
         if mean > 0.0 { mean } else { 1.0 }
     }
-}
-
-/// Effect, key and hint of something that a cable of the file must have.
-type Need = (&'static str, &'static str, &'static str);
-
-pub(super) fn require(present: bool, (effect, key, hint): Need, index: usize, cable: &Cable) -> Result<(), ModelError> {
-    let name = cable.name.clone();
-    if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
 }
 
 /// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::kinematics::require;
+use super::error::require;
 use super::{Composition, ModelError, SpanEffect, StretchEffect};
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Kind};

@@ -2,6 +2,8 @@
 
 mod batch;
 mod composition;
+mod error;
+mod free_parameters;
 mod groups;
 mod kinematics;
 mod laws;
@@ -14,9 +16,11 @@ mod winching;
 
 pub(crate) use batch::in_pattern;
 pub use composition::{Composition, CompositionError, SpanEffect, StretchEffect};
+pub use error::ModelError;
+pub use free_parameters::{FreeParameters, ParameterError};
 pub(crate) use groups::CableGroup;
-pub use kinematics::{CableGradient, Model, ModelError};
-pub use parameter::{FreeParameters, Parameter, ParameterError, ParameterKind};
+pub use kinematics::{CableGradient, Model};
+pub use parameter::{Parameter, ParameterKind};
 pub(crate) use parameter::{axis_name, specific_compliance};
 pub use placement::{PlacePulleysError, place_pulleys};
 pub use supported::Supported;

@@ -1,6 +1,6 @@
 //! Sensor accuracies that the weights use, and Cholesky factors of the rows' covariances.
 
-use super::rows::Sigmas;
+use super::noise::Sigmas;
 use crate::identification::fit::ASSUMED_NOISE;
 use crate::measurement::Samples;
 use crate::scalar::{Kernel, LANES, Lanes, dispatch};

@@ -6,8 +6,9 @@
 //! and orthogonal distance regression.
 
 use super::covariance::{factorize, invert, solve};
+use super::noise::{Noise, Sigmas};
 use super::normal::{NormalEquations, whiten};
-use super::rows::{Noise, Recorded, RowModel, SampleRows, Sigmas};
+use super::rows::{Recorded, RowModel, SampleRows};
 use crate::geometry::{Pose, Twist};
 use crate::measurement::Samples;
 use crate::scalar::LANES;

@@ -9,6 +9,7 @@ mod covariance;
 mod descent;
 mod general_rows;
 mod linearization;
+mod noise;
 mod normal;
 mod optimum;
 mod rows;

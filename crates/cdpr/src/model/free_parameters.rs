@@ -1,0 +1,266 @@
+//! The `--free` language: which parameters identification may change.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Serialize, Serializer};
+use thiserror::Error;
+
+use super::parameter::{Parameter, ParameterKind};
+use super::{Model, StretchEffect};
+
+/// What `--free` or `--hold` names: kinds of parameters, each for all cables or for some.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FreeParameters {
+    /// Kind and 0-based cables; `None` means every cable.
+    selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
+}
+
+/// A list of parameters that cannot be understood or does not fit the model.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ParameterError {
+    /// Not a parameter.
+    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, drum-radius, start-length, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    UnknownName {
+        /// The word found.
+        name: String,
+    },
+    /// Text around the brackets that makes no sense.
+    #[error("cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1")]
+    Syntax {
+        /// The item.
+        item: String,
+    },
+    /// A cable the robot does not have.
+    #[error("`{kind}[{cable}]`: the robot has cables 1 to {cable_count}")]
+    NoSuchCable {
+        /// Name of the parameter.
+        kind: ParameterKind,
+        /// The number asked for, from 1.
+        cable: usize,
+        /// Number of cables.
+        cable_count: usize,
+    },
+    /// A parameter of an effect that the model does not have.
+    #[error("`{kind}` is free, but the model is `{model}`; choose a model with the effect `{effect}`")]
+    NotInModel {
+        /// The parameter.
+        kind: ParameterKind,
+        /// The model's composition.
+        model: String,
+        /// The effect it belongs to.
+        effect: &'static str,
+    },
+    /// Two parameters that shift the recorded lengths of a cable alike.
+    #[error(
+        "`start-length[{cable}]` and `length-offset[{cable}]` are both free, but they shift the recorded lengths of cable {cable} alike, \
+         so that no data tell them apart: free one of them"
+    )]
+    StartLengthTwice {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// A cable whose law has no specific compliance.
+    #[error(
+        "`{kind}[{cable}]` is free, but cable {cable} has a constant spring (`spring_constant_N_per_m`), which has no {kind}; state `axial_stiffness_EA_N` instead, or restrict the list to other cables"
+    )]
+    ConstantSpring {
+        /// The parameter.
+        kind: ParameterKind,
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// The wrench belongs to no cable.
+    #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
+    WrenchOfCable,
+}
+
+fn suggestion(name: &str) -> String {
+    let close = |kind: &ParameterKind| strsim::jaro_winkler(kind.name(), name);
+    match ParameterKind::ALL.into_iter().max_by(|a, b| close(a).total_cmp(&close(b))) {
+        Some(kind) if close(&kind) > 0.75 => format!("; did you mean `{kind}`?"),
+        _ => String::new(),
+    }
+}
+
+impl FreeParameters {
+    /// These kinds for every cable.
+    pub fn of(kinds: &[ParameterKind]) -> Self {
+        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect() }
+    }
+
+    /// True when nothing is free.
+    pub fn is_empty(&self) -> bool {
+        self.selections.is_empty()
+    }
+
+    fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
+        let covers = |cables: &Option<Vec<usize>>| cables.as_ref().is_none_or(|list| list.contains(&cable));
+        self.selections.iter().any(|(other, cables)| *other == kind && covers(cables))
+    }
+
+    /// Start length and length offset are never both free.
+    fn check_start_lengths(parameters: &[Parameter]) -> Result<(), ParameterError> {
+        let is_free =
+            |cable, kind| parameters.iter().any(|parameter| parameter.cable == cable && parameter.kind == kind);
+        let mut cables = parameters.iter().map(|parameter| parameter.cable);
+        let is_twice =
+            |cable: &usize| is_free(*cable, ParameterKind::StartLength) && is_free(*cable, ParameterKind::LengthOffset);
+        cables.find(is_twice).map_or(Ok(()), |cable| Err(ParameterError::StartLengthTwice { cable: cable + 1 }))
+    }
+
+    /// The single parameters of a model that are free and not held, ordered by cable, kind and axis.
+    pub fn parameters(&self, model: &Model, hold: &Self) -> Result<Vec<Parameter>, ParameterError> {
+        self.check(model)?;
+        hold.check_cables(model)?;
+        let mut parameters = Vec::new();
+        for cable in 0..model.cable_count() {
+            for kind in ParameterKind::ALL.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
+                if self.contains(kind, cable) && !hold.contains(kind, cable) {
+                    let count = if kind.is_anchor() { model.axes().len() } else { 1 };
+                    parameters.extend((0..count).map(|axis| Parameter { cable, kind, axis }));
+                }
+            }
+        }
+        let kind = ParameterKind::Wrench;
+        if self.contains(kind, 0) && !hold.contains(kind, 0) {
+            parameters.extend((0..model.dof()).map(|axis| Parameter { cable: 0, kind, axis }));
+        }
+        Self::check_start_lengths(&parameters)?;
+        Ok(parameters)
+    }
+
+    /// True when this kind is free for some cable.
+    pub fn names(&self, kind: ParameterKind) -> bool {
+        self.selections.iter().any(|(other, _)| *other == kind)
+    }
+
+    fn check(&self, model: &Model) -> Result<(), ParameterError> {
+        self.check_cables(model)?;
+        let composition = model.composition();
+        for &(kind, _) in &self.selections {
+            let effect = match kind {
+                ParameterKind::PulleyRadius if !composition.pulley => "pulley",
+                kind if kind.needs_motor_angles() && !composition.drum => "drum",
+                ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => "elastic",
+                ParameterKind::HiddenLength if !composition.is_elastic() => "elastic",
+                kind if kind.needs_elasticity() && !composition.depends_on_tension() => "elastic",
+                _ => continue,
+            };
+            return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
+        }
+        for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
+            let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant.is_some();
+            if let Some(cable) = (0..model.cable_count()).find(|cable| self.contains(kind, *cable) && is_spring(cable))
+            {
+                return Err(ParameterError::ConstantSpring { kind, cable: cable + 1 });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_cables(&self, model: &Model) -> Result<(), ParameterError> {
+        let cable_count = model.cable_count();
+        for (kind, cables) in &self.selections {
+            if *kind == ParameterKind::Wrench && cables.is_some() {
+                return Err(ParameterError::WrenchOfCable);
+            }
+            if let Some(&cable) = cables.iter().flatten().find(|&&cable| cable >= cable_count) {
+                return Err(ParameterError::NoSuchCable { kind: *kind, cable: cable + 1, cable_count });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for FreeParameters {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (kind, cables)) in self.selections.iter().enumerate() {
+            let comma = if index > 0 { "," } else { "" };
+            write!(f, "{comma}{kind}")?;
+            if let Some(cables) = cables {
+                let numbers: Vec<String> = cables.iter().map(|cable| (cable + 1).to_string()).collect();
+                write!(f, "[{}]", numbers.join(","))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Serialize for FreeParameters {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl FromStr for FreeParameters {
+    type Err = ParameterError;
+
+    /// Reads `frame-anchor[1,3],length-offset`; empty text frees nothing.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let mut selections = Vec::new();
+        let mut rest = text.trim();
+        while !rest.is_empty() {
+            let end = rest.find([',', '[']).unwrap_or(rest.len());
+            let kind: ParameterKind = rest[..end].trim().parse()?;
+            let mut cables = None;
+            rest = &rest[end..];
+            if let Some(inside) = rest.strip_prefix('[') {
+                let syntax = || ParameterError::Syntax { item: format!("{kind}{rest}") };
+                let close = inside.find(']').ok_or_else(syntax)?;
+                let numbers = inside[..close].split(',').map(|number| match number.trim().parse::<usize>() {
+                    Ok(cable) if cable > 0 => Ok(cable - 1),
+                    _ => Err(syntax()),
+                });
+                cables = Some(numbers.collect::<Result<Vec<_>, _>>()?);
+                rest = inside[close + 1..].trim_start();
+            }
+            selections.push((kind, cables));
+            rest = match rest.strip_prefix(',') {
+                Some(after) if !after.trim().is_empty() => after.trim_start(),
+                Some(_) => return Err(ParameterError::Syntax { item: text.to_owned() }),
+                None if rest.is_empty() => rest,
+                None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
+            };
+        }
+        Ok(Self { selections })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_free_language_survives_the_round_trip() {
+        for text in [
+            "",
+            "frame-anchor",
+            "frame-anchor[1,3],length-offset",
+            "length-scale,pulley-radius[8]",
+            "compliance,wrench",
+        ] {
+            let free: FreeParameters = text.parse().unwrap();
+            assert_eq!(free.to_string(), text);
+        }
+    }
+
+    #[test]
+    fn what_is_not_the_language_is_refused() {
+        for text in [
+            "frame",
+            "frame-anchor[",
+            "frame-anchor[0]",
+            "frame-anchor[a]",
+            "frame-anchor]",
+            "length-offset,",
+            "frame-anchor[1]x",
+            "complience",
+            ",",
+            "frame-anchor[-1]",
+            "frame-anchor[99999999999999999999999]",
+        ] {
+            assert!(text.parse::<FreeParameters>().is_err(), "{text}");
+        }
+    }
+}
