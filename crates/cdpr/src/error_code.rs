@@ -367,6 +367,7 @@ impl ErrorCode for WorkspaceError {
             Self::NoCriterion => "workspace::no-criterion",
             Self::SaggingCables { .. } => "workspace::sagging-cables",
             Self::MissingKey { .. } => "workspace::missing-key",
+            Self::MissingEffect { .. } => "workspace::missing-effect",
             Self::WrenchSet(error) => error.code(),
             Self::Payload(error) => error.code(),
             Self::Setting { .. } => "workspace::setting",

@@ -142,6 +142,60 @@ fn every_calibrated_key_is_read_and_written() {
     assert!(Robot::from_toml(SPATIAL, "box.toml").is_ok());
 }
 
+const SURROUNDED: &str = r#"diameter_m = 0.006
+length_min_m = 0.5
+length_max_m = 12.0
+pulley_wrap_min_rad = 0.1
+pulley_wrap_max_rad = 3.0
+[[obstacle]]
+name = "crate"
+position_min_m = [1.0, 1.0, 0.0]
+position_max_m = [2.0, 2.0, 1.5]
+[[obstacle]]
+name = "beam"
+from_m = [-4.0, 5.0, 6.0]
+to_m = [4.0, 5.0, 6.0]
+radius_m = 0.1
+"#;
+
+/// The spatial robot with a body and everything that its cables may touch.
+fn surrounded() -> String {
+    let hull = "[platform]\nhull_m = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n";
+    SPATIAL.replace("[platform]\n", hull) + SURROUNDED
+}
+
+#[test]
+fn bodies_obstacles_and_limits_of_cables_are_read_and_written() {
+    let robot = Robot::from_toml(&surrounded(), "box.toml").unwrap();
+    let cable = &robot.cables[0];
+    assert_eq!((cable.diameter, cable.length_min, cable.length_max), (Some(0.006), Some(0.5), Some(12.0)));
+    assert_eq!((cable.pulley_wrap_min, cable.pulley_wrap_max), (Some(0.1), Some(3.0)));
+    assert_eq!(robot.platform.hull.as_ref().map(Vec::len), Some(4));
+    assert_eq!((robot.obstacles[0].name.as_str(), robot.obstacles.len()), ("crate", 2));
+    assert!(matches!(robot.obstacles[1].shape, cdpr::robot::ObstacleShape::Strut { radius: 0.1, .. }));
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "box.toml").unwrap(), robot);
+}
+
+#[test]
+fn bodies_obstacles_and_limits_that_cannot_be_are_refused_at_their_place() {
+    for (from, to, code) in [
+        ("length_min_m = 0.5", "length_min_m = 13.0", "robot::length-limits"),
+        ("pulley_wrap_min_rad = 0.1", "pulley_wrap_min_rad = 3.5", "robot::wrap-limits"),
+        ("diameter_m = 0.006", "diameter_m = 0.0", "robot::not-positive"),
+        ("radius_m = 0.1", "radius_m = -0.1", "robot::negative"),
+        ("radius_m = 0.1", "", "robot::obstacle"),
+        ("position_min_m = [1.0,", "position_min_m = [3.0,", "robot::obstacle"),
+        ("from_m = [-4.0, 5.0, 6.0]", "from_m = [-4.0, 5.0]", "robot::component-count"),
+        (", [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\ninertia", "]\ninertia", "robot::hull"),
+        ("hull_m = [[0.0, 0.0, 0.0]", "hull_m = [[0.0, 0.0]", "robot::component-count"),
+    ] {
+        let text = surrounded();
+        assert!(text.contains(from), "{from}");
+        let error = Robot::from_toml(&text.replacen(from, to, 1), "box.toml").unwrap_err();
+        assert_eq!(error.code, code, "{from}: {error}");
+    }
+}
+
 /// A planar robot whose drums stand across its plane, with every winch key.
 fn with_drum() -> String {
     PLANAR.replacen(

@@ -58,6 +58,7 @@ fn robot(name: &str, motion_pattern: MotionPattern, cables: Vec<Cable>) -> Robot
         travel: None,
         cables,
         reference_checks: vec![],
+        obstacles: vec![],
     }
 }
 

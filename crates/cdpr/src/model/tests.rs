@@ -50,6 +50,7 @@ fn robot_of(cables: Vec<Cable>) -> Robot {
         travel: None,
         cables,
         reference_checks: vec![],
+        obstacles: vec![],
     }
 }
 

@@ -95,7 +95,12 @@ impl CableReader<'_> {
     fn cable(&self) -> Result<Cable, ReadError> {
         let section = self.section;
         self.check_stiffness()?;
-        self.check_tension_limits()?;
+        let tensions = (section.tension_min_N, section.tension_max_N);
+        self.check_limits(["tension_min_N", "tension_max_N"], tensions, "robot::tension-limits")?;
+        let lengths = (section.length_min_m, section.length_max_m);
+        self.check_limits(["length_min_m", "length_max_m"], lengths, "robot::length-limits")?;
+        let wraps = (section.pulley_wrap_min_rad, section.pulley_wrap_max_rad);
+        self.check_limits(["pulley_wrap_min_rad", "pulley_wrap_max_rad"], wraps, "robot::wrap-limits")?;
         self.check_stretch()?;
         self.check_wrap_side()?;
         Ok(Cable {
@@ -105,6 +110,11 @@ impl CableReader<'_> {
             pulley_radius: self.not_negative("pulley_radius_m", section.pulley_radius_m)?,
             pulley_swivel_axis: section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?,
             pulley_wrap_side: section.pulley_wrap_side,
+            pulley_wrap_min: section.pulley_wrap_min_rad,
+            pulley_wrap_max: section.pulley_wrap_max_rad,
+            diameter: self.positive("diameter_m", section.diameter_m)?,
+            length_min: section.length_min_m,
+            length_max: section.length_max_m,
             tension_min: section.tension_min_N,
             tension_max: section.tension_max_N,
             axial_stiffness: self.positive("axial_stiffness_EA_N", section.axial_stiffness_EA_N)?,
@@ -236,16 +246,18 @@ impl CableReader<'_> {
             .with_help("leave the key out: with pulley_swivel_axis alone the pulley turns to the platform"))
     }
 
-    fn check_tension_limits(&self) -> Result<(), ReadError> {
-        let min = self.not_negative("tension_min_N", self.section.tension_min_N)?;
-        let max = self.not_negative("tension_max_N", self.section.tension_max_N)?;
-        match (min, max) {
-            (Some(min), Some(max)) if min > max => {
-                let message = format!("tension_min_N = {min} is above tension_max_N = {max}");
-                Err(self
-                    .error("tension_min_N", "robot::tension-limits", &message)
-                    .with_help("swap them, or mend the wrong one"))
-            }
+    /// Two limits, neither below zero, in order.
+    fn check_limits(
+        &self,
+        keys: [&str; 2],
+        limits: (Option<f64>, Option<f64>),
+        code: &'static str,
+    ) -> Result<(), ReadError> {
+        let [least, largest] = keys;
+        match (self.not_negative(least, limits.0)?, self.not_negative(largest, limits.1)?) {
+            (Some(min), Some(max)) if min > max => Err(self
+                .error(least, code, &format!("{least} = {min} is above {largest} = {max}"))
+                .with_help("swap them, or mend the wrong one")),
             _ => Ok(()),
         }
     }

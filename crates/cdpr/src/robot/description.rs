@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::HysteresisTable;
+use super::{HysteresisTable, Obstacle};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
@@ -33,6 +33,8 @@ pub struct Robot {
     pub external_wrench: Option<ExternalWrench>,
     /// Box of platform positions for plotting and sampling; not a proven workspace.
     pub travel: Option<TravelBox>,
+    /// What stands in the way of cables.
+    pub obstacles: Vec<Obstacle>,
     /// The cables, in the order of every per-cable list.
     pub cables: Vec<Cable>,
     /// Published numbers that the robot reproduces.
@@ -72,6 +74,8 @@ pub struct Platform {
     pub center_of_mass: Option<Vector3<f64>>,
     /// Inertia about the centre of mass (platform axes, kg·m²).
     pub inertia: Option<Matrix3<f64>>,
+    /// Corners of the body, whose convex hull it is (platform frame, m).
+    pub hull: Option<Vec<Vector3<f64>>>,
 }
 
 /// A constant wrench on the platform.
@@ -111,6 +115,16 @@ pub struct Cable {
     pub pulley_swivel_axis: Option<Vector3<f64>>,
     /// Side of a pulley that does not swivel (planar robots); `None` where it swivels.
     pub pulley_wrap_side: Option<WrapSide>,
+    /// Least wrap angle on the pulley (rad).
+    pub pulley_wrap_min: Option<f64>,
+    /// Largest wrap angle on the pulley (rad).
+    pub pulley_wrap_max: Option<f64>,
+    /// Diameter of the cable (m).
+    pub diameter: Option<f64>,
+    /// Least geometric length q allowed (m).
+    pub length_min: Option<f64>,
+    /// Largest geometric length q allowed (m).
+    pub length_max: Option<f64>,
     /// Least tension allowed (N).
     pub tension_min: Option<f64>,
     /// Largest tension allowed (N).

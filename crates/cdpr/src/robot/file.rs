@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::surroundings::ObstacleSection;
 use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
@@ -43,6 +44,9 @@ pub(super) struct RobotFile {
     pub(super) external_wrench: Option<WrenchSection>,
     /// Box of platform positions for plotting and sampling; not a proven workspace.
     pub(super) workspace: Option<WorkspaceSection>,
+    /// What stands in the way of cables.
+    #[serde(default)]
+    pub(super) obstacle: Vec<ObstacleSection>,
     /// The cables, in the order of every per-cable list.
     #[serde(default)]
     #[schemars(length(min = 1))]
@@ -63,6 +67,9 @@ pub(super) struct PlatformSection {
     pub(super) center_of_mass_m: Option<Vec<f64>>,
     /// Inertia about the centre of mass (platform axes, kg·m²): rows of a 3×3 matrix; of a planar robot one number.
     pub(super) inertia_about_center_of_mass_kg_m2: Option<Inertia>,
+    /// Corners of the body (platform frame, m), whose convex hull cables shall not touch; that of the platform anchors when missing.
+    #[schemars(length(min = 3, max = 256))]
+    pub(super) hull_m: Option<Vec<Vec<f64>>>,
 }
 
 /// Inertia as a planar or a spatial robot states it.
@@ -139,6 +146,20 @@ pub(super) struct CableSection {
     /// Radius of the pulley at the frame (m).
     #[schemars(range(min = 0))]
     pub(super) pulley_radius_m: Option<f64>,
+    /// Least wrap angle on the pulley (rad), for the criterion `pulley-wrap`.
+    #[schemars(range(min = 0))]
+    pub(super) pulley_wrap_min_rad: Option<f64>,
+    /// Largest wrap angle on the pulley (rad), for the criterion `pulley-wrap`.
+    #[schemars(range(min = 0))]
+    pub(super) pulley_wrap_max_rad: Option<f64>,
+    /// Diameter of the cable (m), for criteria of interference.
+    pub(super) diameter_m: Option<f64>,
+    /// Least geometric length allowed, wrapped part included (m), for the criterion `cable-length`.
+    #[schemars(range(min = 0))]
+    pub(super) length_min_m: Option<f64>,
+    /// Largest geometric length allowed, wrapped part included (m), for the criterion `cable-length`.
+    #[schemars(range(min = 0))]
+    pub(super) length_max_m: Option<f64>,
     /// Least tension allowed (N).
     #[schemars(range(min = 0))]
     pub(super) tension_min_N: Option<f64>,

@@ -9,6 +9,7 @@ mod file;
 mod home_reading;
 mod reading;
 pub(crate) mod stretch;
+mod surroundings;
 mod winch_reading;
 mod writing;
 
@@ -17,6 +18,7 @@ pub use description::{
     WrapSide,
 };
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
+pub use surroundings::{Obstacle, ObstacleShape};
 
 /// JSON Schema of the robot file, for editors and for other programs.
 pub fn schema() -> schemars::Schema {

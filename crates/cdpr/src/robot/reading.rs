@@ -6,6 +6,7 @@ use toml::de::DeValue;
 use super::cable_reading::read_cables;
 use super::file::{Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
 use super::home_reading::read_home;
+use super::surroundings::{read_hull, read_obstacles};
 use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
 use crate::geometry::{MotionPattern, Plane, Wrench};
 use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
@@ -98,6 +99,7 @@ impl<'a> Reader<'a> {
         }
         let gravity = |values: &Vec<f64>| self.vector(&[Step::Key("gravity_m_s2")], values);
         let cables = read_cables(self, &file)?;
+        let obstacles = read_obstacles(self, &file)?;
         self.check_references(&file.reference_check, cables.len())?;
         Ok(Robot {
             gravity: file.gravity_m_s2.as_ref().map(gravity).transpose()?,
@@ -112,6 +114,7 @@ impl<'a> Reader<'a> {
             plane: self.plane,
             notes: file.notes,
             source: file.source,
+            obstacles,
             cables,
             reference_checks: file.reference_check,
         })
@@ -157,6 +160,7 @@ impl<'a> Reader<'a> {
             mass: self.not_negative(&path("mass_kg"), section.mass_kg)?,
             center_of_mass: section.center_of_mass_m.as_ref().map(center).transpose()?,
             inertia: inertia.as_ref().map(|inertia| self.inertia(inertia)).transpose()?,
+            hull: section.hull_m.as_deref().map(|points| read_hull(self, points)).transpose()?,
         })
     }
 

@@ -51,6 +51,7 @@ impl Robot {
             let body = WorkspaceSection { position_min_m: min, position_max_m: max, note: travel.note.clone() };
             section("[workspace]", lines(&body));
         }
+        self.obstacles.iter().for_each(|obstacle| section("[[obstacle]]", lines(&self.obstacle_section(obstacle))));
         for cable in &self.cables {
             section("[[cable]]", lines(&self.cable_section(cable)));
             if let Some(table) = &cable.hysteresis {
@@ -75,7 +76,7 @@ impl Robot {
     }
 
     /// A vector as the file states it.
-    fn components(&self, vector: &Vector3<f64>) -> Vec<f64> {
+    pub(super) fn components(&self, vector: &Vector3<f64>) -> Vec<f64> {
         match self.motion_pattern.is_planar() {
             true => self.plane.components(vector).to_vec(),
             false => vector.as_slice().to_vec(),
@@ -100,6 +101,7 @@ impl Robot {
             mass_kg: platform.mass,
             center_of_mass_m: platform.center_of_mass.as_ref().map(|center| self.components(center)),
             inertia_about_center_of_mass_kg_m2: inertia,
+            hull_m: platform.hull.as_ref().map(|hull| hull.iter().map(|point| self.components(point)).collect()),
         }
     }
 
@@ -133,6 +135,11 @@ impl Robot {
             frame_anchor_m: self.components(&cable.frame_anchor),
             platform_anchor_m: self.components(&cable.platform_anchor),
             pulley_radius_m: cable.pulley_radius,
+            pulley_wrap_min_rad: cable.pulley_wrap_min,
+            pulley_wrap_max_rad: cable.pulley_wrap_max,
+            diameter_m: cable.diameter,
+            length_min_m: cable.length_min,
+            length_max_m: cable.length_max,
             tension_min_N: cable.tension_min,
             tension_max_N: cable.tension_max,
             axial_stiffness_EA_N: cable.axial_stiffness,

@@ -33,6 +33,16 @@ pub enum WorkspaceError {
         /// How to mend it.
         cure: String,
     },
+    /// A criterion of an effect that the model does not have.
+    #[error("the criterion `{criterion}` needs a model with the effect `{effect}`: {cure}")]
+    MissingEffect {
+        /// Name of the criterion.
+        criterion: &'static str,
+        /// The effect.
+        effect: &'static str,
+        /// Why, and how to mend it.
+        cure: String,
+    },
     /// A number of a criterion that it cannot use.
     #[error("the criterion `{criterion}` has {setting} = {value}; {wanted}")]
     Setting {

@@ -108,7 +108,10 @@ fn platform(
     }
     let inertia = inertia(&physical.required("inertia")?, joint, (mass, &center_of_mass), findings)?;
     let in_plane = joint.in_plane(&center_of_mass);
-    Ok((Platform { mass: Some(mass), center_of_mass: Some(in_plane), inertia: Some(inertia) }, center_of_mass))
+    Ok((
+        Platform { mass: Some(mass), center_of_mass: Some(in_plane), inertia: Some(inertia), hull: None },
+        center_of_mass,
+    ))
 }
 
 /// Inertia about the centre of mass (kg·m²); of a planar robot the part about the normal.

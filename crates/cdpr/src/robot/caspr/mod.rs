@@ -146,6 +146,7 @@ pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadEr
         travel: body.travel,
         cables: set.cables,
         reference_checks: Vec::new(),
+        obstacles: Vec::new(),
     };
     Ok(Import {
         robot: checked(&robot, &set.element)?,

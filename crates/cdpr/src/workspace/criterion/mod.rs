@@ -1,16 +1,43 @@
 //! Criteria: what has to hold at a pose, one file each.
 
 mod any_all;
+mod cable_interference;
+mod cables;
+mod clearance;
+mod dexterity;
+mod entries;
+mod lengths;
 mod narrowing;
+mod natural_frequency;
+mod obstacles;
+#[cfg(test)]
+mod oracles;
+mod platform_interference;
 pub mod registry;
+mod stability;
+mod stiffness;
 #[cfg(test)]
 mod tests;
+mod validity;
+mod wrap;
 mod wrench_closure;
 mod wrench_feasible;
+mod wrench_set_feasible;
 
 pub use any_all::{All, Any};
+pub use cable_interference::CablesApart;
+pub use dexterity::{Dexterous, WellConditioned};
+pub use lengths::LengthLimits;
+pub use natural_frequency::StiffVibrations;
+pub use obstacles::ObstaclesClear;
+pub use platform_interference::PlatformClear;
+pub use stability::StaticallyStable;
+pub use stiffness::StiffEnough;
+pub use validity::ModelValid;
+pub use wrap::WrapLimits;
 pub use wrench_closure::WrenchClosure;
 pub use wrench_feasible::WrenchFeasible;
+pub use wrench_set_feasible::{Requirement, WrenchSetFeasible};
 
 use super::Verdict;
 use crate::geometry::Pose;

@@ -4,7 +4,8 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{All, Criterion, WrenchClosure, WrenchFeasible};
+pub use super::entries::ENTRIES;
+use super::{All, Criterion};
 use crate::model::Model;
 use crate::reading::did_you_mean;
 use crate::statics::{Load, LoadError};
@@ -30,10 +31,10 @@ pub struct Entry {
     pub summary: &'static str,
     /// The numbers that it takes, with their unit.
     pub numbers: &'static [Number],
-    make: Make,
+    pub(super) make: Make,
 }
 
-type Make = for<'a> fn(&Setting<'a>, &Wanted) -> Result<Box<dyn Criterion + 'a>, WorkspaceError>;
+pub(super) type Make = for<'a> fn(&Setting<'a>, &Wanted) -> Result<Box<dyn Criterion + 'a>, WorkspaceError>;
 
 /// A number that a criterion takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,25 +46,6 @@ pub struct Number {
     /// False where the criterion does without it.
     pub is_required: bool,
 }
-
-/// All criteria.
-pub const ENTRIES: &[Entry] = &[
-    Entry {
-        name: "wrench-feasible",
-        summary: "tensions within their limits balance the load",
-        numbers: &[],
-        make: |setting, _| {
-            let (load, limits) = (setting.load.clone()?, setting.limits.clone()?);
-            Ok(Box::new(WrenchFeasible::new(setting.model, &load, &limits)?))
-        },
-    },
-    Entry {
-        name: "wrench-closure",
-        summary: "the cables can pull against each other, so that they could balance any load",
-        numbers: &[],
-        make: |setting, _| Ok(Box::new(WrenchClosure::new(setting.model)?)),
-    },
-];
 
 /// A criterion as it is asked for: `NAME` or `NAME:NUMBER=VALUE,…`.
 #[derive(Clone, Debug, PartialEq)]

@@ -102,7 +102,7 @@ impl Criterion for WrenchFeasible<'_> {
 }
 
 /// The cable (from 0) that keeps the question from having a meaning.
-fn cable_of(error: &DistributionError) -> Option<usize> {
+pub(super) fn cable_of(error: &DistributionError) -> Option<usize> {
     match error {
         DistributionError::Statics(StaticsError::Course(course)) => Some(course.cable() - 1),
         DistributionError::Statics(StaticsError::Hold { cable, .. }) => Some(cable - 1),

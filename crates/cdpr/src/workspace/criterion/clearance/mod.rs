@@ -1,0 +1,9 @@
+//! Distances between straight cables, boxes and convex bodies: pure geometry.
+
+mod boxes;
+mod cone;
+mod segment;
+
+pub(super) use boxes::AxisBox;
+pub(super) use cone::Cone;
+pub(super) use segment::Segment;

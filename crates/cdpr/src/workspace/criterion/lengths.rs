@@ -1,0 +1,75 @@
+//! Cable lengths within limits.
+
+use super::cables::{courses, limits, named};
+use super::{Criterion, Verdict};
+use crate::geometry::Pose;
+use crate::model::Model;
+use crate::robot::Cable;
+use crate::workspace::WorkspaceError;
+
+/// Every geometric cable length q, wrapped part included, keeps q_min ≤ q ≤ q_max (`length_min_m`, `length_max_m`).
+///
+/// The margin (m) is the least distance of a length from its limits.
+#[derive(Clone, Debug)]
+pub struct LengthLimits<'a> {
+    model: &'a Model,
+    limits: Vec<[f64; 2]>,
+}
+
+const NAME: &str = "cable-length";
+
+impl<'a> LengthLimits<'a> {
+    /// The criterion with the limits of the robot's file, or these for all cables (m).
+    ///
+    /// A limit that neither is given nor stands at any cable is none; one of both must be there.
+    pub fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
+        let (keys, of) =
+            (["length_min_m", "length_max_m"], [|cable: &Cable| cable.length_min, |cable: &Cable| cable.length_max]);
+        Ok(Self { model, limits: limits(model.robot(), NAME, keys, [minimum, maximum], of)? })
+    }
+}
+
+impl Criterion for LengthLimits<'_> {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn unit(&self) -> &str {
+        "m"
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        let lengths = match courses(self.model, pose) {
+            Ok(courses) => courses.into_iter().map(|(course, _)| course.length),
+            Err(verdict) => return verdict,
+        };
+        nearest_limit(lengths, &self.limits, |cable, length, limit| {
+            let (name, side) = (named(self.model.robot(), cable), if length > limit { "at most" } else { "at least" });
+            format!("{name} would be {length:.4} m long, it may be {side} {limit} m")
+        })
+    }
+}
+
+/// The verdict on numbers of cables by their limits, that of the worst cable; words of cable, number and limit.
+pub(super) fn nearest_limit(
+    numbers: impl Iterator<Item = f64>,
+    limits: &[[f64; 2]],
+    words: impl Fn(usize, f64, f64) -> String,
+) -> Verdict {
+    let mut worst = (f64::MAX, 0, 0.0);
+    for (cable, (number, [least, largest])) in numbers.zip(limits).enumerate() {
+        let margin = (number - least).min(largest - number);
+        if margin < worst.0 {
+            worst = (margin, cable, number);
+        }
+    }
+    let (margin, cable, number) = worst;
+    match margin < 0.0 {
+        true => {
+            let [least, largest] = limits[cable];
+            let limit = if number > largest { largest } else { least };
+            Verdict::failed(margin, words(cable, number, limit), Some(cable))
+        }
+        false => Verdict::held(margin, Some(cable)),
+    }
+}

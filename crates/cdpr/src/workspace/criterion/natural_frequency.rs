@@ -1,0 +1,134 @@
+//! The lowest natural frequency of the platform on its cables.
+
+use nalgebra::{DMatrix, Matrix6};
+
+use super::cables::{mainly, not_negative};
+use super::stiffness::HeldPlatform;
+use super::{Criterion, Verdict};
+use crate::geometry::{Pose, Twist};
+use crate::model::Model;
+use crate::robot::Robot;
+use crate::scalar::decomposition::symmetric_eigen;
+use crate::statics::Load;
+use crate::tension::Limits;
+use crate::workspace::WorkspaceError;
+
+/// The lowest frequency of small free vibrations at fixed controlled lengths, M δẍ + K_wx δx = 0, is at least the one asked for.
+///
+/// M is the mass matrix of the platform about its origin (Newton, Euler), K_wx the symmetric part of the stiffness at the tensions
+/// nearest to the middle of their limits that hold the load. Cables have no mass and nothing damps. The margin (Hz) is the excess
+/// of √(λ_min)/2π for the least eigenvalue of M⁻¹ K_wx, with the sign of an unstable λ_min before the root; −∞ where no tensions
+/// within limits hold the load.
+#[derive(Clone, Debug)]
+pub struct StiffVibrations<'a> {
+    held: HeldPlatform<'a>,
+    least: f64,
+    /// About the platform origin, platform axes (kg, kg·m, kg·m²).
+    mass_matrix: Matrix6<f64>,
+}
+
+const NAME: &str = "natural-frequency";
+
+impl<'a> StiffVibrations<'a> {
+    /// The criterion for the least frequency (Hz), elastic cables and a platform with mass, centre of mass and inertia as far as it
+    /// turns.
+    pub fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
+        let least = not_negative(NAME, "least frequency", least, "it is a finite number of 0 or more (Hz)")?;
+        let mass_matrix = mass_matrix(model.robot())?;
+        let held = HeldPlatform::new(model, load, limits, NAME)?;
+        let criterion = Self { held, least, mass_matrix };
+        match criterion.in_pattern(&Pose::identity()).cholesky() {
+            Some(_) => Ok(criterion),
+            None => Err(missing(model.robot(), "positive `mass_kg` and inertia in [platform]")),
+        }
+    }
+
+    /// The mass matrix in the degrees of freedom of the model at a pose.
+    fn in_pattern(&self, pose: &Pose) -> DMatrix<f64> {
+        let rotation = pose.rotation.inverse();
+        let local = |twist: &Twist| {
+            let (v, omega) = (twist.fixed_rows::<3>(0).into_owned(), twist.fixed_rows::<3>(3).into_owned());
+            let (v, omega) = (rotation * v, rotation * omega);
+            Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z)
+        };
+        let basis: Vec<Twist> = self.held.model.twist_basis().iter().map(local).collect();
+        DMatrix::from_fn(basis.len(), basis.len(), |i, j| basis[i].dot(&(self.mass_matrix * basis[j])))
+    }
+
+    /// The lowest frequency (Hz) and the direction that it mainly has.
+    fn lowest(&self, system: &DMatrix<f64>, pose: &Pose) -> Option<(f64, String)> {
+        let symmetric = (system + system.transpose()) * 0.5;
+        // with M = L Lᵀ the eigenvalues of M⁻¹ K are those of L⁻¹ K L⁻ᵀ
+        let lower = self.in_pattern(pose).cholesky()?.l();
+        let half = lower.solve_lower_triangular(&symmetric)?;
+        let whole = lower.solve_lower_triangular(&half.transpose())?;
+        let eigen = symmetric_eigen(whole)?;
+        let index = eigen.eigenvalues.imin();
+        let shape = lower.transpose().solve_upper_triangular(&eigen.eigenvectors.column(index).into_owned())?;
+        let eigenvalue = eigen.eigenvalues[index];
+        let frequency = eigenvalue.abs().sqrt().copysign(eigenvalue) / std::f64::consts::TAU;
+        let radius = self.held.model.platform_radius();
+        let translations = self.held.model.robot().motion_pattern.translations();
+        let ways = shape.iter().enumerate().map(|(row, part)| if row < translations { *part } else { part * radius });
+        Some((frequency, mainly(self.held.model, ways)))
+    }
+}
+
+fn missing(robot: &Robot, key: &str) -> WorkspaceError {
+    WorkspaceError::MissingKey {
+        criterion: NAME,
+        robot: robot.name.clone(),
+        key: key.to_owned(),
+        cure: "vibrations need to know what is moved".to_owned(),
+    }
+}
+
+/// \[m I, −m \[c\]×; m \[c\]×, I_c − m \[c\]×\[c\]×\] in platform axes.
+fn mass_matrix(robot: &Robot) -> Result<Matrix6<f64>, WorkspaceError> {
+    let turns = robot.motion_pattern.has_rotation();
+    let mass = robot.platform.mass.ok_or_else(|| missing(robot, "`mass_kg` in [platform]"))?;
+    let mut matrix = Matrix6::identity() * mass;
+    if !turns {
+        return Ok(matrix);
+    }
+    let center = robot.platform.center_of_mass.ok_or_else(|| missing(robot, "`center_of_mass_m` in [platform]"))?;
+    let inertia =
+        robot.platform.inertia.ok_or_else(|| missing(robot, "`inertia_about_center_of_mass_kg_m2` in [platform]"))?;
+    let lever = center.cross_matrix();
+    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-lever * mass));
+    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(lever * mass));
+    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&(inertia - lever * lever * mass));
+    Ok(matrix)
+}
+
+impl Criterion for StiffVibrations<'_> {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn unit(&self) -> &str {
+        "Hz"
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        let stiffness = match self.held.stiffness(pose) {
+            Ok(stiffness) => stiffness,
+            Err(verdict) => return verdict,
+        };
+        let Some((frequency, direction)) = self.lowest(&stiffness.system, pose) else {
+            return Verdict::impossible("the stiffness is not finite", None);
+        };
+        let margin = frequency - self.least;
+        let least = self.least;
+        if margin >= 0.0 {
+            return Verdict::held(margin, None);
+        }
+        let words = match frequency < 0.0 {
+            true => format!("the platform does not swing about the pose but leaves it, mainly {direction}"),
+            false => format!(
+                "the lowest natural frequency is {frequency:.3} Hz, mainly {direction}; at least {least} Hz are asked for"
+            ),
+        };
+        Verdict::failed(margin, words, None)
+    }
+}
