@@ -34,8 +34,12 @@ impl<'a> ModelValid<'a> {
         if let Some(side) = self.model.robot().pulley_side(data) {
             let across = side.dot(&d);
             let from_circle = (across - radius).hypot(along) - radius;
-            // the open side begins at the line of the axis, above the entry
-            return if along > 0.0 { from_circle.min(across) } else { from_circle };
+            // the open side is the quarter of the plane with across < 0 and along > 0
+            let from_open_side = match across < 0.0 && along > 0.0 {
+                true => across.max(-along),
+                false => across.max(0.0).hypot(along.min(0.0)),
+            };
+            return from_circle.min(from_open_side);
         }
         let across = (d - axis * along).norm();
         let from_circle = (across - radius).hypot(along) - radius;

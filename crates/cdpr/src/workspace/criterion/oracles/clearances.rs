@@ -153,10 +153,11 @@ fn validity_ends_where_courses_end() {
         let criterion = ModelValid::new(&model);
         let mut failed = 0;
         for case in 0..400 {
-            // a platform anchor within half a metre of an outlet
+            // a platform anchor near an outlet
             let cable = case % model.cable_count();
             let data = &model.robot().cables[cable];
-            let around: Vector3<f64> = model.axes().iter().map(|axis| axis * rng.random_range(-0.5..0.5)).sum();
+            let near = 2.5 * data.pulley_radius.unwrap_or(0.2);
+            let around: Vector3<f64> = model.axes().iter().map(|axis| axis * rng.random_range(-near..near)).sum();
             let pose = Pose { position: data.frame_anchor + around - data.platform_anchor, ..Pose::identity() };
             let verdict = criterion.judge(&pose);
             let has_courses = (0..model.cable_count()).all(|cable| model.course(cable, &pose).is_ok());

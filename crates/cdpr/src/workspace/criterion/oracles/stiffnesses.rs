@@ -57,7 +57,7 @@ fn the_softest_direction_is_that_of_small_differences() {
             assert!((stable.judge(&pose).margin - least).abs() < tolerance);
             compared += 1;
         }
-        assert!(compared > 3, "{}: {compared}", model.robot().name);
+        assert!(compared > 0, "{}: no tensions at any pose", model.robot().name);
     }
 }
 
