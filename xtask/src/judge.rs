@@ -7,27 +7,50 @@ use crate::cargo;
 use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 
-/// Passes when MuJoCo finds our lengths and equilibria; says why where it cannot be asked.
+/// What each judge is given: the example that writes its cases, and the script that judges them.
+const JUDGES: [(&str, &str); 2] = [("judge_cases", "judges/mujoco/judge.py"), (TIMED, "judges/tensions/judge.py")];
+/// Times count here: a release build.
+const TIMED: &str = "judge_tensions";
+
+/// Runs the example that writes the cases of a judge.
+fn write_cases(root: &Path, example: &str, file: &str) -> Result<(), String> {
+    if example != TIMED {
+        return cargo::run_program(root, &format!("examples/{example}"), &[file]);
+    }
+    let arguments = ["run", "--quiet", "--release", "-p", "cdpr", "--example", example, "--", file];
+    cargo::succeed(root, &arguments).into_result()
+}
+
+/// Passes when MuJoCo finds our lengths and equilibria, and DAQP and SciPy our tensions, in more time; says why where they cannot
+/// be asked.
 pub(crate) fn check(root: &Path) -> Outcome {
     let python = match environment(root) {
         Ok(python) => python,
         Err(reason) => return skipped(&reason),
     };
     let folder = root.join("target/judge");
-    let cases = folder.join("cases.json");
     if let Err(error) = std::fs::create_dir_all(&folder) {
         return Outcome::of(vec![format!("{}: {error}", folder.display())]);
     }
-    match cargo::run_program(root, "examples/judge_cases", &[&cases.display().to_string()]) {
-        Ok(()) => judge(root, &python, &cases),
-        Err(complaint) => Outcome::of(vec![complaint]),
+    let mut sum = Outcome::default();
+    for (example, script) in JUDGES {
+        let cases = folder.join(example).with_extension("json");
+        let text = cases.display().to_string();
+        let one = match write_cases(root, example, &text) {
+            Ok(()) => judge(&root.join(script), &python, &cases),
+            Err(complaint) => Outcome::of(vec![complaint]),
+        };
+        sum.passed += one.passed;
+        sum.failed += one.failed;
+        sum.complaints.extend(one.complaints);
     }
+    sum
 }
 
 /// Runs the judge, shows its table, and counts its verdicts.
-fn judge(root: &Path, python: &Path, cases: &Path) -> Outcome {
+fn judge(script: &Path, python: &Path, cases: &Path) -> Outcome {
     let mut command = Command::new(python);
-    command.arg("-B").arg(root.join("judges/mujoco/judge.py")).arg(cases).stdin(Stdio::null()).stderr(Stdio::inherit());
+    command.arg("-B").arg(script).arg(cases).stdin(Stdio::null()).stderr(Stdio::inherit());
     let output = match command.output() {
         Ok(output) => output,
         Err(error) => return Outcome::of(vec![format!("cannot start {}: {error}", python.display())]),

@@ -1,31 +1,44 @@
 //! Batches over many poses against a loop over single poses, CableRobot Simulator (m = 8, n = 6):
 //! `cargo bench -p cdpr --bench batches`.
 //!
-//! Prints CPU time per pose and its ratio to the loop in the same run: rounds take turns, the median counts.
+//! Prints the time per pose beside the goal of a quiet machine, and how many times as long the loop takes in the same run. One
+//! thread; CPU time where the system tells it (Linux); candidates take turns, the median of rounds counts. The last lines
+//! compare one thread with all of them by the wall clock.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use cdpr::equilibrium::feasibility;
-use cdpr::geometry::{Pose, PoseBatch, Wrench};
+use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
-use cdpr::tension::{Limits, quadratic};
+use cdpr::tension::{self, Limits, quadratic};
 
-const ROUNDS: usize = 15;
+const ROUNDS: usize = 9;
 const POSES: usize = 4096;
 
-/// Median nanoseconds per pose of each candidate; they take turns.
+/// CPU time of this thread (s), or the wall clock's.
+fn seconds(start: Instant) -> f64 {
+    let cpu = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = cpu.and_then(|text| text.split(' ').next().and_then(|first| first.parse::<f64>().ok()));
+    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
+}
+
+/// Median nanoseconds per pose of each candidate, each round some 20 ms long.
 fn medians(poses: usize, candidates: &mut [&mut dyn FnMut()]) -> Vec<f64> {
+    let start = Instant::now();
     let mut times = vec![Vec::new(); candidates.len()];
     for _ in 0..ROUNDS {
         for (candidate, times) in candidates.iter_mut().zip(&mut times) {
-            let start = Instant::now();
-            candidate();
-            times.push(start.elapsed().as_secs_f64() * 1e9 / poses as f64);
+            let (begin, mut calls) = (seconds(start), 0);
+            while seconds(start) - begin < 0.02 {
+                candidate();
+                calls += 1;
+            }
+            times.push((seconds(start) - begin) * 1e9 / (calls * poses) as f64);
         }
     }
     for times in &mut times {
@@ -62,6 +75,12 @@ fn geometry(name: &str, model: &Model, goals: [f64; 2]) {
     };
     let mut all = || model.batch_cable_lengths(black_box(&batch), &mut lengths);
     report(&format!("cable lengths, {name}"), goals[0], POSES, &mut all, &mut one_length);
+    let mut from_slice = PoseBatch::default();
+    let mut all = || {
+        from_slice.fill(black_box(&poses));
+        model.batch_cable_lengths(&from_slice, &mut lengths);
+    };
+    report(&format!("… from a slice of poses, {name}"), goals[0], POSES, &mut all, &mut one_length);
     let mut one_matrix = || {
         poses.iter().for_each(|pose| {
             black_box(model.structure_matrix(black_box(pose))).expect("courses");
@@ -77,6 +96,79 @@ fn geometry(name: &str, model: &Model, goals: [f64; 2]) {
     report(&format!("structure matrix, {name}"), goals[1], POSES, &mut all, &mut one_matrix);
 }
 
+/// Guesses 0.1 m and 3° off.
+fn guesses(poses: &[Pose]) -> PoseBatch {
+    let along = Vector3::new(1.0, -1.0, 1.0).normalize();
+    let (shift, turn) = (0.1 * along, 3.0_f64.to_radians() * along);
+    let twist = Twist::new(shift.x, shift.y, shift.z, turn.x, turn.y, turn.z);
+    poses.iter().map(|pose| pose.displaced(&twist)).collect::<Vec<_>>().iter().collect()
+}
+
+fn forward(name: &str, model: &Model, goal: f64) {
+    let (poses, mut table) = (poses(), LaneTable::default());
+    model.batch_cable_lengths(&poses.iter().collect(), &mut table);
+    let guesses = guesses(&poses);
+    let settings = forward_kinematics::Settings::default();
+    let mut solver = forward_kinematics::Solver::new(model, &settings).expect("settings");
+    let mut single = forward_kinematics::Solver::new(model, &settings).expect("settings");
+    let mut solutions = forward_kinematics::batch::Solutions::default();
+    let mut all = || solver.solve_batch(black_box(&table), &guesses, &mut solutions).expect("lengths");
+    let mut lengths = [0.0; 8];
+    let mut one = || {
+        for item in 0..POSES {
+            table.read(item, &mut lengths);
+            black_box(single.solve(&lengths, &guesses.get(item)).expect("lengths").iterations);
+        }
+    };
+    report(&format!("forward kinematics, {name}"), goal, POSES, &mut all, &mut one);
+}
+
+fn elastic(name: &str, model: &Model, goal: f64) {
+    let (poses, mut table) = (poses(), LaneTable::default());
+    let load = Load::constant(Wrench::new(0.0, 0.0, -3000.0, 0.0, -100.0, 0.0));
+    model.batch_cable_lengths(&poses.iter().collect(), &mut table);
+    let mut lengths = [0.0; 8];
+    for item in 0..POSES {
+        table.read(item, &mut lengths);
+        lengths.iter_mut().for_each(|length| *length -= 0.06);
+        table.write(item, &lengths);
+    }
+    let guesses = guesses(&poses);
+    let settings = elastostatics::Settings::default();
+    let mut solver = elastostatics::Solver::new(model, &load, &settings).expect("settings");
+    let mut single = elastostatics::Solver::new(model, &load, &settings).expect("settings");
+    let mut solutions = elastostatics::batch::Solutions::default();
+    let mut all = || solver.solve_batch(black_box(&table), &guesses, &mut solutions).expect("lengths");
+    let mut one = || {
+        for item in 0..POSES {
+            table.read(item, &mut lengths);
+            black_box(single.solve(&lengths, &guesses.get(item)).expect("lengths").iterations);
+        }
+    };
+    report(&format!("elastostatic forward, {name}"), goal, POSES, &mut all, &mut one);
+}
+
+fn load_and_limits() -> (Load, Limits) {
+    let load = Load::constant(Wrench::new(0.0, 0.0, -7500.0, 0.0, -600.0, 0.0));
+    (load, Limits::uniform(8, 1000.0, 9000.0).expect("in order"))
+}
+
+fn tensions(model: &Model) {
+    let (load, limits) = load_and_limits();
+    let poses = poses();
+    let batch: PoseBatch = poses.iter().collect();
+    let mut tensions = LaneTable::default();
+    let mut all = || closed_form::solve_batch(model, &load, &limits, black_box(&batch), &mut tensions).expect("fits");
+    let mut one = || {
+        for pose in &poses {
+            let matrix = model.structure_matrix(pose).expect("courses");
+            let wrench = load.in_pattern(model, pose);
+            black_box(tension::closed_form::solve(&matrix, wrench.as_slice(), &limits)).expect("fits").rank;
+        }
+    };
+    report("closed form with structure matrix", 75.0, POSES, &mut all, &mut one);
+}
+
 /// A grid of `side`³ positions with the home orientation.
 fn grid(side: usize) -> Vec<Pose> {
     let at = |k: usize, least: f64, most: f64| least + (most - least) * k as f64 / (side - 1) as f64;
@@ -85,10 +177,8 @@ fn grid(side: usize) -> Vec<Pose> {
     cells.map(|cell| Pose { position: position(cell), ..Pose::identity() }).collect()
 }
 
-#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
 fn feasible(model: &Model) {
-    let load = Load::constant(Wrench::new(0.0, 0.0, -7500.0, 0.0, -600.0, 0.0));
-    let limits = Limits::uniform(8, 1000.0, 9000.0).expect("in order");
+    let (load, limits) = load_and_limits();
     let poses = grid(50);
     let mut answers = vec![false; poses.len()];
     let mut exact = vec![false; poses.len()];
@@ -104,7 +194,26 @@ fn feasible(model: &Model) {
     };
     report("wrench-feasible, grid 50³", 200.0, poses.len(), &mut all, &mut single);
     assert_eq!(answers, exact);
-    println!("{:36} {} of {}", "", answers.iter().filter(|answer| **answer).count(), answers.len());
+}
+
+/// The grid of 100³ by all threads against one, by the wall clock: the best of some runs each.
+#[cfg(feature = "parallel")]
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn threads(model: &Model) {
+    let (load, limits) = load_and_limits();
+    let poses = grid(100);
+    let mut answers = vec![false; poses.len()];
+    let mut best = [f64::INFINITY; 2];
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    for _ in 0..ROUNDS {
+        for (best, threads) in best.iter_mut().zip([1, all]) {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+            let start = Instant::now();
+            pool.install(|| feasibility::feasible(model, &load, &limits, &poses, &mut answers)).expect("fits");
+            *best = best.min(start.elapsed().as_secs_f64() * 1e3);
+        }
+    }
+    println!("grid 100³: one thread {:.1} ms, {all} threads {:.1} ms, ×{:.2}", best[0], best[1], best[0] / best[1]);
 }
 
 fn main() {
@@ -112,7 +221,17 @@ fn main() {
     let pulleys = place_pulleys(&robot, &[(0.161, Vector3::z()); 8], &robot.home_or_middle()).expect("placed");
     let standard = Model::new(robot, Composition::STANDARD).expect("a model");
     let pulley = Model::new(pulleys, Composition::PULLEY).expect("a model");
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
+    let elastic_model = Model::new(robot, Composition::ELASTIC).expect("a model");
+    #[cfg(feature = "parallel")]
+    threads(&standard);
+    #[cfg(feature = "parallel")]
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
     geometry("points", &standard, [22.0, 35.0]);
     geometry("pulleys", &pulley, [60.0, 80.0]);
+    forward("points", &standard, 300.0);
+    forward("pulleys", &pulley, 500.0);
+    elastic("points", &elastic_model, 800.0);
+    tensions(&standard);
     feasible(&standard);
 }

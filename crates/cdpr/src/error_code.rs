@@ -222,7 +222,7 @@ impl ErrorCode for PayloadError {
 impl ErrorCode for forward_kinematics::InputError {
     fn code(&self) -> &'static str {
         match self {
-            Self::LengthCount { .. } => "lengths::count",
+            Self::LengthCount { .. } | Self::GuessCount { .. } => "lengths::count",
             Self::Length { .. } => "lengths::value",
             Self::Guess => "pose::not-finite",
             Self::Setting { .. } => "setting::value",

@@ -6,11 +6,12 @@ mod dense;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use cdpr::equilibrium::{elastostatics, forward_kinematics};
-use cdpr::geometry::{Twist, Wrench};
+use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::geometry::{PoseBatch, Twist, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
+use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::tension::quadratic::{self, Status};
@@ -146,5 +147,34 @@ fn a_reused_solver_of_sagging_cables_allocates_nothing() {
             assert_eq!((solution.status, solution.restarts), (elastostatics::Status::Converged, 0));
         }
     };
+    assert_eq!(allocations(work), 0);
+}
+
+/// Batches small enough for one thread, asked a second time.
+#[test]
+fn a_repeated_batch_allocates_nothing() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let (_, samples) = dense::problem();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let load = Load::constant(Wrench::new(0.0, 0.0, -5000.0, 0.0, 100.0, 0.0));
+    let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    let mut poses: PoseBatch = samples.poses.iter().collect();
+    let (mut lengths, mut tables) = (LaneTable::default(), [LaneTable::default(), LaneTable::default()]);
+    let mut kinematic = forward_kinematics::Solver::new(&model, &forward_kinematics::Settings::default()).unwrap();
+    let mut elastic = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).unwrap();
+    let mut verdicts = feasibility::Solver::new(&model, &load, &limits).unwrap();
+    let (mut found, mut held) =
+        (forward_kinematics::batch::Solutions::default(), elastostatics::batch::Solutions::default());
+    let mut answers = vec![false; samples.poses.len()];
+    let mut work = || {
+        poses.fill(&samples.poses);
+        model.batch_cable_lengths(&poses, &mut lengths);
+        model.batch_structure_matrices(&poses, &mut tables[0]);
+        closed_form::solve_batch(&model, &load, &limits, &poses, &mut tables[1]).unwrap();
+        kinematic.solve_batch(&lengths, &poses, &mut found).unwrap();
+        elastic.solve_batch(&lengths, &poses, &mut held).unwrap();
+        verdicts.solve(&samples.poses, &mut answers).unwrap();
+    };
+    work();
     assert_eq!(allocations(work), 0);
 }

@@ -1,5 +1,7 @@
 //! Forward problems: which pose follows from the cables.
 
+pub mod closed_form;
+mod descents;
 pub mod distribution;
 pub mod elastostatics;
 pub mod feasibility;

@@ -61,15 +61,14 @@ impl PoseBatch {
     pub fn push(&mut self, pose: &Pose) {
         let item = self.len();
         self.table.resize(item + 1);
-        self.table.write(item, &numbers(pose));
+        self.table.write(item, &pose.numbers());
     }
 
     /// One pose (from 0); panics where there is none.
     pub fn get(&self, item: usize) -> Pose {
         let mut numbers = [0.0; POSE_ROWS];
         self.table.read(item, &mut numbers);
-        let [x, y, z, i, j, k, w] = numbers;
-        Pose { position: Vector3::new(x, y, z), rotation: Unit::new_unchecked(Quaternion::new(w, i, j, k)) }
+        Pose::from_numbers(numbers)
     }
 
     /// Numbers of all poses.
@@ -84,9 +83,17 @@ impl PoseBatch {
     }
 }
 
-fn numbers(pose: &Pose) -> [f64; POSE_ROWS] {
-    let (r, q) = (&pose.position, &pose.rotation.coords);
-    [r.x, r.y, r.z, q.x, q.y, q.z, q.w]
+impl Pose {
+    /// Position x, y, z, then the quaternion x, y, z, w.
+    pub(crate) fn numbers(&self) -> [f64; POSE_ROWS] {
+        let (r, q) = (&self.position, &self.rotation.coords);
+        [r.x, r.y, r.z, q.x, q.y, q.z, q.w]
+    }
+
+    /// The inverse of [`Pose::numbers`].
+    pub(crate) fn from_numbers([x, y, z, i, j, k, w]: [f64; POSE_ROWS]) -> Self {
+        Self { position: Vector3::new(x, y, z), rotation: Unit::new_unchecked(Quaternion::new(w, i, j, k)) }
+    }
 }
 
 /// Up to eight poses side by side; places without one get copies of the last.
@@ -94,7 +101,7 @@ fn numbers(pose: &Pose) -> [f64; POSE_ROWS] {
 pub(crate) fn transpose(poses: &[Pose], rows: &mut [Line]) {
     for lane in 0..LANES {
         let Some(pose) = poses.get(lane).or(poses.last()) else { continue };
-        for (row, number) in rows.iter_mut().zip(numbers(pose)) {
+        for (row, number) in rows.iter_mut().zip(pose.numbers()) {
             row.0[lane] = number;
         }
     }

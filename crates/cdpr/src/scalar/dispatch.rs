@@ -66,6 +66,16 @@ impl Unit {
         [Self::Portable, Self::Avx2, Self::Avx512].into_iter().filter(|unit| unit.is_available()).collect()
     }
 
+    /// The widest unit of this machine.
+    #[inline]
+    pub fn widest() -> Self {
+        match (Self::Avx512.is_available(), Self::Avx2.is_available()) {
+            (true, _) => Self::Avx512,
+            (_, true) => Self::Avx2,
+            _ => Self::Portable,
+        }
+    }
+
     /// Whether this machine has the unit.
     pub fn is_available(self) -> bool {
         match self {

@@ -1,5 +1,7 @@
 //! LDLᵀ factorisation of small symmetric matrices, unrolled by the compiler: 3×3 and 6×6 normal equations.
 
+use super::Lanes;
+
 /// Solves `matrix · x = right` in place for a symmetric positive definite matrix (lower triangle read, destroyed).
 ///
 /// Returns the smallest ratio of a pivot to its own diagonal entry, 1 for orthogonal unknowns and near 0 for dependent
@@ -44,6 +46,49 @@ pub(crate) fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64
         }
     }
     Some(smallest)
+}
+
+/// Smallest ratio of a pivot to its own diagonal entry that counts as regular in lanes.
+const REGULAR: f64 = 1e-11;
+
+/// [`solve`] for eight systems at once, with its bits: 1 where every pivot is far from zero, 0 where the single system must be asked.
+#[inline(always)]
+pub(crate) fn solve_in_lanes<L: Lanes, const N: usize>(matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
+    let (zero, one) = (right[0].constant(0.0), right[0].constant(1.0));
+    let mut is_regular = one;
+    let mut inverse_pivot = [zero; N];
+    for column in 0..N {
+        let diagonal = matrix[column][column];
+        let mut weighted = [zero; N];
+        let mut pivot = diagonal;
+        for k in 0..column {
+            weighted[k] = matrix[column][k] * matrix[k][k];
+            pivot = pivot - matrix[column][k] * weighted[k];
+        }
+        is_regular = is_regular.select((zero.constant(REGULAR) * diagonal).is_less(pivot), zero);
+        is_regular = is_regular.select(zero.is_less(pivot), zero);
+        matrix[column][column] = pivot;
+        inverse_pivot[column] = one / pivot;
+        for row in column + 1..N {
+            let mut entry = matrix[row][column];
+            for k in 0..column {
+                entry = entry - matrix[row][k] * weighted[k];
+            }
+            matrix[row][column] = entry * inverse_pivot[column];
+        }
+    }
+    for row in 0..N {
+        for k in 0..row {
+            right[row] = right[row] - matrix[row][k] * right[k];
+        }
+    }
+    for row in (0..N).rev() {
+        right[row] = right[row] * inverse_pivot[row];
+        for k in row + 1..N {
+            right[row] = right[row] - matrix[k][row] * right[k];
+        }
+    }
+    is_regular
 }
 
 #[cfg(test)]

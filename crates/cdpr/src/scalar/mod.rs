@@ -11,6 +11,7 @@ mod avx512;
 pub(crate) mod decomposition;
 mod dispatch;
 pub(crate) mod ldl;
+mod parts;
 mod portable;
 mod select;
 mod smooth;
@@ -23,6 +24,7 @@ pub use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 pub use avx512::Avx512;
 pub use dispatch::{Kernel, Unit, dispatch, dispatch_narrow, dispatch_on};
+pub(crate) use parts::over_parts;
 pub use portable::Portable;
 pub use select::Select;
 pub use smooth::Smooth;

@@ -116,4 +116,9 @@ impl LaneTable {
     pub fn group_mut(&mut self, group: usize) -> &mut [Line] {
         &mut self.lines[group * self.rows..(group + 1) * self.rows]
     }
+
+    /// All lines, group by group, for threads that share the work.
+    pub(crate) fn lines_mut(&mut self) -> &mut [Line] {
+        &mut self.lines
+    }
 }

@@ -27,7 +27,7 @@ pub(super) struct Balance {
 }
 
 /// Terms that one group of cables contributes: energy 1, residual 6, stiffness 6 + 9 + 6.
-const TERMS: usize = 28;
+pub(super) const TERMS: usize = 28;
 /// The first terms, energy and residual, rounded up to whole fours.
 const FORCE_TERMS: usize = 8;
 
@@ -127,11 +127,11 @@ impl Problem<'_> {
 }
 
 /// What eight cables do at their lengths.
-struct Pull<L> {
-    tension: L,
+pub(super) struct Pull<L> {
+    pub(super) tension: L,
     /// ∂f/∂q; 0 where slack.
-    stiffness: L,
-    energy: L,
+    pub(super) stiffness: L,
+    pub(super) energy: L,
 }
 
 /// Fills in the terms of K_C − K_G.
@@ -139,7 +139,7 @@ struct Pull<L> {
 /// With M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u and dp_B = \[I, −\[b\]×\] δx:
 /// \[I, −\[b\]×\]ᵀ M \[I, −\[b\]×\], and for the lever that turns f ((b·u) I − ½ (b uᵀ + u bᵀ)).
 #[inline(always)]
-fn stiffness_terms<L: Lanes>(
+pub(super) fn stiffness_terms<L: Lanes>(
     terms: &mut [L; TERMS],
     direction_gradient: &[[L; 3]; 3],
     u: [L; 3],

@@ -10,6 +10,7 @@
 //! and tensions together.
 
 mod balance;
+pub mod batch;
 mod composed;
 mod descent;
 mod multipliers;
@@ -169,6 +170,8 @@ pub struct Solver<'a> {
     springs: Vec<Springs>,
     tensions: Tensions,
     composed: Option<Composed>,
+    /// Lengths of one item of a batch.
+    lengths: Vec<f64>,
     solution: Solution,
 }
 
@@ -231,6 +234,7 @@ impl<'a> Solver<'a> {
             springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
             tensions: Tensions::new(groups),
             composed,
+            lengths: vec![f64::NAN; cables],
             solution: Solution {
                 pose: Pose::identity(),
                 tensions: vec![f64::NAN; cables],

@@ -6,26 +6,27 @@
 use crate::scalar::{LANES, Lanes};
 
 /// Rows of a structure matrix by cables, at eight poses.
-pub(super) type Rows<L> = [[L; LANES]; 6];
+pub(in crate::equilibrium) type Rows<L> = [[L; LANES]; 6];
 
 /// f = f₀ + H λ solves Aᵀ f + w = 0.
-pub(super) struct Solutions<L> {
+pub(in crate::equilibrium) struct Solutions<L> {
     /// f₀, the shortest solution, per cable (N).
-    pub(super) shortest: [L; LANES],
+    pub(in crate::equilibrium) shortest: [L; LANES],
     /// H by columns, orthonormal; the last ones are zero where redundancy is less than 2.
-    pub(super) null_space: [[L; LANES]; 2],
+    pub(in crate::equilibrium) null_space: [[L; LANES]; 2],
     /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
-    pub(super) has_rank: L,
+    pub(in crate::equilibrium) has_rank: L,
 }
 
 /// Squared sine of the angle between a row and those before it, below which lanes do not trust the rank.
 const INDEPENDENT: f64 = 1e-6;
 
-/// Householder factors of the first `dof` rows, whose place they take; `rest` is w.
+/// Householder factors of the first `dof` rows, whose place they take; `rest` is w. Of the null space this many
+/// directions are wanted, two at most.
 #[inline(always)]
-pub(super) fn solve<L: Lanes>(
+pub(in crate::equilibrium) fn solve<L: Lanes>(
     lanes: L,
-    [dof, cables]: [usize; 2],
+    [dof, cables, directions]: [usize; 3],
     rows: &mut Rows<L>,
     mut rest: [L; 6],
 ) -> Solutions<L> {
@@ -59,13 +60,14 @@ pub(super) fn solve<L: Lanes>(
         }
     }
     let mut null_space = [[zero; LANES]; 2];
-    for (column, entries) in null_space.iter_mut().enumerate().take(cables - dof) {
+    for (column, entries) in null_space.iter_mut().enumerate().take((cables - dof).min(directions)) {
         entries[dof + column] = one;
     }
     for k in (0..dof).rev() {
         let v = &rows[k][k..cables];
-        let [first, second] = &mut null_space;
-        for x in [&mut shortest, first, second] {
+        let x = &mut shortest[k..cables];
+        subtract(x, factors[k] * product(v, x), v);
+        for x in &mut null_space[..directions] {
             let x = &mut x[k..cables];
             subtract(x, factors[k] * product(v, x), v);
         }

@@ -11,7 +11,8 @@
 //! rows of the structure matrix are nearly dependent, where a cable may have no course, and for all other robots and effects,
 //! the single pose is asked.
 
-mod factors;
+pub(super) mod balance;
+pub(super) mod factors;
 mod strips;
 #[cfg(test)]
 mod tests;
@@ -20,12 +21,12 @@ use nalgebra::DMatrix;
 
 use super::distribution;
 use crate::geometry::{POSE_ROWS, Pose, in_lanes, transpose};
-use crate::model::{Model, in_pattern};
-use crate::scalar::{Kernel, LANES, Lanes, Line, add, constants, cross, dispatch, rotate};
+use crate::model::Model;
+use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, dispatch_on, over_parts};
 use crate::statics::Load;
 use crate::tension::quadratic::{self, Status};
 use crate::tension::{InputError, Limits};
-use factors::Rows;
+use balance::Balance;
 use strips::Strips;
 
 /// Whether tensions within limits balance the load at each pose; false where a cable has no course.
@@ -53,7 +54,7 @@ pub struct Solver<'a> {
     limits: Limits,
     single: quadratic::Solver,
     matrix: DMatrix<f64>,
-    /// Poses that were asked one by one.
+    /// Poses that were asked one by one, where one thread did all.
     single_poses: usize,
 }
 
@@ -83,12 +84,19 @@ impl<'a> Solver<'a> {
         if poses.len() != answers.len() {
             return Err(InputError::AnswerCount { expected: poses.len(), found: answers.len() });
         }
+        over_parts(answers, LANES, self, |solver, first, answers| {
+            solver.solve_part(&poses[first..first + answers.len()], answers);
+        });
+        Ok(())
+    }
+
+    fn solve_part(&mut self, poses: &[Pose], answers: &mut [bool]) {
         let (cables, dof) = (self.model.cable_count(), self.model.dof());
         let in_lanes = !self.model.composition().is_sagging() && cables <= LANES && (dof..=dof + 2).contains(&cables);
         for (poses, answers) in poses.chunks(CHUNK).zip(answers.chunks_mut(CHUNK)) {
             let mut verdicts = [Verdict::Doubt; CHUNK];
             if in_lanes {
-                dispatch(Chunk { solver: self, poses, verdicts: &mut verdicts });
+                Chunk { solver: self, poses, verdicts: &mut verdicts }.run_on(Unit::widest());
             }
             for ((pose, answer), verdict) in poses.iter().zip(answers).zip(verdicts) {
                 *answer = match verdict {
@@ -98,7 +106,6 @@ impl<'a> Solver<'a> {
                 };
             }
         }
-        Ok(())
     }
 
     /// The verdict of the single pose; no where it has none.
@@ -139,19 +146,28 @@ struct Chunk<'a> {
     verdicts: &'a mut [Verdict; CHUNK],
 }
 
+impl Chunk<'_> {
+    /// On an available unit; compiled here, once for library and tests.
+    #[inline(never)]
+    fn run_on(self, unit: Unit) {
+        dispatch_on(unit, self).unwrap_or_default();
+    }
+}
+
 impl Kernel for Chunk<'_> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { solver, poses, verdicts } = self;
+        let balance = Balance { model: solver.model, load: &solver.load, limits: &solver.limits };
         let strips = Strips::new(&solver.limits, solver.model.dof());
         for (poses, verdicts) in poses.chunks(LANES).zip(verdicts.chunks_mut(LANES)) {
             let mut numbers = [Line::default(); POSE_ROWS];
             transpose(poses, &mut numbers);
             let (position, rotation) = in_lanes(lanes, &numbers);
-            let (mut rows, doubt) = solver.rows(position, &rotation);
-            let rest = solver.rest(&rotation, &rows);
+            let (mut rows, doubt) = balance.rows(position, &rotation);
+            let rest = balance.rest(&rotation, &rows);
             let codes = strips.verdicts(lanes, &mut rows, rest, doubt).to_array();
             for (verdict, code) in verdicts.iter_mut().zip(codes) {
                 *verdict = match code {
@@ -161,47 +177,5 @@ impl Kernel for Chunk<'_> {
                 };
             }
         }
-    }
-}
-
-impl Solver<'_> {
-    /// The n rows of the structure matrix, and where a cable may have no course (above 0).
-    #[inline(always)]
-    fn rows<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Rows<L>, L) {
-        let zero = position[0].constant(0.0);
-        let mut rows = [[zero; LANES]; 6];
-        let mut doubt = zero;
-        let cables = &self.model.groups()[0];
-        let basis = self.model.twist_basis();
-        for cable in 0..self.model.cable_count() {
-            let found = cables.course_in_lanes(cable, position, rotation);
-            let moment = cross(found.lever, found.course.direction);
-            let column = in_pattern(basis, found.course.direction, moment);
-            for row in 0..6 {
-                rows[row][cable] = column[row];
-            }
-            doubt = doubt + found.doubt;
-        }
-        (rows, doubt)
-    }
-
-    /// Aᵀ f_m + w: what the middle of the limits leaves of the load.
-    #[inline(always)]
-    fn rest<L: Lanes>(&self, rotation: &[[L; 3]; 3], rows: &Rows<L>) -> [L; 6] {
-        let l = rotation[0][0];
-        let (weight, center) = self.load.weight();
-        let weight = constants(l, (*weight).into());
-        let lever = rotate(rotation, constants(l, (*center).into()));
-        let constant = self.load.constant_part();
-        let force = add(constants(l, [constant[0], constant[1], constant[2]]), weight);
-        let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(lever, weight));
-        let mut rest = in_pattern(self.model.twist_basis(), force, moment);
-        for cable in 0..self.model.cable_count() {
-            let middle = l.constant(self.limits.middle(cable));
-            for row in 0..6 {
-                rest[row] = rest[row] + rows[row][cable] * middle;
-            }
-        }
-        rest
     }
 }

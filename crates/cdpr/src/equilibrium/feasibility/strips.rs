@@ -63,19 +63,27 @@ impl Strips {
     #[inline(always)]
     pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, rest: [L; 6], doubt: L) -> L {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        let solutions = factors::solve(lanes, [self.dof, self.cables], rows, rest);
+        let solutions = factors::solve(lanes, [self.dof, self.cables, self.cables - self.dof], rows, rest);
         let mut scale = lanes.constant(self.scale);
         for cable in 0..self.cables {
             scale = scale + solutions.shortest[cable].abs();
         }
         let none = lanes.constant(f64::NEG_INFINITY);
         let mut margins = Margins { outside: none, inside: none, band: scale * lanes.constant(BAND) };
+        let rounding = scale * lanes.constant(ROUNDING);
+        // most poses that have tensions have the shortest ones
+        let mut clear = none;
+        for cable in 0..self.cables {
+            clear = (solutions.shortest[cable].abs() - lanes.constant(self.half[cable])).max(clear);
+        }
+        let clear = clear + margins.band;
+        let is_open = lanes.any((-rounding).is_less(clear));
         match self.cables - self.dof {
+            _ if !is_open => margins.inside = clear,
             0 => self.test_single(lanes, &solutions, &mut margins),
             1 => self.test_pairs(lanes, &solutions, &mut margins),
-            _ => self.test_triples(lanes, &solutions, &mut margins),
+            _ => self.test_triples(rounding, &solutions, &mut margins),
         }
-        let rounding = scale * lanes.constant(ROUNDING);
         let mut verdict = one.select(margins.inside.is_less(-rounding), zero);
         verdict = (-one).select(rounding.is_less(margins.outside), verdict);
         // NaN passes none of these
@@ -104,8 +112,8 @@ impl Strips {
     }
 
     #[inline(always)]
-    fn test_triples<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
-        let f = &solutions.shortest;
+    fn test_triples<L: Lanes>(&self, rounding: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
+        let (lanes, f) = (rounding, &solutions.shortest);
         let [x, y] = &solutions.null_space;
         let mut determinants = [[lanes.constant(0.0); LANES]; LANES];
         for i in 0..self.cables {
@@ -126,6 +134,10 @@ impl Strips {
                     let missed = first * f[i] - second * f[j] + along * f[k];
                     margins.add(missed, reach, first_size + second_size + along_size);
                 }
+            }
+            // nothing is left to find out where no pose of the eight has tensions
+            if !lanes.any(margins.outside.is_less(rounding)) {
+                return;
             }
         }
     }

@@ -8,7 +8,7 @@ use crate::equilibrium::distribution;
 use crate::geometry::{Twist, Wrench};
 use crate::model::Composition;
 use crate::robot::{Robot, builtin};
-use crate::scalar::{Unit, dispatch_on};
+use crate::scalar::Unit;
 
 /// Poses from the middle of the workspace to far beyond it, some of them without a course.
 fn poses(model: &Model, count: usize, rng: &mut ChaCha8Rng) -> Vec<Pose> {
@@ -67,7 +67,7 @@ fn every_unit_decides_as_the_exact_programme_for_every_robot() {
         for (index, poses) in poses.chunks(CHUNK).enumerate() {
             let on = |unit| {
                 let mut verdicts = [Verdict::Doubt; CHUNK];
-                dispatch_on(unit, Chunk { solver: &solver, poses, verdicts: &mut verdicts }).unwrap();
+                Chunk { solver: &solver, poses, verdicts: &mut verdicts }.run_on(unit);
                 verdicts
             };
             for unit in Unit::available() {
@@ -82,10 +82,10 @@ fn every_unit_decides_as_the_exact_programme_for_every_robot() {
 fn lanes_decide_nearly_all_poses_of_a_robot_with_eight_cables() {
     let model = Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap();
     let (load, limits) = problem(&model);
-    let poses = poses(&model, 4000, &mut ChaCha8Rng::seed_from_u64(72));
+    let poses = poses(&model, 2000, &mut ChaCha8Rng::seed_from_u64(72));
     let mut solver = Solver::new(&model, &load, &limits).unwrap();
     solver.solve(&poses, &mut vec![false; poses.len()]).unwrap();
-    assert!(solver.single_poses < 40, "{} of {} poses one by one", solver.single_poses, poses.len());
+    assert!(solver.single_poses < 20, "{} of {} poses one by one", solver.single_poses, poses.len());
 }
 
 /// Between a feasible and an infeasible pose, down to where rounding alone separates them.

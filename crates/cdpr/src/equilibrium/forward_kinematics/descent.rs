@@ -34,7 +34,7 @@ impl Residuals {
 }
 
 /// Steps that shrink less than this fraction make the descent use second derivatives.
-const SLOW_CONTRACTION: f64 = 0.1;
+pub(super) const SLOW_CONTRACTION: f64 = 0.1;
 
 /// Where one descent ended.
 pub(super) struct End {

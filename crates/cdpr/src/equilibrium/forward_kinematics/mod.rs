@@ -5,6 +5,7 @@
 //! m = n only a vanishing residual is; with m < n lengths do not determine the pose. When the first descent ends
 //! far from the lengths, the search starts again from other poses before it gives up.
 
+pub mod batch;
 mod curvature;
 mod descent;
 #[cfg(test)]
@@ -102,6 +103,14 @@ pub enum InputError {
         /// The length given (m).
         length: f64,
     },
+    /// Not one guess per set of lengths.
+    #[error("expected {expected} guesses, one per set of lengths, got {found}")]
+    GuessCount {
+        /// Sets of lengths.
+        expected: usize,
+        /// Guesses.
+        found: usize,
+    },
     /// A guess with NaN or infinity in it.
     #[error("the guess of the pose contains a number that is not finite")]
     Guess,
@@ -153,6 +162,8 @@ pub struct Solver<'a> {
     /// Given lengths, packed like the model's groups.
     targets: Vec<[f64; LANES]>,
     residuals: Residuals,
+    /// Lengths of one item of a batch.
+    lengths: Vec<f64>,
     solution: Solution,
 }
 
@@ -167,6 +178,7 @@ impl<'a> Solver<'a> {
             platform_radius: model.platform_radius(),
             targets: room.clone(),
             residuals: Residuals { accepted: room.clone(), trial: room },
+            lengths: vec![f64::NAN; model.cable_count()],
             solution: Solution {
                 pose: Pose::identity(),
                 status: Status::NotConverged,

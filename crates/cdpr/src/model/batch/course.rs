@@ -2,7 +2,7 @@
 
 use crate::cable::{Course, outlet};
 use crate::model::CableGroup;
-use crate::scalar::{LANES, Lanes, add, constants, dot, rotate, sub};
+use crate::scalar::{LANES, Lanes, add, constants, dot, rotate, scale, sub};
 
 /// A cable at poses in lanes.
 pub(crate) struct CourseInLanes<L> {
@@ -43,9 +43,10 @@ impl CableGroup {
             let square = dot(d, d);
             match &self.pulley_side {
                 None => {
-                    let across = square - b_z * b_z;
+                    // the outlet computes the same, which costs nothing twice
+                    let across = sub(d, scale(b_z, axis));
                     let least = (square + radius * radius) * l.constant(CLEAR * CLEAR);
-                    doubt = zero.select(least.is_less(across), one);
+                    doubt = zero.select(least.is_less(dot(across, across)), one);
                     outlet::pulley::course(frame_anchor, axis, radius, anchor)
                 }
                 Some(side) => {

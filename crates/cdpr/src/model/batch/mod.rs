@@ -10,9 +10,7 @@ mod tests;
 
 use super::Model;
 use crate::geometry::{PoseBatch, Twist};
-use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, cross, dispatch};
-#[cfg(test)]
-use crate::scalar::{Unit, dispatch_on};
+use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, cross, dispatch_on, over_parts};
 
 impl Model {
     /// Geometric cable lengths q (m) of many poses, a row per cable: [`Model::cable_lengths`] for each.
@@ -36,7 +34,9 @@ impl Model {
     /// ```
     pub fn batch_cable_lengths(&self, poses: &PoseBatch, lengths: &mut LaneTable) {
         lengths.reshape(self.cable_count(), poses.len());
-        dispatch(Lengths { model: self, poses, lengths });
+        over_parts(lengths.lines_mut(), self.cable_count(), &mut (), |_, first, lines| {
+            Lengths { model: self, poses, first: first / LANES, lines }.run_on(Unit::widest());
+        });
     }
 
     /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column, so that
@@ -45,7 +45,9 @@ impl Model {
     /// Claims no memory once `matrices` has had as many poses before.
     pub fn batch_structure_matrices(&self, poses: &PoseBatch, matrices: &mut LaneTable) {
         matrices.reshape(self.dof() * self.cable_count(), poses.len());
-        dispatch(StructureMatrices { model: self, poses, matrices });
+        over_parts(matrices.lines_mut(), self.dof() * self.cable_count(), &mut (), |_, first, lines| {
+            StructureMatrices { model: self, poses, first: first / LANES, lines }.run_on(Unit::widest());
+        });
     }
 }
 
@@ -53,7 +55,17 @@ impl Model {
 struct Lengths<'a> {
     model: &'a Model,
     poses: &'a PoseBatch,
-    lengths: &'a mut LaneTable,
+    /// Group of poses that the lines begin with.
+    first: usize,
+    lines: &'a mut [Line],
+}
+
+impl Lengths<'_> {
+    /// On an available unit; compiled here, once for library and tests.
+    #[inline(never)]
+    fn run_on(self, unit: Unit) {
+        dispatch_on(unit, self).unwrap_or_default();
+    }
 }
 
 impl Kernel for Lengths<'_> {
@@ -61,13 +73,12 @@ impl Kernel for Lengths<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Self { model, poses, lengths } = self;
+        let Self { model, poses, first, lines } = self;
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        for group in 0..poses.table().groups() {
+        for (group, lengths) in (first..).zip(lines.chunks_exact_mut(model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
-            let target = lengths.group_mut(group);
             let mut doubt = zero;
-            for (cables, target) in model.groups().iter().zip(target.chunks_mut(LANES)) {
+            for (cables, target) in model.groups().iter().zip(lengths.chunks_mut(LANES)) {
                 for (lane, target) in target.iter_mut().enumerate() {
                     let cable = cables.course_in_lanes(lane, position, &rotation);
                     cable.course.length.store(&mut target.0);
@@ -75,7 +86,7 @@ impl Kernel for Lengths<'_> {
                 }
             }
             if lanes.any(zero.is_less(doubt)) {
-                settle_lengths(model, poses, group, lengths.group_mut(group));
+                settle_lengths(model, poses, group, lengths);
             }
         }
     }
@@ -97,7 +108,17 @@ fn settle_lengths(model: &Model, poses: &PoseBatch, group: usize, lengths: &mut 
 struct StructureMatrices<'a> {
     model: &'a Model,
     poses: &'a PoseBatch,
-    matrices: &'a mut LaneTable,
+    /// Group of poses that the lines begin with.
+    first: usize,
+    lines: &'a mut [Line],
+}
+
+impl StructureMatrices<'_> {
+    /// On an available unit; compiled here, once for library and tests.
+    #[inline(never)]
+    fn run_on(self, unit: Unit) {
+        dispatch_on(unit, self).unwrap_or_default();
+    }
 }
 
 impl Kernel for StructureMatrices<'_> {
@@ -105,14 +126,13 @@ impl Kernel for StructureMatrices<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Self { model, poses, matrices } = self;
+        let Self { model, poses, first, lines } = self;
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let n = model.dof();
-        for group in 0..poses.table().groups() {
+        for (group, matrices) in (first..).zip(lines.chunks_exact_mut(n * model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
-            let target = matrices.group_mut(group);
             let mut doubt = zero;
-            for (cables, target) in model.groups().iter().zip(target.chunks_mut(LANES * n)) {
+            for (cables, target) in model.groups().iter().zip(matrices.chunks_mut(LANES * n)) {
                 for (lane, target) in target.chunks_exact_mut(n).enumerate() {
                     let cable = cables.course_in_lanes(lane, position, &rotation);
                     let moment = cross(cable.lever, cable.course.direction);
@@ -124,7 +144,7 @@ impl Kernel for StructureMatrices<'_> {
                 }
             }
             if lanes.any(zero.is_less(doubt)) {
-                settle_matrices(model, poses, group, matrices.group_mut(group));
+                settle_matrices(model, poses, group, matrices);
             }
         }
     }

@@ -62,8 +62,8 @@ fn lengths_and_matrices_have_the_bits_of_single_poses_on_every_unit() {
             let (mut lengths, mut matrices) = (LaneTable::default(), LaneTable::default());
             lengths.reshape(model.cable_count(), batch.len());
             matrices.reshape(n * model.cable_count(), batch.len());
-            dispatch_on(unit, Lengths { model: &model, poses: &batch, lengths: &mut lengths }).unwrap();
-            dispatch_on(unit, StructureMatrices { model: &model, poses: &batch, matrices: &mut matrices }).unwrap();
+            Lengths { model: &model, poses: &batch, first: 0, lines: lengths.lines_mut() }.run_on(unit);
+            StructureMatrices { model: &model, poses: &batch, first: 0, lines: matrices.lines_mut() }.run_on(unit);
             for (item, pose) in poses.iter().enumerate() {
                 for cable in 0..model.cable_count() {
                     let course = model.course(cable, pose);
@@ -92,4 +92,18 @@ fn an_empty_batch_has_no_answers() {
     assert!(table.is_empty());
     model.batch_structure_matrices(&PoseBatch::default(), &mut table);
     assert!(table.is_empty());
+}
+
+/// Enough poses for several parts: what a thread computes may not depend on which part it was given.
+#[test]
+fn large_batches_have_the_bits_of_small_ones() {
+    let model = Model::new(Robot::builtin("cogiro").unwrap(), Composition::STANDARD).unwrap();
+    let few = poses(&model, 1001);
+    let many: Vec<Pose> = few.iter().cycle().take(10_010).copied().collect();
+    let (mut small, mut large) = (LaneTable::default(), LaneTable::default());
+    model.batch_cable_lengths(&few.iter().collect(), &mut small);
+    model.batch_cable_lengths(&many.iter().collect(), &mut large);
+    for item in 0..many.len() {
+        assert!((0..8).all(|cable| same(large.get(cable, item), small.get(cable, item % few.len()))), "{item}");
+    }
 }

@@ -3,6 +3,7 @@
 use super::narrowing::{Closing, Narrowing, largest};
 use super::{Criterion, Verdict};
 use crate::equilibrium::distribution::{self, Balance, DistributionError};
+use crate::equilibrium::feasibility;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError};
@@ -94,9 +95,9 @@ impl Criterion for WrenchFeasible<'_> {
     }
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
-        let (mut programme, is_sagging) = (self.programme(), self.model.composition().is_sagging());
-        for (pose, answer) in poses.iter().zip(answers) {
-            *answer = if is_sagging { self.holds(pose) } else { self.holds_straight(&mut programme, pose) };
+        if feasibility::feasible(self.model, &self.load, &self.limits, poses, answers).is_err() {
+            // a load that cannot be calculated with
+            answers.fill(false);
         }
     }
 }

@@ -1,0 +1,162 @@
+//! The closed form of tension distribution at many poses at once, a pose per lane.
+//!
+//! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by orthogonal factors instead of singular values: both agree
+//! to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no course, and for robots with
+//! more than eight cables or fewer cables than degrees of freedom, the single pose is asked.
+
+use super::feasibility::balance::Balance;
+use super::feasibility::factors;
+use crate::geometry::PoseBatch;
+use crate::model::Model;
+use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, over_parts};
+use crate::statics::Load;
+use crate::tension::{InputError, Limits, closed_form};
+
+/// Tensions (N) nearest to the middle of the limits that balance the load at each pose, a row per cable, whether or not they keep
+/// the limits ([`Limits::contain`] tells); NaN where a cable has no course, and for sagging cables, whose directions follow
+/// their tensions.
+///
+/// Claims no memory in lanes once `tensions` has had as many poses before.
+///
+/// ```
+/// use cdpr::equilibrium::closed_form;
+/// use cdpr::geometry::PoseBatch;
+/// use cdpr::model::{Composition, Model};
+/// use cdpr::robot::Robot;
+/// use cdpr::scalar::LaneTable;
+/// use cdpr::statics::Load;
+/// use cdpr::tension::Limits;
+///
+/// let robot = Robot::builtin("cogiro").ok_or("unknown robot")?;
+/// let home = robot.home.ok_or("no home pose")?;
+/// let (load, limits) = (Load::of(&robot)?, Limits::uniform(8, 0.0, 5000.0)?);
+/// let model = Model::new(robot, Composition::STANDARD)?;
+/// let mut tensions = LaneTable::default();
+/// closed_form::solve_batch(&model, &load, &limits, &[home; 3].iter().collect::<PoseBatch>(), &mut tensions)?;
+/// assert_eq!(tensions.get(7, 0), tensions.get(7, 2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve_batch(
+    model: &Model,
+    load: &Load,
+    limits: &Limits,
+    poses: &PoseBatch,
+    tensions: &mut LaneTable,
+) -> Result<(), InputError> {
+    let cables = model.cable_count();
+    if limits.cable_count() != cables {
+        return Err(InputError::LimitCount { expected: cables, found: limits.cable_count() });
+    }
+    tensions.reshape(cables, poses.len());
+    let balance = Balance { model, load, limits };
+    over_parts(tensions.lines_mut(), cables, &mut (), |(), first, lines| {
+        Tensions { balance: &balance, poses, first: first / LANES, lines }.run_on(Unit::widest());
+    });
+    Ok(())
+}
+
+/// Tensions of a part of a batch.
+struct Tensions<'a> {
+    balance: &'a Balance<'a>,
+    poses: &'a PoseBatch,
+    /// Group of poses that the lines begin with.
+    first: usize,
+    lines: &'a mut [Line],
+}
+
+impl Tensions<'_> {
+    /// On an available unit; compiled here, once for library and tests.
+    #[inline(never)]
+    fn run_on(self, unit: Unit) {
+        dispatch_on(unit, self).unwrap_or_default();
+    }
+}
+
+impl Kernel for Tensions<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Self { balance, poses, first, lines } = self;
+        let (cables, dof) = (balance.model.cable_count(), balance.model.dof());
+        let fits = (dof..=LANES).contains(&cables) && !balance.model.composition().is_sagging();
+        for (group, lines) in (first..).zip(lines.chunks_exact_mut(cables)) {
+            if !fits {
+                ask_single(balance, poses, group, lines);
+                continue;
+            }
+            let (position, rotation) = poses.at(lanes, group);
+            let (mut rows, doubt) = balance.rows(position, &rotation);
+            let rest = balance.rest(&rotation, &rows);
+            let found = factors::solve(lanes, [dof, cables, 0], &mut rows, rest);
+            for (cable, line) in lines.iter_mut().enumerate() {
+                (lanes.constant(balance.limits.middle(cable)) + found.shortest[cable]).store(&mut line.0);
+            }
+            if lanes.any((found.has_rank - doubt).is_less(lanes.constant(1.0))) {
+                ask_single(balance, poses, group, lines);
+            }
+        }
+    }
+}
+
+/// The tensions of one group as the single pose gives them.
+#[cold]
+#[inline(never)]
+fn ask_single(balance: &Balance<'_>, poses: &PoseBatch, group: usize, lines: &mut [Line]) {
+    for lane in 0..LANES.min(poses.len() - group * LANES) {
+        let pose = poses.get(group * LANES + lane);
+        let matrix = balance.model.structure_matrix(&pose).ok().filter(|_| !balance.model.composition().is_sagging());
+        let wrench = balance.load.in_pattern(balance.model, &pose);
+        let solve = |matrix| closed_form::solve(&matrix, wrench.as_slice(), balance.limits).ok();
+        let found = matrix.and_then(solve);
+        for (cable, line) in lines.iter_mut().enumerate() {
+            line.0[lane] = found.as_ref().map_or(f64::NAN, |found| found.tensions[cable]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::geometry::{Pose, Wrench};
+    use crate::model::Composition;
+    use crate::robot::{Robot, builtin};
+
+    #[test]
+    fn tensions_are_those_of_singular_values_and_the_same_on_every_unit() {
+        let load = Load::constant(Wrench::new(10.0, -20.0, -500.0, 5.0, 20.0, -3.0));
+        for name in builtin::names() {
+            let model = Model::new(Robot::builtin(name).unwrap(), Composition::STANDARD).unwrap();
+            let limits = Limits::uniform(model.cable_count(), 50.0, 2000.0).unwrap();
+            let home = model.robot().home_or_middle();
+            let pose = |k: u8| {
+                let t = f64::from(k);
+                let shift = Vector3::new(0.3 * t.sin(), 0.2 * t.cos(), 0.1 * (2.0 * t).sin());
+                let along = |k: usize| model.axes().get(k).map_or(Vector3::zeros(), |axis| axis * shift[k]);
+                Pose { position: home.position + along(0) + along(1) + along(2), ..home }
+            };
+            let poses: PoseBatch = (0..21).map(pose).collect::<Vec<_>>().iter().collect();
+            let mut tensions = LaneTable::default();
+            solve_batch(&model, &load, &limits, &poses, &mut tensions).unwrap();
+            for item in 0..poses.len() {
+                let pose = poses.get(item);
+                let matrix = model.structure_matrix(&pose).unwrap();
+                let wrench = load.in_pattern(&model, &pose);
+                let expected = closed_form::solve(&matrix, wrench.as_slice(), &limits).unwrap().tensions;
+                for (cable, expected) in expected.iter().enumerate() {
+                    // rounding of two different factorisations, times a condition of up to a thousand
+                    let apart = (tensions.get(cable, item) - expected).abs();
+                    assert!(apart < 1e-8 * expected.abs().max(1e3), "{name}: {apart:e} of {expected}");
+                }
+            }
+            for unit in Unit::available() {
+                let mut other = tensions.clone();
+                let balance = Balance { model: &model, load: &load, limits: &limits };
+                Tensions { balance: &balance, poses: &poses, first: 0, lines: other.lines_mut() }.run_on(unit);
+                assert_eq!(other, tensions, "{name} on {unit:?}");
+            }
+        }
+    }
+}

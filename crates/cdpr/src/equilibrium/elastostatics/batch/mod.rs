@@ -1,0 +1,143 @@
+//! The elastostatic forward problem at many poses at once, a pose per lane.
+//!
+//! Eight descents run side by side as long as undamped Newton steps cut the residual wrench at least by half and no cable ends
+//! slack. A pose that needs more is given to the single [`Solver`] from its beginning, and so are robots with more than eight
+//! cables, with fewer than six degrees of freedom, or with cables that are rigid, sag or do not stretch linearly. Both ways end
+//! with the same bits.
+
+mod descent;
+#[cfg(test)]
+mod tests;
+
+use descent::Descents;
+
+use super::{InputError, LoadParts, Solver, Status};
+use crate::equilibrium::forward_kinematics::batch::check;
+use crate::geometry::{POSE_ROWS, Pose, PoseBatch};
+use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
+
+/// Rows of the table of solutions: the pose, these, then the tensions.
+const ITERATIONS: usize = POSE_ROWS;
+const STATUS: usize = POSE_ROWS + 1;
+const TENSIONS: usize = POSE_ROWS + 2;
+
+/// Outcomes of many forward problems; a pose is the best one found even when it did not converge.
+#[must_use = "check `status` before using a pose"]
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Solutions {
+    table: LaneTable,
+}
+
+impl Solutions {
+    /// Number of problems.
+    pub fn len(&self) -> usize {
+        self.table.len()
+    }
+
+    /// True without problems.
+    pub fn is_empty(&self) -> bool {
+        self.table.is_empty()
+    }
+
+    /// Pose of one problem (from 0); panics where there is none, as all of these do.
+    pub fn pose(&self, item: usize) -> Pose {
+        Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
+    }
+
+    /// Tension of one cable (0-based; N); 0 where slack.
+    pub fn tension(&self, cable: usize, item: usize) -> f64 {
+        self.table.get(TENSIONS + cable, item)
+    }
+
+    /// Why the search stopped; [`super::solve`] says it in words.
+    pub fn status(&self, item: usize) -> Status {
+        status_of(self.table.get(STATUS, item))
+    }
+
+    /// Steps of all starts.
+    pub fn iterations(&self, item: usize) -> u32 {
+        self.table.get(ITERATIONS, item) as u32
+    }
+}
+
+fn code_of(status: Status) -> f64 {
+    match status {
+        Status::Converged => 0.0,
+        Status::NotConverged => 1.0,
+        Status::Singular => 2.0,
+        Status::Unstable => 3.0,
+    }
+}
+
+fn status_of(code: f64) -> Status {
+    match code {
+        0.0 => Status::Converged,
+        2.0 => Status::Singular,
+        3.0 => Status::Unstable,
+        _ => Status::NotConverged,
+    }
+}
+
+impl Solver<'_> {
+    /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and
+    /// guesses, all under the solver's load.
+    ///
+    /// Claims no memory once `solutions` has had as many problems before, except on further threads and for reasons. The first
+    /// item with invalid numbers ends it.
+    pub fn solve_batch(
+        &mut self,
+        controlled_lengths: &LaneTable,
+        guesses: &PoseBatch,
+        solutions: &mut Solutions,
+    ) -> Result<(), InputError> {
+        check(self.model, controlled_lengths, guesses)?;
+        let rows = TENSIONS + self.model.cable_count();
+        solutions.table.reshape(rows, guesses.len());
+        over_parts(solutions.table.lines_mut(), rows, self, |solver, first, lines| {
+            for (group, solutions) in (first / LANES..).zip(lines.chunks_exact_mut(rows)) {
+                solver.solve_group(controlled_lengths, guesses, group, solutions);
+            }
+        });
+        Ok(())
+    }
+
+    fn solve_group(&mut self, lengths: &LaneTable, guesses: &PoseBatch, group: usize, solutions: &mut [Line]) {
+        let count = LANES.min(guesses.len() - group * LANES);
+        let model = self.model;
+        let is_plain = self.composed.is_none() && !self.is_rigid.contains(&true);
+        let mut is_done = [false; LANES];
+        if is_plain && model.dof() == 6 && (6..=LANES).contains(&model.cable_count()) {
+            let descents = Descents {
+                model,
+                settings: &self.settings,
+                load: LoadParts::of(&self.load),
+                platform_radius: self.platform_radius,
+                lengths: lengths.group(group),
+                guesses: guesses.table().group(group),
+                solutions,
+            };
+            is_done = descents.run_on(Unit::widest());
+        }
+        for lane in (0..count).filter(|&lane| !is_done[lane]) {
+            self.solve_one(lengths, guesses, group * LANES + lane, solutions);
+        }
+    }
+
+    /// One problem by the single solver.
+    #[cold]
+    fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
+        let mut numbers = std::mem::take(&mut self.lengths);
+        lengths.read(item, &mut numbers);
+        let found = self.solve(&numbers, &guesses.get(item)).map(|solution| solution.status);
+        self.lengths = numbers;
+        let (lane, solution) = (item % LANES, &self.solution);
+        for (row, number) in solution.pose.numbers().into_iter().enumerate() {
+            solutions[row].0[lane] = number;
+        }
+        for (cable, tension) in solution.tensions.iter().enumerate() {
+            solutions[TENSIONS + cable].0[lane] = *tension;
+        }
+        solutions[ITERATIONS].0[lane] = f64::from(solution.iterations);
+        solutions[STATUS].0[lane] = code_of(found.unwrap_or(Status::NotConverged));
+    }
+}

@@ -1,0 +1,56 @@
+//! Structure matrix and load at eight poses at once.
+
+use super::factors::Rows;
+use crate::model::{Model, in_pattern};
+use crate::scalar::{LANES, Lanes, add, constants, cross, rotate};
+use crate::statics::Load;
+use crate::tension::Limits;
+
+/// The balance of a robot with at most eight cables.
+pub(in crate::equilibrium) struct Balance<'a> {
+    pub(in crate::equilibrium) model: &'a Model,
+    pub(in crate::equilibrium) load: &'a Load,
+    pub(in crate::equilibrium) limits: &'a Limits,
+}
+
+impl Balance<'_> {
+    /// The n rows of the structure matrix, and where a cable may have no course (above 0).
+    #[inline(always)]
+    pub(in crate::equilibrium) fn rows<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Rows<L>, L) {
+        let zero = position[0].constant(0.0);
+        let mut rows = [[zero; LANES]; 6];
+        let mut doubt = zero;
+        let cables = &self.model.groups()[0];
+        let basis = self.model.twist_basis();
+        for cable in 0..self.model.cable_count() {
+            let found = cables.course_in_lanes(cable, position, rotation);
+            let moment = cross(found.lever, found.course.direction);
+            let column = in_pattern(basis, found.course.direction, moment);
+            for row in 0..6 {
+                rows[row][cable] = column[row];
+            }
+            doubt = doubt + found.doubt;
+        }
+        (rows, doubt)
+    }
+
+    /// Aᵀ f_m + w: what the middle of the limits leaves of the load.
+    #[inline(always)]
+    pub(in crate::equilibrium) fn rest<L: Lanes>(&self, rotation: &[[L; 3]; 3], rows: &Rows<L>) -> [L; 6] {
+        let l = rotation[0][0];
+        let (weight, center) = self.load.weight();
+        let weight = constants(l, (*weight).into());
+        let lever = rotate(rotation, constants(l, (*center).into()));
+        let constant = self.load.constant_part();
+        let force = add(constants(l, [constant[0], constant[1], constant[2]]), weight);
+        let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(lever, weight));
+        let mut rest = in_pattern(self.model.twist_basis(), force, moment);
+        for cable in 0..self.model.cable_count() {
+            let middle = l.constant(self.limits.middle(cable));
+            for row in 0..6 {
+                rest[row] = rest[row] + rows[row][cable] * middle;
+            }
+        }
+        rest
+    }
+}

@@ -1,0 +1,175 @@
+//! Forward kinematics at many poses at once, a pose per lane.
+//!
+//! Eight descents run side by side as long as they are plain Gauss–Newton iterations that shrink quickly, which measured
+//! lengths and guesses from the last pose nearly always are. A pose that needs more (damping, second derivatives, other starts)
+//! is given to the single [`Solver`] from its beginning, and so are robots with more than eight cables or with fewer degrees of
+//! freedom than six. Both ways end with the same bits.
+
+mod descent;
+#[cfg(test)]
+mod tests;
+
+use descent::Descents;
+
+use super::{InputError, Solver, Status};
+use crate::geometry::{POSE_ROWS, Pose, PoseBatch};
+use crate::model::Model;
+use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
+
+/// Rows of the table of solutions: the pose, then these.
+const RMS: usize = POSE_ROWS;
+const ITERATIONS: usize = POSE_ROWS + 1;
+const STATUS: usize = POSE_ROWS + 2;
+const ROWS: usize = POSE_ROWS + 3;
+
+/// Outcomes of many forward problems; a pose is the best one found even when it did not converge.
+#[must_use = "check `status` before using a pose"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solutions {
+    table: LaneTable,
+}
+
+impl Default for Solutions {
+    fn default() -> Self {
+        Self { table: LaneTable::new(ROWS) }
+    }
+}
+
+impl Solutions {
+    /// Number of problems.
+    pub fn len(&self) -> usize {
+        self.table.len()
+    }
+
+    /// True without problems.
+    pub fn is_empty(&self) -> bool {
+        self.table.is_empty()
+    }
+
+    /// Pose of one problem (from 0); panics where there is none, as all of these do.
+    pub fn pose(&self, item: usize) -> Pose {
+        Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
+    }
+
+    /// Why the search stopped; [`super::solve`] says it in words.
+    pub fn status(&self, item: usize) -> Status {
+        status_of(self.table.get(STATUS, item))
+    }
+
+    /// Root mean square of the residuals (m).
+    pub fn residual_rms(&self, item: usize) -> f64 {
+        self.table.get(RMS, item)
+    }
+
+    /// Steps of all starts.
+    pub fn iterations(&self, item: usize) -> u32 {
+        self.table.get(ITERATIONS, item) as u32
+    }
+}
+
+fn code_of(status: Status) -> f64 {
+    match status {
+        Status::Converged => 0.0,
+        Status::NotConverged => 1.0,
+        Status::Singular => 2.0,
+    }
+}
+
+fn status_of(code: f64) -> Status {
+    match code {
+        0.0 => Status::Converged,
+        2.0 => Status::Singular,
+        _ => Status::NotConverged,
+    }
+}
+
+impl Solver<'_> {
+    /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and guesses.
+    ///
+    /// Claims no memory once `solutions` has had as many problems before, except on further threads and for reasons. The first
+    /// item with invalid numbers ends it.
+    pub fn solve_batch(
+        &mut self,
+        lengths: &LaneTable,
+        guesses: &PoseBatch,
+        solutions: &mut Solutions,
+    ) -> Result<(), InputError> {
+        check(self.model, lengths, guesses)?;
+        solutions.table.reshape(ROWS, guesses.len());
+        over_parts(solutions.table.lines_mut(), ROWS, self, |solver, first, lines| {
+            for (group, solutions) in (first / LANES..).zip(lines.chunks_exact_mut(ROWS)) {
+                solver.solve_group(lengths, guesses, group, solutions);
+            }
+        });
+        Ok(())
+    }
+
+    fn solve_group(&mut self, lengths: &LaneTable, guesses: &PoseBatch, group: usize, solutions: &mut [Line]) {
+        let count = LANES.min(guesses.len() - group * LANES);
+        let fits = self.model.dof() == 6 && (6..=LANES).contains(&self.model.cable_count());
+        let mut is_done = [false; LANES];
+        if fits {
+            let descents = Descents {
+                model: self.model,
+                settings: &self.settings,
+                platform_radius: self.platform_radius,
+                lengths: lengths.group(group),
+                guesses: guesses.table().group(group),
+                solutions,
+            };
+            is_done = descents.run_on(Unit::widest());
+        }
+        for lane in (0..count).filter(|&lane| !is_done[lane]) {
+            self.solve_one(lengths, guesses, group * LANES + lane, solutions);
+        }
+    }
+
+    /// One problem by the single solver.
+    #[cold]
+    fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
+        let mut numbers = std::mem::take(&mut self.lengths);
+        lengths.read(item, &mut numbers);
+        // numbers were checked before
+        let found = self.solve(&numbers, &guesses.get(item)).is_ok();
+        self.lengths = numbers;
+        let lane = item % LANES;
+        let solution = &self.solution;
+        for (row, number) in solution.pose.numbers().into_iter().enumerate() {
+            solutions[row].0[lane] = number;
+        }
+        solutions[RMS].0[lane] = solution.residual_rms;
+        solutions[ITERATIONS].0[lane] = f64::from(solution.iterations);
+        solutions[STATUS].0[lane] = code_of(if found { solution.status } else { Status::NotConverged });
+    }
+}
+
+/// Refuses what [`super::check_input`] refuses, at the first item that has it.
+pub(in crate::equilibrium) fn check(model: &Model, lengths: &LaneTable, guesses: &PoseBatch) -> Result<(), InputError> {
+    let (expected, found) = (model.cable_count(), lengths.rows());
+    if expected != found && !guesses.is_empty() {
+        return Err(InputError::LengthCount { expected, found });
+    }
+    if lengths.len() != guesses.len() {
+        return Err(InputError::GuessCount { expected: lengths.len(), found: guesses.len() });
+    }
+    for group in 0..lengths.groups() {
+        let is_good = |line: &Line| line.0.iter().all(|&length| length > 0.0 && length < f64::INFINITY);
+        let is_finite = |line: &Line| line.0.iter().all(|number| number.is_finite());
+        if lengths.group(group).iter().all(is_good) && guesses.table().group(group).iter().all(is_finite) {
+            continue;
+        }
+        // what fills the last group does not count
+        for item in group * LANES..lengths.len().min((group + 1) * LANES) {
+            for cable in 0..expected {
+                let length = lengths.get(cable, item);
+                if !(length > 0.0 && length.is_finite()) {
+                    return Err(InputError::Length { cable: cable + 1, length });
+                }
+            }
+            if !guesses.get(item).is_finite() {
+                return Err(InputError::Guess);
+            }
+        }
+    }
+    Ok(())
+}
