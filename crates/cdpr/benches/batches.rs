@@ -163,7 +163,7 @@ fn tensions(model: &Model) {
         for pose in &poses {
             let matrix = model.structure_matrix(pose).expect("courses");
             let wrench = load.in_pattern(model, pose);
-            black_box(tension::closed_form::solve(&matrix, wrench.as_slice(), &limits)).expect("fits").rank;
+            drop(black_box(tension::closed_form::solve(&matrix, wrench.as_slice(), &limits)).expect("fits"));
         }
     };
     report("closed form with structure matrix", 75.0, POSES, &mut all, &mut one);

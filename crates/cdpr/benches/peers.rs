@@ -4,6 +4,7 @@
 //!
 //! Times are CPU time of this thread where the system tells it (Linux), else of the wall clock; medians of rounds.
 
+use std::cell::Cell;
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -186,18 +187,18 @@ fn tensions(data: &Data) {
     let matrices: Vec<DMatrix<f64>> = poses.iter().map(|pose| model.structure_matrix(pose).expect("courses")).collect();
     let wrench = [0.0, 0.0, -7500.0, 0.0, -600.0, 0.0];
     let mut solver = quadratic::Solver::new(8, 6);
-    let mut infeasible = 0;
+    let infeasible = Cell::new(0);
     let mut solve = || {
-        infeasible = 0;
+        infeasible.set(0);
         for matrix in &matrices {
             solver.forget();
             let found = solver.solve(black_box(matrix), &wrench, &limits, None).expect("fits");
-            infeasible += usize::from(found.status != quadratic::Status::Feasible);
+            infeasible.set(infeasible.get() + usize::from(found.status != quadratic::Status::Feasible));
         }
     };
     solve();
     row("W4_qp", "cdpr exact, cold", matrices.len(), "with a proof where infeasible", &mut solve);
-    row("W4_qp_inner", "cdpr exact, cold", matrices.len(), &format!("infeasible {infeasible}"), &mut solve);
+    row("W4_qp_inner", "cdpr exact, cold", matrices.len(), &format!("infeasible {}", infeasible.get()), &mut solve);
     let poses = data.poses("grid.bin");
     let mut answers = vec![false; poses.len()];
     let mut decide = || feasibility::feasible(&model, &load(), &limits, black_box(&poses), &mut answers).expect("fits");

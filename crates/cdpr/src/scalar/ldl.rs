@@ -51,13 +51,14 @@ pub(crate) fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64
 /// Smallest ratio of a pivot to its own diagonal entry that counts as regular in lanes.
 const REGULAR: f64 = 1e-11;
 
-/// [`solve`] for eight systems at once, with its bits: 1 where every pivot is far from zero, 0 where the single system must be asked.
+/// [`solve`] for eight systems of `n` unknowns at once, with its bits: 1 where every pivot is far from zero, 0 where the single
+/// system must be asked. Their number is not the compiler's: unrolled, lanes are more code than they are worth.
 #[inline(always)]
-pub(crate) fn solve_in_lanes<L: Lanes, const N: usize>(matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
+pub(crate) fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
     let (zero, one) = (right[0].constant(0.0), right[0].constant(1.0));
     let mut is_regular = one;
     let mut inverse_pivot = [zero; N];
-    for column in 0..N {
+    for column in 0..n {
         let diagonal = matrix[column][column];
         let mut weighted = [zero; N];
         let mut pivot = diagonal;
@@ -69,7 +70,7 @@ pub(crate) fn solve_in_lanes<L: Lanes, const N: usize>(matrix: &mut [[L; N]; N],
         is_regular = is_regular.select(zero.is_less(pivot), zero);
         matrix[column][column] = pivot;
         inverse_pivot[column] = one / pivot;
-        for row in column + 1..N {
+        for row in column + 1..n {
             let mut entry = matrix[row][column];
             for k in 0..column {
                 entry = entry - matrix[row][k] * weighted[k];
@@ -77,14 +78,14 @@ pub(crate) fn solve_in_lanes<L: Lanes, const N: usize>(matrix: &mut [[L; N]; N],
             matrix[row][column] = entry * inverse_pivot[column];
         }
     }
-    for row in 0..N {
+    for row in 0..n {
         for k in 0..row {
             right[row] = right[row] - matrix[row][k] * right[k];
         }
     }
-    for row in (0..N).rev() {
+    for row in (0..n).rev() {
         right[row] = right[row] * inverse_pivot[row];
-        for k in row + 1..N {
+        for k in row + 1..n {
             right[row] = right[row] - matrix[k][row] * right[k];
         }
     }

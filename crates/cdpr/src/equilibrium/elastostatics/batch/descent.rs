@@ -1,5 +1,6 @@
 //! Eight plain descents of the energy side by side, with the bits of the single one.
 
+use super::unsymmetric::unsymmetric;
 use super::{ITERATIONS, STATUS, TENSIONS, code_of};
 use crate::equilibrium::descents::{displaced, flag, settles, sum};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, stiffness_terms};
@@ -91,7 +92,7 @@ impl Kernel for Descents<'_> {
             state.is_running = state.is_running * is_cut * has_courses;
             state.accept(lanes, &trial, &tensions, [size, residual_squared]);
             let ends = zero.is_less(state.is_running * last);
-            for row in 0..6 {
+            for row in 0..self.model.dof() {
                 for column in 0..=row {
                     // the stiffness of an end is that before its last step
                     stiffness[row][column] = before[row][column].select(ends, stiffness[row][column]);
@@ -181,9 +182,9 @@ impl Descents<'_> {
     #[inline(always)]
     fn step<L: Lanes>(&self, point: &Point<L>) -> ([L; 6], L) {
         let (mut matrix, mut amounts) = (point.stiffness, point.residual);
-        let is_regular = ldl::solve_in_lanes(&mut matrix, &mut amounts);
+        let is_regular = ldl::solve_in_lanes(self.model.dof(), &mut matrix, &mut amounts);
         if self.load.constant[3..].iter().any(|&moment| moment != 0.0) {
-            amounts = unsymmetric(&point.stiffness, &point.residual, &self.load.constant);
+            amounts = unsymmetric(self.model.dof(), &point.stiffness, &point.residual, &self.load.constant);
         }
         (amounts, is_regular)
     }
@@ -263,7 +264,7 @@ impl Descents<'_> {
             let radius = if row < 3 { 1.0 } else { self.platform_radius };
             stiffness[row][row] = stiffness[row][row] - least * lanes.constant(radius * radius);
         }
-        let is_stable = ldl::solve_in_lanes(&mut stiffness, &mut [zero; 6]);
+        let is_stable = ldl::solve_in_lanes(self.model.dof(), &mut stiffness, &mut [zero; 6]);
         let mut is_done = state.is_done * is_stable;
         for tension in &state.tensions[..self.lengths.len()] {
             is_done = zero.select(lanes.load(&tension.0).is_less(zero), is_done);
@@ -301,39 +302,4 @@ fn unpack<L: Lanes>(zero: L, totals: &[L; TERMS], doubt: L) -> Point<L> {
         }
     }
     point
-}
-
-/// `unsymmetric::solve` for eight systems.
-#[inline(always)]
-fn unsymmetric<L: Lanes>(symmetric: &[[L; 6]; 6], right: &[L; 6], constant_wrench: &[f64; 6]) -> [L; 6] {
-    let l = right[0];
-    let mut matrix = *symmetric;
-    for row in 0..6 {
-        for column in row + 1..6 {
-            matrix[row][column] = symmetric[column][row];
-        }
-    }
-    let m = [0.5 * constant_wrench[3], 0.5 * constant_wrench[4], 0.5 * constant_wrench[5]];
-    for (row, column, entry) in [(3, 4, m[2]), (3, 5, -m[1]), (4, 5, m[0])] {
-        matrix[row][column] = matrix[row][column] + l.constant(entry);
-        matrix[column][row] = matrix[column][row] - l.constant(entry);
-    }
-    let mut x = *right;
-    for pivot in 0..6 {
-        let inverse = l.constant(1.0) / matrix[pivot][pivot];
-        for row in pivot + 1..6 {
-            let factor = matrix[row][pivot] * inverse;
-            for column in pivot + 1..6 {
-                matrix[row][column] = matrix[row][column] - factor * matrix[pivot][column];
-            }
-            x[row] = x[row] - factor * x[pivot];
-        }
-    }
-    for row in (0..6).rev() {
-        for column in row + 1..6 {
-            x[row] = x[row] - matrix[row][column] * x[column];
-        }
-        x[row] = x[row] / matrix[row][row];
-    }
-    x
 }

@@ -8,6 +8,7 @@
 mod descent;
 #[cfg(test)]
 mod tests;
+mod unsymmetric;
 
 use descent::Descents;
 

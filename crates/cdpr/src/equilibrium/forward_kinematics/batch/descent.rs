@@ -89,7 +89,7 @@ impl Kernel for Descents<'_> {
             }
             state.iterations = state.iterations + state.is_running;
             let mut step = normal.right;
-            let is_regular = ldl::solve_in_lanes(&mut normal.matrix, &mut step);
+            let is_regular = ldl::solve_in_lanes(self.model.dof(), &mut normal.matrix, &mut step);
             let shift_squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
             let turn_squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
             let largest_squared = turn_squared.max(shift_squared / (mean_length * mean_length));
@@ -150,7 +150,7 @@ impl Descents<'_> {
         let mut normal = Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], doubt };
         normal.cost = product(&rows[6], &rows[6]);
         if with_matrix {
-            for i in 0..6 {
+            for i in 0..self.model.dof() {
                 normal.right[i] = product(&rows[i], &rows[6]);
                 for j in 0..=i {
                     normal.matrix[i][j] = product(&rows[i], &rows[j]);
