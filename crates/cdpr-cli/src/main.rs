@@ -23,6 +23,7 @@ mod selecting;
 mod statics_failure;
 mod table;
 mod tension_choice;
+mod tension_method;
 mod usage;
 mod wrench_answer;
 

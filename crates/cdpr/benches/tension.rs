@@ -14,7 +14,7 @@ use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DVector, Vector3};
 use cdpr::robot::Robot;
 use cdpr::tension::quadratic::{Solver, Status, solve};
-use cdpr::tension::{Limits, closed_form};
+use cdpr::tension::{self, Limits, Method, Options, closed_form};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion};
 use distribution::{Opinion, Problem};

@@ -191,9 +191,10 @@ impl ErrorCode for LimitsError {
 impl ErrorCode for tension::InputError {
     fn code(&self) -> &'static str {
         match self {
-            Self::MatrixShape { .. } | Self::WrenchLength { .. } => "wrench::component-count",
+            Self::MatrixShape { .. } | Self::WrenchLength { .. } | Self::Empty { .. } => "wrench::component-count",
             Self::LimitCount { .. } => "limits::count",
-            Self::ReferenceLength { .. } | Self::AnswerCount { .. } => "tensions::count",
+            Self::ReferenceLength { .. } | Self::AnswerCount { .. } | Self::OptionCount { .. } => "tensions::count",
+            Self::OptionValue { .. } | Self::NoPrevious => "tensions::option",
             Self::NotFinite { .. } => "numerical::overflow",
         }
     }

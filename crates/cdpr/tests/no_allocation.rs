@@ -13,8 +13,8 @@ use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
-use cdpr::tension::Limits;
 use cdpr::tension::quadratic::{self, Status};
+use cdpr::tension::{self, Limits, Method, Options, Reference};
 
 struct Counting;
 
@@ -107,6 +107,47 @@ fn a_reused_quadratic_programme_allocates_nothing() {
     };
     assert_eq!(allocations(work), 0);
     assert!(found[0] > 20 && found[1] > 20, "{found:?}");
+}
+
+/// Every method, feasible or not, near a reference and at a rate; the closed form by singular values apart.
+#[test]
+fn a_reused_solver_of_any_method_allocates_nothing() {
+    let (model, samples) = dense::problem();
+    let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    let matrices: Vec<_> = samples.poses.iter().map(|pose| model.structure_matrix(pose).unwrap()).collect();
+    let lengths = [1.0, 1.0, 1.0, 0.8, 0.8, 0.8];
+    for method in Method::ALL {
+        for p in [1.0, 2.0, 3.0] {
+            let mut solver = tension::Solver::new(method, 8, 6);
+            let mut previous = [4000.0; 8];
+            let mut found = [0, 0];
+            let work = || {
+                for (case, matrix) in matrices.iter().enumerate().take(30) {
+                    for weight in [5e3, 4e4] {
+                        let wrench = [0.0, 0.0, -weight, 0.0, 100.0 * case as f64, 0.0];
+                        let before = previous;
+                        let options = Options {
+                            reference: Reference::Given(&[3000.0; 8]),
+                            previous: Some(&before),
+                            rates: (case % 3 == 0).then_some(&[5e4; 8]),
+                            lengths: Some(&lengths),
+                            p,
+                            ..Options::default()
+                        };
+                        let answer = solver.solve(matrix, &wrench, &limits, &options).unwrap();
+                        if answer.status == tension::Status::Feasible {
+                            previous.copy_from_slice(&answer.tensions);
+                            found[0] += 1;
+                        } else {
+                            found[1] += 1;
+                        }
+                    }
+                }
+            };
+            assert_eq!(allocations(work), 0, "{method}, p = {p}");
+            assert!(found[0] > 10 && found[1] > 10, "{method}: {found:?}");
+        }
+    }
 }
 
 /// The result is memory, but its amount depends neither on the steps taken nor on the number of samples.

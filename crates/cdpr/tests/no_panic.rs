@@ -18,7 +18,7 @@ use cdpr::model::{Composition, Model, ParameterKind, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use cdpr::statics::{Load, Stiffness, balanced_wrench, controlled_lengths, section_wrench, split, wrench_residual};
-use cdpr::tension::{Limits, closed_form, quadratic};
+use cdpr::tension::{Limits, Method, Options, Reference, closed_form, quadratic, solve};
 use proptest::prelude::*;
 use support::{builtin, simulator, with_pulleys};
 
@@ -191,6 +191,21 @@ fn exercise(robot: &Robot, input: &Input) {
                     let _ = closed_form::solve(matrix, rows.as_slice(), &limits);
                     let found = quadratic::solve(matrix, rows.as_slice(), &limits, Some(&tensions));
                     let _ = found.map(|found| found.reason());
+                    let options = Options {
+                        reference: if lists[0].len() % 2 == 0 {
+                            Reference::Previous
+                        } else {
+                            Reference::Given(&lengths)
+                        },
+                        previous: Some(&tensions),
+                        rates: (lists[1].len() % 2 == 0).then_some(&lengths),
+                        p: 1.0 + (lists[2].len() % 3) as f64,
+                        ..Options::default()
+                    };
+                    for method in Method::ALL {
+                        let found = solve(method, matrix, rows.as_slice(), &limits, &options);
+                        let _ = found.map(|found| found.reason());
+                    }
                 }
             }
         }

@@ -1,15 +1,13 @@
 //! `cdpr tension`: tensions that balance the load.
 
 use std::process::ExitCode;
-use std::str::FromStr;
 
 use cdpr::cable::DegenerateCourse;
 use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::statics::Load;
-use cdpr::tension::quadratic::{self, Status};
-use cdpr::tension::{InputError, Limits, closed_form};
+use cdpr::tension::{self, Limits, Method, Solver, Status};
 use clap::Args;
 use serde::Serialize;
 
@@ -19,19 +17,27 @@ use crate::inputs::{ModelArguments, limits_of, load_of, pose_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::pose_answer::PoseAnswer;
 use crate::table::{Table, cell};
+use crate::tension_method::{MethodArguments, Wishes, is_turn, refused};
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr tension planar-example --pose 0,5.2
   cdpr tension planar-example --pose 0,5.2 --wrench 0,-1962 --min 1000 --max 8000 --method closed-form
-  cdpr tension cogiro --pose 0,0,2,0,0,0 --format json";
+  cdpr tension cogiro --pose 0,0,2,0,0,0 --format json
+  cdpr tension planar-example --pose 0,5.2 --method maximum --p 1
+  cdpr tension planar-example --pose 0,5.2 --wrench 0,-40000 --method nearest-wrench
+  cdpr tension planar-example --pose 0,5.2 --reference previous --previous 5000,5000,3000,3000 --rate 20000 --time-step 0.05";
 
 /// Tension distribution: cable tensions that balance the load at a pose within their limits.
 ///
-/// `qp` gives the tensions nearest to the middle of the limits that keep them, exactly, or says which cables cannot.
-/// `closed-form` gives the nearest ones that balance the load (eq. 3.41), whether or not they keep the limits.
+/// qp: the tensions nearest to a reference, exactly, or which cables cannot.
+/// closed-form: the nearest ones that balance the load (eq. 3.41), whether or not they keep the limits.
+/// improved-closed-form: the same, with cables that break their limits put on them (may find none where there are some).
+/// puncture: low tensions on the way to these. dykstra: those of qp by alternating projections.
+/// centroid: the middle of all allowed tensions. barrier: far from all limits, smooth along a path.
+/// minimum, maximum: the lowest and highest tensions. nearest-wrench: the most of the load that the limits permit.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, verbatim_doc_comment)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
@@ -53,44 +59,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", value_parser = finite_number, allow_hyphen_values = true)]
     max: Option<f64>,
 
-    /// How the tensions are chosen: qp | closed-form.
-    #[arg(long, value_name = "METHOD", default_value = "qp")]
-    method: Method,
-}
-
-/// Methods of this version.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum Method {
-    Qp,
-    ClosedForm,
-}
-
-/// Methods that the command will know.
-const LATER: [&str; 8] = [
-    "improved-closed-form",
-    "puncture",
-    "dykstra",
-    "centroid",
-    "minimum",
-    "maximum",
-    "barrier",
-    "nearest-wrench",
-];
-
-impl FromStr for Method {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        match text {
-            "qp" => Ok(Self::Qp),
-            "closed-form" => Ok(Self::ClosedForm),
-            _ if LATER.contains(&text) => {
-                Err(format!("the method `{text}` is not part of this version; it has qp and closed-form"))
-            }
-            _ => Err(format!("there is no method `{text}`; there are qp and closed-form")),
-        }
-    }
+    #[command(flatten)]
+    choice: MethodArguments,
 }
 
 #[derive(Serialize)]
@@ -114,12 +84,31 @@ struct Tensions {
 struct Found {
     status: &'static str,
     reason: Option<String>,
+    /// False where the method found no tensions though there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proved: Option<bool>,
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
     wrench: Option<Vec<f64>>,
     wrench_residual: Option<Vec<f64>>,
+    #[serde(flatten)]
+    missing: Option<Missing>,
     #[serde(skip_serializing_if = "Option::is_none")]
     certificate: Option<Certificate>,
+    iterations: Option<u32>,
+}
+
+/// What the nearest wrench lacks to the one asked for.
+#[derive(Serialize)]
+struct Missing {
+    #[serde(rename = "missing_wrench")]
+    wrench: Vec<f64>,
+    #[serde(rename = "missing_force_N")]
+    force: f64,
+    #[serde(rename = "missing_moment_Nm")]
+    moment: f64,
+    #[serde(rename = "moment_length_m")]
+    moment_length: Option<f64>,
 }
 
 /// The proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
@@ -139,92 +128,103 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pose = pose_of(robot, "--pose", &arguments.pose)?;
     let load = load_of(robot, arguments.wrench.as_ref())?;
     let limits = limits_of(robot, arguments.min, arguments.max)?;
+    let method = arguments.choice.method;
+    let wishes = arguments.choice.wishes(&model);
+    let (found, limits) = find(&model, &pose, &load, limits, method, &wishes)?;
     output.answer(&Tensions {
         robot: robot.name.clone(),
         model: model.composition().to_string(),
         pose: PoseAnswer::new(robot, &pose),
-        method: arguments.method,
-        found: find(&model, &pose, &load, &limits, arguments.method)?,
+        method,
+        found,
         minimum: limits.minimum().to_vec(),
         maximum: limits.maximum().to_vec(),
         cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
     })
 }
 
-fn find(model: &Model, pose: &Pose, load: &Load, limits: &Limits, method: Method) -> Result<Found, Failure> {
+/// What the method says, and the limits in force.
+fn find(
+    model: &Model,
+    pose: &Pose,
+    load: &Load,
+    limits: Limits,
+    method: Method,
+    wishes: &Wishes,
+) -> Result<(Found, Limits), Failure> {
     if let Err(reason) = model.structure_matrix(pose) {
         return match reason {
             DegenerateCourse::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
-            _ => Ok(Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() }),
+            _ => Ok((Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() }, limits)),
         };
     }
     let wrench = load.in_pattern(model, pose).as_slice().to_vec();
-    let refused = |error: InputError| match error {
-        InputError::NotFinite { .. } => Failure::numerical(error.to_string()),
-        _ => Failure::refused("--wrench", &error),
-    };
+    let options = wishes.options();
+    let mut solver = Solver::new(method, model.cable_count(), model.dof());
     // what sagging cables pull follows their tensions: the method is asked until both agree
     let balance = distribution::balance(model, pose, &wrench, &mut |matrix, wrench| {
-        Ok(match method {
-            Method::Qp => {
-                let found = quadratic::solve(matrix, wrench, limits, None)?;
-                (found.status == Status::Feasible).then_some(found.tensions)
-            }
-            Method::ClosedForm => {
-                let tensions = closed_form::solve(matrix, wrench, limits)?.tensions;
-                tensions.iter().all(|tension| *tension >= 0.0).then_some(tensions)
-            }
-        })
+        let answer = solver.solve(matrix, wrench, &limits, &options)?;
+        Ok(is_shown(answer).then(|| answer.tensions.clone()).filter(|f| f.iter().all(|tension| *tension >= 0.0)))
     });
     let balance = balance.map_err(|error| match error {
-        DistributionError::Tension(error) => refused(error),
+        DistributionError::Tension(error) => refused(&error),
         error => Failure::numerical(error.to_string()),
     })?;
     if let Some(reason) = balance.reason {
-        let status = reason.status();
-        return Ok(Found { status, reason: Some(reason.words().to_owned()), wrench: Some(wrench), ..Found::default() });
+        let (status, reason) = (reason.status(), Some(reason.words().to_owned()));
+        return Ok((Found { status, reason, wrench: Some(wrench), ..Found::default() }, limits));
     }
-    let found = match method {
-        Method::Qp => by_quadratic_programme(
-            quadratic::solve(&balance.matrix, &balance.wrench, limits, None).map_err(refused)?,
-        )?,
-        Method::ClosedForm => {
-            let solution = closed_form::solve(&balance.matrix, &balance.wrench, limits).map_err(refused)?;
-            let reason = solution.reason(limits);
-            Found {
-                status: if reason.is_none() { "feasible" } else { "infeasible" },
-                reason,
-                tensions: Some(solution.tensions),
-                wrench_residual: Some(solution.wrench_residual),
-                ..Found::default()
-            }
-        }
-    };
-    Ok(Found { wrench: Some(wrench), ..found })
+    solver.forget();
+    let answer = solver.solve(&balance.matrix, &balance.wrench, &limits, &options).map_err(|error| refused(&error))?;
+    let missing = (method == Method::NearestWrench).then(|| missing(model, answer, wishes));
+    Ok((Found { wrench: Some(wrench), missing, ..found_by(answer)? }, answer.limits.clone()))
 }
 
-fn by_quadratic_programme(distribution: quadratic::Distribution) -> Result<Found, Failure> {
-    let reason = distribution.reason();
-    match distribution.status {
-        Status::Feasible => Ok(Found {
-            status: "feasible",
-            tensions: Some(distribution.tensions),
-            wrench_residual: Some(distribution.wrench_residual),
-            ..Found::default()
-        }),
-        Status::Infeasible => Ok(Found {
-            status: "infeasible",
-            reason,
-            certificate: distribution.certificate().map(|proof| Certificate {
-                direction: proof.direction.clone(),
-                weights: proof.weights.clone(),
-                required: proof.required,
-                reachable: proof.reachable,
-            }),
-            ..Found::default()
-        }),
-        _ => Err(Failure::numerical(reason.unwrap_or_default())),
+/// True of tensions that a user may look at: those to be used, those that a closed form always gives, and those that do most
+/// for the load.
+fn is_shown(answer: &tension::Answer) -> bool {
+    match answer.method {
+        Method::ClosedForm => true,
+        Method::NearestWrench => answer.status == Status::Feasible || answer.certificate().is_some(),
+        _ => answer.status == Status::Feasible,
     }
+}
+
+fn found_by(answer: &tension::Answer) -> Result<Found, Failure> {
+    let reason = answer.reason();
+    let (status, proved) = match answer.status {
+        Status::Feasible => ("feasible", None),
+        Status::Infeasible => ("infeasible", Some(true)),
+        Status::NotFound => ("infeasible", Some(false)),
+        _ => return Err(Failure::numerical(reason.unwrap_or_default())),
+    };
+    let certificate = answer.certificate().map(|proof| Certificate {
+        direction: proof.direction.clone(),
+        weights: proof.weights.clone(),
+        required: proof.required,
+        reachable: proof.reachable,
+    });
+    let is_shown = is_shown(answer);
+    Ok(Found {
+        status,
+        reason,
+        proved,
+        tensions: is_shown.then(|| answer.tensions.clone()),
+        wrench_residual: is_shown.then(|| answer.wrench_residual.clone()),
+        certificate,
+        iterations: Some(answer.iterations),
+        ..Found::default()
+    })
+}
+
+fn missing(model: &Model, answer: &tension::Answer, wishes: &Wishes) -> Missing {
+    let wrench = answer.missing_wrench();
+    let norm = |turns: bool| {
+        let rows = model.twist_basis().iter().zip(&wrench).filter(|(twist, _)| is_turn(twist) == turns);
+        rows.map(|(_, rest)| rest * rest).sum::<f64>().sqrt()
+    };
+    let (force, moment) = (norm(false), norm(true));
+    Missing { wrench, force, moment, moment_length: wishes.moment_length(model) }
 }
 
 impl Answer for Tensions {
@@ -233,10 +233,21 @@ impl Answer for Tensions {
     }
 
     fn words(&self) -> String {
-        let Found { status, reason, tensions, .. } = &self.found;
+        let Found { status, reason, tensions, proved, missing, .. } = &self.found;
+        let status = match proved {
+            Some(false) => format!("not found by {}", self.method),
+            _ => (*status).to_owned(),
+        };
         let mut text = format!("{}, model {}, at {}: {status}\n", self.robot, self.model, self.pose.words());
         if let Some(reason) = reason {
             text.push_str(&format!("{reason}\n"));
+        }
+        if let (Some(Missing { force, moment, moment_length, .. }), Some(_)) = (missing, reason) {
+            text.push_str(&format!("the nearest wrench lacks {force:.3} N"));
+            if let Some(length) = moment_length {
+                text.push_str(&format!(" and {moment:.3} N·m (moments divided by {length:.3} m)"));
+            }
+            text.push('\n');
         }
         let Some(tensions) = tensions else { return text };
         let mut table = Table::new(["cable", "tension N", "least N", "largest N"]);

@@ -71,7 +71,7 @@ fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_th
     let offset = "offset = \"none\"";
     for (from, to, message) in [
         (offset, "", "tensions_N or tension_method"),
-        (offset, "tension_method = \"centroid\"", "centroid"),
+        (offset, "tension_method = \"centre\"", "centre"),
         (offset, "tensions_N = [1, 2]", "tensions_N has 2 entries; the robot has 8 cables"),
         (offset, "tensions_N = [-1, 1, 1, 1, 1, 1, 1, 1]", "cannot push"),
         (offset, "tensions_N = [0, 0, 0, 0, 0, 0, 0, 0]", "would have to push"),

@@ -51,8 +51,15 @@ fn what_is_missing_or_wrong_is_named() {
         ("--pose 5,4 --wrench 0,-10,0", vec!["takes the wrench components fx,fy, found 3 numbers"]),
         ("--pose 5,4 --wrench 0,nan", vec!["component 2: `nan` is not a finite number"]),
         ("--pose 5,4 --min -1", vec!["-1 is below 0"]),
-        ("--pose 5,4 --method barrier", vec!["`barrier` is not part of this version"]),
-        ("--pose 5,4 --method guess", vec!["there is no method `guess`"]),
+        ("--pose 5,4 --method guess", vec!["there is no method `guess`", "nearest-wrench"]),
+        ("--pose 5,4 --method barier", vec!["did you mean `barrier`?"]),
+        ("--pose 5,4 --wrench 0,-10 --min 1 --max 9 --p 0.5", vec!["tensions::option", "--p", "from 1 to 8"]),
+        ("--pose 5,4 --wrench 0,-10 --min 1 --max 9 --rate 5", vec!["tensions::option", "--previous"]),
+        (
+            "--pose 5,4 --wrench 0,-10 --min 1 --max 9 --reference 1",
+            vec!["--reference", "reference tensions, one per cable"],
+        ),
+        ("--pose 5,4 --reference often", vec!["middle, previous or tensions expected"]),
     ] {
         let run = cdpr_in(folder.path(), &format!("tension square.toml {arguments}"));
         assert_eq!(run.exit_code, 2, "{arguments}: {}", run.stdout);
@@ -60,6 +67,95 @@ fn what_is_missing_or_wrong_is_named() {
             assert!(run.stderr.contains(fault), "{arguments}: {}", run.stderr);
         }
     }
+}
+
+/// What the names promise: low, in between and high.
+#[test]
+fn every_method_answers_within_the_limits() {
+    let mut sums = Vec::new();
+    for method in [
+        "qp",
+        "improved-closed-form",
+        "puncture",
+        "dykstra",
+        "centroid",
+        "minimum",
+        "maximum",
+        "barrier",
+        "nearest-wrench",
+    ] {
+        let run = cdpr(&format!(
+            "tension planar-example --pose 0,5.2 --wrench 0,-1962 --min 1000 --max 8000 --method {method} --format json"
+        ));
+        assert_eq!(run.exit_code, 0, "{method}: {}", run.stderr);
+        let answer = run.json_with(&["status", "tensions_N", "wrench_residual", "reason", "iterations"]);
+        assert_eq!((answer["status"].as_str(), answer["method"].as_str()), (Some("feasible"), Some(method)));
+        let tensions = numbers(&answer["tensions_N"]);
+        assert!(tensions.iter().all(|f| (1000.0..=8000.0).contains(f)), "{method}: {tensions:?}");
+        assert!(numbers(&answer["wrench_residual"]).iter().all(|rest| rest.abs() < 1e-3), "{method}: {answer}");
+        sums.push((method, tensions.iter().sum::<f64>()));
+    }
+    let of = |name: &str| sums.iter().find(|(method, _)| *method == name).unwrap().1;
+    assert!(of("minimum") < of("puncture") && of("puncture") <= of("qp") && of("qp") < of("maximum"), "{sums:?}");
+}
+
+#[test]
+fn the_nearest_wrench_says_what_it_lacks() {
+    let command = "tension planar-example --pose 0,5.2 --wrench 0,-40000 --method nearest-wrench";
+    let run = cdpr(&format!("{command} --format json"));
+    assert_eq!(run.exit_code, 1, "{}", run.stderr);
+    let answer =
+        run.json_with(&["tensions_N", "missing_wrench", "missing_force_N", "missing_moment_Nm", "certificate"]);
+    assert_eq!((answer["status"].as_str(), answer["proved"].as_bool()), (Some("infeasible"), Some(true)));
+    let tensions = numbers(&answer["tensions_N"]);
+    assert!(tensions.iter().all(|f| (1000.0..=8000.0).contains(f)), "{tensions:?}");
+    let missing = numbers(&answer["missing_wrench"]);
+    let residual = numbers(&answer["wrench_residual"]);
+    assert!(missing.iter().zip(&residual).all(|(missing, rest)| (missing + rest).abs() < 1e-9), "{answer}");
+    let force = answer["missing_force_N"].as_f64().unwrap();
+    assert!((force - missing[0].hypot(missing[1])).abs() < 1e-9 && force > 20e3, "{answer}");
+    // a point has no moments
+    assert_eq!(answer["missing_moment_Nm"], 0.0);
+    assert!(answer["moment_length_m"].is_null());
+    let text = cdpr(command);
+    assert!(text.stdout.contains("the nearest wrench lacks"), "{}", text.stdout);
+    let spatial =
+        cdpr("tension cogiro --pose 0,0,2,0,0,0 --wrench 0,0,-90000,0,0,0 --method nearest-wrench --format json");
+    assert!(spatial.json()["moment_length_m"].as_f64().unwrap() > 0.3, "{}", spatial.stdout);
+}
+
+/// Where a method misses tensions that exist, the answer says that its verdict is no proof.
+#[test]
+fn a_method_that_finds_none_where_there_are_some_says_so() {
+    let command = "tension planar-example --pose 0,5.2 --wrench 0,-5000 --min 1000 --max 8000";
+    let closed = cdpr(&format!("{command} --method closed-form --format json"));
+    assert_eq!(closed.exit_code, 1, "{}", closed.stdout);
+    assert_eq!(
+        (closed.json()["status"].as_str(), closed.json()["proved"].as_bool()),
+        (Some("infeasible"), Some(false))
+    );
+    assert!(closed.json()["reason"].as_str().unwrap().contains("qp does"), "{}", closed.stdout);
+    assert_eq!(cdpr(command).exit_code, 0);
+    let text = cdpr(&format!("{command} --method closed-form"));
+    assert!(text.stdout.contains("not found by closed-form"), "{}", text.stdout);
+}
+
+#[test]
+fn rates_and_references_are_kept() {
+    let command = "tension planar-example --pose 0,5.2 --wrench 0,-1962 --min 1000 --max 8000";
+    let previous = "5750,5850,2350,2380";
+    let near = cdpr(&format!(
+        "{command} --reference previous --previous {previous} --rate 1000 --time-step 0.1 --format json"
+    ));
+    assert_eq!(near.exit_code, 0, "{}", near.stdout);
+    let tensions = numbers(&near.json()["tensions_N"]);
+    let limits = numbers(&near.json()["tension_max_N"]);
+    for (cable, before) in [5750.0, 5850.0, 2350.0, 2380.0].into_iter().enumerate() {
+        assert!((tensions[cable] - before).abs() <= 100.0 && limits[cable] == before + 100.0, "{tensions:?}");
+    }
+    let far = cdpr(&format!("{command} --previous 2000,2000,6000,6000 --rate 1000 --time-step 0.1 --format json"));
+    assert_eq!(far.exit_code, 1, "{}", far.stdout);
+    assert!(far.json()["reason"].as_str().unwrap().contains("without the rates there are tensions"), "{}", far.stdout);
 }
 
 #[test]

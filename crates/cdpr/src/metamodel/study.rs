@@ -62,7 +62,7 @@ pub struct Initial {
     pub pose: Vec<f64>,
     /// Initial tensions, one per cable (N): brought into balance with the load by the smallest change. Elastic robots only.
     pub tensions_N: Option<Vec<f64>>,
-    /// Or how the initial tensions are found. Elastic robots only.
+    /// Or how the initial tensions are found: a method of tension distribution. Elastic robots only.
     pub tension_method: Option<TensionMethod>,
     /// `"none"`: the control model's lengths go to the machine as they are.
     pub offset: Option<String>,
@@ -72,15 +72,7 @@ pub struct Initial {
     pub offset_robot: Option<String>,
 }
 
-/// How the initial tensions are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TensionMethod {
-    /// Balance nearest to the middle of the limits, whatever limits that breaks (eq. 3.41).
-    ClosedForm,
-    /// Balance within the limits, nearest to their middle.
-    Qp,
-}
+pub use crate::tension::Method as TensionMethod;
 
 /// Limits of the machine; they replace those of the robot files.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]

@@ -8,7 +8,7 @@ use crate::equilibrium::distribution::{self, DistributionError};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::Load;
-use crate::tension::{Limits, closed_form};
+use crate::tension::{Limits, Options, Solver, closed_form};
 
 /// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose with the
 /// initial tensions, q_off = φ̂(x_ini, f_ini) − φ(x_ini).
@@ -50,16 +50,12 @@ pub fn winch_offsets(
 /// The tensions f_ini that a study asks for at its initial pose, in balance with the load of the model's robot (N).
 ///
 /// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method `closed-form`,
-/// the middle of the limits (eq. 3.41), and neither asks for the limits. The method `qp` keeps them.
+/// the middle of the limits (eq. 3.41), and neither asks for the limits. The other methods keep them.
 pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
     // a pose without a course is told in the words of the geometry
     model.structure_matrix(pose)?;
     let load = Load::of(model.robot())?;
     let wrench = load.in_pattern(model, pose);
-    let refused = |error| match error {
-        DistributionError::Statics(error) => InputError::from(error),
-        DistributionError::Tension(error) => InputError::from(error),
-    };
     let nearest_to = |middle: &Limits| -> Result<Vec<f64>, InputError> {
         let mut found = None;
         let balance = distribution::balance(model, pose, wrench.as_slice(), &mut |matrix, wrench| {
@@ -82,14 +78,7 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
             nearest_to(&Limits::new(tensions.clone(), tensions.clone())?)?
         }
         (None, Some(TensionMethod::ClosedForm)) => nearest_to(&Limits::of(model.robot(), None, None)?)?,
-        (None, Some(TensionMethod::Qp)) => {
-            let limits = Limits::of(model.robot(), None, None)?;
-            let found = distribution::solve(model, pose, &load, &limits).map_err(refused)?;
-            match found.reason {
-                None => found.tensions,
-                Some(reason) => return Err(not_balanced(reason.words().to_owned())),
-            }
-        }
+        (None, Some(method)) => chosen_by(method, model, pose, wrench.as_slice())?,
         (None, None) => return Err(InputError::NoTensions),
     };
     match tensions.iter().position(|&tension| tension < 0.0) {
@@ -98,6 +87,32 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
             Err(not_balanced(format!("cable {} would have to push with {push:.0} N", cable + 1)))
         }
         None => Ok(tensions),
+    }
+}
+
+/// Tensions by a method that keeps the limits of the robot's file.
+fn chosen_by(method: TensionMethod, model: &Model, pose: &Pose, wrench: &[f64]) -> Result<Vec<f64>, InputError> {
+    let limits = Limits::of(model.robot(), None, None)?;
+    let mut solver = Solver::new(method, model.cable_count(), model.dof());
+    let mut found = (Vec::new(), None);
+    let balance = distribution::balance(model, pose, wrench, &mut |matrix, wrench| {
+        solver.forget();
+        let answer = solver.solve(matrix, wrench, &limits, &Options::default())?;
+        found = (answer.tensions.clone(), answer.reason());
+        Ok(found.1.is_none().then(|| found.0.clone()))
+    });
+    let unsettled = balance.map_err(refused)?.reason;
+    match (found, unsettled) {
+        ((tensions, None), None) => Ok(tensions),
+        ((_, Some(reason)), _) => Err(not_balanced(reason)),
+        (_, Some(reason)) => Err(not_balanced(reason.words().to_owned())),
+    }
+}
+
+fn refused(error: DistributionError) -> InputError {
+    match error {
+        DistributionError::Statics(error) => error.into(),
+        DistributionError::Tension(error) => error.into(),
     }
 }
 

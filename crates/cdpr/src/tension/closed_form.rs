@@ -3,7 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Limits;
-use super::error::{InputError, check_sizes};
+use super::affine::{Affine, add_scaled};
+use super::answer::missed_limits;
+use super::error::{InputError, check_shape, check_sizes};
 use crate::scalar::decomposition::svd;
 
 /// Tensions in closed form, and what they are worth.
@@ -25,16 +27,7 @@ pub struct Solution {
 impl Solution {
     /// Why the tensions are not to be used: cables beyond their limits, or a load that stays unbalanced.
     pub fn reason(&self, limits: &Limits) -> Option<String> {
-        let tolerance = limits.tolerance();
-        let beyond = |(index, &f): (usize, &f64)| {
-            let (least, largest) = (limits.minimum()[index], limits.maximum()[index]);
-            match (f < least - tolerance, f > largest + tolerance) {
-                (true, _) => Some(format!("cable {} has {f:.1} N, its least tension is {least} N", index + 1)),
-                (_, true) => Some(format!("cable {} has {f:.1} N, its largest tension is {largest} N", index + 1)),
-                _ => None,
-            }
-        };
-        let mut reasons: Vec<String> = self.tensions.iter().enumerate().filter_map(beyond).collect();
+        let mut reasons = missed_limits(&self.tensions, limits);
         if !self.balanced {
             let rest: Vec<String> = self.wrench_residual.iter().map(|rest| format!("{rest:.3}")).collect();
             reasons.push(format!(
@@ -48,19 +41,107 @@ impl Solution {
     }
 }
 
+/// A solver that keeps its memory; it starts nowhere, so that every result depends on its own problem alone.
+///
+/// The tensions are a continuous function of load, matrix and limits wherever the matrix has full rank.
+#[derive(Clone, Debug)]
+pub struct Solver {
+    balanced: Affine,
+    reference: Vec<f64>,
+    /// Sums of the terms' amounts per row: what rounding is measured against.
+    sizes: Vec<f64>,
+    solution: Solution,
+}
+
 /// f = f_m − A⁺ᵀ (w + Aᵀ f_m) with f_m = ½ (f_min + f_max) (Miermeister 2021, eq. 3.41).
 ///
 /// Of all tensions that balance the load these are the nearest to f_m. Where the cables cannot balance it, the rest is
-/// the least possible one, its rows compared after division by those of the structure matrix.
+/// the least possible one, its rows compared after division by those of the structure matrix. See [`Solver`] for many.
 pub fn solve(structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> Result<Solution, InputError> {
-    check_sizes(structure_matrix, wrench, limits, None)?;
-    let middle = DVector::from_fn(limits.cable_count(), |cable, _| limits.middle(cable));
-    let w = DVector::from_column_slice(wrench);
-    let mut rows = structure_matrix.clone();
-    let mut unbalanced = structure_matrix * &middle + &w;
-    if !rows.norm_squared().is_finite() {
-        return Err(InputError::NotFinite { what: "structure matrix" });
+    let (dof, cable_count) = structure_matrix.shape();
+    let mut solver = Solver::new(cable_count, dof);
+    solver.solve(structure_matrix, wrench, limits, None)?;
+    Ok(solver.solution)
+}
+
+impl Solver {
+    /// A solver for this many cables and degrees of freedom: all memory is claimed here, but what lost rank needs.
+    pub fn new(cable_count: usize, dof: usize) -> Self {
+        Self {
+            balanced: Affine::new(cable_count, dof),
+            reference: vec![0.0; cable_count],
+            sizes: vec![0.0; dof],
+            solution: Solution {
+                tensions: vec![0.0; cable_count],
+                within_limits: false,
+                wrench_residual: vec![0.0; dof],
+                balanced: false,
+                rank: 0,
+            },
+        }
     }
+
+    /// As [`solve`], near to other tensions than the middle of the limits where a reference is given.
+    pub fn solve(
+        &mut self,
+        structure_matrix: &DMatrix<f64>,
+        wrench: &[f64],
+        limits: &Limits,
+        reference: Option<&[f64]>,
+    ) -> Result<&Solution, InputError> {
+        check_shape(structure_matrix, self.solution.wrench_residual.len(), self.solution.tensions.len())?;
+        check_sizes(structure_matrix, wrench, limits, reference)?;
+        match reference {
+            Some(reference) if !reference.iter().all(|tension| tension.is_finite()) => {
+                return Err(InputError::NotFinite { what: "reference" });
+            }
+            Some(reference) => self.reference.copy_from_slice(reference),
+            None => self.reference.iter_mut().enumerate().for_each(|(cable, place)| *place = limits.middle(cable)),
+        }
+        let found = &mut self.solution;
+        // orthogonal factors where the rank is beyond doubt; singular values where it is not
+        if self.balanced.load(structure_matrix, wrench)? && self.balanced.rank_is_certain() {
+            self.balanced.nearest(&self.reference, &mut found.tensions);
+            found.rank = wrench.len();
+        } else {
+            found.rank = by_singular_values(structure_matrix, wrench, &self.reference, &mut found.tensions)?;
+        }
+        write_residual(structure_matrix, wrench, &found.tensions, &mut found.wrench_residual);
+        found.within_limits = limits.contain(&found.tensions, limits.tolerance());
+        self.solution.balanced = self.is_zero_to_rounding(structure_matrix, wrench);
+        Ok(&self.solution)
+    }
+
+    /// True when every row of Aᵀ f + w is rounding of its terms.
+    fn is_zero_to_rounding(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64]) -> bool {
+        let sizes = &mut self.sizes;
+        sizes.iter_mut().zip(wrench).for_each(|(size, w)| *size = w.abs());
+        let columns = structure_matrix.as_slice().chunks_exact(wrench.len().max(1));
+        for (column, tension) in columns.zip(&self.solution.tensions) {
+            sizes.iter_mut().zip(column).for_each(|(size, entry)| *size += (entry * tension).abs());
+        }
+        self.solution.wrench_residual.iter().zip(sizes).all(|(rest, size)| rest.abs() <= 1e-9 * *size)
+    }
+}
+
+/// Writes Aᵀ f + w.
+pub(super) fn write_residual(structure_matrix: &DMatrix<f64>, wrench: &[f64], tensions: &[f64], residual: &mut [f64]) {
+    residual.copy_from_slice(wrench);
+    for (column, tension) in structure_matrix.as_slice().chunks_exact(wrench.len().max(1)).zip(tensions) {
+        add_scaled(residual, *tension, column);
+    }
+}
+
+/// Writes the shortest correction of the reference with the least rest; returns the rank.
+fn by_singular_values(
+    structure_matrix: &DMatrix<f64>,
+    wrench: &[f64],
+    reference: &[f64],
+    tensions: &mut [f64],
+) -> Result<usize, InputError> {
+    let middle = DVector::from_column_slice(reference);
+    let mut rows = structure_matrix.clone();
+    let mut unbalanced = structure_matrix * &middle + DVector::from_column_slice(wrench);
     if !unbalanced.norm_squared().is_finite() {
         return Err(InputError::NotFinite { what: "wrench" });
     }
@@ -74,13 +155,8 @@ pub fn solve(structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -
         }
     }
     let (correction, rank) = shortest(rows, &unbalanced);
-    let tensions = middle - correction;
-    let residual = structure_matrix * &tensions + &w;
-    let within_limits = limits.contain(tensions.as_slice(), limits.tolerance());
-    let size = structure_matrix.abs() * tensions.abs() + w.abs();
-    let balanced = residual.iter().zip(size.iter()).all(|(rest, size)| rest.abs() <= 1e-9 * size);
-    let (tensions, wrench_residual) = (tensions.as_slice().to_vec(), residual.as_slice().to_vec());
-    Ok(Solution { tensions, within_limits, wrench_residual, balanced, rank })
+    tensions.copy_from_slice((middle - correction).as_slice());
+    Ok(rank)
 }
 
 /// Rows or singular values below this part of the largest are rounding of zero.

@@ -21,6 +21,14 @@ pub enum InputError {
         /// Columns given.
         columns: usize,
     },
+    /// A structure matrix without rows or columns.
+    #[error("a structure matrix of {rows} × {columns} has nothing to balance, or nothing to balance with")]
+    Empty {
+        /// Degrees of freedom.
+        rows: usize,
+        /// Number of cables.
+        columns: usize,
+    },
     /// Not one wrench component per degree of freedom.
     #[error("expected {expected} wrench components, one per row of the structure matrix, found {found}")]
     WrenchLength {
@@ -53,12 +61,44 @@ pub enum InputError {
         /// Room given.
         found: usize,
     },
+    /// An option that is a list has another length than asked for.
+    #[error("expected {expected} {what}, found {found}")]
+    OptionCount {
+        /// What is listed.
+        what: &'static str,
+        /// Entries asked for.
+        expected: usize,
+        /// Entries given.
+        found: usize,
+    },
+    /// An option has a value that means nothing.
+    #[error("the {what} is {value}; it has to be {expected}")]
+    OptionValue {
+        /// Which one, with its unit.
+        what: &'static str,
+        /// The value given.
+        value: f64,
+        /// The values that mean something.
+        expected: &'static str,
+    },
+    /// Rate limits or a reference that lies at the tensions of the step before, without these.
+    #[error("rate limits, and a reference at the previous tensions, need the previous tensions")]
+    NoPrevious,
     /// NaN, infinite, or so large that its square is.
     #[error("the {what} is not finite, or too large to calculate with")]
     NotFinite {
         /// Which input.
         what: &'static str,
     },
+}
+
+/// The matrix has the shape that a solver's memory was claimed for.
+pub(super) fn check_shape(structure_matrix: &DMatrix<f64>, dof: usize, cable_count: usize) -> Result<(), InputError> {
+    let (rows, columns) = structure_matrix.shape();
+    if (rows, columns) == (dof, cable_count) {
+        return Ok(());
+    }
+    Err(InputError::MatrixShape { expected_rows: dof, expected_columns: cable_count, rows, columns })
 }
 
 /// Checks sizes only: numbers are checked where they are read anyway.
@@ -69,6 +109,9 @@ pub(super) fn check_sizes(
     reference: Option<&[f64]>,
 ) -> Result<(), InputError> {
     let (rows, columns) = structure_matrix.shape();
+    if rows == 0 || columns == 0 {
+        return Err(InputError::Empty { rows, columns });
+    }
     if wrench.len() != rows {
         return Err(InputError::WrenchLength { expected: rows, found: wrench.len() });
     }

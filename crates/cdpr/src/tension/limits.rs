@@ -140,6 +140,80 @@ impl Limits {
         1e-10 * self.scale
     }
 
+    /// Memory for the limits of as many cables.
+    pub(super) fn zero(cable_count: usize) -> Self {
+        Self { minimum: vec![0.0; cable_count], maximum: vec![0.0; cable_count], scale: 0.0, diameter: 0.0 }
+    }
+
+    /// Takes over other limits of as many cables, without claiming memory.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.minimum.copy_from_slice(&other.minimum);
+        self.maximum.copy_from_slice(&other.maximum);
+        (self.scale, self.diameter) = (other.scale, other.diameter);
+    }
+
+    /// Narrows the limits to what tensions can reach from the previous ones; the first cable (from 0) that can reach none
+    /// of its allowed tensions stops it.
+    pub(super) fn narrow_around(&mut self, previous: &[f64], rates: &[f64], time_step: f64) -> Result<(), usize> {
+        for (cable, (previous, rate)) in previous.iter().zip(rates).enumerate() {
+            let reach = rate * time_step;
+            let least = self.minimum[cable].max(previous - reach);
+            let largest = self.maximum[cable].min(previous + reach);
+            // tensions that stand on a limit to rounding are not beyond it
+            if least > largest + self.tolerance() {
+                return Err(cable);
+            }
+            (self.minimum[cable], self.maximum[cable]) = (least.min(largest), largest);
+        }
+        let ranges = self.minimum.iter().zip(&self.maximum);
+        self.diameter = ranges.map(|(least, largest)| (largest - least).powi(2)).sum::<f64>().sqrt();
+        Ok(())
+    }
+
+    /// Sets the limits to other ones, narrower by this part of each range at both ends.
+    pub(super) fn narrow_from(&mut self, wide: &Self, part: f64) {
+        for cable in 0..wide.cable_count() {
+            let margin = part * (wide.maximum[cable] - wide.minimum[cable]);
+            self.minimum[cable] = wide.minimum[cable] + margin;
+            self.maximum[cable] = (wide.maximum[cable] - margin).max(self.minimum[cable]);
+        }
+        (self.scale, self.diameter) = (wide.scale, wide.diameter);
+    }
+
+    /// Sets the limits to other ones, each times a factor of its cable.
+    pub(super) fn scale_from(&mut self, other: &Self, factors: &[f64]) {
+        let (mut scale, mut square) = (0.0_f64, 0.0);
+        for (cable, factor) in factors.iter().enumerate() {
+            let (least, largest) = (factor * other.minimum[cable], factor * other.maximum[cable]);
+            (self.minimum[cable], self.maximum[cable]) = (least, largest);
+            scale = scale.max(least.abs()).max(largest.abs());
+            square += (largest - least).powi(2);
+        }
+        (self.scale, self.diameter) = (scale, square.sqrt());
+    }
+
+    /// Puts tensions that miss a limit by rounding on it.
+    pub(super) fn clamp(&self, tensions: &mut [f64]) {
+        let limits = self.minimum.iter().zip(&self.maximum);
+        tensions.iter_mut().zip(limits).for_each(|(f, (least, largest))| *f = f.clamp(*least, *largest));
+    }
+
+    /// The limit that tensions of these cables miss most: cable, limit (N). None where none is missed by more than rounding.
+    pub(super) fn most_missed(&self, tensions: &[f64]) -> Option<(usize, f64)> {
+        let (mut worst, mut found) = (self.tolerance(), None);
+        for (cable, f) in tensions.iter().enumerate() {
+            for (missed, limit) in
+                [(self.minimum[cable] - f, self.minimum[cable]), (f - self.maximum[cable], self.maximum[cable])]
+            {
+                if missed > worst {
+                    worst = missed;
+                    found = Some((cable, limit));
+                }
+            }
+        }
+        found
+    }
+
     pub(super) fn diameter(&self) -> f64 {
         self.diameter
     }

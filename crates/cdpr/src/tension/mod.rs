@@ -1,14 +1,33 @@
 //! Cable tensions that balance a load: Aᵀ f + w = 0 read for f.
 //!
-//! With more cables than degrees of freedom many tensions balance the same load. [`closed_form`] takes the ones nearest to
-//! the middle of the limits and does not ask whether they keep them; [`quadratic`] takes the nearest ones that do, or proves
-//! that there are none and says which cables cannot. Both work on a structure matrix (n×m) and the wrench in its n rows, so
-//! any robot and load will do.
+//! With more cables than degrees of freedom many tensions balance the same load. [`Method`] names the ways to choose some, and
+//! [`Solver`] goes any of them: near to a reference ([`quadratic`], [`closed_form`]), low or high, in the middle of what is
+//! allowed, or as near to the load as the limits permit. All work on a structure matrix (n×m) and the wrench in its n rows, so
+//! that any robot and load will do. Where no tensions keep the limits, every method says which limits of which cables exclude
+//! the load, with a proof ([`quadratic::Certificate`]).
 
+mod affine;
+mod answer;
+mod barrier;
+mod centroid;
 pub mod closed_form;
+mod dykstra;
 mod error;
+mod improved_closed_form;
 mod limits;
+mod memory;
+mod method;
+mod nearest_wrench;
+mod norm;
+mod options;
+mod polytope;
+mod puncture;
 pub mod quadratic;
+mod solver;
 
+pub use answer::{Answer, Status};
 pub use error::InputError;
 pub use limits::{Limits, LimitsError};
+pub use method::{Method, UnknownMethod};
+pub use options::{Options, Reference};
+pub use solver::{Solver, solve};

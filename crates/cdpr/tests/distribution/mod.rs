@@ -36,6 +36,8 @@ pub(crate) struct Conic {
     rows: CscMatrix<f64>,
     right: Vec<f64>,
     cones: [SupportedConeT<f64>; 2],
+    /// What the rows of the balance were multiplied by.
+    scales: Vec<f64>,
 }
 
 impl Problem {
@@ -61,7 +63,8 @@ impl Problem {
         let linear = (0..m).map(|cable| -self.limits.middle(cable) / unit).collect();
         let (rows, right) = self.constraints(None);
         let cones = [ZeroConeT(self.wrench.len()), NonnegativeConeT(2 * m)];
-        Conic { unit, cost: CscMatrix::identity(m), linear, rows, right, cones }
+        let scales = self.matrix.row_iter().map(|row| 1.0 / row.norm()).collect();
+        Conic { unit, cost: CscMatrix::identity(m), linear, rows, right, cones, scales }
     }
 
     /// How much narrower all limits could be (positive) or have to be wider (negative) at the least for tensions to exist, as
@@ -81,6 +84,13 @@ impl Problem {
             solver.solution.status
         );
         solver.solution.x[m]
+    }
+
+    /// Whether tensions exist, by a linear programme without an aim.
+    pub(crate) fn is_feasible(&self) -> Opinion {
+        let programme = self.conic();
+        let m = self.cable_count();
+        Conic { cost: CscMatrix::zeros((m, m)), linear: vec![0.0; m], ..programme }.solve()
     }
 
     /// Balance, lower and upper limits, with a further column after the tensions'.
@@ -111,14 +121,22 @@ impl Problem {
 
 impl Conic {
     pub(crate) fn solve(&self) -> Opinion {
+        self.solve_with_multipliers().0
+    }
+
+    /// The opinion, and the multipliers of the balance y (N): near the optimum f − f_m = A y for tensions off their limits.
+    pub(crate) fn solve_with_multipliers(&self) -> (Opinion, Vec<f64>) {
         let Self { cost, linear, rows, right, cones, .. } = self;
         let mut solver = DefaultSolver::new(cost, linear, rows, right, cones, settings()).expect("a programme");
         solver.solve();
-        match solver.solution.status {
-            SolverStatus::Solved => Opinion::Optimum(solver.solution.x.iter().map(|f| f * self.unit).collect()),
+        let solution = &solver.solution;
+        let multipliers = solution.z.iter().zip(&self.scales).map(|(z, scale)| -z * scale * self.unit).collect();
+        let opinion = match solution.status {
+            SolverStatus::Solved => Opinion::Optimum(solution.x.iter().map(|f| f * self.unit).collect()),
             SolverStatus::PrimalInfeasible => Opinion::Infeasible,
             _ => Opinion::Unclear,
-        }
+        };
+        (opinion, multipliers)
     }
 }
 

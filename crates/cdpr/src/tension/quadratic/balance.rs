@@ -21,7 +21,7 @@ const INCONSISTENT: f64 = 1e-9;
 
 /// Householder factors of the rows of a structure matrix, A = Q R.
 #[derive(Clone, Debug)]
-pub(super) struct Balance {
+pub(in crate::tension) struct Balance {
     cable_count: usize,
     dof: usize,
     blocks: usize,
@@ -42,7 +42,7 @@ pub(super) struct Balance {
 
 /// What is left of a load that no tensions balance.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Unreachable {
+pub(in crate::tension) struct Unreachable {
     /// Place (in the order of the factors) of the row that stays unbalanced.
     place: usize,
     /// What is missing there.
@@ -50,7 +50,7 @@ pub(super) struct Unreachable {
 }
 
 impl Balance {
-    pub(super) fn new(cable_count: usize, dof: usize) -> Self {
+    pub(in crate::tension) fn new(cable_count: usize, dof: usize) -> Self {
         let blocks = cable_count.div_ceil(LANES);
         Self {
             cable_count,
@@ -66,13 +66,19 @@ impl Balance {
         }
     }
 
-    pub(super) fn rank(&self) -> usize {
+    pub(in crate::tension) fn rank(&self) -> usize {
         self.rank
+    }
+
+    /// True when the rows are so independent that no way of counting them could doubt it.
+    pub(in crate::tension) fn rank_is_certain(&self) -> bool {
+        let reciprocals = (0..self.dof).map(|row| self.triangle[row * self.dof + row].abs());
+        self.rank == self.dof && reciprocals.fold(0.0, f64::max) < 1.0 / CERTAIN
     }
 
     /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the shortest tensions that balance what
     /// they can of the load. `Some` where that is not all of it.
-    pub(super) fn solve(
+    pub(in crate::tension) fn solve(
         &mut self,
         structure_matrix: &DMatrix<f64>,
         wrench: &[f64],

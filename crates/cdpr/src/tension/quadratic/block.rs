@@ -3,7 +3,7 @@
 use crate::scalar::LANES;
 
 /// Eight numbers that are computed together.
-pub(super) type Block = [f64; LANES];
+pub(in crate::tension) type Block = [f64; LANES];
 
 /// Ones where block k keeps its entries: from lane k on.
 pub(super) const KEEP: [Block; LANES + 1] = {

@@ -29,7 +29,7 @@ pub struct Certificate {
 pub(super) const ROUNDING: f64 = 1e-9;
 
 impl Certificate {
-    pub(super) fn new(cable_count: usize, dof: usize) -> Self {
+    pub(in crate::tension) fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             direction: vec![0.0; dof],
             weights: vec![0.0; cable_count],
@@ -38,6 +38,14 @@ impl Certificate {
             best: vec![0.0; cable_count],
             is_unresisted: false,
         }
+    }
+
+    /// Takes over another certificate of the same size, without claiming memory.
+    pub(in crate::tension) fn copy_from(&mut self, other: &Self) {
+        self.direction.copy_from_slice(&other.direction);
+        self.weights.copy_from_slice(&other.weights);
+        self.best.copy_from_slice(&other.best);
+        (self.required, self.reachable, self.is_unresisted) = (other.required, other.reachable, other.is_unresisted);
     }
 
     /// Computes everything else from the direction. Whether any cable acts in it is asked only where rank may be lost.

@@ -7,9 +7,9 @@
 //! division by their length).
 
 mod active_set;
-mod balance;
-mod block;
-mod certificate;
+pub(super) mod balance;
+pub(super) mod block;
+pub(super) mod certificate;
 mod fixed;
 #[cfg(test)]
 mod tests;

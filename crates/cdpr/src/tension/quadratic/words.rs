@@ -6,7 +6,7 @@ impl Certificate {
     /// What balance asks of which cables, and what their limits allow; a sentence part without a full stop.
     ///
     /// In Σ cᵢ fᵢ = required the cables with c < 0 stand at their least tension, so that the others have least to do.
-    pub(super) fn words(&self) -> String {
+    pub(in crate::tension) fn words(&self) -> String {
         if self.is_unresisted {
             return self.words_without_cables();
         }

@@ -1,0 +1,150 @@
+//! How tensions are chosen: `--method` and what it may be asked for.
+
+use std::str::FromStr;
+
+use cdpr::model::Model;
+use cdpr::tension::{InputError, Method, Options, Reference};
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::numbers::{NumberList, finite_number, number_from_zero};
+
+/// `--method` and the wishes that go with it.
+#[derive(Debug, Args)]
+pub(crate) struct MethodArguments {
+    /// How the tensions are chosen: qp | closed-form | improved-closed-form | puncture | dykstra | centroid | minimum |
+    /// maximum | barrier | nearest-wrench.
+    #[arg(long, value_name = "METHOD", default_value_t = Method::Qp)]
+    pub(crate) method: Method,
+
+    /// What qp, closed-form, improved-closed-form, dykstra and nearest-wrench stay near to: middle (of the limits) | previous |
+    /// one tension per cable (N).
+    #[arg(long, value_name = "REFERENCE", default_value = "middle", allow_hyphen_values = true)]
+    reference: ReferenceArgument,
+
+    /// Tensions of the step before, one per cable (N).
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
+    previous: Option<NumberList>,
+
+    /// How fast tensions may change from the previous ones (N/s): one number, or one per cable.
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
+    rate: Option<NumberList>,
+
+    /// Time since the previous tensions (s), for --rate.
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = number_from_zero, allow_hyphen_values = true)]
+    time_step: f64,
+
+    /// p of the p-norm that minimum and maximum are about, from 1 (the sum) to 8.
+    #[arg(long, value_name = "P", default_value_t = 2.0, value_parser = finite_number, allow_hyphen_values = true)]
+    p: f64,
+
+    /// Length by which nearest-wrench divides moments to weigh them against forces (m); by default the root mean square
+    /// distance of the platform anchors from the platform origin.
+    #[arg(long, value_name = "M", value_parser = finite_number, allow_hyphen_values = true)]
+    moment_length: Option<f64>,
+}
+
+/// `--reference`.
+#[derive(Clone, Debug)]
+enum ReferenceArgument {
+    Middle,
+    Previous,
+    Given(NumberList),
+}
+
+impl FromStr for ReferenceArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        match text {
+            "middle" => Ok(Self::Middle),
+            "previous" => Ok(Self::Previous),
+            _ => text.parse().map(Self::Given).map_err(|why| format!("middle, previous or tensions expected; {why}")),
+        }
+    }
+}
+
+/// The wishes for one robot.
+pub(crate) struct Wishes {
+    reference: ReferenceArgument,
+    previous: Option<Vec<f64>>,
+    rates: Option<Vec<f64>>,
+    time_step: f64,
+    p: f64,
+    /// 1 for forces, the moment length for moments (m).
+    lengths: Vec<f64>,
+}
+
+impl MethodArguments {
+    /// The wishes, one number per cable or wrench component where they are lists.
+    pub(crate) fn wishes(&self, model: &Model) -> Wishes {
+        let moment_length = self.moment_length.unwrap_or_else(|| moment_length(model));
+        let rates = self.rate.as_ref().map(|rate| match rate.0.as_slice() {
+            [rate] => vec![*rate; model.cable_count()],
+            rates => rates.to_vec(),
+        });
+        Wishes {
+            reference: self.reference.clone(),
+            previous: self.previous.as_ref().map(|previous| previous.0.clone()),
+            rates,
+            time_step: self.time_step,
+            p: self.p,
+            lengths: model.twist_basis().iter().map(|twist| if is_turn(twist) { moment_length } else { 1.0 }).collect(),
+        }
+    }
+}
+
+impl Wishes {
+    pub(crate) fn options(&self) -> Options<'_> {
+        Options {
+            reference: match &self.reference {
+                ReferenceArgument::Middle => Reference::Middle,
+                ReferenceArgument::Previous => Reference::Previous,
+                ReferenceArgument::Given(tensions) => Reference::Given(&tensions.0),
+            },
+            previous: self.previous.as_deref(),
+            rates: self.rates.as_deref(),
+            time_step: self.time_step,
+            p: self.p,
+            lengths: Some(&self.lengths),
+        }
+    }
+
+    /// Length by which moments are divided (m); none where the robot has none.
+    pub(crate) fn moment_length(&self, model: &Model) -> Option<f64> {
+        let mut rows = model.twist_basis().iter().zip(&self.lengths);
+        rows.find(|(twist, _)| is_turn(twist)).map(|(_, length)| *length)
+    }
+}
+
+/// True of a direction that turns the platform, whose wrench component is a moment.
+pub(crate) fn is_turn(twist: &cdpr::geometry::Twist) -> bool {
+    twist.fixed_rows::<3>(3).norm() > 0.0
+}
+
+/// Root mean square distance of the platform anchors from the origin of the platform; 1 m where all lie there.
+fn moment_length(model: &Model) -> f64 {
+    let cables = &model.robot().cables;
+    let squares: f64 = cables.iter().map(|cable| cable.platform_anchor.norm_squared()).sum();
+    let length = (squares / cables.len() as f64).sqrt();
+    if length > 0.0 && length.is_finite() { length } else { 1.0 }
+}
+
+/// What a distribution refused, with the option that it came from.
+pub(crate) fn refused(error: &InputError) -> Failure {
+    match error {
+        InputError::NotFinite { .. } => Failure::numerical(error.to_string()),
+        InputError::ReferenceLength { .. } => Failure::refused("--reference", error),
+        InputError::NoPrevious => Failure::refused("--reference, --rate without --previous", error),
+        InputError::OptionCount { what, .. } | InputError::OptionValue { what, .. } => {
+            Failure::refused(option_of(what), error)
+        }
+        _ => Failure::refused("--wrench", error),
+    }
+}
+
+fn option_of(what: &str) -> &'static str {
+    let options = [("previous", "--previous"), ("rate", "--rate"), ("p of", "--p"), ("time", "--time-step")];
+    let known = options.into_iter().find(|(start, _)| what.starts_with(start));
+    known.map_or("--moment-length", |(_, option)| option)
+}
