@@ -77,6 +77,23 @@ fn bench_reused(group: &mut BenchmarkGroup<WallTime>, name: &str, problems: &[Pr
     });
 }
 
+/// Every method through the common interface, cold.
+fn bench_methods(group: &mut BenchmarkGroup<WallTime>, feasible: &[Problem], infeasible: &[Problem]) {
+    for method in Method::ALL {
+        for (name, problems) in [("feasible", feasible), ("infeasible", infeasible)] {
+            let mut solver = tension::Solver::new(method, 8, 6);
+            let mut problems = problems.iter().cycle();
+            group.bench_function(format!("{name}, {method}"), |bencher| {
+                bencher.iter(|| {
+                    let Problem { matrix, wrench, limits } = problems.next().expect("has no end");
+                    solver.forget();
+                    solver.solve(black_box(matrix), wrench, limits, &Options::default()).map(|found| found.status)
+                });
+            });
+        }
+    }
+}
+
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     let robot = Robot::builtin("cablerobot-simulator-helicopter").expect("built in");
@@ -97,12 +114,14 @@ fn main() {
             solve(black_box(matrix), wrench, limits, None).map(|found| found.status)
         });
     });
+    let mut closed_form = closed_form::Solver::new(8, 6);
     group.bench_function("feasible, closed form", |bencher| {
         bencher.iter(|| {
             let Problem { matrix, wrench, limits } = problems.next().expect("has no end");
-            closed_form::solve(black_box(matrix), wrench, limits)
+            closed_form.solve(black_box(matrix), wrench, limits, None).map(|found| found.within_limits)
         });
     });
+    bench_methods(&mut group, &feasible, &infeasible);
     group.sample_size(20);
     for (name, problems) in [("feasible, clarabel", &feasible), ("infeasible, clarabel", &infeasible)] {
         let mut programmes = problems.iter().map(Problem::conic).collect::<Vec<_>>().into_iter().cycle();
