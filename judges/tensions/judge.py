@@ -81,7 +81,7 @@ def main():
         is_good = figure >= limit if is_least else figure <= limit
         failed += not is_good
         word = "at least" if is_least else "limit"
-        print(f"{'ok ' if is_good else 'BAD'}  {name:<52} {figure:8.1e} {unit:<3} ({word} {limit:.0e})")
+        print(f"{'ok ' if is_good else 'BAD'}  {name:<52} {figure:8.1e} {unit:<3} ({word} {limit:.1e})")
     print(f"judged: {len(rows) - failed} passed, {failed} failed")
     return 1 if failed else 0
 
