@@ -56,10 +56,10 @@ fn figure() -> Result<String, Box<dyn Error>> {
     let marks = marks(&question, axes)?;
     let window = Window::around(axes, corners.iter().copied().chain(marks.iter().map(|mark| mark.at)));
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 800 530\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 870 530\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">\n\
          <title>All allowed tensions of eight cables at one pose, and those that each method chooses</title>\n\
          <style>text { fill: #1b1f24; } .halo { paint-order: stroke; stroke: #ffffff; stroke-width: 4px; }</style>\n\
-         <rect width=\"800\" height=\"530\" fill=\"#ffffff\"/>\n",
+         <rect width=\"870\" height=\"530\" fill=\"#ffffff\"/>\n",
     );
     draw_axes(&mut svg, &window)?;
     let path: Vec<String> =
