@@ -86,7 +86,8 @@ fn the_volumes_of_the_cablerobot_simulator_are_those_published() {
         assert!((by_grid.size / published - 1.0).abs() < 0.01, "{}", by_grid.size);
         assert!((fine.size / by_grid.size - 1.0).abs() < 0.01, "{} {}", fine.size, by_grid.size);
         assert!((fine.size - by_grid.size).abs() < fine.error_bound + by_grid.error_bound);
-        assert!((rough.size - coarse).abs() < 1.0, "{}", rough.size); // printed without decimals
+        // the published center and the turn of its icosphere are not known
+        assert!((rough.size / coarse - 1.0).abs() < 0.005, "{}", rough.size);
         assert!(!by_grid.reaches_bounds);
     }
 }
