@@ -1,4 +1,5 @@
 // What the page is told: the JSON block that `report/page_data.rs` writes. SI units; names carry the unit.
+import type { WorkspaceData } from "./workspace/data";
 
 /** Statistics of position (m) or rotation errors (rad). */
 export interface PoseError {
@@ -118,8 +119,8 @@ export interface PageData {
   correlation: { names: string[]; lower: (number | null)[][] } | null;
 }
 
-/** The block of the page; null where no candidate could be identified. */
-export function readData(): PageData | null {
+/** The block of the page; null where no candidate could be identified. A page that is no report says what it is. */
+export function readData(): PageData | WorkspaceData | null {
   const text = document.getElementById("cdpr-data")?.textContent;
-  return text ? (JSON.parse(text) as PageData | null) : null;
+  return text ? (JSON.parse(text) as PageData | WorkspaceData | null) : null;
 }

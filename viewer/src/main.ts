@@ -1,4 +1,4 @@
-// The report page: fills the figures of the frame that the command wrote, from the data in the page.
+// The pages of the command: fills the figures of the frame that it wrote, from the data in the page.
 import "./style.css";
 import { correlation } from "./charts/correlation";
 import { coverage } from "./charts/coverage";
@@ -13,6 +13,7 @@ import { fill } from "./figure";
 import { offerPrinting } from "./printing";
 import { showScene } from "./scene/scene";
 import { offerTheme } from "./theme";
+import { showWorkspace } from "./workspace/page";
 
 function drawAll(data: PageData): void {
   const shown = data.result.candidates[data.shown];
@@ -32,5 +33,6 @@ const data = readData();
 offerTheme();
 offerDefinitions();
 offerPrinting();
-if (data) drawAll(data);
+if (data && "page" in data) showWorkspace(data);
+else if (data) drawAll(data);
 document.documentElement.dataset.drawn = "true";

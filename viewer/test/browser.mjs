@@ -1,12 +1,13 @@
-// Opens report pages in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
+// Opens pages of the command in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
 //   node test/browser.mjs CHROMIUM OUTPUT FOLDER_OF_A_RESULT…
-// Each folder holds report.html, and result.json where the command writes one. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
+// Each folder holds report.html, and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
 import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
-import { checkPage } from "./page-checks.mjs";
+import { checkPage, layout } from "./page-checks.mjs";
+import { checkWorkspace } from "./workspace-checks.mjs";
 
 const ARGUMENTS = [
   "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -36,7 +37,8 @@ for (const folder of folders) {
 process.exitCode = complaints > 0 ? 1 : 0;
 
 async function examine(context, folder, name) {
-  const file = resolve(folder, "report.html");
+  const workspace = resolve(folder, "workspace.html");
+  const file = existsSync(workspace) ? workspace : resolve(folder, "report.html");
   const json = join(folder, "result.json");
   const result = existsSync(json) ? JSON.parse(readFileSync(json, "utf8")) : null;
   const address = pathToFileURL(file).href;
@@ -56,7 +58,7 @@ async function examine(context, folder, name) {
   console.log(`${name}: ${(bytes / 1e6).toFixed(2)} MB, drawn after ${milliseconds.toFixed(0)} ms`);
   if (bytes > LARGEST_BYTES) found.push(`the page has ${bytes} bytes, more than ${LARGEST_BYTES}`);
   if (milliseconds > LONGEST_MILLISECONDS) found.push(`the page took ${milliseconds.toFixed(0)} ms, more than ${LONGEST_MILLISECONDS}`);
-  found.push(...(await checkPage(page, result)));
+  found.push(...(file === workspace ? await checkWorkspace(page, layout) : await checkPage(page, result)));
   await pictures(page, name);
   await page.close();
   return found;

@@ -202,7 +202,7 @@ async function definitions(page) {
 }
 
 /** Nothing sticks out sideways, wide or narrow. */
-async function layout(page) {
+export async function layout(page) {
   const found = [];
   for (const width of [1280, 600, 380]) {
     await page.setViewportSize({ width, height: 900 });

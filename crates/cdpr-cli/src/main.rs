@@ -9,6 +9,7 @@ mod explanations;
 mod failure;
 mod figures;
 mod files;
+mod html_page;
 mod inputs;
 mod interruption;
 mod laboratory;
@@ -25,6 +26,8 @@ mod table;
 mod tension_choice;
 mod tension_method;
 mod usage;
+#[allow(dead_code, unused_imports, reason = "the command `workspace` calls it")]
+mod workspace_page;
 mod wrench_answer;
 
 use std::process::ExitCode;

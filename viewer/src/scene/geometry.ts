@@ -30,7 +30,7 @@ export function posed(data: PageData, row: number, which: Which, magnification: 
 }
 
 /** Every anchor of the platform joined to its two nearest neighbours and to the origin: a body without asking for its hull. */
-function edgesOf(platform: Vector3[], origin: Vector3): Segment[] {
+export function edgesOf(platform: Vector3[], origin: Vector3): Segment[] {
   const found = new Map<string, Segment>();
   platform.forEach((point, index) => {
     const near = platform

@@ -10,9 +10,10 @@ const FIELD_OF_VIEW = 32;
 export class Stage {
   readonly content = new Group();
   readonly labels: Labels;
+  /** What sees the scene, for finding what the pointer is on. */
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
   private readonly orbit: OrbitControls;
   private sphere = new Sphere(new Vector3(), 1);
   private points: Vector3[] = [];
@@ -24,7 +25,8 @@ export class Stage {
     place.append(holder);
     // kept, so that printing and copying the picture work at any time
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
-    const canvas = this.renderer.domElement;
+    this.renderer.localClippingEnabled = true; // materials with clip planes obey them
+    const { canvas } = this;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", words);
@@ -37,6 +39,11 @@ export class Stage {
     canvas.addEventListener("keydown", (event) => this.steer(event));
     new ResizeObserver(() => this.fit(holder)).observe(holder);
     this.fit(holder);
+  }
+
+  /** Where the scene is drawn and the pointer is heard. */
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement;
   }
 
   /** Looks at everything from a direction; `up` is the direction that points up on the screen. */
@@ -88,7 +95,7 @@ export class Stage {
   }
 
   drawNow(): void {
-    const canvas = this.renderer.domElement;
+    const { canvas } = this;
     this.renderer.render(this.scene, this.camera);
     this.labels.place(this.camera, canvas.clientWidth, canvas.clientHeight);
   }

@@ -20,15 +20,12 @@ use cdpr::geometry::MotionPattern;
 use cdpr::identification::selection::{Criterion, Judgement, Selection};
 use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
-use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
+use minijinja::{Error, Value, context};
 
+use crate::html_page::{Page, plain, prose};
 use crate::number_format as number;
-use table::{printable, prose};
 
 const TEMPLATE: &str = include_str!("report.html");
-const STYLE: &str = include_str!("generated/viewer.css");
-const SCRIPT: &str = include_str!("generated/viewer.js");
-const NOTICES: &str = include_str!("generated/notices.txt");
 
 /// What was asked: which model to take, or the parameters of one that was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,16 +125,8 @@ impl<'a> Shown<'a> {
 
 /// The page.
 pub(crate) fn render(input: &Report<'_>) -> Result<String, Error> {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.add_template("report.html", TEMPLATE)?;
     let shown = Shown::of(input.selection);
-    let page = context! {
-        style => Value::from_safe_string(STYLE.to_owned()),
-        script => Value::from_safe_string(SCRIPT.to_owned()),
-        notices => NOTICES,
-        data => Value::from_safe_string(page_data::json(input, shown.as_ref())),
-        title => plain(&input.title()),
+    let values = context! {
         facts => facts(input),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
@@ -147,10 +136,11 @@ pub(crate) fn render(input: &Report<'_>) -> Result<String, Error> {
         warnings => warnings(input, shown.as_ref()),
         command => plain(input.command),
         seed => input.seed,
-        version => plain(input.version),
         criterion => input.criterion.words(),
     };
-    environment.get_template("report.html")?.render(page)
+    let data = page_data::json(input, shown.as_ref());
+    let (title, version) = (&input.title(), input.version);
+    Page { title, class: "", template: TEMPLATE, values, data, version }.render()
 }
 
 fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
@@ -228,9 +218,4 @@ fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
         }
     }
     warnings.iter().map(|warning| prose(warning)).collect()
-}
-
-/// The text without characters that no page may contain; the template escapes the rest.
-fn plain(text: &str) -> String {
-    text.chars().map(printable).collect()
 }

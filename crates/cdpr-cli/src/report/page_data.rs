@@ -8,7 +8,8 @@ use cdpr::identification::Evaluation;
 use cdpr::nalgebra::Vector3;
 use serde::Serialize;
 
-use super::{Purpose, Report, Shown, plain};
+use super::{Purpose, Report, Shown};
+use crate::html_page::{digits, inside_script, plain};
 use crate::selecting::Selected;
 
 /// Numbers that a page may hold for its samples (about 8 bytes each): more samples are thinned out.
@@ -124,15 +125,6 @@ pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
     });
     let text = serde_json::to_string(&data).expect("strings and numbers only");
     inside_script(&text)
-}
-
-/// The same JSON without the characters that could end the element or start markup.
-fn inside_script(json: &str) -> String {
-    json.replace('<', "\\u003c")
-        .replace('>', "\\u003e")
-        .replace('&', "\\u0026")
-        .replace('\u{2028}', "\\u2028")
-        .replace('\u{2029}', "\\u2029")
 }
 
 fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
@@ -261,31 +253,4 @@ fn correlation(report: &Report<'_>, shown: &Shown<'_>) -> Option<CorrelationData
 
 fn vector(point: &Vector3<f64>) -> [f64; 3] {
     [point.x, point.y, point.z].map(|value| digits(value, 6))
-}
-
-/// The number with so many significant digits: more would only make the page longer.
-fn digits(value: f64, count: usize) -> f64 {
-    if !value.is_finite() {
-        return f64::NAN;
-    }
-    format!("{value:.*e}", count - 1).parse().unwrap_or(value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn text_inside_the_script_element_cannot_end_it_and_stays_the_same_text() {
-        let name = "</script><!-- & \u{2028}";
-        let text = inside_script(&serde_json::to_string(name).unwrap());
-        assert!(!text.contains('<') && !text.contains('>') && !text.contains('\u{2028}'));
-        assert_eq!(serde_json::from_str::<String>(&text).unwrap(), name);
-    }
-
-    #[test]
-    fn numbers_keep_the_digits_that_charts_can_show() {
-        assert_eq!([digits(0.001_234_567, 4), digits(-12.345_678, 6), digits(0.0, 4)], [0.001235, -12.3457, 0.0]);
-        assert!(digits(f64::INFINITY, 4).is_nan(), "JSON has no infinity");
-    }
 }

@@ -4,7 +4,8 @@ use cdpr::identification::fit::{Estimate, Fit, Status};
 use minijinja::{Value, context};
 
 use super::Shown;
-use super::table::{Cell, Table, prose};
+use super::table::{Cell, Table};
+use crate::html_page::prose;
 use crate::number_format::{self as number, decimals_for, fixed, signed};
 
 /// Half width of a 95 % interval of a normal distribution, in standard deviations.

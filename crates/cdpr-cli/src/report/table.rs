@@ -2,6 +2,8 @@
 
 use minijinja::{Value, context};
 
+use crate::html_page::{breakable, plain, prose};
+
 /// A table with caption and head.
 pub(super) struct Table {
     caption: String,
@@ -79,64 +81,11 @@ impl Table {
         let rows: Value = self.rows.into_iter().collect();
         let head: Value = self.head.into_iter().collect();
         let label = self.caption.replace('`', "");
-        context! { label => super::plain(&label), caption => prose(&self.caption), head, rows }
+        context! { label => plain(&label), caption => prose(&self.caption), head, rows }
     }
-}
-
-/// Text with `…` shown as code, escaped.
-pub(super) fn prose(text: &str) -> Value {
-    let parts: Vec<&str> = text.split('`').collect();
-    if parts.len().is_multiple_of(2) {
-        return Value::from_safe_string(escape(text));
-    }
-    let mut html = String::new();
-    for (index, part) in parts.into_iter().enumerate() {
-        match index % 2 {
-            0 => html.push_str(&escape(part)),
-            _ => html.push_str(&format!("<code>{}</code>", breakable(part))),
-        }
-    }
-    Value::from_safe_string(html)
 }
 
 /// A name as code that may break after its separators.
 fn code(text: &str) -> Value {
     Value::from_safe_string(format!("<code>{}</code>", breakable(text)))
-}
-
-fn breakable(text: &str) -> String {
-    escape(text).replace(':', ":<wbr/>").replace(',', ",<wbr/>")
-}
-
-/// The text with the characters of markup written out, and control characters, which no page may contain, as boxes.
-pub(super) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            other => escaped.push(printable(other)),
-        }
-    }
-    escaped
-}
-
-/// The character itself, or a box for what HTML and XML do not allow.
-pub(super) fn printable(character: char) -> char {
-    let allowed = matches!(character, '\n' | '\t') || !character.is_control();
-    if allowed && !matches!(character, '\u{fffe}' | '\u{ffff}') { character } else { '\u{fffd}' }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn markup_in_text_stays_text() {
-        assert_eq!(prose("a `b<i>` & c").to_string(), "a <code>b&lt;i&gt;</code> &amp; c");
-        assert_eq!(escape("<a href='\"'>\u{0}"), "&lt;a href=&#39;&quot;&#39;&gt;\u{fffd}");
-    }
 }

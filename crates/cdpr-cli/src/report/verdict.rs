@@ -4,8 +4,9 @@ use cdpr::identification::fit::Status;
 use cdpr::identification::selection::RequirementOutcome;
 use minijinja::{Value, context};
 
-use super::table::{Cell, prose};
+use super::table::Cell;
 use super::{Purpose, Report, Shown, criterion};
+use crate::html_page::prose;
 use crate::number_format as number;
 
 /// The first thing a reader sees.

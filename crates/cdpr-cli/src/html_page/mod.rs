@@ -1,0 +1,89 @@
+//! What every page of the command has in common: one HTML file with style, data and program in it; nothing comes from the
+//! network.
+//!
+//! Program and style are made from `viewer/` and committed in `report/generated`.
+
+mod text;
+
+use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
+
+pub(crate) use text::{breakable, plain, prose};
+
+const FRAME: &str = include_str!("frame.html");
+const STYLE: &str = include_str!("../report/generated/viewer.css");
+const SCRIPT: &str = include_str!("../report/generated/viewer.js");
+const NOTICES: &str = include_str!("../report/generated/notices.txt");
+
+/// A page.
+pub(crate) struct Page<'a> {
+    /// Title of the window.
+    pub(crate) title: &'a str,
+    /// Class of the body; empty for none.
+    pub(crate) class: &'a str,
+    /// Template of what stands between head and footer.
+    pub(crate) template: &'static str,
+    /// The template's values; `title` and `version` are known to it besides.
+    pub(crate) values: Value,
+    /// The block that the program reads: JSON of [`inside_script`].
+    pub(crate) data: String,
+    /// Version of the program.
+    pub(crate) version: &'a str,
+}
+
+impl Page<'_> {
+    /// The file.
+    pub(crate) fn render(self) -> Result<String, Error> {
+        let mut environment = Environment::new();
+        environment.set_undefined_behavior(UndefinedBehavior::Strict);
+        environment.add_template("body.html", self.template)?;
+        environment.add_template("frame.html", FRAME)?;
+        let (title, version) = (plain(self.title), plain(self.version));
+        let own = context! { title, version };
+        let body = environment.get_template("body.html")?.render(context! { ..self.values, ..own.clone() })?;
+        environment.get_template("frame.html")?.render(context! {
+            style => Value::from_safe_string(STYLE.to_owned()),
+            script => Value::from_safe_string(SCRIPT.to_owned()),
+            notices => NOTICES,
+            data => Value::from_safe_string(self.data),
+            body => Value::from_safe_string(body),
+            class => self.class,
+            ..own
+        })
+    }
+}
+
+/// The same JSON without the characters that could end the element or start markup.
+pub(crate) fn inside_script(json: &str) -> String {
+    json.replace('<', "\\u003c")
+        .replace('>', "\\u003e")
+        .replace('&', "\\u0026")
+        .replace('\u{2028}', "\\u2028")
+        .replace('\u{2029}', "\\u2029")
+}
+
+/// The number with so many significant digits: more would only make the page longer. NaN where it is not finite.
+pub(crate) fn digits(value: f64, count: usize) -> f64 {
+    if !value.is_finite() {
+        return f64::NAN;
+    }
+    format!("{value:.*e}", count - 1).parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_inside_the_script_element_cannot_end_it_and_stays_the_same_text() {
+        let name = "</script><!-- & \u{2028}";
+        let text = inside_script(&serde_json::to_string(name).unwrap());
+        assert!(!text.contains('<') && !text.contains('>') && !text.contains('\u{2028}'));
+        assert_eq!(serde_json::from_str::<String>(&text).unwrap(), name);
+    }
+
+    #[test]
+    fn numbers_keep_the_digits_that_charts_can_show() {
+        assert_eq!([digits(0.001_234_567, 4), digits(-12.345_678, 6), digits(0.0, 4)], [0.001235, -12.3457, 0.0]);
+        assert!(digits(f64::INFINITY, 4).is_nan(), "JSON has no infinity");
+    }
+}

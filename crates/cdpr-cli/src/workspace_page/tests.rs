@@ -1,0 +1,215 @@
+//! Pages on robots made up here: well-formed, self-contained, and telling what the library computes.
+
+use cdpr::equilibrium::distribution;
+use cdpr::model::Composition;
+use cdpr::robot::Robot;
+use cdpr::workspace::Criterion;
+use cdpr::workspace::criterion::WrenchFeasible;
+
+use cdpr::nalgebra::Vector3;
+
+use super::*;
+
+/// What a page is made of.
+struct Case {
+    model: Model,
+    load: Load,
+    limits: Limits,
+    start: Pose,
+    bounds: Vec<[f64; 2]>,
+    findings: Vec<Finding>,
+}
+
+impl Case {
+    fn new(robot: Robot, limits: [f64; 2], bounds: &[[f64; 2]]) -> Self {
+        let load = Load::of(&robot).unwrap();
+        let limits = Limits::uniform(robot.cable_count(), limits[0], limits[1]).unwrap();
+        let start = robot.home_or_middle();
+        let model = Model::new(robot, Composition::STANDARD).unwrap();
+        Self { model, load, limits, start, bounds: bounds.to_vec(), findings: vec![] }
+    }
+
+    fn planar() -> Self {
+        Self::new(Robot::builtin("planar-example").unwrap(), [1000.0, 8000.0], &[[-4.0, 4.0], [0.5, 9.5]])
+    }
+
+    fn spatial() -> Self {
+        let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+        Self::new(robot, [1000.0, 9000.0], &[[-4.0, 4.0], [-4.0, 4.0], [-1.5, 5.5]])
+    }
+
+    fn page(&self) -> String {
+        let criterion = WrenchFeasible::new(&self.model, &self.load, &self.limits).unwrap();
+        render(&WorkspacePage {
+            model: &self.model,
+            criterion: criterion.name(),
+            unit: criterion.unit(),
+            judge: &|pose| criterion.judge(pose),
+            statics: Some((&self.load, &self.limits)),
+            start: &self.start,
+            bounds: &self.bounds,
+            findings: &self.findings,
+            facts: &[("Limits", "1000 N to 8000 N".to_owned())],
+            warnings: &["`--step` is coarse".to_owned()],
+            command: "cdpr workspace robot --page page.html",
+            version: "0.1.0",
+        })
+        .unwrap()
+    }
+}
+
+fn tetrahedron() -> Mesh {
+    Mesh {
+        vertices: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.5]],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
+        fields: vec![],
+    }
+}
+
+/// The page without its style and its program, which are no XML; the data block stays.
+fn markup(page: &str) -> String {
+    let without = |text: &str, start: &str, end: &str| -> String {
+        let (before, rest) = text.split_once(start).unwrap();
+        let (_, after) = rest.split_once(end).unwrap();
+        format!("{before}{after}")
+    };
+    without(&without(page, "<style>", "</style>"), "<script>\n", "</script>")
+}
+
+/// Parses the page as XML, which checks that every tag is closed and every attribute quoted and unique.
+fn parsed(page: &str) -> roxmltree::Document<'_> {
+    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    roxmltree::Document::parse_with_options(page, options).unwrap()
+}
+
+/// What the program of the page reads.
+fn data(page: &str) -> serde_json::Value {
+    let page = markup(page);
+    let document = parsed(&page);
+    let block = document.descendants().find(|node| node.attribute("id") == Some("cdpr-data")).unwrap();
+    serde_json::from_str(block.text().unwrap()).unwrap()
+}
+
+#[test]
+fn the_page_is_well_formed_and_asks_nothing_of_the_network() {
+    for page in [Case::planar().page(), Case::spatial().page()] {
+        let markup = markup(&page);
+        let document = parsed(&markup);
+        for node in document.descendants() {
+            for attribute in ["src", "href"] {
+                let value = node.attribute(attribute).unwrap_or_default();
+                assert!(value.is_empty() || value.starts_with('#'), "{attribute}={value}");
+            }
+        }
+        for link in document.descendants().filter_map(|node| node.attribute("href")?.strip_prefix('#')) {
+            assert!(document.descendants().any(|node| node.attribute("id") == Some(link)), "#{link} leads nowhere");
+        }
+        assert!(page.len() < 2_000_000, "{} bytes", page.len());
+    }
+}
+
+/// Every node of the page holds the tensions and the verdict that the library gives there, to the four digits written.
+#[test]
+fn the_grid_of_the_page_holds_what_the_library_computes() {
+    for case in [Case::planar(), Case::spatial()] {
+        let data = data(&case.page());
+        let grid = &data["grid"];
+        let axes = grid["axes"].as_array().unwrap();
+        let criterion = WrenchFeasible::new(&case.model, &case.load, &case.limits).unwrap();
+        let numbers = |value: &serde_json::Value| -> Vec<f64> {
+            value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+        };
+        let count = grid["margin"].as_array().unwrap().len();
+        let (mut feasible, mut infeasible) = (0, 0);
+        for node in (0..count).step_by(37) {
+            let mut position = Vector3::from_column_slice(&numbers(&grid["base_m"]));
+            let mut rest = node as u64;
+            for axis in axes {
+                let count = axis["count"].as_u64().unwrap();
+                let at = axis["start_m"].as_f64().unwrap() + (rest % count) as f64 * axis["step_m"].as_f64().unwrap();
+                position += at * Vector3::from_column_slice(&numbers(&axis["direction"]));
+                rest /= count;
+            }
+            let pose = Pose { position, ..case.start };
+            let found = distribution::solve(&case.model, &pose, &case.load, &case.limits).unwrap();
+            let verdict = criterion.judge(&pose);
+            match grid["tensions_N"][node].as_array() {
+                Some(_) => {
+                    feasible += 1;
+                    for (shown, computed) in numbers(&grid["tensions_N"][node]).iter().zip(&found.tensions) {
+                        assert!((shown - computed).abs() <= 5.1e-4 * computed, "{shown} N for {computed} N");
+                    }
+                    assert_eq!(grid["reason"][node], -1);
+                }
+                None => {
+                    infeasible += 1;
+                    assert!(found.reason.is_some(), "tensions are missing at {position}");
+                    let sentence = grid["sentences"][grid["reason"][node].as_u64().unwrap() as usize].as_str().unwrap();
+                    assert_eq!(
+                        sentence.matches('§').count(),
+                        grid["numbers"][node].as_str().unwrap().split(' ').count()
+                    );
+                }
+            }
+            assert_eq!(grid["margin"][node].as_f64().unwrap_or(f64::NEG_INFINITY) >= 0.0, verdict.holds());
+        }
+        assert!(feasible > 5 && infeasible > 5, "both kinds were seen: {feasible}, {infeasible}");
+    }
+}
+
+#[test]
+fn names_from_files_cannot_become_markup() {
+    let mut case = Case::planar();
+    let mut robot = case.model.robot().clone();
+    robot.name = "</script><script>alert(1)</script>".to_owned();
+    robot.cables[0].name = "<img src='http://x'>".to_owned();
+    case.model = Model::new(robot, Composition::STANDARD).unwrap();
+    let page = case.page();
+    assert!(!page.contains("<script>alert"));
+    assert!(!markup(&page).contains("<img"));
+    assert_eq!(data(&page)["robot"]["cables"][0]["name"], "<img src='http://x'>");
+}
+
+#[test]
+fn results_of_a_page_can_be_laid_over_another() {
+    let mut case = Case::spatial();
+    case.findings = vec![
+        Finding {
+            name: "1 to 9 kN".to_owned(),
+            measure: 0.25,
+            error_bound: Some(0.01),
+            shape: Shape::Hull(tetrahedron()),
+        },
+        Finding { name: "grid".to_owned(), measure: 0.3, error_bound: None, shape: Shape::Unknown },
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    files::write(&path, case.page().as_bytes()).unwrap();
+    assert_eq!(findings_of(&path).unwrap(), case.findings);
+    let outlines = vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
+    let mut planar = Case::planar();
+    let region = Finding { name: "area".to_owned(), measure: 0.5, error_bound: None, shape: Shape::Areas(outlines) };
+    planar.findings = vec![region];
+    files::write(&path, planar.page().as_bytes()).unwrap();
+    assert_eq!(findings_of(&path).unwrap(), planar.findings);
+}
+
+#[test]
+fn a_file_that_is_no_page_is_refused_with_the_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    let block = r#"<script type="application/json" id="cdpr-data">"#;
+    let region = r#"{"name":"a","measure":1,"error_bound":null,"unit":"m³","vertices_m":[0,0,0],"triangles":[0,0,1],"outlines_m":[]}"#;
+    for (text, reason) in [
+        ("<p>nothing</p>".to_owned(), "no results"),
+        (format!("{block}{{]</script>"), "cannot be read"),
+        (format!(r#"{block}{{"page":"report","regions":[]}}</script>"#), "about report"),
+        (format!(r#"{block}{{"page":"workspace","regions":[{region}]}}</script>"#), "vertices that are not there"),
+    ] {
+        files::write(&path, text.as_bytes()).unwrap();
+        let failure = findings_of(&path).unwrap_err();
+        assert_eq!((failure.code(), failure.exit_code()), ("workspace::overlay", 2));
+        assert!(failure.message().contains(reason), "{}", failure.message());
+    }
+    assert_eq!(findings_of(&folder.path().join("none.html")).unwrap_err().exit_code(), 4);
+}
