@@ -35,7 +35,9 @@ pub(super) fn write(mesh: &Mesh, into: &mut dyn Write) -> io::Result<()> {
 fn buffer(mesh: &Mesh) -> Vec<u8> {
     let numbers = mesh.vertices.iter().flatten().chain(mesh.fields.iter().flat_map(|field| &field.values));
     let indices = mesh.triangles.iter().flatten();
-    numbers.flat_map(|number| (*number as f32).to_le_bytes()).chain(indices.flat_map(|i| i.to_le_bytes())).collect()
+    // glTF has no infinity: the margin of what nothing could mend becomes the least number there is
+    let single = |number: &f64| (*number as f32).clamp(f32::MIN, f32::MAX);
+    numbers.flat_map(|number| single(number).to_le_bytes()).chain(indices.flat_map(|i| i.to_le_bytes())).collect()
 }
 
 /// The JSON chunk. A mesh without triangles has no primitive, as glTF has no empty accessor.

@@ -35,7 +35,7 @@ pub struct Mesh {
 pub struct Field {
     /// What it is, in words: "margin", "limiting cable".
     pub name: String,
-    /// Its unit; empty for a number such as that of a cable.
+    /// Its unit; empty for a number such as that of a cable, `1` for a ratio.
     pub unit: String,
     /// One finite value per vertex. Numbers of cables count from 1; 0 stands for none.
     pub values: Vec<f64>,
@@ -116,7 +116,7 @@ impl Mesh {
             if values.len() != count {
                 return refuse(format!("the field \"{name}\" has {} values for {count} vertices", values.len()));
             }
-            if let Some(vertex) = values.iter().position(|value| !fits(*value)) {
+            if let Some(vertex) = values.iter().position(|value| !value.is_finite()) {
                 return refuse(format!("the field \"{name}\" is {} at vertex {vertex}", values[vertex]));
             }
         }
@@ -146,13 +146,13 @@ impl Field {
             text.trim().chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect()
         };
         match self.unit.as_str() {
-            "" => joined(&self.name.to_lowercase()),
+            "" | "1" => joined(&self.name.to_lowercase()),
             unit => format!("{}_{}", joined(&self.name.to_lowercase()), joined(unit)),
         }
     }
 }
 
-/// True for what single precision can hold too.
+/// True for coordinates that single precision can hold too.
 fn fits(number: f64) -> bool {
     (number as f32).is_finite()
 }

@@ -209,6 +209,11 @@ fn glb_is_a_valid_container_whose_accessors_give_the_mesh_back() {
     assert_eq!((margin["count"].as_u64(), values.len()), (Some(8), 32));
     assert_eq!(f32_at(values, 28), 0.7);
     assert_eq!(json["meshes"][0]["extras"]["_LIMITING_CABLE"], "limiting cable (number)");
+    let mut endless = mesh.clone();
+    endless.fields[0].values[7] = -f64::MAX;
+    let bytes = written(&endless, Format::Glb);
+    let last = bytes.len() - binary.len() + 4 * (3 * 8 + 7);
+    assert_eq!(f32_at(&bytes, last), f32::MIN, "glTF has no infinity");
     let (_, indices) = part(&primitive["indices"]);
     let expected: Vec<u32> = mesh.triangles.concat();
     assert_eq!(indices.chunks_exact(4).map(|b| u32_at(b, 0)).collect::<Vec<_>>(), expected);
