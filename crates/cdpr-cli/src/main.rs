@@ -26,7 +26,6 @@ mod table;
 mod tension_choice;
 mod tension_method;
 mod usage;
-#[allow(dead_code, unused_imports, reason = "the command `workspace` calls it")]
 mod workspace_page;
 mod wrench_answer;
 

@@ -3,12 +3,13 @@
 mod answer;
 mod counting;
 mod orientations;
+mod page;
 mod question;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use answer::{WorkspaceAnswer, by_grid, by_hull, by_octree};
+use answer::{by_grid, by_hull, by_octree};
 use cdpr::workspace::criterion::registry::{self, Wanted};
 use cdpr::workspace::grid::Grid;
 use cdpr::workspace::hull::Hull;
@@ -30,6 +31,7 @@ Examples:
   cdpr workspace planar-example
   cdpr workspace planar-example --method hull --rays 36
   cdpr workspace cablerobot-simulator-icosahedron --wrench 0,0,-4905,0,0,0 --min 1000 --max 9000 --method hull --mesh hull.glb
+  cdpr workspace cablerobot-simulator-helicopter --method hull --page workspace.html
   cdpr workspace cogiro --criterion wrench-feasible --method octree --step 0.1
   cdpr workspace ipanema-1 --archetype total-orientation --angles -0.2,0.2,3,-0.2,0.2,3,0,0,1";
 
@@ -94,6 +96,15 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     pub(super) mesh: Option<PathBuf>,
 
+    /// Write a page in which the platform can be dragged: tensions, limits and reasons, and what was found; one HTML file that
+    /// needs no network.
+    #[arg(long, value_name = "FILE")]
+    pub(super) page: Option<PathBuf>,
+
+    /// Lay the results of this earlier page over the new one; repeated, those of several.
+    #[arg(long, value_name = "FILE")]
+    pub(super) overlay: Vec<PathBuf>,
+
     /// Keep the state of a long count in this file and go on from it when the same command runs again.
     #[arg(long, value_name = "FILE")]
     pub(super) resume: Option<PathBuf>,
@@ -112,6 +123,7 @@ pub(crate) enum Method {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     check_files(&arguments)?;
+    let earlier = page::earlier(&arguments)?;
     let wanted = arguments.criterion.iter().map(|text| text.parse::<Wanted>());
     let wanted =
         wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
@@ -119,7 +131,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let question = Question::new(&arguments, &model)?;
     let criterion = question.criterion(&wanted)?;
     let region = question.region(criterion.as_ref())?;
-    let answer = match arguments.method {
+    let mut found = None;
+    let mut answer = match arguments.method {
         Method::Grid => {
             let grid = Grid::new(&question.bounds, question.step).map_err(|error| Failure::refused("--step", &error))?;
             let count = counting::count(&region, &grid, &question, arguments.resume.as_deref())?;
@@ -132,8 +145,16 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             drop(progress);
             by_octree(&question, &region, &outcome.map_err(|error| Failure::refused("--step", &error))?)
         }
-        Method::Hull => hull_answer(&arguments, &question, &region)?,
+        Method::Hull => match find_hull(&arguments, &question, &region)? {
+            None => answer::empty(&question, &region),
+            Some(hull) => by_hull(&question, &region, found.insert(hull), arguments.mesh.as_deref()),
+        },
     };
+    if let Some(path) = &arguments.page {
+        let _progress = Progress::spinner("judging the grid of the page");
+        page::write(path, &question, &region, page::Found { answer: &answer, hull: found.as_ref(), earlier })?;
+        answer.page = Some(path.display().to_string());
+    }
     answer.remarks().iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)
 }
@@ -149,9 +170,10 @@ fn criteria_help() -> String {
     format!("What has to hold at a pose, NAME or NAME:NUMBER=VALUE,…; repeated, all of them. {}", criteria.join("; "))
 }
 
-fn hull_answer(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>) -> Result<WorkspaceAnswer, Failure> {
+/// The hull, written where `--mesh` asks for it; `None` where no centre can be found.
+fn find_hull(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>) -> Result<Option<Hull>, Failure> {
     let progress = Progress::spinner("following rays");
-    let Some(center) = question.center(region)? else { return Ok(answer::empty(question, region)) };
+    let Some(center) = question.center(region)? else { return Ok(None) };
     let mut settings = hull::Settings::new(&question.bounds);
     settings.rays = arguments.rays.unwrap_or(settings.rays);
     settings.tolerance = arguments.tolerance.unwrap_or(settings.tolerance);
@@ -161,7 +183,7 @@ fn hull_answer(arguments: &Arguments, question: &Question<'_>, region: &Region<'
     if let Some(path) = &arguments.mesh {
         write_mesh(path, &found, region)?;
     }
-    Ok(by_hull(question, region, &found, arguments.mesh.as_deref()))
+    Ok(Some(found))
 }
 
 /// Options about files that the method would not write.

@@ -49,6 +49,9 @@ pub(super) struct WorkspaceAnswer {
     surface_m2: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mesh: Option<String>,
+    /// The page, where one was written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) page: Option<String>,
 }
 
 /// A size, or null where there is none; left out where the robot has the other kind.
@@ -168,6 +171,29 @@ pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull,
 }
 
 impl WorkspaceAnswer {
+    /// Area (m²) or volume (m³), where there is one.
+    pub(super) fn size(&self) -> Option<f64> {
+        match (&self.area, &self.volume) {
+            (Unless::Size(size), _) | (_, Unless::Size(size)) => *size,
+            _ => None,
+        }
+    }
+
+    /// The size is known to ± this (m², m³).
+    pub(super) fn error_bound(&self) -> Option<f64> {
+        self.error_bound
+    }
+
+    /// How it was found.
+    pub(super) fn method(&self) -> &'static str {
+        self.method
+    }
+
+    /// Why the answer is negative, if it is.
+    pub(super) fn reason(&self) -> Option<&str> {
+        self.reason.as_deref()
+    }
+
     /// What a careful reader should know.
     pub(super) fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
@@ -214,6 +240,9 @@ impl Answer for WorkspaceAnswer {
         ));
         if let Some(mesh) = &self.mesh {
             text.push_str(&format!("surface written to {mesh}\n"));
+        }
+        if let Some(page) = &self.page {
+            text.push_str(&format!("page written to {page}\n"));
         }
         text
     }

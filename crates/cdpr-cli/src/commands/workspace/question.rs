@@ -77,6 +77,11 @@ impl<'a> Question<'a> {
         if self.bounds.contain(&home) { home } else { self.bounds.middle() }
     }
 
+    /// Load and limits, where both are known.
+    pub(super) fn statics(&self) -> Option<(&Load, &Limits)> {
+        Some((self.setting.load.as_ref().ok()?, self.setting.limits.as_ref().ok()?))
+    }
+
     /// Everything that decides the answer, in words: two counts with the same words may be one.
     pub(super) fn words(&self, region: &Region<'_>) -> String {
         let Setting { load, limits, .. } = &self.setting;

@@ -1,0 +1,129 @@
+//! The interactive page of what was found.
+
+use std::path::Path;
+
+use cdpr::geometry::Pose;
+use cdpr::nalgebra::UnitQuaternion;
+use cdpr::tension::Limits;
+use cdpr::workspace::hull::Hull;
+use cdpr::workspace::{Bounds, Polygon, Region};
+
+use super::Arguments;
+use super::answer::WorkspaceAnswer;
+use super::question::Question;
+use crate::failure::Failure;
+use crate::number_format::short;
+use crate::wrench_answer::WrenchAnswer;
+use crate::workspace_page::{self, Finding, Shape, WorkspacePage, findings_of};
+
+/// Beyond a hull the grid of the page reaches by this share of the hull's size: what fails is worth a look too.
+const MARGIN: f64 = 0.15;
+
+/// The results of the pages to lay over the new one, to be read before a long computation.
+pub(super) fn earlier(arguments: &Arguments) -> Result<Vec<Finding>, Failure> {
+    if arguments.page.is_none() && !arguments.overlay.is_empty() {
+        let help = "add --page FILE.html";
+        return Err(Failure::input("workspace::overlay", "--overlay lays results over a page, but no page is written", help));
+    }
+    let read: Result<Vec<Vec<Finding>>, Failure> = arguments.overlay.iter().map(|path| findings_of(path)).collect();
+    Ok(read?.concat())
+}
+
+/// What the page is about besides the question.
+pub(super) struct Found<'a> {
+    pub(super) answer: &'a WorkspaceAnswer,
+    pub(super) hull: Option<&'a Hull>,
+    pub(super) earlier: Vec<Finding>,
+}
+
+/// Writes the page.
+pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, found: Found<'_>) -> Result<(), Failure> {
+    let Found { answer, hull, earlier } = found;
+    let statics = question.statics();
+    let start = start(question, region, hull);
+    let limits = statics.map(|(_, limits)| limit_words(limits));
+    let own = finding(answer, region, hull, limits.as_deref());
+    let findings: Vec<Finding> = own.into_iter().chain(earlier).collect();
+    let bounds = bounds(&question.bounds, hull);
+    let mut facts = vec![("Criterion", region.criterion().name().to_owned()), ("Archetype", archetype_words(region))];
+    facts.extend(limits.map(|words| ("Tension limits", words)));
+    if let Some((load, _)) = statics {
+        let load = WrenchAnswer::new(question.model.robot(), &load.wrench(&start));
+        let parts: Vec<String> = load.heading().iter().zip(load.cells()).map(|(name, cell)| format!("{name}: {cell}")).collect();
+        facts.push(("Load", parts.join(", ")));
+    }
+    let mut warnings = answer.remarks();
+    warnings.extend(answer.reason().map(str::to_owned));
+    workspace_page::write(
+        path,
+        &WorkspacePage {
+            model: question.model,
+            criterion: region.criterion().name(),
+            unit: region.criterion().unit(),
+            judge: &|pose| region.judge(&region.point(&pose.position)),
+            statics,
+            start: &start,
+            bounds: &bounds,
+            findings: &findings,
+            facts: &facts,
+            warnings: &warnings,
+            command: &crate::command_line(),
+            version: env!("CARGO_PKG_VERSION"),
+        },
+    )
+}
+
+/// The centre of the hull, or the home position, in the orientation nearest to none.
+fn start(question: &Question<'_>, region: &Region<'_>, hull: Option<&Hull>) -> Pose {
+    let point = hull.map_or_else(|| question.home(region), |hull| hull.center);
+    let turn = |rotation: &&UnitQuaternion<f64>| rotation.angle();
+    let nearest = region.orientations().iter().min_by(|a, b| turn(a).total_cmp(&turn(b)));
+    Pose { position: region.position(&point), rotation: nearest.copied().unwrap_or_else(UnitQuaternion::identity) }
+}
+
+fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, hull: Option<&Hull>, limits: Option<&str>) -> Option<Finding> {
+    let shape = match hull {
+        Some(hull) if hull.dimension() == 2 => Shape::Areas(vec![Polygon::of(hull)?.vertices]),
+        Some(hull) => Shape::Hull(hull.mesh(region)),
+        None => Shape::Unknown,
+    };
+    let mut name = vec![region.criterion().name().to_owned()];
+    name.extend(limits.map(str::to_owned));
+    if region.orientations().len() > 1 {
+        name.push(region.archetype().to_owned());
+    }
+    name.push(answer.method().to_owned());
+    Some(Finding { name: name.join(", "), measure: answer.size()?, error_bound: answer.error_bound(), shape })
+}
+
+fn limit_words(limits: &Limits) -> String {
+    let (least, largest) = (limits.minimum(), limits.maximum());
+    let same = |values: &[f64]| values.iter().all(|value| Some(value) == values.first());
+    match (least.first(), largest.first()) {
+        (Some(from), Some(to)) if same(least) && same(largest) => {
+            format!("{} N to {} N", short(*from), short(*to))
+        }
+        _ => "limits of each cable".to_owned(),
+    }
+}
+
+fn archetype_words(region: &Region<'_>) -> String {
+    match region.orientations() {
+        [_] => region.archetype().to_owned(),
+        many => format!("{} of {} orientations", region.archetype(), many.len()),
+    }
+}
+
+/// The box of the hull and a little around it; without a hull the box that was searched.
+fn bounds(searched: &Bounds, hull: Option<&Hull>) -> Vec<[f64; 2]> {
+    let ends: Vec<[f64; 2]> = searched.ends().as_chunks::<2>().0.to_vec();
+    let Some(hull) = hull else { return ends };
+    let vertices = hull.vertices();
+    let around = |(axis, [low, high]): (usize, [f64; 2])| {
+        let along = || vertices.iter().map(|vertex| vertex[axis]);
+        let (least, largest) = (along().fold(high, f64::min), along().fold(low, f64::max));
+        let more = MARGIN * (largest - least);
+        [(least - more).max(low), (largest + more).min(high)]
+    };
+    ends.into_iter().enumerate().map(around).collect()
+}
