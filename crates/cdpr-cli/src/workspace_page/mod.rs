@@ -47,8 +47,10 @@ pub(crate) struct WorkspacePage<'a> {
     pub(crate) start: &'a Pose,
     /// Box of the grid, least and largest coordinate (m): along x, y and z, or along the two axes of a planar robot.
     pub(crate) bounds: &'a [[f64; 2]],
-    /// Results: the one that the command found first, then those to compare it with.
+    /// Results: the one that the command found first, if it found one, then those to compare it with.
     pub(crate) findings: &'a [Finding],
+    /// True where the first result is the command's own: its size is the headline.
+    pub(crate) is_found: bool,
     /// What the results are about, as pairs of words.
     pub(crate) facts: &'a [(&'a str, String)],
     /// What a careful reader should know; `…` is shown as code.
@@ -112,7 +114,7 @@ fn render(page: &WorkspacePage<'_>) -> Result<String, Error> {
     let is_planar = robot.motion_pattern.is_planar();
     let values = context! {
         is_planar,
-        line => page.findings.first().map(|finding| finding.words(is_planar)),
+        line => page.findings.first().filter(|_| page.is_found).map(|finding| finding.words(is_planar)),
         criterion => plain(page.criterion),
         facts => facts(page),
         findings => page.findings.iter().enumerate().map(|(index, finding)| finding_row(index, finding, is_planar)).collect::<Vec<_>>(),

@@ -49,6 +49,7 @@ impl Case {
             start: &self.start,
             bounds: &self.bounds,
             findings: &self.findings,
+            is_found: !self.findings.is_empty(),
             facts: &[("Limits", "1000 N to 8000 N".to_owned())],
             warnings: &["`--step` is coarse".to_owned()],
             command: "cdpr workspace robot --page page.html",

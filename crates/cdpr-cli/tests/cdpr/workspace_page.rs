@@ -57,6 +57,20 @@ fn a_page_without_a_hull_still_tells_the_size() {
     assert_eq!(data["regions"][0]["unit"], "m²");
 }
 
+/// Where rays enter the workspace again there is no area to head the page with, least of all that of an earlier page.
+#[test]
+fn an_earlier_result_never_stands_for_one_that_was_not_found() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(cdpr_in(folder.path(), &format!("{ASKED} --min 1000 --page wide.html")).exit_code, 0);
+    let asked = "workspace planar-example --method hull --min 2000 --max 8000 --page page.html --overlay wide.html";
+    let run = cdpr_in(folder.path(), &format!("{asked} --format json"));
+    assert_eq!((run.exit_code, run.json()["status"].as_str()), (1, Some("not-star-shaped")));
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(!page.contains("class=\"line\">"), "no size heads the page");
+    assert!(page.contains("enter the workspace again"), "the reason is told");
+    assert_eq!(block(&page)["regions"].as_array().unwrap().len(), 1);
+}
+
 #[test]
 fn what_cannot_be_laid_over_is_refused_before_anything_is_computed_and_no_page_is_left() {
     let folder = tempfile::tempdir().unwrap();

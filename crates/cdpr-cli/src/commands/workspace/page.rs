@@ -43,6 +43,7 @@ pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, f
     let start = start(question, region, hull);
     let limits = statics.map(|(_, limits)| limit_words(limits));
     let own = finding(answer, region, hull, limits.as_deref());
+    let is_found = own.is_some();
     let findings: Vec<Finding> = own.into_iter().chain(earlier).collect();
     let bounds = bounds(&question.bounds, hull);
     let mut facts = vec![("Criterion", region.criterion().name().to_owned()), ("Archetype", archetype_words(region))];
@@ -65,6 +66,7 @@ pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, f
             start: &start,
             bounds: &bounds,
             findings: &findings,
+            is_found,
             facts: &facts,
             warnings: &warnings,
             command: &crate::command_line(),
