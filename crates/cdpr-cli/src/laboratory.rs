@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use cdpr::geometry::Pose;
 use cdpr::measurement::{Provenance, Sidecar, poses_from_csv};
-use cdpr::metamodel::accuracy::{Assessment, assess};
-use cdpr::metamodel::simulate::{Simulation, simulate};
-use cdpr::metamodel::study::{CommandedPose, RobotModel};
-use cdpr::metamodel::{Study, winch_offsets};
-use cdpr::model::{Composition, CompositionError, Model};
+use cdpr::metamodel::accuracy::{Assessment, assess_operation};
+use cdpr::metamodel::simulate::{Simulation, simulate_operation};
+use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
+use cdpr::metamodel::{Operation, Study, winch_offsets};
+use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
 
 use crate::failure::Failure;
@@ -63,15 +63,31 @@ impl Laboratory {
     /// Virtual measurements of all poses and tension tests.
     pub(crate) fn record(&self, seed: u64) -> Result<Simulation, Failure> {
         let noise = self.study.noise.unwrap_or_default();
-        simulate(&self.control, &self.machine, &self.offsets, &self.poses(seed)?, &noise, seed)
-            .map_err(|error| self.refused(&error))
+        let poses = self.poses(seed)?;
+        simulate_operation(&mut self.operation()?, &poses, &noise, seed).map_err(|error| self.refused(&error))
     }
 
     /// How accurately the control model drives the machine; tension tests leave their pose on purpose and do not count.
     pub(crate) fn assess(&self, seed: u64) -> Result<Assessment, Failure> {
         let mut poses = self.poses(seed)?;
         poses.retain(|command| command.shortened.is_none());
-        assess(&self.control, &self.machine, &self.offsets, &poses).map_err(|error| self.refused(&error))
+        assess_operation(&mut self.operation()?, &poses).map_err(|error| self.refused(&error))
+    }
+
+    /// How the machine comes to the poses, where its cables remember.
+    pub(crate) fn history(&self) -> Option<History> {
+        let remembers = self.machine.composition().stretch == StretchEffect::Hysteresis;
+        remembers.then(|| self.study.history.unwrap_or_default())
+    }
+
+    fn operation(&self) -> Result<Operation<'_>, Failure> {
+        let refused = |error: &dyn cdpr::error_code::ErrorCode| self.refused(error);
+        let operation = Operation::new(&self.control, &self.machine, &self.offsets).map_err(|error| refused(&error))?;
+        let start = self.study.initial_pose(self.machine.robot()).map_err(|error| refused(&error))?;
+        Ok(match self.history() {
+            Some(history) => operation.with_history(&history, &start),
+            None => operation,
+        })
     }
 
     /// Something that is wrong with the study.

@@ -5,8 +5,8 @@ use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::evaluate;
 use cdpr::identification::fit::{Settings, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
-use cdpr::metamodel::study::{CommandedPose, Initial, TensionMethod};
-use cdpr::metamodel::{initial_tensions, operate, winch_offsets};
+use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};
+use cdpr::metamodel::{Operation, initial_tensions, operate, winch_offsets};
 use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::{self, Load};
@@ -190,4 +190,43 @@ fn solvers_remember_the_way_of_cables_with_hysteresis() {
     assert!(second < first - 100.0, "{first} {second}");
     // to the pose tolerance of 1e-11 m at 1e6 N/m
     assert!((third - second).abs() < 1e-3, "{second} {third}");
+}
+
+/// A machine with hysteresis comes to one pose from its initial pose, and in file order back from another one: loosening cables
+/// have less tension than tightening ones, so the platform lies elsewhere. From the initial pose the order of poses is nothing.
+#[test]
+fn machines_with_hysteresis_come_to_a_pose_on_a_way() {
+    let robot = machine();
+    let control = Model::new(robot.clone(), Composition::STANDARD).expect("a model");
+    let machine = Model::new(robot.clone(), "hysteresis".parse().expect("a composition")).expect("a model");
+    let start = robot.home_or_middle();
+    let initial = Initial {
+        pose: vec![],
+        tensions_N: Some(vec![5000.0; 8]),
+        tension_method: None,
+        offset: None,
+        offset_m: None,
+        offset_robot: None,
+    };
+    let offsets = winch_offsets(&initial, &control, &machine, &start).expect("balanced");
+    let near = start.displaced(&Twist::new(0.2, 0.1, 0.1, 0.0, 0.0, 0.05));
+    let far = start.displaced(&Twist::new(0.9, -0.6, 0.4, 0.1, 0.0, 0.1));
+    let answers = |reach: Reach, poses: &[Pose]| {
+        let history = History { reach, sub_steps: 5 };
+        let operation = Operation::new(&control, &machine, &offsets).expect("the same robot");
+        let mut operation = operation.with_history(&history, &start);
+        let answer = |pose: &Pose| {
+            let outcome = operation.answer(&CommandedPose::at(*pose));
+            assert_eq!(outcome.status, cdpr::metamodel::Status::Converged, "{:?}", outcome.reason);
+            outcome.pose
+        };
+        poses.iter().map(answer).collect::<Vec<_>>()
+    };
+    let anew = answers(Reach::FromInitial, &[near, far, near]);
+    assert_eq!(anew[0], anew[2], "the way starts anew each time");
+    assert_eq!(anew[1], answers(Reach::FromInitial, &[far])[0]);
+    let in_order = answers(Reach::InOrder, &[near, far, near]);
+    assert_eq!(in_order[0], anew[0], "the first pose is reached from the initial one");
+    let apart = in_order[0].displacement_to(&in_order[2]).norm();
+    assert!(apart > 1e-5 && apart < 0.05, "{apart} m between the way there and the way back");
 }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use cdpr::geometry::MotionPattern;
 use cdpr::metamodel::Status;
 use cdpr::metamodel::accuracy::{Accuracy, Assessment};
+use cdpr::metamodel::study::{History, Reach};
 use clap::Args;
 use serde::Serialize;
 
@@ -47,6 +48,8 @@ struct Assessed {
     #[serde(flatten)]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    history: Option<History>,
     seed: u64,
     #[serde(skip)]
     pattern: MotionPattern,
@@ -67,6 +70,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         machine: title(&laboratory.machine),
         pattern: laboratory.machine.robot().motion_pattern,
         accuracy: assessment.accuracy,
+        history: laboratory.history(),
         winch_offsets_m: laboratory.offsets,
         seed: arguments.seed,
     })
@@ -98,6 +102,13 @@ impl Answer for Assessed {
         let offsets: Vec<String> =
             self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
         text.push_str(&format!("\nwinch offsets  {} mm\n", offsets.join(", ")));
+        if let Some(history) = self.history {
+            let from = match history.reach {
+                Reach::FromInitial => "the initial pose",
+                Reach::InOrder => "the pose before",
+            };
+            text.push_str(&format!("each pose reached from {from} in {} steps\n", history.sub_steps));
+        }
         text
     }
 }

@@ -51,20 +51,24 @@ pub fn assess(
     offsets: &[f64],
     poses: &[CommandedPose],
 ) -> Result<Assessment, InputError> {
+    assess_operation(&mut Operation::new(control, machine, offsets)?, poses)
+}
+
+/// [`assess`] of an operation, as one with history is.
+pub fn assess_operation(operation: &mut Operation<'_>, poses: &[CommandedPose]) -> Result<Assessment, InputError> {
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }
-    let mut operation = Operation::new(control, machine, offsets)?;
     let outcomes: Vec<Outcome> = poses.iter().map(|command| operation.answer(command)).collect();
     let mut errors = Errors::default();
     let mut statuses = BTreeMap::new();
     for (command, outcome) in poses.iter().zip(&outcomes) {
         *statuses.entry(outcome.status.name()).or_insert(0) += 1;
         if outcome.status == Status::Converged {
-            errors.add(&mut operation, command, outcome);
+            errors.add(operation, command, outcome);
         }
     }
-    let tensions = Tensions::of(machine, &outcomes);
+    let tensions = Tensions::of(operation.machine(), &outcomes);
     let accuracy = Accuracy {
         samples: poses.len(),
         position_error_m: PoseError::of(&errors.position),

@@ -4,7 +4,7 @@ use super::input_error::InputError;
 use super::operate::{Outcome, Status};
 use crate::equilibrium::{elastostatics, forward_kinematics};
 use crate::geometry::Pose;
-use crate::model::Model;
+use crate::model::{Model, StretchEffect};
 use crate::statics::Load;
 
 /// A machine with the forward problem that it answers by.
@@ -31,6 +31,29 @@ impl<'a> Machine<'a> {
             Forward::Rigid(Box::new(solver))
         };
         Ok(Self { model, forward })
+    }
+
+    pub(super) fn model(&self) -> &'a Model {
+        self.model
+    }
+
+    /// True when the cables remember how they came to a tension.
+    pub(super) fn remembers(&self) -> bool {
+        self.model.composition().stretch == StretchEffect::Hysteresis
+    }
+
+    /// The cables remember the last answer.
+    pub(super) fn remember(&mut self) {
+        if let Forward::Elastic(solver) = &mut self.forward {
+            solver.remember();
+        }
+    }
+
+    /// The cables are as if they had never been loaded.
+    pub(super) fn forget(&mut self) {
+        if let Forward::Elastic(solver) = &mut self.forward {
+            solver.forget();
+        }
     }
 
     /// What emerges when the winches are told these lengths (m, in the units of the encoders), sought from a pose.

@@ -3,7 +3,7 @@
 use super::control::Controller;
 use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
-use super::study::CommandedPose;
+use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
 use crate::geometry::Pose;
 use crate::model::Model;
@@ -84,6 +84,15 @@ pub struct Operation<'a> {
     machine: Machine<'a>,
     winding: Winding<'a>,
     offsets: Vec<f64>,
+    way: Option<Way>,
+}
+
+/// Where a machine with history has been, and how it goes on.
+struct Way {
+    history: History,
+    start: Pose,
+    /// Where the last command led; nothing before the first one.
+    last: Option<Pose>,
 }
 
 impl<'a> Operation<'a> {
@@ -96,7 +105,22 @@ impl<'a> Operation<'a> {
         }
         let winding = Winding::new(control, machine)?;
         let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
-        Ok(Self { control, machine, winding, offsets: offsets.to_vec() })
+        Ok(Self { control, machine, winding, offsets: offsets.to_vec(), way: None })
+    }
+
+    /// What answers.
+    pub fn machine(&self) -> &'a Model {
+        self.machine.model()
+    }
+
+    /// Each pose is reached from the initial one, or from the one before, on a way that the cables of the machine remember; for
+    /// machines without history this changes nothing. Without it every pose is reached at once by cables that were never loaded.
+    #[must_use]
+    pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
+        if self.machine.remembers() {
+            self.way = Some(Way { history: *history, start: *start, last: None });
+        }
+        self
     }
 
     /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
@@ -106,6 +130,40 @@ impl<'a> Operation<'a> {
 
     /// What emerges for one command.
     pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
+        let Some(mut way) = self.way.take() else { return self.reach(command) };
+        let outcome = self.go(&mut way, command);
+        self.way = Some(way);
+        outcome
+    }
+
+    /// The sub-steps of a way, and its end; every state that the machine comes to is remembered.
+    fn go(&mut self, way: &mut Way, command: &CommandedPose) -> Outcome {
+        let begins = way.last.is_none() || way.history.reach == Reach::FromInitial;
+        if begins {
+            self.machine.forget();
+            self.remembered(&CommandedPose::at(way.start));
+        }
+        let from = if begins { way.start } else { way.last.unwrap_or(way.start) };
+        let whole = from.displacement_to(&command.pose);
+        let steps = way.history.sub_steps;
+        for step in 1..steps {
+            self.remembered(&CommandedPose::at(from.displaced(&(whole * (f64::from(step) / f64::from(steps))))));
+        }
+        way.last = Some(command.pose);
+        self.remembered(command)
+    }
+
+    /// What emerges, remembered by the cables if it is an equilibrium.
+    fn remembered(&mut self, command: &CommandedPose) -> Outcome {
+        let outcome = self.reach(command);
+        if outcome.status == Status::Converged {
+            self.machine.remember();
+        }
+        outcome
+    }
+
+    /// What emerges at once.
+    fn reach(&mut self, command: &CommandedPose) -> Outcome {
         let mut sent = match self.control.lengths(&command.pose) {
             Ok(lengths) => lengths,
             Err(reason) => return nothing_sent(&command.pose, reason),

@@ -41,7 +41,17 @@ pub fn simulate(
     noise: &SensorSigmas,
     seed: u64,
 ) -> Result<Simulation, InputError> {
-    let mut operation = Operation::new(control, machine, offsets)?;
+    simulate_operation(&mut Operation::new(control, machine, offsets)?, poses, noise, seed)
+}
+
+/// [`simulate`] of an operation, as one with history is.
+pub fn simulate_operation(
+    operation: &mut Operation<'_>,
+    poses: &[CommandedPose],
+    noise: &SensorSigmas,
+    seed: u64,
+) -> Result<Simulation, InputError> {
+    let machine = operation.machine();
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }

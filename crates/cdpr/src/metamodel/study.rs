@@ -3,7 +3,7 @@
 mod checks;
 mod poses;
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 pub use poses::{CommandedPose, Shortening};
 
@@ -29,6 +29,36 @@ pub struct Study {
     pub poses: Option<Poses>,
     /// Sensor noise of `cdpr simulate`.
     pub noise: Option<SensorSigmas>,
+    /// How a machine whose cables remember (`hysteresis`) comes to the poses.
+    pub history: Option<History>,
+}
+
+/// How a machine whose cables remember comes to the poses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct History {
+    /// Where each pose is reached from.
+    pub reach: Reach,
+    /// Steps of the way to each pose, straight and evenly turning; 10 when missing.
+    #[schemars(range(min = 1, max = 1000))]
+    pub sub_steps: u32,
+}
+
+impl Default for History {
+    fn default() -> Self {
+        Self { reach: Reach::FromInitial, sub_steps: 10 }
+    }
+}
+
+/// Where each pose is reached from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reach {
+    /// From the initial pose, where the winches were set, each time anew.
+    #[default]
+    FromInitial,
+    /// From the pose before, in the order of the poses; the first one from the initial pose.
+    InOrder,
 }
 
 /// A robot file or built-in robot with a composition of effects.

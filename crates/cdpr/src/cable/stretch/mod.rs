@@ -72,6 +72,13 @@ impl Stretch {
         }
     }
 
+    /// The stretch of a cable that has never been loaded.
+    pub fn forget(&mut self) {
+        if let Self::Hysteresis(_, memory) = self {
+            *memory = Memory::virgin();
+        }
+    }
+
     /// What a law with a memory remembers.
     pub fn memory(&self) -> Option<&Memory> {
         match self {

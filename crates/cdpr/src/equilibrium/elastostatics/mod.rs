@@ -263,6 +263,13 @@ impl<'a> Solver<'a> {
         }
     }
 
+    /// Lets cables with a memory forget what [`Solver::remember`] told them.
+    pub fn forget(&mut self) {
+        if let Some(composed) = &mut self.composed {
+            composed.laws_mut().iter_mut().for_each(|law| law.stretch.forget());
+        }
+    }
+
     /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;

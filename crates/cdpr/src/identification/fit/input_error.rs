@@ -119,7 +119,7 @@ pub enum InputError {
     /// A setting that means nothing.
     #[error("the setting `{name}` is {value}; it must be a number above 0")]
     Setting {
-        /// Field of [`Settings`].
+        /// Field of [`super::Settings`].
         name: &'static str,
         /// Its value.
         value: f64,

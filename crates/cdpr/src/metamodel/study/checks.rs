@@ -13,6 +13,9 @@ pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), Re
     check_models(study, &place)?;
     check_initial(study, &place)?;
     check_limits(study, &place)?;
+    if study.history.is_some_and(|history| !(1..=1000).contains(&history.sub_steps)) {
+        return Err(place.error(&["history", "sub_steps"], "sub_steps is a whole number from 1 to 1000".to_owned()));
+    }
     if let Some(tests) = study.poses.as_ref().and_then(|poses| poses.tension_tests.as_ref()) {
         check_tension_tests(study, tests, &place)?;
     }
