@@ -24,6 +24,7 @@ mod studies;
 mod tension;
 mod test_bench;
 mod winches;
+mod workspace;
 mod workspace_page;
 
 use std::path::{Path, PathBuf};

@@ -42,6 +42,8 @@ pub(super) struct WorkspaceAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     rays: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    rays_again: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     center_m: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     outline_m: Option<f64>,
@@ -150,6 +152,7 @@ pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull,
         reaches_bounds: hull.rays_at_bounds > 0,
         centroid_m: measure.and_then(|measure| components(&measure.centroid, dimension)),
         rays: Some(hull.radii.len()),
+        rays_again: Some(hull.rays_again),
         center_m: components(&hull.center, dimension),
         outline_m: surface.filter(|_| dimension == 2),
         surface_m2: surface.filter(|_| dimension == 3),
@@ -199,6 +202,12 @@ impl WorkspaceAnswer {
         let mut remarks = Vec::new();
         if self.reaches_bounds {
             remarks.push("the workspace reaches the bounds, so that more of it may lie outside: widen --bounds".to_owned());
+        }
+        if let Some(again) = self.rays_again.filter(|again| *again > 0 && self.status == "found") {
+            remarks.push(format!(
+                "{again} of the rays enter the workspace again after they have left it, for so short a way that the bound of the \
+                 error covers what they see there"
+            ));
         }
         if let Some(start) = &self.start_cell_m {
             let sides: Vec<String> = start.iter().map(|side| significant(*side, 3)).collect();

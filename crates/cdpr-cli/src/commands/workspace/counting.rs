@@ -31,7 +31,7 @@ pub(super) fn count(
     question: &Question<'_>,
     file: Option<&Path>,
 ) -> Result<Count, Failure> {
-    let asked = fingerprint(&question.words(region));
+    let asked = fingerprint(&question.words());
     let mut count = match file {
         Some(path) => read(path, &asked, grid)?,
         None => Count::new(),

@@ -19,6 +19,8 @@ pub(super) struct Question<'a> {
     pub(super) step: f64,
     pub(super) method: Method,
     setting: Setting<'a>,
+    /// The criteria as they were asked for, with their numbers.
+    criteria: String,
     /// The pose that `--center` gives.
     given: Option<Pose>,
 }
@@ -42,7 +44,8 @@ impl<'a> Question<'a> {
         let cells = if bounds.dimension() == 2 { 100.0 } else { 50.0 };
         let step = arguments.step.unwrap_or(longest / cells);
         let setting = Setting { model, load, limits };
-        Ok(Self { model, archetype, bounds, step, method: arguments.method, setting, given })
+        let (method, criteria) = (arguments.method, arguments.criterion.join(" "));
+        Ok(Self { model, archetype, bounds, step, method, setting, criteria, given })
     }
 
     pub(super) fn criterion(&self, wanted: &[Wanted]) -> Result<Box<dyn Criterion + 'a>, Failure> {
@@ -83,13 +86,13 @@ impl<'a> Question<'a> {
     }
 
     /// Everything that decides the answer, in words: two counts with the same words may be one.
-    pub(super) fn words(&self, region: &Region<'_>) -> String {
+    pub(super) fn words(&self) -> String {
         let Setting { load, limits, .. } = &self.setting;
         format!(
             "{}\n{}\n{load:?}\n{limits:?}\n{}\n{:?}\n{:?}\n{}",
             self.model.robot().to_toml(),
             self.model.composition(),
-            region.criterion().name(),
+            self.criteria,
             self.archetype,
             self.bounds,
             self.step

@@ -8,7 +8,7 @@ use super::{Hull, Point};
 pub struct Measure {
     /// Area (m²) or volume (m³) between centre and faces.
     pub size: f64,
-    /// How far that is from the size that the refinement before gives (m², m³).
+    /// How far that is from the size that the refinement before gives, and what the hull leaves out (m², m³).
     ///
     /// With twice as many rays along a line the error of a smooth boundary falls to a quarter, at edges to a half at least:
     /// the truth is nearer than the refinement before.
@@ -41,7 +41,7 @@ impl Hull {
         }
         let coarse: f64 = self.coarse_faces.iter().map(|face| self.part(face).0).sum();
         let centroid = [0, 1, 2].map(|axis| self.center[axis] + if size > 0.0 { moment[axis] / size } else { 0.0 });
-        Some(Measure { size, error_bound: (size - coarse).abs(), centroid, surface })
+        Some(Measure { size, error_bound: (size - coarse).abs() + self.left_out, centroid, surface })
     }
 
     /// Area (m²) or volume (m³) between the centre and a face.

@@ -39,7 +39,7 @@ impl Settings {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Status {
-    /// Every ray leaves the region once, as far as its probes can tell.
+    /// Rays leave the region once, as far as their probes can tell, but for slivers that the bound of the error covers.
     StarShaped,
     /// Rays enter the region again after they have left it: what the rays saw first is no boundary of all of it.
     NotStarShaped {
@@ -72,6 +72,10 @@ pub struct Hull {
     pub feasible_points: u64,
     /// Whether the region is star-shaped about the centre.
     pub status: Status,
+    /// Rays that enter the region again after they have left it.
+    pub rays_again: usize,
+    /// Size of what they see of it there, which the hull leaves out (m², m³).
+    pub left_out: f64,
     /// Faces between the rays of the refinement before.
     coarse_faces: Vec<[u32; 3]>,
     dimension: usize,
@@ -92,20 +96,30 @@ pub fn solve(
     let lengths: Vec<f64> = sphere.directions.iter().map(|direction| bounds.way_out(center, direction)).collect();
     let rays = search::Rays { region, center, directions: &sphere.directions, lengths: &lengths };
     let found = rays.search(settings);
-    Ok(Hull {
+    let mut hull = Hull {
         center: *center,
         radii: found.radii,
         rays_at_bounds: found.rays_at_bounds,
         points: found.points,
         feasible_points: found.feasible_points,
-        status: found.status,
+        status: Status::StarShaped,
+        rays_again: found.again.rays,
+        left_out: found.again.size,
         directions: sphere.directions,
         faces: sphere.faces,
         coarse_faces: sphere.coarse_faces,
         tolerance: settings.tolerance,
         dimension: bounds.dimension(),
-    })
+    };
+    let size = hull.measure().map_or(0.0, |measure| measure.size);
+    if hull.left_out > SLIVER * size {
+        hull.status = Status::NotStarShaped { rays: found.again.rays, direction: found.again.direction };
+    }
+    Ok(hull)
 }
+
+/// Part of the size that may be left out: near an anchor directions change so fast that a ray may leave and enter again.
+const SLIVER: f64 = 1e-3;
 
 fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settings) -> Result<(), WorkspaceError> {
     let least = if bounds.dimension() == 2 { 3 } else { 4 };

@@ -1,6 +1,6 @@
 //! Where rays leave a region.
 
-use super::{Settings, Status};
+use super::Settings;
 use crate::workspace::{Point, Region};
 
 /// Rays from a centre.
@@ -17,7 +17,18 @@ pub(super) struct Found {
     pub(super) rays_at_bounds: usize,
     pub(super) points: u64,
     pub(super) feasible_points: u64,
-    pub(super) status: Status,
+    pub(super) again: Again,
+}
+
+/// What rays saw of the region after they had left it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Again {
+    /// Number of rays that entered it again.
+    pub(super) rays: usize,
+    /// Direction of the one that did over the longest way.
+    pub(super) direction: Point,
+    /// Size of what they saw there, each for its part of all directions (m², m³).
+    pub(super) size: f64,
 }
 
 impl Rays<'_> {
@@ -26,31 +37,37 @@ impl Rays<'_> {
         let probes = settings.probes.max(1);
         let holds = self.probe(probes);
         let mut brackets = Vec::with_capacity(self.lengths.len());
-        let (mut rays_at_bounds, mut not_star_shaped) = (0, 0);
-        let mut longest: (usize, Option<Point>) = (0, None);
+        let (mut rays_at_bounds, mut again, mut longest) = (0, Again::default(), 0.0);
         for (ray, holds) in holds.chunks_exact(probes).enumerate() {
             let at = |probe: usize| self.lengths[ray] * probe as f64 / probes as f64;
             let left = holds.iter().position(|holds| !holds);
             rays_at_bounds += usize::from(left.is_none());
             brackets.push(left.map_or([self.lengths[ray]; 2], |left| [at(left), at(left + 1)]));
-            let again = left.map_or(0, |left| holds[left..].iter().filter(|holds| **holds).count());
-            not_star_shaped += usize::from(again > 0);
-            if again > longest.0 {
-                longest = (again, Some(self.directions[ray]));
+            let beyond: Vec<usize> = (left.unwrap_or(probes)..probes).filter(|&probe| holds[probe]).collect();
+            let way = beyond.len() as f64 * at(1);
+            again.rays += usize::from(!beyond.is_empty());
+            again.size += beyond.iter().map(|&probe| self.part(at(probe + 1)) * at(1)).sum::<f64>();
+            if way > longest {
+                (longest, again.direction) = (way, self.directions[ray]);
             }
         }
         let [judged, feasible] = self.bisect(&mut brackets, settings.tolerance);
-        let status = match longest.1 {
-            Some(direction) => Status::NotStarShaped { rays: not_star_shaped, direction },
-            None => Status::StarShaped,
-        };
         Found {
             radii: brackets.iter().map(|bracket| bracket[0]).collect(),
             rays_at_bounds,
             points: judged + holds.len() as u64,
             feasible_points: feasible + holds.iter().filter(|holds| **holds).count() as u64,
-            status,
+            again,
         }
+    }
+
+    /// A ray's part of the circle or sphere of a radius (m, m²).
+    fn part(&self, radius: f64) -> f64 {
+        let whole = match self.region.dimension() {
+            2 => std::f64::consts::TAU * radius,
+            _ => 2.0 * std::f64::consts::TAU * radius * radius,
+        };
+        whole / self.directions.len() as f64
     }
 
     fn point(&self, ray: usize, radius: f64) -> Point {

@@ -6,8 +6,10 @@
 //! gaps in it, that fit between the corners of the start cells and touch nothing else are not found.
 
 mod nodes;
+mod outcome;
 
 use nodes::{Node, Nodes};
+pub use outcome::Outcome;
 
 use super::grid::cell_count;
 use super::{Bounds, Point, Region, WorkspaceError};
@@ -26,28 +28,6 @@ impl Settings {
     pub fn new(step: f64) -> Self {
         Self { step, halvings: 3 }
     }
-}
-
-/// What an octree says of a region.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Outcome {
-    /// Area (m²) or volume (m³): cells at whose corners the criterion holds, and of those cut by the boundary the share of
-    /// their corners.
-    pub size: f64,
-    /// How far that can be from the truth (m², m³), unless parts or gaps hide between the corners of a cell.
-    pub error_bound: f64,
-    /// Points judged.
-    pub points: u64,
-    /// Those at which the criterion holds.
-    pub feasible_points: u64,
-    /// Smallest cells that the boundary passes.
-    pub boundary_cells: u64,
-    /// Points that a grid with the smallest cells everywhere would judge.
-    pub grid_points: u64,
-    /// Sides of the start cells (m): what is thinner may be missed.
-    pub start_cell: Point,
-    /// True where the region reaches the faces of the box, so that more of it may lie outside.
-    pub reaches_bounds: bool,
 }
 
 /// More would make start cells larger than any box.
@@ -178,6 +158,26 @@ impl<'a> Tree<'a> {
         }
     }
 
+    fn is_known_and_mixed(&self, cell: Cell) -> bool {
+        self.corners(cell.node, self.side(cell.level), 2).all(|corner| self.nodes.known(corner).is_some())
+            && self.is_mixed(cell)
+    }
+
+    /// Asks for the middles of those edges and faces of a cell whose ends differ, and for its own: between ends that agree
+    /// it is taken for uniform, as cells are.
+    fn ask_where_it_is_crossed(&mut self, node: Node, side: usize) {
+        let middles: Vec<Node> = self.corners(node, side / 2, 3).collect();
+        for middle in middles {
+            let is_end =
+                |corner: &Node| (0..self.dimension).all(|axis| middle[axis].abs_diff(corner[axis]) <= side / 2);
+            let mut ends = self.corners(node, side, 2).filter(is_end).map(|corner| self.nodes.holds(corner));
+            let first = ends.next();
+            if ends.any(|end| Some(end) != first) && self.nodes.ask(middle) {
+                self.asked.push(middle);
+            }
+        }
+    }
+
     /// Judges the corners asked for, all at once.
     fn judge(&mut self) {
         let points: Vec<Point> = self.asked.iter().map(|&node| self.point(node)).collect();
@@ -206,7 +206,10 @@ impl<'a> Tree<'a> {
             if !self.cut[level][index] {
                 self.cut[level][index] = true;
                 self.fresh.push(Cell { level, node });
-                self.ask(node, side / 2, 3);
+                match level > 0 && self.is_known_and_mixed(Cell { level, node }) {
+                    true => self.ask_where_it_is_crossed(node, side),
+                    false => self.ask(node, side / 2, 3),
+                }
             }
         }
     }
@@ -265,68 +268,5 @@ impl<'a> Tree<'a> {
     fn leaf(&self, node: Node, level: usize) -> Node {
         let at = |level: usize| node.map(|place| place / self.side(level) * self.side(level));
         (0..level).find(|&level| !self.cut[level][self.cut_index(level, at(level))]).map_or(node, at)
-    }
-
-    fn outcome(&self) -> Outcome {
-        let mut sum = Sum::default();
-        let mut open: Vec<Cell> = self.start_cells().collect();
-        while let Some(cell) = open.pop() {
-            if !self.is_smallest(cell.level) && self.cut[cell.level][self.cut_index(cell.level, cell.node)] {
-                let half = self.side(cell.level) / 2;
-                open.extend(self.corners(cell.node, half, 2).map(|node| Cell { level: cell.level + 1, node }));
-            } else {
-                sum.add(self, cell);
-            }
-        }
-        let cells: usize = self.counts[..self.dimension].iter().product();
-        let smallest = self.bounds.size() / cells as f64;
-        let size = sum.inside + sum.shares;
-        let mut start_cell = [0.0; 3];
-        for axis in 0..self.dimension {
-            start_cell[axis] = self.bounds.extent(axis) / self.counts[axis] as f64 * self.start as f64;
-        }
-        Outcome {
-            size: smallest * size,
-            error_bound: smallest * (size - sum.inside).max(sum.inside + sum.mixed as f64 - size),
-            points: self.points,
-            feasible_points: self.feasible_points,
-            boundary_cells: sum.mixed,
-            grid_points: cells as u64,
-            start_cell,
-            reaches_bounds: sum.reaches_bounds,
-        }
-    }
-}
-
-/// Sizes in smallest cells.
-#[derive(Default)]
-struct Sum {
-    inside: f64,
-    mixed: u64,
-    /// Shares of the mixed cells that count as inside.
-    shares: f64,
-    reaches_bounds: bool,
-}
-
-impl Sum {
-    fn add(&mut self, tree: &Tree<'_>, cell: Cell) {
-        let side = tree.side(cell.level);
-        let (mut holding, mut corners) = (0, 0);
-        for corner in tree.corners(cell.node, side, 2) {
-            corners += 1;
-            if tree.nodes.holds(corner) {
-                holding += 1;
-                let is_end = |axis: usize| corner[axis] == 0 || corner[axis] == tree.counts[axis];
-                self.reaches_bounds |= (0..tree.dimension).any(is_end);
-            }
-        }
-        match holding {
-            0 => {}
-            _ if holding == corners => self.inside += side.pow(tree.dimension as u32) as f64,
-            _ => {
-                self.mixed += 1;
-                self.shares += f64::from(holding) / f64::from(corners);
-            }
-        }
     }
 }

@@ -50,8 +50,26 @@ impl Nodes {
         self.set(node, if holds { HOLDS } else { FAILS });
     }
 
-    /// The answer at a corner that was judged.
-    pub(super) fn holds(&self, node: Node) -> bool {
-        self.state(node) == HOLDS
+    /// The answer at a corner, if it was judged.
+    pub(super) fn known(&self, node: Node) -> Option<bool> {
+        match self.state(node) {
+            HOLDS => Some(true),
+            FAILS => Some(false),
+            _ => None,
+        }
+    }
+
+    /// The answer at a corner; where it was not judged that of the end of the edge or face on whose middle it lies.
+    pub(super) fn holds(&self, mut node: Node) -> bool {
+        loop {
+            if let Some(holds) = self.known(node) {
+                return holds;
+            }
+            // the middle of something: one step of its level back along the axis in which it is one
+            let finest = node.iter().filter(|place| **place > 0).map(|place| place.trailing_zeros()).min();
+            let axis = node.iter().position(|place| *place > 0 && Some(place.trailing_zeros()) == finest);
+            let (Some(axis), Some(finest)) = (axis, finest) else { return false };
+            node[axis] -= 1 << finest;
+        }
     }
 }
