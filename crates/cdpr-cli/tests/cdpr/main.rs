@@ -5,6 +5,7 @@
 mod bad_input;
 mod book;
 mod command_line;
+mod criteria;
 mod effects;
 mod elastic_models;
 mod equilibrium;

@@ -51,7 +51,10 @@ impl<'a> Question<'a> {
     pub(super) fn criterion(&self, wanted: &[Wanted]) -> Result<Box<dyn Criterion + 'a>, Failure> {
         registry::all(wanted, &self.setting).map_err(|error| {
             let source = match error {
-                WorkspaceError::Limits(_) | WorkspaceError::Load(_) | WorkspaceError::MissingKey { .. } => "ROBOT",
+                WorkspaceError::Limits(_)
+                | WorkspaceError::Load(_)
+                | WorkspaceError::Payload(_)
+                | WorkspaceError::MissingKey { .. } => "ROBOT",
                 _ => "--criterion",
             };
             Failure::refused(source, &error)
