@@ -32,7 +32,7 @@ Tasks:
   notices              write THIRD-PARTY.txt alone
   instructions         count instructions of the library's work with valgrind, compare with the committed counts
   instructions --accept   make them the committed counts
-  judge                let MuJoCo judge our numbers (`judges/`, in a Python environment under target/)
+  judge                let other programs judge our numbers and times (`judges/`, in a Python environment under target/)
   viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book into target/book; installs mdbook into target/tools where there is none";
 
@@ -52,7 +52,7 @@ fn main() -> ExitCode {
         ["notices"] => notices::write(&root),
         ["instructions"] => instructions::check(&root).into_result(),
         ["instructions", "--accept"] => instructions::accept(&root),
-        ["judge"] => steps::run(&root, Some("judge")),
+        ["judge"] => judge::check_with_times(&root).into_result(),
         ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),
         [] | ["help" | "--help" | "-h"] => {
