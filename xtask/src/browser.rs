@@ -146,18 +146,16 @@ fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 /// Pages of workspaces: one in a plane and one in space, each with an earlier result laid over it.
 fn workspace_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
-    let planar = ["workspace", "planar-example", "--method", "hull", "--min", "1000", "--max", "8000"];
+    let planar = ["workspace", "planar-example", "--method", "hull", "--max", "8000"];
     let spatial = ["workspace", "cablerobot-simulator-helicopter", "--method", "hull", "--rays", "642"];
     let mut pages = Vec::new();
-    for (name, arguments, wider) in
-        [("workspace-planar", &planar[..], "500"), ("workspace-spatial", &spatial[..], "500")]
-    {
+    for (name, arguments) in [("workspace-planar", &planar[..]), ("workspace-spatial", &spatial[..])] {
         let folder = folder.join(name);
         std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
         let (page, earlier) = (folder.join("workspace.html"), folder.join("earlier.html"));
         let (page, earlier) = (page.display().to_string(), earlier.display().to_string());
-        cdpr(root, &[arguments, &["--min", wider, "--page", &earlier]].concat())?;
-        cdpr(root, &[arguments, &["--page", &page, "--overlay", &earlier]].concat())?;
+        cdpr(root, &[arguments, &["--min", "500", "--page", &earlier]].concat())?;
+        cdpr(root, &[arguments, &["--min", "1000", "--page", &page, "--overlay", &earlier]].concat())?;
         pages.push(folder);
     }
     Ok(pages)
