@@ -50,7 +50,11 @@ pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, f
     facts.extend(limits.map(|words| ("Tension limits", words)));
     if let Some((load, _)) = statics {
         let load = WrenchAnswer::new(question.model.robot(), &load.wrench(&start));
-        let parts: Vec<String> = load.heading().iter().zip(load.cells()).map(|(name, cell)| format!("{name}: {cell}")).collect();
+        let with_value = |(heading, value): (String, String)| match heading.split_once(' ') {
+            Some((name, unit)) => format!("{name} {value} {unit}"),
+            None => format!("{heading} {value}"),
+        };
+        let parts: Vec<String> = load.heading().into_iter().zip(load.cells()).map(with_value).collect();
         facts.push(("Load", parts.join(", ")));
     }
     let mut warnings = answer.remarks();
