@@ -51,7 +51,7 @@ export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownReg
         Plot.contour(values, { ...size, thresholds: [0] as never, fill: "none", stroke: INK, strokeWidth: 2 }),
         Plot.gridX({ stroke: LINE, strokeOpacity: 0.5 }),
         Plot.gridY({ stroke: LINE, strokeOpacity: 0.5 }),
-        ...outlines.map(({ one, points }) => Plot.line(points, { stroke: `var(--${one.colour})`, strokeWidth: 3, strokeDasharray: one.dashes })),
+        ...outlines.map(({ one, points }) => Plot.line(points, { stroke: `var(--${one.colour})`, strokeWidth: 3, strokeDasharray: one.dashes, clip: true })),
       ],
     }),
   );
