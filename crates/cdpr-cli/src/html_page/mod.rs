@@ -3,6 +3,8 @@
 //!
 //! Program and style are made from `viewer/` and committed in `report/generated`.
 
+#[cfg(test)]
+pub(crate) mod reading;
 mod text;
 
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};

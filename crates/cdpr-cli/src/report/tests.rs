@@ -12,6 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
 use super::*;
+use crate::html_page::reading::{data, markup, parsed};
 
 /// A box of 8 × 6 × 4 m with the cables at its corners.
 fn spatial_robot(name: &str) -> Robot {
@@ -133,30 +134,6 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
 
 const LADDER: &str = "standard;standard:length-offset;standard:length-offset,length-scale;standard:frame-anchor;\
                       standard:frame-anchor,length-offset,length-scale;pulley";
-
-/// The page without its style and its program, which are no XML; the data block stays.
-fn markup(page: &str) -> String {
-    let without = |text: &str, start: &str, end: &str| -> String {
-        let (before, rest) = text.split_once(start).unwrap();
-        let (_, after) = rest.split_once(end).unwrap();
-        format!("{before}{after}")
-    };
-    without(&without(page, "<style>", "</style>"), "<script>\n", "</script>")
-}
-
-/// Parses the page as XML, which checks that every tag is closed and every attribute quoted and unique.
-fn parsed(page: &str) -> roxmltree::Document<'_> {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
-    roxmltree::Document::parse_with_options(page, options).unwrap()
-}
-
-/// What the program of the page reads.
-fn data(page: &str) -> serde_json::Value {
-    let page = markup(page);
-    let document = parsed(&page);
-    let block = document.descendants().find(|node| node.attribute("id") == Some("cdpr-data")).unwrap();
-    serde_json::from_str(block.text().unwrap()).unwrap()
-}
 
 fn has_text(document: &roxmltree::Document<'_>, wanted: &str) -> bool {
     let texts: Vec<&str> =

@@ -9,6 +9,7 @@ use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::nalgebra::Vector3;
 
 use super::*;
+use crate::html_page::reading::{data, markup, parsed};
 
 /// What a page is made of.
 struct Case {
@@ -65,30 +66,6 @@ fn tetrahedron() -> Mesh {
         triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
         fields: vec![],
     }
-}
-
-/// The page without its style and its program, which are no XML; the data block stays.
-fn markup(page: &str) -> String {
-    let without = |text: &str, start: &str, end: &str| -> String {
-        let (before, rest) = text.split_once(start).unwrap();
-        let (_, after) = rest.split_once(end).unwrap();
-        format!("{before}{after}")
-    };
-    without(&without(page, "<style>", "</style>"), "<script>\n", "</script>")
-}
-
-/// Parses the page as XML, which checks that every tag is closed and every attribute quoted and unique.
-fn parsed(page: &str) -> roxmltree::Document<'_> {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
-    roxmltree::Document::parse_with_options(page, options).unwrap()
-}
-
-/// What the program of the page reads.
-fn data(page: &str) -> serde_json::Value {
-    let page = markup(page);
-    let document = parsed(&page);
-    let block = document.descendants().find(|node| node.attribute("id") == Some("cdpr-data")).unwrap();
-    serde_json::from_str(block.text().unwrap()).unwrap()
 }
 
 #[test]
