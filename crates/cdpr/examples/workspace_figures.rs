@@ -99,10 +99,10 @@ fn methods() -> Result<String, Box<dyn Error>> {
 
     let mut picture = Picture::new(760.0, 420.0, "Wrench feasibility of the planar example: margins and outlines");
     let along =
-        |from: f64, to: f64| -> Vec<f64> { (0..=80).map(|k| from + (to - from) * f64::from(k) / 80.0).collect() };
+        |from: f64, to: f64| -> Vec<f64> { (0..=60).map(|k| from + (to - from) * f64::from(k) / 60.0).collect() };
     let (x, y) = (along(-6.5, 6.0), along(-1.5, 9.0));
-    let margin = |x: f64, y: f64| Some(region.judge(&[x, y, 0.0]).margin * 1e-3).filter(|margin| *margin >= 0.0);
-    let values = y.iter().flat_map(|y| x.iter().map(move |x| margin(*x, *y).unwrap_or(f64::NAN))).collect();
+    let margin = |x: f64, y: f64| 1e-3 * region.judge(&[x, y, 0.0]).margin;
+    let values = y.iter().flat_map(|y| x.iter().map(move |x| margin(*x, *y))).collect();
     let left = panel(58.0, 270.0, (-6.5, 6.0), (-1.5, 9.0));
     picture.text("start", (58.0, 18.0), "margin at the points of a grid, kN");
     picture.map(&left, &Grid { x, y, values }, &[0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0]);

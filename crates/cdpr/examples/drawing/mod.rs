@@ -118,21 +118,37 @@ impl Picture {
         self.push(&format!(r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="url(#none)"/>"#));
         let mut contours: Vec<Vec<[(f64, f64); 2]>> = vec![Vec::new(); levels.len()];
         let mut shapes = vec![String::new(); levels.len()];
+        // the band and the corner points of parts beside each other that are not drawn yet
+        let mut run: Option<(usize, (f64, f64), (f64, f64))> = None;
+        let mut draw = |run: Option<(usize, (f64, f64), (f64, f64))>| {
+            let Some((band, (x, y), (right, bottom))) = run else { return };
+            // a little more than the parts, so that no seam shows
+            let (w, h) = (right - x + 0.5, bottom - y + 0.5);
+            shapes[band].push_str(&format!("M{x:.1} {y:.1}h{w:.1}v{h:.1}h-{w:.1}z"));
+        };
         for part in parts(grid) {
             let corners = part.map(|(cell, share)| (panel.place(grid.point(cell, share)), grid.between(cell, share)));
             let mean = 0.25 * corners.iter().map(|corner| corner.1).sum::<f64>();
-            if !mean.is_finite() {
+            // hatched where there is no value, or less than the least level
+            if !(mean >= levels[0]) {
                 continue;
             }
             let band = levels.iter().skip(1).filter(|level| mean >= **level).count().min(levels.len() - 2);
-            let ((x, y), (right, bottom)) = (corners[3].0, corners[1].0);
-            // a little more than the part, so that no seam shows
-            let (w, h) = (right - x + 0.5, bottom - y + 0.5);
-            shapes[band].push_str(&format!("M{x:.1} {y:.1}h{w:.1}v{h:.1}h-{w:.1}z"));
+            let (from, to) = (corners[3].0, corners[1].0);
+            run = match run {
+                Some((same, first, last)) if same == band && last.1 == to.1 && (last.0 - from.0).abs() < 1e-6 => {
+                    Some((band, first, to))
+                }
+                other => {
+                    draw(other);
+                    Some((band, from, to))
+                }
+            };
             for (level, segments) in levels.iter().zip(&mut contours) {
                 segments.extend(crossing(&corners, *level));
             }
         }
+        draw(run);
         for (band, shape) in shapes.iter().enumerate().filter(|(_, shape)| !shape.is_empty()) {
             let fill = color(band, levels.len() - 1);
             self.push(&format!(r#"<path d="{shape}" fill="{fill}"/>"#));
@@ -204,14 +220,14 @@ fn color(band: usize, count: usize) -> &'static str {
 /// A place in a cell of a grid, by shares.
 type Place = ((usize, usize), (f64, f64));
 
-/// The corners of every part of every cell, anticlockwise from where x and y are least.
+/// The corners of every part of every cell, anticlockwise from where x and y are least; along x first, through all cells.
 fn parts(grid: &Grid) -> impl Iterator<Item = [Place; 4]> {
-    let (columns, rows) = (grid.x.len() - 1, grid.y.len() - 1);
-    let cells = (0..rows).flat_map(move |row| (0..columns).map(move |column| (column, row)));
+    let (columns, rows) = (FINENESS * (grid.x.len() - 1), FINENESS * (grid.y.len() - 1));
     let share = |k: usize| k as f64 / FINENESS as f64;
-    cells.flat_map(move |cell| {
-        (0..FINENESS * FINENESS).map(move |part| {
-            let (k, l) = (part % FINENESS, part / FINENESS);
+    (0..rows).flat_map(move |row| {
+        (0..columns).map(move |column| {
+            let cell = (column / FINENESS, row / FINENESS);
+            let (k, l) = (column % FINENESS, row % FINENESS);
             [(k, l), (k + 1, l), (k + 1, l + 1), (k, l + 1)].map(|(k, l)| (cell, (share(k), share(l))))
         })
     })
