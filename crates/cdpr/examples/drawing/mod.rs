@@ -33,6 +33,14 @@ pub(crate) struct Grid {
     pub(crate) values: Vec<f64>,
 }
 
+/// Parts of one band beside each other, not drawn yet: from their upper left to their lower right corner (pixels).
+#[derive(Clone, Copy)]
+struct Run {
+    band: usize,
+    from: (f64, f64),
+    to: (f64, f64),
+}
+
 impl Panel {
     /// Pixels of a point.
     pub(crate) fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
@@ -118,10 +126,9 @@ impl Picture {
         self.push(&format!(r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="url(#none)"/>"#));
         let mut contours: Vec<Vec<[(f64, f64); 2]>> = vec![Vec::new(); levels.len()];
         let mut shapes = vec![String::new(); levels.len()];
-        // the band and the corner points of parts beside each other that are not drawn yet
-        let mut run: Option<(usize, (f64, f64), (f64, f64))> = None;
-        let mut draw = |run: Option<(usize, (f64, f64), (f64, f64))>| {
-            let Some((band, (x, y), (right, bottom))) = run else { return };
+        let mut run: Option<Run> = None;
+        let mut draw = |run: Option<Run>| {
+            let Some(Run { band, from: (x, y), to: (right, bottom) }) = run else { return };
             // a little more than the parts, so that no seam shows
             let (w, h) = (right - x + 0.5, bottom - y + 0.5);
             shapes[band].push_str(&format!("M{x:.1} {y:.1}h{w:.1}v{h:.1}h-{w:.1}z"));
@@ -136,12 +143,12 @@ impl Picture {
             let band = levels.iter().skip(1).filter(|level| mean >= **level).count().min(levels.len() - 2);
             let (from, to) = (corners[3].0, corners[1].0);
             run = match run {
-                Some((same, first, last)) if same == band && last.1 == to.1 && (last.0 - from.0).abs() < 1e-6 => {
-                    Some((band, first, to))
+                Some(run) if run.band == band && run.to.1 == to.1 && (run.to.0 - from.0).abs() < 1e-6 => {
+                    Some(Run { to, ..run })
                 }
                 other => {
                     draw(other);
-                    Some((band, from, to))
+                    Some(Run { band, from, to })
                 }
             };
             for (level, segments) in levels.iter().zip(&mut contours) {
