@@ -113,10 +113,11 @@ impl Block {
     pub(super) fn normal<const P: usize>(&self, poses: &PoseLanes, values: &CableValues) -> NormalEquations<P> {
         let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
         let recordings = recordings.as_ref();
-        // the first places of a row, as for anchors alone, stay in registers; others are looked up in memory
-        match self.slots.iter().copied().eq(0..P) {
-            true => dispatch(Accumulate::<P, true> { block: self, poses, values, recordings }),
-            false => dispatch(Accumulate::<P, false> { block: self, poses, values, recordings }),
+        let sums = Accumulate::<P> { block: self, poses, values, recordings };
+        // what is chosen most often has a kernel of its own, where nothing is computed in vain
+        match P {
+            3 | 6 | 8 if self.slots.iter().copied().eq(0..P) => dispatch(InOrder(sums)),
+            _ => dispatch(sums),
         }
     }
 
@@ -130,7 +131,42 @@ impl Block {
     pub(super) fn weights(&self) -> &[f64] {
         &self.weights
     }
+}
 
+/// Weighted residual and the derivatives by every slot for one group of samples, the residual first.
+type Row = [[f64; LANES]; 1 + SLOTS];
+
+/// Groups of samples whose rows are made in one call.
+const ROWS: usize = 6;
+
+/// Rows for some groups of samples in succession: what all sums share, compiled once.
+struct Rows<'a> {
+    block: &'a Block,
+    poses: &'a PoseLanes,
+    values: &'a CableValues,
+    recordings: Option<&'a Recordings>,
+    first: usize,
+    /// Filled.
+    rows: &'a mut [Row],
+}
+
+impl Kernel for Rows<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let Self { block, poses, values, recordings, first, rows } = self;
+        for (group, target) in (first..).zip(rows) {
+            let (residual, row) = block.row(l, poses, values, recordings, group);
+            residual.store(&mut target[0]);
+            for (target, entry) in target[1..].iter_mut().zip(row) {
+                entry.store(target);
+            }
+        }
+    }
+}
+
+impl Block {
     /// Weighted residual and the derivatives by every slot for one group of samples.
     #[inline(always)]
     fn row<L: Lanes>(
@@ -196,45 +232,95 @@ pub(super) struct NormalEquations<const P: usize> {
     pub(super) matrix: [[f64; P]; P],
 }
 
-/// The sums over all samples. `FIRST` promises that the free parameters are the first P places of a row, in order.
-pub(super) struct Accumulate<'a, const P: usize, const FIRST: bool> {
+/// The sums over all samples.
+pub(super) struct Accumulate<'a, const P: usize> {
     pub(super) block: &'a Block,
     pub(super) poses: &'a PoseLanes,
     pub(super) values: &'a CableValues,
     pub(super) recordings: Option<&'a Recordings>,
 }
 
-impl<const P: usize, const FIRST: bool> Kernel for Accumulate<'_, P, FIRST> {
+/// The same sums where the free parameters are the first P places of a row, in order.
+struct InOrder<'a, const P: usize>(Accumulate<'a, P>);
+
+/// Sums in lanes.
+struct Sums<L, const P: usize> {
+    cost: L,
+    gradient: [L; P],
+    matrix: [[L; P]; P],
+}
+
+impl<L: Lanes, const P: usize> Sums<L, P> {
+    #[inline(always)]
+    fn new(l: L) -> Self {
+        let zero = l.constant(0.0);
+        Self { cost: zero, gradient: [zero; P], matrix: [[zero; P]; P] }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, residual: L, entries: &[L; P]) {
+        self.cost = self.cost + residual * residual;
+        for i in 0..P {
+            self.gradient[i] = self.gradient[i] + entries[i] * residual;
+            for j in 0..=i {
+                self.matrix[i][j] = self.matrix[i][j] + entries[i] * entries[j];
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn total(self) -> NormalEquations<P> {
+        let mut sums = NormalEquations { cost: self.cost.sum(), gradient: [0.0; P], matrix: [[0.0; P]; P] };
+        for i in 0..P {
+            sums.gradient[i] = self.gradient[i].sum();
+            for j in 0..=i {
+                sums.matrix[i][j] = self.matrix[i][j].sum();
+            }
+        }
+        sums
+    }
+}
+
+impl<const P: usize> Kernel for InOrder<'_, P> {
     type Output = NormalEquations<P>;
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) -> NormalEquations<P> {
-        let zero = l.constant(0.0);
-        let (mut cost, mut gradient, mut matrix) = (zero, [zero; P], [[zero; P]; P]);
+        let Accumulate { block, poses, values, recordings } = self.0;
+        let mut sums = Sums::new(l);
+        for group in 0..poses.groups() {
+            let (residual, row) = block.row(l, poses, values, recordings, group);
+            let mut entries = [l; P];
+            entries.copy_from_slice(&row[..P]);
+            sums.add(residual, &entries);
+        }
+        sums.total()
+    }
+}
+
+impl<const P: usize> Kernel for Accumulate<'_, P> {
+    type Output = NormalEquations<P>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> NormalEquations<P> {
         let mut slots = [0; P];
-        slots.copy_from_slice(&self.block.slots);
-        for group in 0..self.poses.groups() {
-            let (residual, row) = self.block.row(l, self.poses, self.values, self.recordings, group);
-            let mut entries = [zero; P];
-            for i in 0..P {
-                entries[i] = row[if FIRST { i } else { slots[i] }];
-            }
-            cost = cost + residual * residual;
-            for i in 0..P {
-                gradient[i] = gradient[i] + entries[i] * residual;
-                for j in 0..=i {
-                    matrix[i][j] = matrix[i][j] + entries[i] * entries[j];
+        let Self { block, poses, values, recordings } = self;
+        slots.copy_from_slice(&block.slots);
+        let mut sums = Sums::new(l);
+        let mut rows = [[[0.0; LANES]; 1 + SLOTS]; ROWS];
+        for first in (0..poses.groups()).step_by(ROWS) {
+            let count = ROWS.min(poses.groups() - first);
+            l.apart(Rows { block, poses, values, recordings, first, rows: &mut rows[..count] });
+            for row in &rows[..count] {
+                let residual = l.load(&row[0]);
+                let mut entries = [l; P];
+                for i in 0..P {
+                    entries[i] = l.load(&row[1 + slots[i]]);
                 }
+                sums.add(residual, &entries);
             }
         }
-        let mut sums = NormalEquations { cost: cost.sum(), gradient: [0.0; P], matrix: [[0.0; P]; P] };
-        for i in 0..P {
-            sums.gradient[i] = gradient[i].sum();
-            for j in 0..=i {
-                sums.matrix[i][j] = matrix[i][j].sum();
-            }
-        }
-        sums
+        sums.total()
     }
 }
 
@@ -251,18 +337,19 @@ impl Kernel for WriteRows<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) -> Self::Output {
-        let slots = &self.block.slots;
-        let mut residuals = Vec::with_capacity(self.poses.groups() * LANES);
-        let mut columns = vec![Vec::with_capacity(self.poses.groups() * LANES); slots.len()];
-        for group in 0..self.poses.groups() {
-            let (residual, row) = self.block.row(l, self.poses, self.values, self.recordings, group);
-            residuals.extend(residual.to_array());
-            for (column, &slot) in columns.iter_mut().zip(slots) {
-                column.extend(row[slot].to_array());
+        let Self { block, poses, values, recordings, count } = self;
+        let mut residuals = Vec::with_capacity(poses.groups() * LANES);
+        let mut columns = vec![Vec::with_capacity(poses.groups() * LANES); block.slots.len()];
+        let mut rows = vec![[[0.0; LANES]; 1 + SLOTS]; poses.groups()];
+        l.apart(Rows { block, poses, values, recordings, first: 0, rows: &mut rows });
+        for row in &rows {
+            residuals.extend(row[0]);
+            for (column, &slot) in columns.iter_mut().zip(&block.slots) {
+                column.extend(row[1 + slot]);
             }
         }
-        residuals.truncate(self.count);
-        columns.iter_mut().for_each(|column| column.truncate(self.count));
+        residuals.truncate(count);
+        columns.iter_mut().for_each(|column| column.truncate(count));
         (residuals, columns)
     }
 }

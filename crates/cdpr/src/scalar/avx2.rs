@@ -6,7 +6,8 @@ use pulp::x86::V3;
 use pulp::{f64x4, m64x4};
 
 use super::angle::full_angle;
-use super::{LANES, Lanes, Real, Select};
+use super::dispatch::on_avx2;
+use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in two AVX2 registers; exists only on machines that have the unit.
 #[derive(Clone, Copy, Debug)]
@@ -97,6 +98,11 @@ impl Select for Avx2 {
 }
 
 impl Lanes for Avx2 {
+    #[inline(always)]
+    fn apart<K: Kernel>(self, part: K) -> K::Output {
+        on_avx2(self.token, part)
+    }
+
     #[inline(always)]
     fn load(self, source: &[f64]) -> Self {
         let mut lanes = [0.0; LANES];

@@ -7,7 +7,8 @@ use pulp::{b8, f64x8};
 
 use super::angle::full_angle;
 use super::avx2::sums_of_halves;
-use super::{LANES, Lanes, Real, Select};
+use super::dispatch::on_avx512;
+use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
 #[derive(Clone, Copy, Debug)]
@@ -90,6 +91,11 @@ impl Select for Avx512 {
 }
 
 impl Lanes for Avx512 {
+    #[inline(always)]
+    fn apart<K: Kernel>(self, part: K) -> K::Output {
+        on_avx512(self.token, part)
+    }
+
     #[inline(always)]
     fn load(self, source: &[f64]) -> Self {
         let mut lanes = [0.0; LANES];

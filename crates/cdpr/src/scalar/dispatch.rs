@@ -1,12 +1,12 @@
 //! Running a computation on the widest vector unit of the machine, found at run time.
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use pulp::NullaryFnOnce;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use pulp::x86::{V3, V4};
 
 use super::{LANES, Lanes, Portable};
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use super::{avx2::Avx2, avx512::Avx512};
 
 /// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
@@ -80,11 +80,11 @@ impl Unit {
     pub fn is_available(self) -> bool {
         match self {
             Self::Portable => true,
-            #[cfg(target_arch = "x86_64")]
+            #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
             Self::Avx2 => V3::is_available(),
-            #[cfg(target_arch = "x86_64")]
+            #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
             Self::Avx512 => V4::is_available(),
-            #[cfg(not(target_arch = "x86_64"))]
+            #[cfg(not(all(feature = "vectors", target_arch = "x86_64")))]
             Self::Avx2 | Self::Avx512 => false,
         }
     }
@@ -93,7 +93,7 @@ impl Unit {
 /// Runs the kernel on the widest unit of the machine. Costs a few nanoseconds: call it once per batch.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
     if let Some(token) = V4::try_new() {
         return on_avx512(token, kernel);
     }
@@ -104,7 +104,7 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 /// divisions and roots take longer in the widest registers.
 #[inline]
 pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
     if let Some(token) = V3::try_new() {
         return on_avx2(token, kernel);
     }
@@ -116,11 +116,11 @@ pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
 pub fn dispatch_on<K: Kernel>(unit: Unit, kernel: K) -> Option<K::Output> {
     match unit {
         Unit::Portable => Some(on_portable(kernel)),
-        #[cfg(target_arch = "x86_64")]
+        #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
         Unit::Avx2 => V3::try_new().map(|token| on_avx2(token, kernel)),
-        #[cfg(target_arch = "x86_64")]
+        #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
         Unit::Avx512 => V4::try_new().map(|token| on_avx512(token, kernel)),
-        #[cfg(not(target_arch = "x86_64"))]
+        #[cfg(not(all(feature = "vectors", target_arch = "x86_64")))]
         Unit::Avx2 | Unit::Avx512 => None,
     }
 }
@@ -131,13 +131,13 @@ fn on_portable<K: Kernel>(kernel: K) -> K::Output {
 }
 
 /// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 struct OnUnit<T, K> {
     token: T,
     kernel: K,
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 impl<K: Kernel> NullaryFnOnce for OnUnit<V3, K> {
     type Output = K::Output;
 
@@ -147,7 +147,7 @@ impl<K: Kernel> NullaryFnOnce for OnUnit<V3, K> {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 impl<K: Kernel> NullaryFnOnce for OnUnit<V4, K> {
     type Output = K::Output;
 
@@ -157,15 +157,15 @@ impl<K: Kernel> NullaryFnOnce for OnUnit<V4, K> {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 #[inline(always)]
-fn on_avx2<K: Kernel>(token: V3, kernel: K) -> K::Output {
+pub(super) fn on_avx2<K: Kernel>(token: V3, kernel: K) -> K::Output {
     token.vectorize(OnUnit { token, kernel })
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 #[inline(always)]
-fn on_avx512<K: Kernel>(token: V4, kernel: K) -> K::Output {
+pub(super) fn on_avx512<K: Kernel>(token: V4, kernel: K) -> K::Output {
     token.vectorize(OnUnit { token, kernel })
 }
 

@@ -4,9 +4,9 @@
 //! types the answer for eight at once, and the dual numbers of the tests check every analytic derivative.
 
 mod angle;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 mod avx2;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 mod avx512;
 pub(crate) mod decomposition;
 mod dispatch;
@@ -19,9 +19,9 @@ mod table;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 pub use avx2::Avx2;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 pub use avx512::Avx512;
 pub use dispatch::{Kernel, Unit, dispatch, dispatch_narrow, dispatch_on};
 pub(crate) use parts::over_parts;
@@ -74,6 +74,10 @@ pub trait Lanes: Select {
     fn sums(four: [Self; 4]) -> [f64; 4] {
         [four[0].sum(), four[1].sum(), four[2].sum(), four[3].sum()]
     }
+
+    /// Runs a part of a kernel as a function of its own on the same vector unit. What several kernels share is compiled
+    /// once for each unit instead of once for each place; a call costs a few nanoseconds.
+    fn apart<K: Kernel>(self, part: K) -> K::Output;
 }
 
 /// How many numbers a [`Lanes`] type holds, on every machine.

@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::angle::full_angle;
-use super::{LANES, Lanes, Real, Select};
+use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in an array.
 #[derive(Clone, Copy, Debug)]
@@ -96,6 +96,11 @@ impl Select for Portable {
 }
 
 impl Lanes for Portable {
+    #[inline(never)]
+    fn apart<K: Kernel>(self, part: K) -> K::Output {
+        part.run(self)
+    }
+
     #[inline(always)]
     fn load(self, source: &[f64]) -> Self {
         let mut lanes = [0.0; LANES];

@@ -2,7 +2,7 @@
 
 use super::Problem;
 use crate::geometry::Pose;
-use crate::scalar::{LANES, Lanes, cross, dot};
+use crate::scalar::{Kernel, LANES, Lanes, cross, dot};
 
 /// Springs that eight cables are, with the law f = k₀ e/(1 + κ_q k₀ e) of the stretch e = q − q_θ.
 ///
@@ -31,24 +31,31 @@ pub(super) const TERMS: usize = 28;
 /// The first terms, energy and residual, rounded up to whole fours.
 const FORCE_TERMS: usize = 8;
 
-impl Problem<'_> {
-    /// The balance at a pose, with tensions and lengths packed like the model's groups; without stiffness that is left at zero.
+/// The balance at a pose: a kernel of its own, which descents of any degrees of freedom share.
+pub(super) struct AtPose<'a> {
+    pub(super) problem: &'a Problem<'a>,
+    pub(super) pose: &'a Pose,
+    /// Filled; packed like the model's groups (N).
+    pub(super) tensions: &'a mut [[f64; LANES]],
+    /// Filled; packed alike (m).
+    pub(super) lengths: &'a mut [[f64; LANES]],
+    /// Otherwise stiffness is left at zero.
+    pub(super) with_stiffness: bool,
+}
+
+impl Kernel for AtPose<'_> {
+    type Output = Balance;
+
     #[inline(always)]
-    pub(super) fn balance<L: Lanes>(
-        &self,
-        lanes: L,
-        pose: &Pose,
-        tensions: &mut [[f64; LANES]],
-        lengths: &mut [[f64; LANES]],
-        with_stiffness: bool,
-    ) -> Balance {
+    fn run<L: Lanes>(self, lanes: L) -> Balance {
+        let Self { problem, pose, tensions, lengths, with_stiffness } = self;
         let rotation = pose.rotation_rows();
         let position = pose.position.into();
         let mut totals = [0.0; TERMS];
-        let cables = self.model.groups().iter().zip(self.springs).zip(tensions).zip(lengths);
+        let cables = problem.model.groups().iter().zip(problem.springs).zip(tensions).zip(lengths);
         for (((group, springs), tensions), lengths) in cables {
             let (course, lever) = group.courses(lanes, position, &rotation);
-            let pull = self.pull(course.length, group.elasticity(lanes).by_length, springs);
+            let pull = problem.pull(course.length, group.elasticity(lanes).by_length, springs);
             pull.tension.store(tensions);
             course.length.store(lengths);
             let zero = lanes.constant(0.0);
@@ -75,10 +82,12 @@ impl Problem<'_> {
         if !with_stiffness {
             balance.stiffness = [[0.0; 6]; 6];
         }
-        self.add_load(&mut balance, position, &rotation);
+        problem.add_load(&mut balance, position, &rotation);
         balance
     }
+}
 
+impl Problem<'_> {
     #[inline(always)]
     fn pull<L: Lanes>(&self, length: L, by_length: L, springs: &Springs) -> Pull<L> {
         let lanes = length;

@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::Problem;
-use super::balance::Balance;
+use super::balance::{AtPose, Balance};
 use super::unsymmetric;
 use crate::geometry::{Pose, Twist};
 use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow, ldl};
@@ -153,8 +153,9 @@ impl<const N: usize> Search<'_, N> {
     #[inline(always)]
     fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, with_stiffness: bool) -> Point<N> {
         let Tensions { trial, trial_lengths, .. } = &mut *self.tensions;
+        let problem = self.problem;
         let Balance { residual, stiffness, energy } =
-            self.problem.balance(lanes, pose, trial, trial_lengths, with_stiffness);
+            lanes.apart(AtPose { problem, pose, tensions: trial, lengths: trial_lengths, with_stiffness });
         let mut point = Point { right: [0.0; N], matrix: [[0.0; N]; N], energy, residual };
         if N == 6 {
             point.right.copy_from_slice(&residual[..N]);

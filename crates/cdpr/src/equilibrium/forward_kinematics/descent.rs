@@ -164,19 +164,30 @@ impl<const N: usize> Kernel for Search<'_, N> {
     }
 }
 
-impl<const N: usize> Search<'_, N> {
-    /// Sum of squared residuals at a pose, one pass over the cables, eight at a time; with the normal equations unless
-    /// the descent ends here anyway.
+/// Sum of squared residuals at a pose, one pass over the cables, eight at a time; with the normal equations unless the
+/// descent ends here anyway.
+struct AtPose<'a, const N: usize> {
+    problem: &'a Problem<'a>,
+    pose: &'a Pose,
+    /// Filled.
+    residuals: &'a mut [[f64; LANES]],
+    normal: Option<&'a mut Normal<N>>,
+}
+
+impl<const N: usize> Kernel for AtPose<'_, N> {
+    type Output = f64;
+
     #[inline(always)]
-    fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, mut normal: Option<&mut Normal<N>>) -> f64 {
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let Self { problem, pose, residuals, mut normal } = self;
         let rotation = pose.rotation_rows();
         let position = pose.position.into();
         let mut cost = 0.0;
         if let Some(normal) = &mut normal {
             (normal.right, normal.matrix) = ([0.0; N], [[0.0; N]; N]);
         }
-        let groups = self.problem.model.groups();
-        for ((group, targets), residuals) in groups.iter().zip(self.problem.targets).zip(&mut self.residuals.trial) {
+        let groups = problem.model.groups();
+        for ((group, targets), residuals) in groups.iter().zip(problem.targets).zip(residuals) {
             let (course, lever) = group.courses(lanes, position, &rotation);
             let residual = course.length - lanes.load(targets);
             residual.store(residuals);
@@ -185,10 +196,17 @@ impl<const N: usize> Search<'_, N> {
             cost += (residual * residual).sum();
             if let Some(normal) = &mut normal {
                 let u = [course.direction[0] * weight, course.direction[1] * weight, course.direction[2] * weight];
-                normal.add(in_basis(self.problem.model, lanes, u, cross(lever, u)), residual);
+                normal.add(in_basis(problem.model, lanes, u, cross(lever, u)), residual);
             }
         }
         cost
+    }
+}
+
+impl<const N: usize> Search<'_, N> {
+    #[inline(always)]
+    fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, normal: Option<&mut Normal<N>>) -> f64 {
+        lanes.apart(AtPose { problem: self.problem, pose, residuals: &mut self.residuals.trial, normal })
     }
 
     /// Moves on to the trial.

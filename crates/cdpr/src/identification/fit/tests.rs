@@ -45,8 +45,7 @@ fn normal_equations_have_the_same_bits_on_every_unit() {
             let own = parameters.iter().filter(|parameter| parameter.cable == cable).copied().collect();
             let block = Block::new(&model, cable, own, &samples, &weights);
             let on = |unit| {
-                let kernel =
-                    Accumulate::<8, false> { block: &block, poses: &poses, values: &block.start, recordings: None };
+                let kernel = Accumulate::<8> { block: &block, poses: &poses, values: &block.start, recordings: None };
                 let equations = dispatch_on(unit, kernel).unwrap();
                 let numbers = equations.matrix.as_flattened().iter().chain(&equations.gradient);
                 numbers.chain([&equations.cost]).map(|x| x.to_bits()).collect::<Vec<_>>()
