@@ -16,6 +16,7 @@ const FILES: &[Generated] = &[
     Generated { path: "schemas/measurement.schema.json", command: &["schema", "measurement"] },
     Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] },
     Generated { path: "schemas/study.schema.json", command: &["schema", "study"] },
+    Generated { path: "schemas/sweep.schema.json", command: &["schema", "sweep"] },
 ];
 
 /// Complains of every file that differs from what the program writes now.

@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use cdpr::geometry::Pose;
 use cdpr::measurement::{Provenance, Sidecar, poses_from_csv};
 use cdpr::metamodel::accuracy::{Assessment, assess_operation};
+use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
 use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
-use cdpr::metamodel::{Operation, Study, winch_offsets};
+use cdpr::metamodel::{Driving, Operation, Study, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
+use cdpr::tension::Limits;
 
 use crate::failure::Failure;
 use crate::files;
@@ -40,7 +42,7 @@ impl Laboratory {
         let name = path.display().to_string();
         let study = Study::from_toml_bytes(&files::read(path)?, &name)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let from_folder = |robot: &str| read_robot(&robot_path(robot, &folder));
+        let from_folder = |robot: &str| robot_of_study(robot, &folder);
         Self::new(study, &name, &folder, &from_folder)
     }
 
@@ -80,10 +82,40 @@ impl Laboratory {
         remembers.then(|| self.study.history.unwrap_or_default())
     }
 
+    /// The pose at which the winches were set.
+    pub(crate) fn initial_pose(&self) -> Result<Pose, Failure> {
+        self.study.initial_pose(self.machine.robot()).map_err(|error| self.refused(&error))
+    }
+
+    /// Tension limits of the machine, if they are known.
+    pub(crate) fn limits(&self) -> Option<Limits> {
+        Limits::of(self.machine.robot(), None, None).ok()
+    }
+
+    /// The machine under its control model, to be asked from several threads.
+    pub(crate) fn driving(&self) -> Result<Driving<'_>, Failure> {
+        let driving =
+            Driving::new(&self.control, &self.machine, &self.offsets).map_err(|error| self.refused(&error))?;
+        Ok(match self.history() {
+            Some(history) => driving.with_history(&history, &self.initial_pose()?),
+            None => driving,
+        })
+    }
+
+    /// Which poses count as reached.
+    pub(crate) fn reachable(&self) -> Result<Reachable<'_>, Failure> {
+        let requirements = Requirements {
+            tensions: self.limits().filter(|_| self.machine.composition().depends_on_tension()),
+            position_error_max: self.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
+            rotation_error_max: None,
+        };
+        Reachable::new(self.driving()?, requirements).map_err(|error| self.refused(&error))
+    }
+
     fn operation(&self) -> Result<Operation<'_>, Failure> {
-        let refused = |error: &dyn cdpr::error_code::ErrorCode| self.refused(error);
-        let operation = Operation::new(&self.control, &self.machine, &self.offsets).map_err(|error| refused(&error))?;
-        let start = self.study.initial_pose(self.machine.robot()).map_err(|error| refused(&error))?;
+        let operation = Operation::new(&self.control, &self.machine, &self.offsets);
+        let operation = operation.map_err(|error| self.refused(&error))?;
+        let start = self.initial_pose()?;
         Ok(match self.history() {
             Some(history) => operation.with_history(&history, &start),
             None => operation,
@@ -121,6 +153,11 @@ impl Laboratory {
         };
         self.study.commanded_poses(robot, from_file, seed).map_err(|error| self.refused(&error))
     }
+}
+
+/// A robot that a study in a folder names.
+pub(crate) fn robot_of_study(robot: &str, folder: &Path) -> Result<Robot, Failure> {
+    read_robot(&robot_path(robot, folder))
 }
 
 /// A path is relative to the study, a built-in name stands for itself.

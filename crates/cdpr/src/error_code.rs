@@ -264,6 +264,7 @@ impl ErrorCode for metamodel::InputError {
             Self::Winch(error) => error.code(),
             Self::NoDrum => "study::no-drum",
             Self::NoPoses => "study::no-poses",
+            Self::NoRequirement { .. } => "study::no-requirement",
         }
     }
 }

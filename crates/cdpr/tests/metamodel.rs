@@ -30,6 +30,7 @@ fn initial() -> Initial {
         pose: Vec::new(),
         tensions_N: None,
         tension_method: None,
+        tension_limits_N: None,
         offset: None,
         offset_m: None,
         offset_robot: None,

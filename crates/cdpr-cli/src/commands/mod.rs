@@ -39,6 +39,8 @@ commands! {
     place_pulleys: PlacePulleys,
     select: Select,
     accuracy: Accuracy,
+    reachable: Reachable,
+    sweep: Sweep,
     simulate: Simulate,
     demo: Demo,
     identify: Identify,

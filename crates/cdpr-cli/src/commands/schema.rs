@@ -28,6 +28,8 @@ enum FileFormat {
     Robot,
     /// Study (TOML): control model, machine, poses and noise.
     Study,
+    /// Sweep (TOML): a study and the parameters that change.
+    Sweep,
     /// What is known about a measurement file (TOML beside the CSV, whose columns the description tells).
     Measurement,
 }
@@ -50,6 +52,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let schema = match arguments.of {
         FileFormat::Robot => cdpr::robot::schema(),
         FileFormat::Study => cdpr::metamodel::study::schema(),
+        FileFormat::Sweep => cdpr::metamodel::sweep::schema(),
         FileFormat::Measurement => cdpr::measurement::schema(),
     };
     let schema = schema.to_value();

@@ -11,6 +11,7 @@ mod drawing;
 mod ladder;
 mod map;
 mod residuals;
+mod shares;
 mod spectrum;
 
 pub(crate) use convergence::convergence;
@@ -18,6 +19,7 @@ pub(crate) use correlations::correlations;
 pub(crate) use ladder::{Ladder, Rung};
 pub(crate) use map::{Map, MapPoint};
 pub(crate) use residuals::residuals;
+pub(crate) use shares::{ShareCurve, Shares};
 pub(crate) use spectrum::spectrum;
 
 /// Smallest and largest of the finite values.

@@ -18,6 +18,7 @@ mod interruption;
 mod kinematics;
 mod measurements;
 mod newcomer;
+mod reachable;
 mod selection;
 mod shells;
 mod statics;

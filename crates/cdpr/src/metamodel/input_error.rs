@@ -70,9 +70,26 @@ pub enum InputError {
     /// Motor angles are asked for where nobody knows of drums.
     #[error("neither control model nor machine has the effect `drum`, so there are no motor angles to record")]
     NoDrum,
+    /// Every pose would be reached.
+    #[error("{}", no_requirement(*is_elastic))]
+    NoRequirement {
+        /// Whether the machine has tensions that limits could judge.
+        is_elastic: bool,
+    },
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,
+}
+
+fn no_requirement(is_elastic: bool) -> &'static str {
+    match is_elastic {
+        true => {
+            "nothing says when a pose is reached: add tension_min_N and tension_max_N, or position_error_max_m, to [limits]"
+        }
+        false => {
+            "a rigid machine has no tensions to judge, and nothing else says when a pose is reached: add position_error_max_m to [limits], or give the machine an elastic model"
+        }
+    }
 }
 
 /// Refuses models of different cable counts or motion patterns.

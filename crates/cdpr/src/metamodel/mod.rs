@@ -2,16 +2,21 @@
 
 pub mod accuracy;
 mod control;
+mod driving;
 pub mod effects;
 pub mod errors;
+pub mod field;
 mod input_error;
 mod machine;
 mod operate;
+pub mod reachable;
 pub mod simulate;
 pub mod study;
+pub mod sweep;
 mod winches;
 mod winding;
 
+pub use driving::Driving;
 pub use input_error::InputError;
 pub use operate::{Operation, Outcome, Status, operate};
 pub use study::Study;

@@ -128,6 +128,13 @@ impl<'a> Operation<'a> {
         self.control.lengths(pose)
     }
 
+    /// Controlled lengths of the machine's cables when a pose is commanded (m), or why there are none.
+    pub fn controlled_lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
+        let paid_out = self.sent(&CommandedPose::at(*pose)).and_then(|sent| self.winding.to_machine(&sent))?;
+        let machine = self.machine.model();
+        Ok(paid_out.iter().enumerate().map(|(cable, &length)| machine.controlled_length(cable, length)).collect())
+    }
+
     /// What emerges for one command.
     pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
         let Some(mut way) = self.way.take() else { return self.reach(command) };
@@ -162,16 +169,22 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// What emerges at once.
-    fn reach(&mut self, command: &CommandedPose) -> Outcome {
-        let mut sent = match self.control.lengths(&command.pose) {
-            Ok(lengths) => lengths,
-            Err(reason) => return nothing_sent(&command.pose, reason),
-        };
+    /// What the winches are told (m).
+    fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, String> {
+        let mut sent = self.control.lengths(&command.pose)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
         if let Some(test) = command.shortened {
             sent[test.cable] -= test.by;
         }
+        Ok(sent)
+    }
+
+    /// What emerges at once.
+    fn reach(&mut self, command: &CommandedPose) -> Outcome {
+        let sent = match self.sent(command) {
+            Ok(lengths) => lengths,
+            Err(reason) => return nothing_sent(&command.pose, reason),
+        };
         let paid_out = match self.winding.to_machine(&sent) {
             Ok(lengths) => lengths,
             Err(reason) => return nothing_sent(&command.pose, reason),

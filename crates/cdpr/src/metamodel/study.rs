@@ -94,6 +94,8 @@ pub struct Initial {
     pub tensions_N: Option<Vec<f64>>,
     /// Or how the initial tensions are found: a method of tension distribution. Elastic robots only.
     pub tension_method: Option<TensionMethod>,
+    /// Least and largest tension that the method aims between (N), instead of the limits: the level of eq. 3.41.
+    pub tension_limits_N: Option<[f64; 2]>,
     /// `"none"`: the control model's lengths go to the machine as they are.
     pub offset: Option<String>,
     /// Winch offsets, one per cable (m).

@@ -77,8 +77,8 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
             }
             nearest_to(&Limits::new(tensions.clone(), tensions.clone())?)?
         }
-        (None, Some(TensionMethod::ClosedForm)) => nearest_to(&Limits::of(model.robot(), None, None)?)?,
-        (None, Some(method)) => chosen_by(method, model, pose, wrench.as_slice())?,
+        (None, Some(TensionMethod::ClosedForm)) => nearest_to(&aim(initial, model)?)?,
+        (None, Some(method)) => chosen_by(method, &aim(initial, model)?, model, pose, wrench.as_slice())?,
         (None, None) => return Err(InputError::NoTensions),
     };
     match tensions.iter().position(|&tension| tension < 0.0) {
@@ -90,14 +90,27 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
     }
 }
 
-/// Tensions by a method that keeps the limits of the robot's file.
-fn chosen_by(method: TensionMethod, model: &Model, pose: &Pose, wrench: &[f64]) -> Result<Vec<f64>, InputError> {
-    let limits = Limits::of(model.robot(), None, None)?;
+/// What the initial tensions shall lie between: what the study says, or the limits of the robot's file.
+fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
+    Ok(match initial.tension_limits_N {
+        Some([low, high]) => Limits::uniform(model.cable_count(), low, high)?,
+        None => Limits::of(model.robot(), None, None)?,
+    })
+}
+
+/// Tensions by a method that keeps the limits.
+fn chosen_by(
+    method: TensionMethod,
+    limits: &Limits,
+    model: &Model,
+    pose: &Pose,
+    wrench: &[f64],
+) -> Result<Vec<f64>, InputError> {
     let mut solver = Solver::new(method, model.cable_count(), model.dof());
     let mut found = (Vec::new(), None);
     let balance = distribution::balance(model, pose, wrench, &mut |matrix, wrench| {
         solver.forget();
-        let answer = solver.solve(matrix, wrench, &limits, &Options::default())?;
+        let answer = solver.solve(matrix, wrench, limits, &Options::default())?;
         found = (answer.tensions.clone(), answer.reason());
         Ok(found.1.is_none().then(|| found.0.clone()))
     });

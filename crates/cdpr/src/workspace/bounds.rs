@@ -76,6 +76,12 @@ impl Bounds {
         (0..self.dimension).flat_map(|axis| [self.least[axis], self.largest[axis]]).collect()
     }
 
+    /// A usual size of cells (m): a hundredth of the longest side in a plane, a fiftieth in space.
+    pub fn usual_step(&self) -> f64 {
+        let longest = (0..self.dimension).map(|axis| self.extent(axis)).fold(0.0, f64::max);
+        longest / if self.dimension == 2 { 100.0 } else { 50.0 }
+    }
+
     /// Length along an axis (m).
     pub fn extent(&self, axis: usize) -> f64 {
         self.largest[axis] - self.least[axis]

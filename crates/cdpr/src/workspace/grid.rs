@@ -254,6 +254,19 @@ fn expanded(lengths: &[u32]) -> Vec<bool> {
     runs.flat_map(|(index, &length)| std::iter::repeat_n(index % 2 == 1, length as usize)).collect()
 }
 
+/// What the answers for all cells say, slab after slab; panics when there is not one per cell.
+pub fn outcome(grid: &Grid, answers: &[bool]) -> Outcome {
+    assert_eq!(answers.len() as u64, grid.points(), "one answer per cell");
+    let mut count = Count::new();
+    let slabs: Vec<&[bool]> = answers.chunks_exact(grid.slab_points()).collect();
+    let at = |slab: Option<usize>| slab.and_then(|slab| slabs.get(slab).copied()).unwrap_or(&[]);
+    for (slab, current) in slabs.iter().enumerate() {
+        count.add(grid, slab, current);
+        count.count_boundary(grid, [at(slab.checked_sub(1)), current, at(Some(slab + 1))]);
+    }
+    count.outcome(grid)
+}
+
 /// Judges every cell of a grid.
 pub fn count(region: &Region<'_>, grid: &Grid) -> Count {
     let mut count = Count::new();

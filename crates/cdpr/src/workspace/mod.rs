@@ -5,6 +5,7 @@
 //! the boundary only, and [`hull`] follows rays from a centre to the boundary.
 
 mod bounds;
+mod components;
 pub mod criterion;
 pub mod differential;
 mod error;
@@ -18,6 +19,7 @@ mod verdict;
 pub mod wrench_set;
 
 pub use bounds::{Bounds, Point};
+pub use components::{Component, components};
 pub use criterion::Criterion;
 pub use error::WorkspaceError;
 pub use polygon::Polygon;

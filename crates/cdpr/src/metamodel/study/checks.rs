@@ -54,6 +54,17 @@ fn check_initial(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
         let message = "offset, offset_m and offset_robot exclude each other".to_owned();
         return Err(place.error(&["initial"], message).with_help("keep one of them"));
     }
+    if let Some([low, high]) = initial.tension_limits_N {
+        let error = |message: String| Err(place.error(&["initial", "tension_limits_N"], message));
+        if initial.tension_method.is_none() {
+            return error("tension_limits_N is what a tension_method aims between, but there is none".to_owned());
+        }
+        if !(0.0 <= low && low <= high && high.is_finite()) {
+            return error(format!(
+                "tension_limits_N are a least and a largest tension in order, found {low} and {high}"
+            ));
+        }
+    }
     if initial.tensions_N.is_some() && initial.tension_method.is_some() {
         let message = "tensions_N and tension_method exclude each other".to_owned();
         return Err(place.error(&["initial"], message).with_help("keep one of them"));

@@ -1,0 +1,207 @@
+//! `cdpr reachable`: which part of its workspace a robot really reaches under its control model.
+
+mod answer;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use answer::{Found, ReachableAnswer};
+use cdpr::metamodel::reachable::{Census, Reachable, emerging_size, image_of};
+use cdpr::model::Model;
+use cdpr::statics::Load;
+use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr::workspace::grid::{self, Grid};
+use cdpr::workspace::{Archetype, Bounds, Point, Region, components, hull};
+use clap::{Args, ValueEnum};
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::inputs::pose_of;
+use crate::laboratory::Laboratory;
+use crate::numbers::{NumberList, finite_number};
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr reachable studies/planar-wide-grid.toml
+  cdpr reachable study.toml --method hull --rays 642
+  cdpr reachable study.toml --accuracy 0.001,0.002,0.005,0.01
+  cdpr reachable study.toml --bounds=-4,4,0,7 --step 0.05 --format json";
+
+/// Which part of its workspace a robot really reaches under its control model.
+///
+/// A commanded pose counts as reached when the machine comes to rest there with tensions within the limits and a position
+/// error of at most [limits] position_error_max_m (eq. 3.33). Beside it: the physical workspace, in which the machine is
+/// wrench-feasible, and the model workspace, in which the control model is. The answer is negative (exit code 1) when no
+/// pose is reached.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Study file (TOML); `cdpr schema study` describes it. It needs no poses.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+
+    /// How the workspaces are found.
+    #[arg(long, value_enum, default_value_t = Method::Grid, value_name = "grid|hull", hide_possible_values = true)]
+    method: Method,
+
+    /// Box to look in, ends along each translation x0,x1,y0,y1(,z0,z1) (m); a box around the robot when left out.
+    #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
+    bounds: Option<NumberList>,
+
+    /// Largest side of a cell of the grid (m); a hundredth of the longest side of the box in a plane, a fiftieth in space.
+    #[arg(long, value_name = "STEP", value_parser = finite_number, allow_hyphen_values = true)]
+    step: Option<f64>,
+
+    /// Rays of a hull, at least: 360 in a plane; in space 2562, the corners of an icosahedron refined four times.
+    #[arg(long, value_name = "N")]
+    rays: Option<usize>,
+
+    /// Pose from which the rays of a hull start, whose orientation counts; the initial pose when left out.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
+    center: Option<NumberList>,
+
+    /// Position errors to judge by in turn (m), beside that of the study; with --method grid.
+    #[arg(long, value_name = "M,…", allow_hyphen_values = true)]
+    accuracy: Option<NumberList>,
+}
+
+/// Ways to find the workspaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Method {
+    /// Every cell of a box.
+    Grid,
+    /// Rays from a centre.
+    Hull,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let laboratory = Laboratory::read(&arguments.study)?;
+    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let thresholds = thresholds(&arguments)?;
+    let reachable = laboratory.reachable()?;
+    let machine = &laboratory.machine;
+    let center = match &arguments.center {
+        Some(numbers) => pose_of(machine.robot(), "--center", numbers)?,
+        None => laboratory.initial_pose()?,
+    };
+    let bounds = match &arguments.bounds {
+        Some(numbers) => Bounds::new(machine.axes().len(), &numbers.0),
+        None => Bounds::around(machine),
+    };
+    let bounds = bounds.map_err(|error| Failure::refused("--bounds", &error))?;
+    let archetype = Archetype::ConstantOrientation(center.rotation);
+    let region = Region::new(machine, &reachable, &archetype).map_err(|error| laboratory.refused(&error))?;
+    let search = Search { laboratory: &laboratory, region: &region, bounds, center: region.point(&center.position) };
+    let found = match arguments.method {
+        Method::Grid => search.by_grid(&reachable, arguments.step, &thresholds)?,
+        Method::Hull => search.by_hull(&reachable, arguments.rays)?,
+    };
+    output.answer(&ReachableAnswer::new(&laboratory, &region, &bounds, found))
+}
+
+/// The errors that `--accuracy` asks for.
+fn thresholds(arguments: &Arguments) -> Result<Vec<f64>, Failure> {
+    let list = arguments.accuracy.as_ref().map_or(&[][..], |numbers| &numbers.0);
+    let refused = |message: String, help: &str| Err(Failure::usage("usage::value", message).with_help(help));
+    if let Some(wrong) = list.iter().find(|error| !(**error > 0.0 && error.is_finite())) {
+        return refused(format!("--accuracy: {wrong} m is no largest error"), "give positive numbers in metres");
+    }
+    if !list.is_empty() && arguments.method == Method::Hull {
+        return refused("--accuracy judges the cells of a grid".to_owned(), "leave --method hull out");
+    }
+    Ok(list.to_vec())
+}
+
+/// Where and about what.
+struct Search<'a> {
+    laboratory: &'a Laboratory,
+    region: &'a Region<'a>,
+    bounds: Bounds,
+    center: Point,
+}
+
+impl Search<'_> {
+    fn by_grid(&self, reachable: &Reachable<'_>, step: Option<f64>, thresholds: &[f64]) -> Result<Found, Failure> {
+        let step = step.unwrap_or(self.bounds.usual_step());
+        let grid = Grid::new(&self.bounds, step).map_err(|error| Failure::refused("--step", &error))?;
+        let progress = Progress::spinner("commanding the cells of the grid");
+        let census = Census::take(reachable, self.region, &grid);
+        let answers = census.reached(reachable.requirements().position_error_max);
+        let reached = grid::outcome(&grid, &answers);
+        let parts = components(&grid, &answers);
+        let cells = answers.iter().enumerate().filter(|(_, holds)| **holds);
+        let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
+        let by_accuracy = thresholds.iter().map(|&most| (most, grid::outcome(&grid, &census.reached(Some(most))).size));
+        let by_accuracy = by_accuracy.collect();
+        let feasible = |model: &Model| -> Option<f64> {
+            let criterion = self.feasible(model)?;
+            let region = self.region.with_criterion(&criterion);
+            Some(grid::count(&region, &grid).outcome(&grid).size)
+        };
+        let found = Found {
+            method: "grid",
+            reached: Some(reached.size),
+            error_bound: Some(reached.error_bound),
+            physical: feasible(&self.laboratory.machine),
+            model: feasible(&self.laboratory.control),
+            emerging: Some(emerging_size(reachable, self.region, &grid, &cells)),
+            points: grid.points(),
+            feasible_points: cells.len() as u64,
+            reaches_bounds: reached.reaches_bounds,
+            parts: Some(parts.iter().map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
+            by_accuracy,
+            reason: None,
+        };
+        drop(progress);
+        Ok(self.explained(found))
+    }
+
+    fn by_hull(&self, reachable: &Reachable<'_>, rays: Option<usize>) -> Result<Found, Failure> {
+        let mut settings = hull::Settings::new(&self.bounds);
+        settings.rays = rays.unwrap_or(settings.rays);
+        let progress = Progress::spinner("following rays");
+        let solve = |region: &Region<'_>| hull::solve(region, &self.bounds, &self.center, &settings);
+        let found = solve(self.region).map_err(|error| Failure::refused("--method hull", &error))?;
+        let measure = found.measure();
+        let feasible = |model: &Model| -> Option<f64> {
+            let criterion = self.feasible(model)?;
+            solve(&self.region.with_criterion(&criterion)).ok()?.measure().map(|measure| measure.size)
+        };
+        let answer = Found {
+            method: "hull",
+            reached: measure.filter(|_| found.is_star_shaped()).map(|measure| measure.size),
+            error_bound: measure.map(|measure| measure.error_bound),
+            physical: feasible(&self.laboratory.machine),
+            model: feasible(&self.laboratory.control),
+            emerging: image_of(reachable, self.region, &found).map(|image| image.size),
+            points: found.points,
+            feasible_points: found.feasible_points,
+            reaches_bounds: found.rays_at_bounds > 0,
+            parts: None,
+            by_accuracy: Vec::new(),
+            reason: (!found.is_star_shaped()).then(|| {
+                let rays = found.rays_again;
+                format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")
+            }),
+        };
+        drop(progress);
+        Ok(answer)
+    }
+
+    /// Wrench feasibility of one of the models; nothing where its limits are unknown.
+    fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
+        let load = Load::of(model.robot()).ok()?;
+        WrenchFeasible::new(model, &load, &self.laboratory.limits()?).ok()
+    }
+
+    /// Says why nothing is reached, if nothing is.
+    fn explained(&self, mut found: Found) -> Found {
+        if found.feasible_points == 0 {
+            let verdict = self.region.judge(&self.center);
+            let why = verdict.reason.map_or_else(String::new, |why| format!("; at the initial pose: {why}"));
+            found.reason = Some(format!("none of {} commanded poses is reached{why}", found.points));
+        }
+        found
+    }
+}

@@ -1,0 +1,141 @@
+//! What `cdpr reachable` answers.
+
+use cdpr::workspace::{Bounds, Point, Region};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use crate::answer::Answer;
+use crate::laboratory::Laboratory;
+use crate::number_format::significant;
+use crate::table::{Table, cell};
+
+/// What a method found; sizes in m² or m³.
+pub(super) struct Found {
+    pub(super) method: &'static str,
+    pub(super) reached: Option<f64>,
+    pub(super) error_bound: Option<f64>,
+    pub(super) physical: Option<f64>,
+    pub(super) model: Option<f64>,
+    pub(super) emerging: Option<f64>,
+    pub(super) points: u64,
+    pub(super) feasible_points: u64,
+    pub(super) reaches_bounds: bool,
+    /// Parts that do not touch, with a point of each (m).
+    pub(super) parts: Option<Vec<(f64, Point)>>,
+    /// Largest error (m) and what is reached with it.
+    pub(super) by_accuracy: Vec<(f64, f64)>,
+    pub(super) reason: Option<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct ReachableAnswer {
+    status: &'static str,
+    reason: Option<String>,
+    control: String,
+    machine: String,
+    method: &'static str,
+    bounds_m: Vec<f64>,
+    position_error_max_m: Option<f64>,
+    #[serde(flatten)]
+    sizes: Map<String, Value>,
+    share: Option<f64>,
+    error_bound: Option<f64>,
+    points: u64,
+    feasible_points: u64,
+    reaches_bounds: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    parts: Option<Vec<Value>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    by_accuracy: Vec<Value>,
+    winch_offsets_m: Vec<f64>,
+    #[serde(skip)]
+    found: Found,
+    #[serde(skip)]
+    unit: &'static str,
+}
+
+impl ReachableAnswer {
+    pub(super) fn new(laboratory: &Laboratory, region: &Region<'_>, bounds: &Bounds, found: Found) -> Self {
+        let is_planar = region.dimension() == 2;
+        let key = |name: &str| format!("{name}_{}", if is_planar { "area_m2" } else { "volume_m3" });
+        let share = |size: f64| found.physical.filter(|whole| *whole > 0.0).map(|whole| size / whole);
+        let named = [
+            ("reachable", found.reached),
+            ("physical", found.physical),
+            ("model", found.model),
+            ("emerging", found.emerging),
+        ];
+        let sizes = named.iter().map(|(name, size)| (key(name), json!(size))).collect();
+        let dimension = region.dimension();
+        let part = |(size, point): &(f64, Point)| json!({ key("part").replace("part_", ""): size, "position_m": &point[..dimension] });
+        let at = |(most, size): &(f64, f64)| {
+            json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) })
+        };
+        let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
+        Self {
+            status: if found.reason.is_none() { "found" } else if found.feasible_points == 0 { "empty" } else { "not-star-shaped" },
+            reason: found.reason.clone(),
+            control: title(&laboratory.control),
+            machine: title(&laboratory.machine),
+            method: found.method,
+            bounds_m: bounds.ends(),
+            position_error_max_m: laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
+            sizes,
+            share: found.reached.and_then(share),
+            error_bound: found.error_bound,
+            points: found.points,
+            feasible_points: found.feasible_points,
+            reaches_bounds: found.reaches_bounds,
+            parts: found.parts.as_ref().map(|parts| parts.iter().map(part).collect()),
+            by_accuracy: found.by_accuracy.iter().map(at).collect(),
+            winch_offsets_m: laboratory.offsets.clone(),
+            unit: if is_planar { "m²" } else { "m³" },
+            found,
+        }
+    }
+}
+
+impl Answer for ReachableAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self) -> String {
+        let Self { control, machine, found, unit, .. } = self;
+        let mut text = format!("{control} drives {machine}\n");
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}\n"));
+        }
+        let mut table = Table::new(["workspace", unit, "of the physical one"]);
+        let percent = |size: Option<f64>| {
+            let share = size.zip(found.physical.filter(|whole| *whole > 0.0)).map(|(size, whole)| 100.0 * size / whole);
+            share.map_or_else(String::new, |share| format!("{share:.1} %"))
+        };
+        let mut row = |name: String, size: Option<f64>| {
+            table.row(vec![name, cell(size, 3), percent(size)]);
+        };
+        row("physical: the machine is wrench-feasible".to_owned(), found.physical);
+        row("model: the control model is".to_owned(), found.model);
+        row("reachable, by commanded poses".to_owned(), found.reached);
+        row("reachable, by emerging poses".to_owned(), found.emerging);
+        for (most, size) in &found.by_accuracy {
+            row(format!("reachable to {} mm", significant(1e3 * most, 3)), Some(*size));
+        }
+        text.push_str(&format!("\n{}", table.text()));
+        if let Some(bound) = self.error_bound {
+            text.push_str(&format!("\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n", self.points, self.method));
+        }
+        if let Some(parts) = found.parts.as_ref().filter(|parts| parts.len() > 1) {
+            let small: f64 = parts[1..].iter().map(|part| part.0).sum();
+            text.push_str(&format!(
+                "it has {} parts that do not touch; the largest has {:.3} {unit}, the others together {small:.3} {unit}\n",
+                parts.len(),
+                parts[0].0
+            ));
+        }
+        if self.reaches_bounds {
+            text.push_str("it reaches the faces of the box, so that more of it may lie outside: see --bounds\n");
+        }
+        text
+    }
+}

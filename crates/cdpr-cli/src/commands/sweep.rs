@@ -1,0 +1,162 @@
+//! `cdpr sweep`: reachable workspaces over parameters, in parts that several machines can compute.
+
+mod folder;
+mod merged;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use cdpr::metamodel::Study;
+use cdpr::metamodel::sweep::{Subjects, Sweep, row};
+use clap::{Args, Subcommand};
+use folder::{Plan, RowFile};
+use merged::Merged;
+use serde::Serialize;
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::files;
+use crate::laboratory::robot_of_study;
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr sweep plan studies/sweep-planar-stiffness.toml --out stiffness
+  cdpr sweep run stiffness
+  cdpr sweep run stiffness --shard 1/2
+  cdpr sweep merge stiffness";
+
+/// How the reachable workspace changes with parameters of control model, machine and study.
+///
+/// `plan` writes a folder with everything that a sweep needs; `run` computes its points, or one shard of them, and goes on
+/// where it was interrupted; `merge` joins the rows to result.json, result.csv and, for one parameter, result.svg. The
+/// result does not depend on how many shards and threads computed it.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    step: StepOfSweep,
+}
+
+#[derive(Debug, Subcommand)]
+enum StepOfSweep {
+    /// Write the plan of a sweep into a folder.
+    Plan {
+        /// Sweep file (TOML): the study, the parameters and their values; `cdpr schema sweep` describes it.
+        #[arg(value_name = "SWEEP")]
+        sweep: PathBuf,
+        /// Folder for plan, rows and result.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+    },
+    /// Compute the points of a planned sweep that are not there yet.
+    Run {
+        /// Folder that `plan` wrote.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+        /// Compute only shard i of n: points i, i + n, i + 2n, … of the plan.
+        #[arg(long, value_name = "i/n", default_value = "1/1", value_parser = shard)]
+        shard: Shard,
+    },
+    /// Join the rows of all shards.
+    Merge {
+        /// Folder with plan and rows.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
+}
+
+/// Part `number` (from 1) of `count`.
+#[derive(Clone, Copy, Debug)]
+struct Shard {
+    number: usize,
+    count: usize,
+}
+
+fn shard(text: &str) -> Result<Shard, String> {
+    let parts = text.split_once('/').and_then(|(number, count)| Some((number.parse().ok()?, count.parse().ok()?)));
+    match parts {
+        Some((number, count)) if (1..=count).contains(&number) => Ok(Shard { number, count }),
+        _ => Err(format!("`{text}` is no shard: write 1/2 for the first of two")),
+    }
+}
+
+#[derive(Serialize)]
+struct Progressed {
+    status: &'static str,
+    folder: String,
+    points: usize,
+    computed: usize,
+    already_there: usize,
+    #[serde(skip)]
+    words: String,
+}
+
+impl Answer for Progressed {
+    fn words(&self) -> String {
+        self.words.clone()
+    }
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    match arguments.step {
+        StepOfSweep::Plan { sweep, out } => output.answer(&plan(&sweep, &out)?),
+        StepOfSweep::Run { folder, shard } => output.answer(&compute(&folder, shard)?),
+        StepOfSweep::Merge { folder } => output.answer(&Merged::of(&folder, &Plan::read(&folder)?)?),
+    }
+}
+
+fn plan(path: &Path, out: &Path) -> Result<Progressed, Failure> {
+    let name = path.display().to_string();
+    let sweep = Sweep::from_toml_bytes(&files::read(path)?, &name)?;
+    let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
+    let study_bytes = files::read(&study_path)?;
+    let study = Study::from_toml_bytes(&study_bytes, &study_path.display().to_string())?;
+    let folder = study_path.parent().unwrap_or(Path::new(""));
+    let robot = |name: &str| Ok::<String, Failure>(robot_of_study(name, folder)?.to_toml());
+    let subjects = Subjects {
+        study: String::from_utf8_lossy(&study_bytes).into_owned(),
+        control: robot(&study.control.robot)?,
+        machine: robot(&study.machine.robot)?,
+        offset_robot: study.initial.offset_robot.as_deref().map(robot).transpose()?,
+    };
+    let plan = Plan::new(sweep, subjects);
+    plan.write(out)?;
+    let points = plan.points.len();
+    Ok(Progressed {
+        status: "planned",
+        folder: out.display().to_string(),
+        points,
+        computed: 0,
+        already_there: 0,
+        words: format!("planned {points} points\nnext: cdpr sweep run {0}; then: cdpr sweep merge {0}\n", out.display()),
+    })
+}
+
+fn compute(folder: &Path, shard: Shard) -> Result<Progressed, Failure> {
+    let plan = Plan::read(folder)?;
+    let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
+    let progress = Progress::of(mine.len(), "sweeping");
+    let (mut computed, mut already_there) = (0, 0);
+    for &point in &mine {
+        match RowFile::read(folder, &plan, point)? {
+            Some(_) => already_there += 1,
+            None => {
+                let row = row(&plan.sweep, &plan.subjects, point, &plan.points[point]);
+                RowFile::write(folder, &plan, row)?;
+                computed += 1;
+            }
+        }
+        progress.step();
+    }
+    drop(progress);
+    let points = mine.len();
+    Ok(Progressed {
+        status: "computed",
+        folder: folder.display().to_string(),
+        points,
+        computed,
+        already_there,
+        words: format!("{points} points: {computed} computed, {already_there} already there\n"),
+    })
+}

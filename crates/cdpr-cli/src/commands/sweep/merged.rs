@@ -1,0 +1,145 @@
+//! The joined rows of a sweep.
+
+use std::path::Path;
+
+use cdpr::metamodel::sweep::Row;
+use serde::Serialize;
+
+use super::folder::{Plan, RowFile};
+use crate::answer::Answer;
+use crate::failure::Failure;
+use crate::figures::{Shares, ShareCurve};
+use crate::files;
+use crate::number_format::significant;
+use crate::table::Table;
+
+#[derive(Serialize)]
+pub(super) struct Merged {
+    status: &'static str,
+    plan: String,
+    parameters: Vec<String>,
+    position_error_max_m: Vec<f64>,
+    rows: Vec<MergedRow>,
+    files: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct MergedRow {
+    #[serde(flatten)]
+    row: Row,
+    /// What is reached whatever the error, as a share of the physical workspace.
+    share: Option<f64>,
+    /// The same with each largest position error.
+    share_by_accuracy: Vec<Option<f64>>,
+}
+
+impl MergedRow {
+    fn of(row: Row) -> Self {
+        let whole = row.physical.filter(|whole| *whole > 0.0);
+        let share = |size: f64| whole.map(|whole| size / whole);
+        Self {
+            share: row.reachable.and_then(share),
+            share_by_accuracy: row.by_accuracy.iter().map(|size| share(*size)).collect(),
+            row,
+        }
+    }
+}
+
+impl Merged {
+    /// Reads all rows and writes the result beside them; refuses rows of other plans and gaps.
+    pub(super) fn of(folder: &Path, plan: &Plan) -> Result<Self, Failure> {
+        let strangers = RowFile::strangers(folder, plan)?;
+        if strangers > 0 {
+            let message = format!("{strangers} rows in {} belong to another plan: it was changed between shards", folder.display());
+            return Err(Failure::input("sweep::plan-changed", message, "merge only what was computed with the plan of this folder"));
+        }
+        let rows: Vec<Option<Row>> =
+            (0..plan.points.len()).map(|point| RowFile::read(folder, plan, point)).collect::<Result<_, _>>()?;
+        let missing = rows.iter().filter(|row| row.is_none()).count();
+        if missing > 0 {
+            let message = format!("{missing} of {} points are not computed", rows.len());
+            let help = format!("compute them: cdpr sweep run {}", folder.display());
+            return Err(Failure::input("sweep::incomplete", message, help));
+        }
+        let mut merged = Self {
+            status: "merged",
+            plan: plan.fingerprint.clone(),
+            parameters: plan.sweep.parameter.iter().map(|parameter| parameter.key.clone()).collect(),
+            position_error_max_m: plan.sweep.position_error_max_m.clone(),
+            rows: rows.into_iter().flatten().map(MergedRow::of).collect(),
+            files: vec!["result.json".to_owned(), "result.csv".to_owned()],
+        };
+        let figure = merged.figure();
+        if figure.is_some() {
+            merged.files.push("result.svg".to_owned());
+        }
+        let json = serde_json::to_vec_pretty(&merged).map_err(|error| Failure::unwritable("the result", &error))?;
+        let csv = merged.csv();
+        let paths: Vec<_> = merged.files.iter().map(|name| folder.join(name)).collect();
+        let contents = [Some(json), Some(csv.into_bytes()), figure.map(String::into_bytes)];
+        let contents: Vec<Vec<u8>> = contents.into_iter().flatten().collect();
+        let all: Vec<(&Path, &[u8])> = paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
+        files::write_all(&all)?;
+        Ok(merged)
+    }
+
+    fn csv(&self) -> String {
+        let mut text = self.parameters.iter().map(|key| format!("\"{key}\"")).collect::<Vec<_>>().join(",");
+        text.push_str(",physical,reachable,share");
+        for most in &self.position_error_max_m {
+            text.push_str(&format!(",share_within_{most}_m"));
+        }
+        text.push_str(",reason\n");
+        let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
+        for MergedRow { row, share, share_by_accuracy } in &self.rows {
+            let mut cells: Vec<String> = row.values.iter().map(f64::to_string).collect();
+            cells.extend([number(row.physical), number(row.reachable), number(*share)]);
+            let thresholds = 0..self.position_error_max_m.len();
+            cells.extend(thresholds.map(|index| number(share_by_accuracy.get(index).copied().flatten())));
+            cells.push(row.reason.as_ref().map_or_else(String::new, |reason| format!("\"{}\"", reason.replace('"', "\"\""))));
+            text.push_str(&format!("{}\n", cells.join(",")));
+        }
+        text
+    }
+
+    /// Shares over the parameter, where there is just one.
+    fn figure(&self) -> Option<String> {
+        let [key] = self.parameters.as_slice() else { return None };
+        let points = |share: &dyn Fn(&MergedRow) -> Option<f64>| -> Vec<(f64, f64)> {
+            self.rows.iter().filter_map(|row| Some((row.row.values[0], share(row)?))).collect()
+        };
+        let mut curves = vec![ShareCurve { name: "any error".to_owned(), points: points(&|row| row.share) }];
+        for (index, most) in self.position_error_max_m.iter().enumerate() {
+            let name = format!("{} mm", significant(1e3 * most, 3));
+            curves.push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
+        }
+        Shares { parameter: key.clone(), curves }.svg()
+    }
+}
+
+impl Answer for Merged {
+    fn is_negative(&self) -> bool {
+        self.rows.iter().all(|row| row.row.reason.is_some())
+    }
+
+    fn words(&self) -> String {
+        let mut heading = self.parameters.clone();
+        heading.push("any error".to_owned());
+        heading.extend(self.position_error_max_m.iter().map(|most| format!("{} mm", significant(1e3 * most, 3))));
+        let mut table = Table::with_heading(heading);
+        let percent = |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+        for MergedRow { row, share, share_by_accuracy } in &self.rows {
+            let mut cells: Vec<String> = row.values.iter().map(|value| significant(*value, 5)).collect();
+            cells.push(percent(share));
+            cells.extend((0..self.position_error_max_m.len()).map(|index| percent(&share_by_accuracy.get(index).copied().flatten())));
+            table.row(cells);
+        }
+        let mut text = format!("reached share of the physical workspace\n\n{}", table.text());
+        if let Some(reason) = self.rows.iter().find_map(|row| row.row.reason.as_ref()) {
+            let failed = self.rows.iter().filter(|row| row.row.reason.is_some()).count();
+            text.push_str(&format!("\n{failed} points have no answer, the first because {reason}\n"));
+        }
+        text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
+        text
+    }
+}

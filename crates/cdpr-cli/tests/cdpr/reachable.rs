@@ -1,0 +1,132 @@
+//! `cdpr reachable`: workspaces of a control model on a machine.
+
+use super::{cdpr, cdpr_in, numbers};
+
+/// The repository's study of this name.
+fn study(name: &str) -> String {
+    format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Cells of 10 cm in the box of the example: the areas of maths.md, sec. 4, to the bound that the answer states.
+#[test]
+fn the_planar_example_reaches_the_areas_of_the_dissertation() {
+    let run = cdpr(&format!(
+        "reachable {} --bounds=-6,6,-1,9 --step 0.1 --accuracy 0.005,0.02 --format json",
+        study("planar-wide-grid")
+    ));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json_with(&["reachable_area_m2", "physical_area_m2", "share", "parts", "by_accuracy"]);
+    let number = |key: &str| answer[key].as_f64().unwrap();
+    let bound = number("error_bound");
+    assert!((number("reachable_area_m2") - 51.8).abs() < bound.min(0.4), "{answer}");
+    assert!((number("physical_area_m2") - 71.15).abs() < 0.4);
+    assert!((number("share") - 0.728).abs() < 0.005);
+    assert_eq!(number("model_area_m2"), number("physical_area_m2"), "the same robot and limits");
+    assert!((number("emerging_area_m2") - number("reachable_area_m2")).abs() > 0.01);
+    let parts = answer["parts"].as_array().unwrap();
+    let sum: f64 = parts.iter().map(|part| part["area_m2"].as_f64().unwrap()).sum();
+    assert!((sum - number("reachable_area_m2")).abs() < 1e-9);
+    let by_accuracy = answer["by_accuracy"].as_array().unwrap();
+    let area = |index: usize| by_accuracy[index]["reachable_area_m2"].as_f64().unwrap();
+    assert!(0.0 < area(0) && area(0) < area(1) && area(1) < number("reachable_area_m2"));
+}
+
+/// maths.md: 36 rays give 51.0 m².
+#[test]
+fn a_hull_of_36_rays_gives_the_area_that_the_dissertation_prints() {
+    let run = cdpr(&format!("reachable {} --method hull --rays 36 --format json", study("planar-wide-grid")));
+    let answer = run.json_with(&["reachable_area_m2", "physical_area_m2", "emerging_area_m2"]);
+    assert!((answer["reachable_area_m2"].as_f64().unwrap() - 51.0).abs() < 0.05, "{answer}");
+    assert!((answer["physical_area_m2"].as_f64().unwrap() - 69.6).abs() < 0.05, "{answer}");
+    assert_eq!(numbers(&answer["winch_offsets_m"]).len(), 4);
+}
+
+#[test]
+fn what_nothing_reaches_is_a_negative_answer_with_its_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(study("planar-wide-grid")).unwrap();
+    let write = |text: String| std::fs::write(folder.path().join("study.toml"), text).unwrap();
+    write(
+        text.replace("tension_max_N = 8000", "tension_max_N = 1001")
+            .replace("tension_method", "tension_limits_N = [1000, 8000]\ntension_method"),
+    );
+    let run = cdpr_in(folder.path(), "reachable study.toml --step 1");
+    assert_eq!(run.exit_code, 1, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("none of") && run.stdout.contains("cable"), "{}", run.stdout);
+    // a rigid machine has no tensions to judge
+    write(text.replace("model = \"elastic\"", "model = \"standard\""));
+    let run = cdpr_in(folder.path(), "reachable study.toml");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("position_error_max_m"), "{}", run.stderr);
+    let run = cdpr_in(folder.path(), "reachable study.toml --accuracy 0.01,-1");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("-1 m is no largest error"), "{}", run.stderr);
+}
+
+const SWEEP: &str = r#"
+study = "study.toml"
+position_error_max_m = [0.01]
+bounds_m = [-6, 6, -1, 9]
+step_m = 0.5
+[[parameter]]
+key = "study.initial.tension_limits_N[2]"
+values = [5000, 6000, 8000]
+"#;
+
+/// A folder with a sweep of the planar example.
+fn sweep() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(study("planar-initial-tension"), folder.path().join("study.toml")).unwrap();
+    std::fs::write(folder.path().join("sweep.toml"), SWEEP).unwrap();
+    folder
+}
+
+#[test]
+fn shards_and_threads_do_not_change_a_sweep() {
+    let folder = sweep();
+    let run = |arguments: &str| {
+        let run = cdpr_in(folder.path(), &format!("sweep {arguments}"));
+        assert_eq!(run.exit_code, 0, "{arguments}: {}", run.stderr);
+        run
+    };
+    let result = |out: &str| std::fs::read(folder.path().join(out).join("result.json")).unwrap();
+    run("plan sweep.toml --out whole");
+    run("run whole --threads 1");
+    assert!(run("merge whole").stdout.contains("6000"));
+    run("plan sweep.toml --out parts");
+    run("run parts --shard 2/2");
+    let early = cdpr_in(folder.path(), "sweep merge parts");
+    assert_eq!(early.exit_code, 2);
+    assert!(early.stderr.contains("2 of 3 points are not computed"), "{}", early.stderr);
+    run("run parts --shard 1/2 --threads 2");
+    assert!(run("run parts").stdout.contains("0 computed, 3 already there"));
+    run("merge parts");
+    assert_eq!(result("whole"), result("parts"));
+    let csv = std::fs::read_to_string(folder.path().join("whole/result.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 4, "{csv}");
+    assert!(folder.path().join("whole/result.svg").exists());
+}
+
+#[test]
+fn a_plan_that_changed_between_shards_is_refused() {
+    let folder = sweep();
+    let cdpr = |arguments: &str| cdpr_in(folder.path(), &format!("sweep {arguments}"));
+    assert_eq!(cdpr("plan sweep.toml --out part").exit_code, 0);
+    assert_eq!(cdpr("run part --shard 1/2").exit_code, 0);
+    std::fs::write(folder.path().join("sweep.toml"), SWEEP.replace("8000", "9000")).unwrap();
+    let run = cdpr("plan sweep.toml --out part");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("holds rows of another plan"), "{}", run.stderr);
+    // another plan's rows carried over by hand
+    assert_eq!(cdpr("plan sweep.toml --out other").exit_code, 0);
+    assert_eq!(cdpr("run other").exit_code, 0);
+    for row in std::fs::read_dir(folder.path().join("part/rows")).unwrap() {
+        let row = row.unwrap();
+        std::fs::copy(row.path(), folder.path().join("other/rows").join(row.file_name())).unwrap();
+    }
+    let run = cdpr("merge other");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("sweep::plan-changed"), "{}", run.stderr);
+    let run = cdpr("run other --shard 3/2");
+    assert!(run.exit_code == 2 && run.stderr.contains("3/2"), "{}", run.stderr);
+}

@@ -1,0 +1,111 @@
+//! Pose errors over many poses: exact, and by one linear step (eq. 3.16–3.28).
+
+mod linear;
+#[cfg(test)]
+mod tests;
+
+use serde::Serialize;
+
+use super::driving::Driving;
+use super::errors::PoseError;
+use super::operate::{Outcome, Status};
+use crate::geometry::{Pose, Twist};
+
+/// What a control model and a machine make of one commanded pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// The commanded pose.
+    pub commanded: Pose,
+    /// What emerges.
+    pub outcome: Outcome,
+    /// Displacement from the commanded to the emerging pose (m, rad; world axes); nothing where no answer was found.
+    pub exact: Option<Twist>,
+    /// The same by one linear step from the commanded pose; nothing where the machine cannot be held there or meets no
+    /// resistance.
+    pub linear: Option<Twist>,
+}
+
+/// Samples with what they say together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// Pose by pose.
+    pub samples: Vec<Sample>,
+    /// The statistics.
+    pub summary: Summary,
+}
+
+/// Statistics of a field (eq. 3.3–3.10), SI units.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Number of commanded poses.
+    pub samples: usize,
+    /// Number of them at which the platform comes to rest.
+    pub converged: usize,
+    /// Distance between commanded and emerging position (m), exact.
+    pub position_error_m: PoseError,
+    /// Angle between commanded and emerging orientation (rad), exact.
+    pub rotation_error_rad: PoseError,
+    /// Mean position error as a share of the diameter of the sampled positions (eq. 3.5); `None` for one position.
+    pub relative_position_error: Option<f64>,
+    /// Diameter of the sampled positions: the diagonal of their box (m).
+    pub diameter_m: f64,
+    /// Distance between commanded and emerging position by the linear step (m).
+    pub linear_position_error_m: PoseError,
+    /// Distance between the positions that the linear step and the exact solution find (m): how far the step can be trusted.
+    pub linear_residual_m: PoseError,
+    /// Share of the poses at which that distance is at most a tenth of the exact error.
+    pub linear_trusted_share: f64,
+}
+
+/// A linear error counts as trusted where it misses the exact one by at most this share of it.
+const TRUSTED: f64 = 0.1;
+
+/// Commands poses and tells how far from them the platform comes to rest, exactly and by one linear step.
+pub fn field(driving: &Driving<'_>, poses: &[Pose]) -> Field {
+    let samples = driving.each(poses, |pose| sample(driving, pose));
+    let summary = Summary::of(&samples);
+    Field { samples, summary }
+}
+
+fn sample(driving: &Driving<'_>, commanded: &Pose) -> Sample {
+    let outcome = driving.outcome(commanded);
+    let exact = (outcome.status == Status::Converged).then(|| commanded.displacement_to(&outcome.pose));
+    let linear = driving.with(|operation| linear::displacement(operation, commanded)).flatten();
+    Sample { commanded: *commanded, outcome, exact, linear }
+}
+
+impl Summary {
+    fn of(samples: &[Sample]) -> Self {
+        let shift = |twist: &Twist| twist.fixed_rows::<3>(0).norm();
+        let exact: Vec<&Twist> = samples.iter().filter_map(|sample| sample.exact.as_ref()).collect();
+        let both = || samples.iter().filter_map(|sample| sample.exact.as_ref().zip(sample.linear.as_ref()));
+        let position: Vec<f64> = exact.iter().map(|twist| shift(twist)).collect();
+        let rotation: Vec<f64> = exact.iter().map(|twist| twist.fixed_rows::<3>(3).norm()).collect();
+        let linear: Vec<f64> = samples.iter().filter_map(|sample| sample.linear.as_ref()).map(shift).collect();
+        let residual: Vec<f64> = both().map(|(exact, linear)| shift(&(linear - exact))).collect();
+        let trusted = both().filter(|(exact, linear)| shift(&(*linear - *exact)) <= TRUSTED * shift(exact)).count();
+        let (position_error_m, diameter_m) = (PoseError::of(&position), diameter(samples));
+        Self {
+            samples: samples.len(),
+            converged: exact.len(),
+            relative_position_error: (diameter_m > 0.0).then(|| position_error_m.mean / diameter_m),
+            position_error_m,
+            rotation_error_rad: PoseError::of(&rotation),
+            diameter_m,
+            linear_position_error_m: PoseError::of(&linear),
+            linear_residual_m: PoseError::of(&residual),
+            linear_trusted_share: trusted as f64 / samples.len().max(1) as f64,
+        }
+    }
+}
+
+fn diameter(samples: &[Sample]) -> f64 {
+    let extent = |axis: usize| {
+        let along = || samples.iter().map(|sample| sample.commanded.position[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    match samples.is_empty() {
+        true => 0.0,
+        false => (0..3).map(|axis| extent(axis) * extent(axis)).sum::<f64>().sqrt(),
+    }
+}

@@ -1,0 +1,97 @@
+use super::*;
+use crate::geometry::Pose;
+use crate::metamodel::study::Initial;
+use crate::metamodel::winch_offsets;
+use crate::model::{Composition, Model};
+use crate::robot::Robot;
+
+fn planar(control: Composition, machine: Composition) -> (Model, Model, Vec<f64>) {
+    let robot = Robot::builtin("planar-example").unwrap();
+    let control = Model::new(robot.clone(), control).unwrap();
+    let machine = Model::new(robot.clone(), machine).unwrap();
+    let initial: Initial = toml::from_str("pose = [0, 5.2]\ntension_method = \"closed-form\"").unwrap();
+    let pose = robot.motion_pattern.pose(robot.plane, &initial.pose).unwrap();
+    let offsets = winch_offsets(&initial, &control, &machine, &pose).unwrap();
+    (control, machine, offsets)
+}
+
+fn at(x: f64, y: f64) -> Pose {
+    Pose { position: nalgebra::Vector3::new(x, y, 0.0), ..Pose::identity() }
+}
+
+fn grid(min: [f64; 2], max: [f64; 2], count: usize) -> Vec<Pose> {
+    let along = |axis: usize, index: usize| min[axis] + (max[axis] - min[axis]) * index as f64 / (count - 1) as f64;
+    (0..count * count).map(|cell| at(along(0, cell / count), along(1, cell % count))).collect()
+}
+
+/// maths.md, sec. 4: 57.14 and 117.83 mm, and 0.589 % of 9.71 m, to all digits given there.
+#[test]
+fn the_planar_example_has_the_errors_of_the_dissertation() {
+    let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
+    let driving = Driving::new(&control, &machine, &offsets).unwrap();
+    let wide = field(&driving, &grid([-4.0, 0.5], [4.0, 6.0], 5)).summary;
+    assert!((wide.position_error_m.mean - 0.05714).abs() < 5e-6, "{wide:?}");
+    assert!((wide.diameter_m - 9.708).abs() < 1e-3);
+    assert!((wide.relative_position_error.unwrap() - 0.00589).abs() < 5e-6);
+    let low = field(&driving, &grid([-3.0, 0.4], [2.0, 1.0], 4)).summary;
+    assert!((low.position_error_m.mean - 0.11783).abs() < 5e-6, "{low:?}");
+}
+
+/// The error at the three places of maths.md, given to a millimetre: the field changes by about a hundredth of the distance.
+#[test]
+fn the_error_of_the_planar_example_vanishes_at_three_places() {
+    let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
+    let driving = Driving::new(&control, &machine, &offsets).unwrap();
+    for (x, y) in [(0.0, 5.2), (-3.974, 2.694), (3.557, 2.803)] {
+        let error = driving.outcome(&at(x, y)).pose.position - at(x, y).position;
+        assert!(error.norm() < 5e-5, "({x}, {y}): {error}");
+    }
+}
+
+/// Towards a zero of the error it falls in proportion to the distance, and what the linear step misses with its square.
+#[test]
+fn half_the_error_leaves_a_quarter_of_what_the_linear_step_misses() {
+    let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
+    let driving = Driving::new(&control, &machine, &offsets).unwrap();
+    let missed = |distance: f64| {
+        let sample = sample(&driving, &at(distance, 5.2 - 0.5 * distance));
+        let (exact, linear) = (sample.exact.unwrap(), sample.linear.unwrap());
+        (exact.norm(), (linear - exact).norm())
+    };
+    for distance in [0.4, 0.2] {
+        let ((whole, misses), (half, half_misses)) = (missed(distance), missed(0.5 * distance));
+        // the next order of both is the distance over the size of the robot
+        assert!((whole / half - 2.0).abs() < 0.5 * distance, "{whole} {half}");
+        assert!((misses / half_misses - 4.0).abs() < 3.0 * distance, "{misses} {half_misses}");
+    }
+}
+
+/// Under force control a control model that is like the machine makes no error at all (eq. 3.25, 3.26), to 1e-9 m.
+#[test]
+fn a_control_model_like_its_machine_makes_no_error() {
+    let (control, machine, offsets) = planar(Composition::ELASTIC, Composition::ELASTIC);
+    let driving = Driving::new(&control, &machine, &offsets).unwrap();
+    let found = field(&driving, &grid([-2.0, 2.0], [2.0, 6.0], 7));
+    assert_eq!(found.summary.converged, 49);
+    assert!(found.summary.position_error_m.max < 1e-9, "{:?}", found.summary);
+    assert!(found.summary.linear_position_error_m.max < 1e-9, "{:?}", found.summary);
+}
+
+/// A rigid machine with other anchors: the step of least squares is exact to first order too.
+#[test]
+fn the_linear_step_of_a_rigid_machine_is_that_of_least_squares() {
+    let robot = Robot::builtin("planar-example").unwrap();
+    let missed = |shift: f64| {
+        let mut moved = robot.clone();
+        moved.cables[1].frame_anchor.x += shift;
+        let control = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+        let machine = Model::new(moved, Composition::STANDARD).unwrap();
+        let driving = Driving::new(&control, &machine, &[0.0; 4]).unwrap();
+        let sample = sample(&driving, &at(1.0, 3.0));
+        let (exact, linear) = (sample.exact.unwrap(), sample.linear.unwrap());
+        (exact.norm(), (linear - exact).norm())
+    };
+    let ((whole, misses), (_, half_misses)) = (missed(0.02), missed(0.01));
+    assert!(whole > 1e-3);
+    assert!((misses / half_misses - 4.0).abs() < 0.1, "{misses} {half_misses}");
+}

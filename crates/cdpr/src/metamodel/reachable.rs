@@ -1,0 +1,210 @@
+//! The reachable workspace (eq. 3.33): poses that a control model can command on a machine without breaking limits.
+//!
+//! The *model* workspace (eq. 3.31) is where the control model itself is wrench-feasible, the *physical* one (eq. 3.32) where
+//! the machine is; both are [`crate::workspace::criterion::WrenchFeasible`]. What is reachable depends on both models and on
+//! how the winches were set: [`Reachable`] is a [`Criterion`], so that every method of [`crate::workspace`] finds it.
+
+mod census;
+mod emerging;
+#[cfg(test)]
+mod tests;
+
+pub use census::{Cell, Census};
+pub use emerging::{Image, emerging_size, image_of};
+
+use super::driving::Driving;
+use super::input_error::InputError;
+use super::operate::{Outcome, Status};
+use super::study::CommandedPose;
+use crate::geometry::Pose;
+use crate::tension::Limits;
+use crate::workspace::criterion::Criterion;
+use crate::workspace::{Point, Region, Verdict};
+
+/// What a commanded pose has to keep to count as reached.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Requirements {
+    /// Limits of the tensions that emerge (N); a rigid machine has none to judge.
+    pub tensions: Option<Limits>,
+    /// Largest distance between commanded and emerging position, Δx_max (m).
+    pub position_error_max: Option<f64>,
+    /// Largest angle between commanded and emerging orientation (rad).
+    pub rotation_error_max: Option<f64>,
+}
+
+/// Poses at which the machine comes to rest as the requirements ask, when the control model commands them.
+///
+/// The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
+/// 1 − error/largest error.
+pub struct Reachable<'a> {
+    driving: Driving<'a>,
+    requirements: Requirements,
+}
+
+impl<'a> Reachable<'a> {
+    /// Refuses requirements that ask for nothing, as limits of tensions do of a rigid machine.
+    pub fn new(driving: Driving<'a>, requirements: Requirements) -> Result<Self, InputError> {
+        let machine = driving.machine();
+        let Requirements { tensions, position_error_max, rotation_error_max } = &requirements;
+        let is_elastic = machine.composition().depends_on_tension();
+        if position_error_max.is_none() && rotation_error_max.is_none() && !(is_elastic && tensions.is_some()) {
+            return Err(InputError::NoRequirement { is_elastic });
+        }
+        if let Some(limits) = tensions.as_ref().filter(|limits| limits.cable_count() != machine.cable_count()) {
+            let (expected, found) = (machine.cable_count(), limits.cable_count());
+            return Err(InputError::Count { key: "tension limits", expected, found });
+        }
+        Ok(Self { driving, requirements })
+    }
+
+    /// Control model, machine and winches.
+    pub fn driving(&self) -> &Driving<'a> {
+        &self.driving
+    }
+
+    /// What a pose has to keep.
+    pub fn requirements(&self) -> &Requirements {
+        &self.requirements
+    }
+
+    /// The verdict over what emerged.
+    pub fn verdict(&self, commanded: &Pose, outcome: &Outcome) -> Verdict {
+        if outcome.status != Status::Converged {
+            let reason = outcome.reason.as_deref().unwrap_or("nothing emerges");
+            return Verdict::impossible(reason, None);
+        }
+        let errors = Errors::of(commanded, outcome);
+        let decisive =
+            self.margins(&errors, outcome).into_iter().flatten().min_by(|a, b| a.margin.total_cmp(&b.margin));
+        match decisive {
+            Some(Decisive { margin, cable, .. }) if margin >= 0.0 => Verdict::held(margin, cable),
+            Some(decisive) => Verdict::failed(decisive.margin, self.words(&decisive, &errors, outcome), decisive.cable),
+            None => Verdict::held(f64::INFINITY, None),
+        }
+    }
+
+    fn margins(&self, errors: &Errors, outcome: &Outcome) -> [Option<Decisive>; 3] {
+        let Requirements { tensions, position_error_max, rotation_error_max } = &self.requirements;
+        let of_error = |kind, error: f64, largest: f64| Decisive { kind, margin: 1.0 - error / largest, cable: None };
+        [
+            position_error_max.map(|largest| of_error(Kind::Position, errors.position, largest)),
+            rotation_error_max.map(|largest| of_error(Kind::Rotation, errors.rotation, largest)),
+            tensions.as_ref().zip(outcome.tensions.as_ref()).map(|(limits, tensions)| {
+                let (margin, cable) = tension_margin(limits, tensions);
+                Decisive { kind: Kind::Tension, margin, cable: Some(cable) }
+            }),
+        ]
+    }
+
+    /// Why a requirement is not kept.
+    fn words(&self, decisive: &Decisive, errors: &Errors, outcome: &Outcome) -> String {
+        let Requirements { tensions, position_error_max, rotation_error_max } = &self.requirements;
+        match decisive.kind {
+            Kind::Position => {
+                let (error, most) = (1e3 * errors.position, 1e3 * position_error_max.unwrap_or(f64::NAN));
+                format!(
+                    "the platform comes to rest {error:.3} mm beside the commanded position, {most:.3} mm are allowed"
+                )
+            }
+            Kind::Rotation => {
+                let (error, most) = (errors.rotation.to_degrees(), rotation_error_max.unwrap_or(f64::NAN).to_degrees());
+                format!("the platform comes to rest turned by {error:.4}°, {most:.4}° are allowed")
+            }
+            Kind::Tension => {
+                let cable = decisive.cable.unwrap_or(0);
+                let tension = outcome.tensions.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
+                let range = tensions.as_ref().map(|limits| [limits.minimum()[cable], limits.maximum()[cable]]);
+                let [low, high] = range.unwrap_or([f64::NAN; 2]);
+                match tension < low {
+                    true => {
+                        format!("cable {} has {tension:.1} N, less than its least tension of {low:.1} N", cable + 1)
+                    }
+                    false => {
+                        format!("cable {} has {tension:.1} N, more than its largest tension of {high:.1} N", cable + 1)
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How far the platform is from where it was told to be (m, rad).
+struct Errors {
+    position: f64,
+    rotation: f64,
+}
+
+impl Errors {
+    fn of(commanded: &Pose, outcome: &Outcome) -> Self {
+        let position = (outcome.pose.position - commanded.position).norm();
+        Self { position, rotation: outcome.pose.angle_to(commanded) }
+    }
+}
+
+/// A requirement with its margin.
+struct Decisive {
+    kind: Kind,
+    margin: f64,
+    cable: Option<usize>,
+}
+
+enum Kind {
+    Position,
+    Rotation,
+    Tension,
+}
+
+/// Distance of the tensions from their limits as a share of the range, and the cable that is nearest.
+///
+/// A range of nothing counts as one of 1 N.
+fn tension_margin(limits: &Limits, tensions: &[f64]) -> (f64, usize) {
+    let mut least = (f64::INFINITY, 0);
+    for (cable, &tension) in tensions.iter().enumerate() {
+        let (low, high) = (limits.minimum()[cable], limits.maximum()[cable]);
+        let range = if high > low { high - low } else { 1.0 };
+        let margin = f64::min(tension - low, high - tension) / range;
+        if margin < least.0 {
+            least = (margin, cable);
+        }
+    }
+    least
+}
+
+impl Criterion for Reachable<'_> {
+    fn name(&self) -> &str {
+        "reachable"
+    }
+
+    fn unit(&self) -> &str {
+        "1"
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        self.verdict(pose, &self.driving.outcome(pose))
+    }
+
+    fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
+        let judged = self.driving.with(|operation| {
+            for (pose, answer) in poses.iter().zip(&mut *answers) {
+                *answer = self.is_kept(pose, &operation.answer(&CommandedPose::at(*pose)));
+            }
+        });
+        if judged.is_none() {
+            answers.fill(false);
+        }
+    }
+}
+
+impl Reachable<'_> {
+    /// [`Reachable::verdict`] without words.
+    fn is_kept(&self, commanded: &Pose, outcome: &Outcome) -> bool {
+        let margins = self.margins(&Errors::of(commanded, outcome), outcome);
+        outcome.status == Status::Converged && margins.iter().flatten().all(|decisive| decisive.margin >= 0.0)
+    }
+
+    /// Where the platform comes to rest, as a point of a region; nothing where the machine has no answer.
+    pub fn emerging_position(&self, region: &Region<'_>, commanded: &Pose) -> Option<Point> {
+        let outcome = self.driving.outcome(commanded);
+        (outcome.status == Status::Converged).then(|| region.point(&outcome.pose.position))
+    }
+}

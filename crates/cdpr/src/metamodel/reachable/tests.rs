@@ -1,0 +1,119 @@
+use super::*;
+use crate::metamodel::study::Initial;
+use crate::metamodel::winch_offsets;
+use crate::model::{Composition, Model};
+use crate::robot::Robot;
+use crate::statics::Load;
+use crate::workspace::criterion::WrenchFeasible;
+use crate::workspace::grid::{self, Grid};
+use crate::workspace::{Archetype, Bounds, components, hull};
+
+/// The planar example of sec. 3.6 with the initial tensions of eq. 3.41.
+struct Planar {
+    control: Model,
+    machine: Model,
+    offsets: Vec<f64>,
+    limits: Limits,
+}
+
+impl Planar {
+    fn new() -> Self {
+        let robot = Robot::builtin("planar-example").unwrap();
+        let control = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+        let machine = Model::new(robot.clone(), Composition::ELASTIC).unwrap();
+        let initial: Initial = toml::from_str("pose = [0, 5.2]\ntension_method = \"closed-form\"").unwrap();
+        let pose = robot.motion_pattern.pose(robot.plane, &initial.pose).unwrap();
+        let offsets = winch_offsets(&initial, &control, &machine, &pose).unwrap();
+        let limits = Limits::of(&robot, Some(1000.0), Some(8000.0)).unwrap();
+        Self { control, machine, offsets, limits }
+    }
+
+    fn reachable(&self, position_error_max: Option<f64>) -> Reachable<'_> {
+        let requirements =
+            Requirements { tensions: Some(self.limits.clone()), position_error_max, rotation_error_max: None };
+        Reachable::new(self.driving(&self.machine), requirements).unwrap()
+    }
+
+    fn driving<'m>(&'m self, machine: &'m Model) -> Driving<'m> {
+        Driving::new(&self.control, machine, &self.offsets).unwrap()
+    }
+
+    fn region<'c>(&self, criterion: &'c dyn Criterion) -> Region<'c> {
+        let upright = Archetype::ConstantOrientation(nalgebra::UnitQuaternion::identity());
+        Region::new(&self.machine, criterion, &upright).unwrap()
+    }
+}
+
+fn box_of_the_example() -> Bounds {
+    Bounds::new(2, &[-6.0, 6.0, -1.0, 9.0]).unwrap()
+}
+
+/// maths.md, sec. 4: 71.15 m² physical, 51.8 m² reachable (72.8 %) without a limit of the error.
+///
+/// Cells of 5 cm: the boundary is 30 m long, so that chance alone leaves about 0.02 m²; the reference has three digits.
+#[test]
+fn the_planar_example_reaches_less_than_three_quarters_of_its_physical_workspace() {
+    let planar = Planar::new();
+    let grid = Grid::new(&box_of_the_example(), 0.05).unwrap();
+    let reachable = planar.reachable(None);
+    let physical =
+        WrenchFeasible::new(&planar.machine, &Load::of(planar.machine.robot()).unwrap(), &planar.limits).unwrap();
+    let size = |criterion: &dyn Criterion| grid::count(&planar.region(criterion), &grid).outcome(&grid).size;
+    let (reached, whole) = (size(&reachable), size(&physical));
+    assert!((whole - 71.15).abs() < 0.1, "{whole}");
+    assert!((reached - 51.8).abs() < 0.1, "{reached}");
+    assert!((reached / whole - 0.728).abs() < 2e-3);
+}
+
+#[test]
+fn hull_and_grid_agree_and_the_image_of_the_hull_has_the_size_that_stretches_give() {
+    let planar = Planar::new();
+    let reachable = planar.reachable(None);
+    let region = planar.region(&reachable);
+    let bounds = box_of_the_example();
+    let found = hull::solve(&region, &bounds, &[0.0, 5.2, 0.0], &hull::Settings::new(&bounds)).unwrap();
+    assert!(found.is_star_shaped());
+    let size = found.measure().unwrap().size;
+    let grid = Grid::new(&bounds, 0.05).unwrap();
+    let answers = Census::take(&reachable, &region, &grid).reached(None);
+    let reached = answers.iter().enumerate().filter(|(_, held)| **held);
+    let cells: Vec<_> = reached.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
+    let outcome = grid::outcome(&grid, &answers);
+    assert_eq!(outcome, grid::count(&region, &grid).outcome(&grid));
+    let counted = outcome.size;
+    // 360 chords of a boundary with corners, and cells of 5 cm
+    assert!((size / counted - 1.0).abs() < 3e-3, "{size} {counted}");
+    // beside the anchors lie slivers of a few cells
+    let parts = components(&grid, &answers);
+    assert!(parts[0].size > 0.99 * counted && parts.len() > 1, "{parts:?}");
+    let image = image_of(&reachable, &region, &found).unwrap();
+    let emerging = emerging_size(&reachable, &region, &grid, &cells);
+    // stretches by differences over 2.5 cm of fields that change over metres
+    assert!((image.size - size - (emerging - counted)).abs() < 0.05, "{} {size} {emerging} {counted}", image.size);
+    assert!((image.size - size).abs() > 0.01, "emerging and commanded poses shall differ");
+}
+
+/// A tighter error can only take poses away, and each reason names what it breaks.
+#[test]
+fn reasons_name_the_requirement_that_is_broken() {
+    let planar = Planar::new();
+    let at = |x: f64, y: f64| planar.region(&planar.reachable(Some(0.005))).judge(&[x, y, 0.0]);
+    assert!(at(0.0, 5.2).holds());
+    let verdict = at(1.5, 4.0);
+    assert!(
+        verdict.reason.as_ref().unwrap().contains("mm beside the commanded position, 5.000 mm are allowed"),
+        "{verdict:?}"
+    );
+    let verdict = planar.region(&planar.reachable(None)).judge(&[-4.5, 6.9, 0.0]);
+    assert!(verdict.reason.as_ref().is_some_and(|reason| reason.contains("tension of")), "{verdict:?}");
+    assert!(verdict.cable.is_some());
+}
+
+#[test]
+fn requirements_that_ask_for_nothing_are_refused() {
+    let planar = Planar::new();
+    let new = |machine, requirements| Reachable::new(planar.driving(machine), requirements).err();
+    assert_eq!(new(&planar.machine, Requirements::default()), Some(InputError::NoRequirement { is_elastic: true }));
+    let tensions = Requirements { tensions: Some(planar.limits.clone()), ..Requirements::default() };
+    assert_eq!(new(&planar.control, tensions), Some(InputError::NoRequirement { is_elastic: false }));
+}

@@ -1,0 +1,140 @@
+//! Sweeps: how the reachable workspace changes with parameters of control model, machine and study (sec. 3.7, 3.8).
+
+mod key;
+mod point;
+#[cfg(test)]
+mod tests;
+
+use serde::{Deserialize, Serialize};
+
+pub use key::{Key, KeyError};
+pub use point::{Row, Subjects, row};
+
+use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+
+/// A sweep as its file states it.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sweep {
+    /// The study that is varied; its path is relative to the sweep.
+    pub study: String,
+    /// Largest position errors to judge by in turn (m), beside the tensions alone.
+    #[serde(default)]
+    pub position_error_max_m: Vec<f64>,
+    /// Box to look in, ends along each translation (m); one around the machine when missing.
+    pub bounds_m: Option<Vec<f64>>,
+    /// Largest side of a cell (m); a hundredth of the longest side of the box in a plane, a fiftieth in space, when missing.
+    pub step_m: Option<f64>,
+    /// What changes: one table a parameter; every value meets every value of the others.
+    pub parameter: Vec<Parameter>,
+}
+
+/// One parameter with its values.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Parameter {
+    /// `machine.`, `control.` or `both.` before a key of robot files, `study.` before one of study files: as
+    /// `machine.cable[*].axial_stiffness_EA_N`, `both.platform.mass_kg` or `study.initial.tension_limits_N[1]`.
+    /// `placed_pulley_radius_m` gives every cable a pulley of that radius that touches where the anchor is at the initial pose.
+    pub key: String,
+    /// The values, in the unit of the key.
+    pub values: Option<Vec<f64>>,
+    /// Or the first value of a row
+    pub from: Option<f64>,
+    /// to this one,
+    pub to: Option<f64>,
+    /// of so many.
+    pub count: Option<usize>,
+    /// How the row is spaced: `linear` (when missing) or `logarithmic`.
+    #[serde(default)]
+    pub spacing: Spacing,
+    /// Swivel axis of placed pulleys, from the winch into the pulley (components in the robot's plane, or three).
+    pub swivel_axis: Option<Vec<f64>>,
+}
+
+/// How values of a row are spaced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Spacing {
+    /// Equal differences.
+    #[default]
+    Linear,
+    /// Equal ratios.
+    Logarithmic,
+}
+
+/// More points of a sweep are a slip of the finger.
+const MOST_POINTS: usize = 100_000;
+
+impl Sweep {
+    /// Reads a sweep file.
+    pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
+        let document = TomlDocument::parse(text_from_bytes(bytes, file_name)?, file_name)?;
+        let sweep: Self = document.deserialize()?;
+        let error = |path: &[Step<'_>], message: String| document.error_at(path, "sweep::value", message);
+        if sweep.parameter.is_empty() {
+            return Err(error(&[], "a sweep changes at least one parameter: add [[parameter]]".to_owned()));
+        }
+        if let Some(wrong) = sweep.position_error_max_m.iter().find(|most| !(**most > 0.0 && most.is_finite())) {
+            return Err(error(&[Step::Key("position_error_max_m")], format!("{wrong} m is no largest error")));
+        }
+        for (index, parameter) in sweep.parameter.iter().enumerate() {
+            let place = [Step::Key("parameter"), Step::Index(index)];
+            parameter.key.parse::<Key>().map_err(|reason| error(&place, reason.to_string()))?;
+            parameter.all_values().map_err(|reason| error(&place, reason))?;
+        }
+        match sweep.points().len() {
+            count if count > MOST_POINTS => {
+                Err(error(&[], format!("the sweep has {count} points, more than {MOST_POINTS}")))
+            }
+            _ => Ok(sweep),
+        }
+    }
+
+    /// Values of all parameters at every point; those of the last parameter change first.
+    pub fn points(&self) -> Vec<Vec<f64>> {
+        let mut points = vec![Vec::new()];
+        for parameter in &self.parameter {
+            let values = parameter.all_values().unwrap_or_default();
+            let extended = |point: &Vec<f64>| -> Vec<Vec<f64>> {
+                values.iter().map(|value| [point.as_slice(), &[*value]].concat()).collect()
+            };
+            points = points.iter().flat_map(extended).collect();
+        }
+        points
+    }
+}
+
+impl Parameter {
+    /// The values, listed or spaced; in words what is wrong with them.
+    pub fn all_values(&self) -> Result<Vec<f64>, String> {
+        let values = match (&self.values, self.from, self.to, self.count) {
+            (Some(values), None, None, None) => values.clone(),
+            (None, Some(from), Some(to), Some(count)) => self.spaced(from, to, count)?,
+            _ => return Err(format!("{}: give either `values`, or `from`, `to` and `count`", self.key)),
+        };
+        match values.is_empty() || values.iter().any(|value| !value.is_finite()) {
+            true => Err(format!("{}: values are finite numbers, one at least", self.key)),
+            false => Ok(values),
+        }
+    }
+
+    fn spaced(&self, from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
+        if !(2..=MOST_POINTS).contains(&count) {
+            return Err(format!("{}: count is a whole number from 2 to {MOST_POINTS}", self.key));
+        }
+        let share = |index: usize| index as f64 / (count - 1) as f64;
+        match self.spacing {
+            Spacing::Linear => Ok((0..count).map(|index| from + (to - from) * share(index)).collect()),
+            Spacing::Logarithmic if from > 0.0 && to > 0.0 => {
+                Ok((0..count).map(|index| from * (to / from).powf(share(index))).collect())
+            }
+            Spacing::Logarithmic => Err(format!("{}: logarithmic spacing needs ends above 0", self.key)),
+        }
+    }
+}
+
+/// JSON Schema of sweep files.
+pub fn schema() -> schemars::Schema {
+    schemars::schema_for!(Sweep)
+}

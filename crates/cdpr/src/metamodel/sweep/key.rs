@@ -1,0 +1,161 @@
+//! Which number of which file a parameter is.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+use toml::{Table, Value};
+
+/// The place of a number in robot or study files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Key {
+    /// Where it is.
+    pub place: Place,
+    steps: Vec<Word>,
+}
+
+/// Files that a key changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The robot of the control model.
+    Control,
+    /// The robot of the machine.
+    Machine,
+    /// Both robots.
+    Both,
+    /// The study.
+    Study,
+    /// The pulleys of the machine, placed at the initial pose.
+    PlacedPulleys,
+}
+
+/// One step into a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Word {
+    Name(String),
+    /// An entry of a list, from 0; all of them.
+    Entry(Option<usize>),
+}
+
+/// A key that leads nowhere.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum KeyError {
+    /// No such file.
+    #[error(
+        "`{key}` names no file: begin with `control.`, `machine.`, `both.` or `study.`, or write `placed_pulley_radius_m`"
+    )]
+    Place {
+        /// The key.
+        key: String,
+    },
+    /// Brackets without a number.
+    #[error("`{key}`: entries are [1], [2], … or [*] for all of them")]
+    Entry {
+        /// The key.
+        key: String,
+    },
+    /// The file has nothing there.
+    #[error("`{key}`: {reason}")]
+    Nowhere {
+        /// The key.
+        key: String,
+        /// What is missing.
+        reason: String,
+    },
+}
+
+impl FromStr for Key {
+    type Err = KeyError;
+
+    fn from_str(key: &str) -> Result<Self, KeyError> {
+        if key == "placed_pulley_radius_m" {
+            return Ok(Self { place: Place::PlacedPulleys, steps: Vec::new() });
+        }
+        let nowhere = || KeyError::Place { key: key.to_owned() };
+        let (place, rest) = key.split_once('.').ok_or_else(nowhere)?;
+        let place = match place {
+            "control" => Place::Control,
+            "machine" => Place::Machine,
+            "both" => Place::Both,
+            "study" => Place::Study,
+            _ => return Err(nowhere()),
+        };
+        let mut steps = Vec::new();
+        for part in rest.split('.') {
+            let mut words = part.split('[');
+            steps.push(Word::Name(words.next().unwrap_or_default().to_owned()));
+            for word in words {
+                let entry = match word.strip_suffix(']') {
+                    Some("*") => None,
+                    Some(number) => Some(number.parse::<usize>().ok().and_then(|number| number.checked_sub(1))),
+                    None => Some(None),
+                };
+                match entry {
+                    Some(None) => return Err(KeyError::Entry { key: key.to_owned() }),
+                    Some(number) => steps.push(Word::Entry(number)),
+                    None => steps.push(Word::Entry(None)),
+                }
+            }
+        }
+        Ok(Self { place, steps })
+    }
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = match self.place {
+            Place::Control => "control",
+            Place::Machine => "machine",
+            Place::Both => "both",
+            Place::Study => "study",
+            Place::PlacedPulleys => return formatter.write_str("placed_pulley_radius_m"),
+        };
+        formatter.write_str(place)?;
+        for step in &self.steps {
+            match step {
+                Word::Name(name) => write!(formatter, ".{name}")?,
+                Word::Entry(Some(index)) => write!(formatter, "[{}]", index + 1)?,
+                Word::Entry(None) => formatter.write_str("[*]")?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Key {
+    /// Writes a number at the key's place of a file; a key that the last table lacks is added.
+    pub fn set(&self, file: &mut Table, value: f64) -> Result<(), KeyError> {
+        let nowhere = |reason: String| KeyError::Nowhere { key: self.to_string(), reason };
+        let mut whole = Value::Table(std::mem::take(file));
+        let done = set(&mut whole, &self.steps, value).map_err(nowhere);
+        if let Value::Table(table) = whole {
+            *file = table;
+        }
+        done
+    }
+}
+
+fn set(here: &mut Value, steps: &[Word], value: f64) -> Result<(), String> {
+    let Some((step, rest)) = steps.split_first() else {
+        *here = Value::Float(value);
+        return Ok(());
+    };
+    match (step, here) {
+        (Word::Name(name), Value::Table(table)) => match table.get_mut(name) {
+            Some(next) => set(next, rest, value),
+            None if rest.is_empty() => {
+                table.insert(name.clone(), Value::Float(value));
+                Ok(())
+            }
+            None => Err(format!("there is no `{name}`")),
+        },
+        (Word::Entry(Some(index)), Value::Array(list)) => {
+            let count = list.len();
+            let entry = list.get_mut(*index).ok_or_else(|| format!("there are {count} entries, not {}", index + 1))?;
+            set(entry, rest, value)
+        }
+        (Word::Entry(None), Value::Array(list)) => list.iter_mut().try_for_each(|entry| set(entry, rest, value)),
+        (Word::Name(name), _) => Err(format!("`{name}` stands in no table")),
+        (Word::Entry(_), _) => Err("brackets stand behind lists only".to_owned()),
+    }
+}
