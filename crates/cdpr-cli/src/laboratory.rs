@@ -6,6 +6,7 @@ use cdpr::geometry::Pose;
 use cdpr::measurement::{Provenance, Sidecar, poses_from_csv};
 use cdpr::metamodel::accuracy::{Assessment, assess_operation};
 use cdpr::metamodel::reachable::{Reachable, Requirements};
+use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
 use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
 use cdpr::metamodel::{Driving, Operation, Study, winch_offsets};
@@ -25,6 +26,8 @@ pub(crate) struct Laboratory {
     pub(crate) control: Model,
     /// What answers.
     pub(crate) machine: Model,
+    /// The model in use when the winches were set, where it is not the control model.
+    former: Option<Model>,
     /// What is added to the lengths (m).
     pub(crate) offsets: Vec<f64>,
     /// Name of the study file, for messages.
@@ -59,7 +62,7 @@ impl Laboratory {
         let former = former.map(|side| model_of(&study, &side, robots)).transpose()?;
         let offsets = winch_offsets(&study.initial, former.as_ref().unwrap_or(&control), &machine, &pose)
             .map_err(|error| Failure::refused(name, &error))?;
-        Ok(Self { study, control, machine, offsets, name: name.to_owned(), folder: folder.to_owned() })
+        Ok(Self { study, control, machine, former, offsets, name: name.to_owned(), folder: folder.to_owned() })
     }
 
     /// Virtual measurements of all poses and tension tests.
@@ -71,9 +74,21 @@ impl Laboratory {
 
     /// How accurately the control model drives the machine; tension tests leave their pose on purpose and do not count.
     pub(crate) fn assess(&self, seed: u64) -> Result<Assessment, Failure> {
+        let poses = self.untested_poses(seed)?;
+        assess_operation(&mut self.operation()?, &poses).map_err(|error| self.refused(&error))
+    }
+
+    /// The poses that count for accuracy: tension tests leave theirs on purpose.
+    pub(crate) fn untested_poses(&self, seed: u64) -> Result<Vec<CommandedPose>, Failure> {
         let mut poses = self.poses(seed)?;
         poses.retain(|command| command.shortened.is_none());
-        assess_operation(&mut self.operation()?, &poses).map_err(|error| self.refused(&error))
+        Ok(poses)
+    }
+
+    /// How the winches were set, and what deviations do to it.
+    pub(crate) fn setting(&self, offsets: Offsets) -> Result<Setting<'_>, Failure> {
+        let pose = self.study.initial_pose(self.machine.robot()).map_err(|error| self.refused(&error))?;
+        Ok(Setting { initial: &self.study.initial, pose, former: self.former.as_ref(), offsets })
     }
 
     /// How the machine comes to the poses, where its cables remember.

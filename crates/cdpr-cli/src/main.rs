@@ -21,6 +21,7 @@ mod pose_answer;
 mod progress;
 mod report;
 mod selecting;
+mod sensitivities;
 mod statics_failure;
 mod table;
 mod tension_choice;

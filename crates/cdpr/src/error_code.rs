@@ -263,6 +263,8 @@ impl ErrorCode for metamodel::InputError {
             Self::Distribution(error) => error.code(),
             Self::Winch(error) => error.code(),
             Self::NoDrum => "study::no-drum",
+            Self::Remembers => "study::remembers",
+            Self::TooManyRobots { .. } => "study::too-many-robots",
             Self::NoPoses => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
         }

@@ -41,6 +41,7 @@ commands! {
     accuracy: Accuracy,
     reachable: Reachable,
     sweep: Sweep,
+    sensitivity: Sensitivity,
     simulate: Simulate,
     demo: Demo,
     identify: Identify,

@@ -5,6 +5,7 @@ use super::{cdpr, cdpr_in, file_with};
 pub(crate) const COMMANDS: &[&str] = &[
     "select",
     "accuracy",
+    "sensitivity",
     "simulate",
     "demo",
     "robots",

@@ -20,6 +20,7 @@ mod measurements;
 mod newcomer;
 mod reachable;
 mod selection;
+mod sensitivity;
 mod shells;
 mod statics;
 mod studies;

@@ -96,7 +96,7 @@ pub(crate) fn mean_square(values: &[f64]) -> f64 {
 }
 
 /// Quantile by linear interpolation between order statistics (the default of NumPy and R).
-fn quantile(sorted: &[f64], share: f64) -> f64 {
+pub(super) fn quantile(sorted: &[f64], share: f64) -> f64 {
     if sorted.is_empty() {
         return f64::NAN;
     }

@@ -76,6 +76,21 @@ pub enum InputError {
         /// Whether the machine has tensions that limits could judge.
         is_elastic: bool,
     },
+    /// Derivatives are asked of a machine whose answer depends on the way.
+    #[error(
+        "the machine's cables remember (`hysteresis`), so its answer depends on the way and has no derivative: say model = \"polynomial\" or \"elastic\" in [machine]"
+    )]
+    Remembers,
+    /// More answers than memory should hold.
+    #[error("{robots} robots at {poses} poses are more than {limit} answers: draw fewer robots or command fewer poses")]
+    TooManyRobots {
+        /// Robots drawn.
+        robots: usize,
+        /// Poses commanded.
+        poses: usize,
+        /// Most answers.
+        limit: usize,
+    },
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,

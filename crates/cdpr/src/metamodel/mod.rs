@@ -10,9 +10,11 @@ mod input_error;
 mod machine;
 mod operate;
 pub mod reachable;
+pub mod sensitivity;
 pub mod simulate;
 pub mod study;
 pub mod sweep;
+pub mod tolerance;
 mod winches;
 mod winding;
 

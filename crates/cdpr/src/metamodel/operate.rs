@@ -135,6 +135,11 @@ impl<'a> Operation<'a> {
         Ok(paid_out.iter().enumerate().map(|(cable, &length)| machine.controlled_length(cable, length)).collect())
     }
 
+    /// Lengths that the winches pay out when these are sent, in the units of the machine's encoders (m).
+    pub(super) fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
+        self.winding.to_machine(sent)
+    }
+
     /// What emerges for one command.
     pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
         let Some(mut way) = self.way.take() else { return self.reach(command) };

@@ -2,10 +2,12 @@
 
 mod checks;
 mod poses;
+mod tolerances;
 
 use serde::{Deserialize, Serialize};
 
 pub use poses::{CommandedPose, Shortening};
+pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
 use crate::geometry::{PatternError, Pose};
 use crate::measurement::SensorSigmas;
@@ -31,6 +33,8 @@ pub struct Study {
     pub noise: Option<SensorSigmas>,
     /// How a machine whose cables remember (`hysteresis`) comes to the poses.
     pub history: Option<History>,
+    /// How far the numbers of control model, machine and winches may be off.
+    pub tolerances: Option<Tolerances>,
 }
 
 /// How a machine whose cables remember comes to the poses.

@@ -91,7 +91,7 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
 }
 
 /// What the initial tensions shall lie between: what the study says, or the limits of the robot's file.
-fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
+pub(super) fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
     Ok(match initial.tension_limits_N {
         Some([low, high]) => Limits::uniform(model.cable_count(), low, high)?,
         None => Limits::of(model.robot(), None, None)?,

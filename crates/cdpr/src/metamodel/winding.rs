@@ -1,7 +1,7 @@
 //! What a machine's winches make of a control model's lengths: between the two stand motor angles.
 
 use super::input_error::InputError;
-use crate::cable::winch::{GrooveError, Winch};
+use crate::cable::winch::{DrumLength, GrooveError, Winch};
 use crate::measurement::Samples;
 use crate::model::{Model, WinchError};
 
@@ -13,6 +13,16 @@ pub(super) struct Winding<'a> {
     control: &'a Model,
     /// Winches of control model and machine, cable by cable; empty where lengths are lengths.
     winches: Vec<[Winch; 2]>,
+}
+
+/// How a length that a machine pays out follows the one that its control model sends.
+pub(super) struct WindingGradient {
+    /// Per metre sent.
+    pub(super) by_sent: f64,
+    /// The control model's drum at the angle sent.
+    pub(super) control: DrumLength,
+    /// The machine's.
+    pub(super) machine: DrumLength,
 }
 
 impl<'a> Winding<'a> {
@@ -36,6 +46,24 @@ impl<'a> Winding<'a> {
     pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
         self.convert(sent, |[control, machine], length| machine.controlled_length(control.motor_angle(length)?))
             .map_err(|error| error.to_string())
+    }
+
+    /// How the length that the machine pays out follows the one sent, cable by cable; `None` where it is the one sent.
+    pub(super) fn gradients(&self, sent: &[f64]) -> Result<Option<Vec<WindingGradient>>, String> {
+        if self.winches.is_empty() {
+            return Ok(None);
+        }
+        let one = |([control, machine], &length): (&[Winch; 2], &f64)| {
+            let angle = control.motor_angle(length)?;
+            let control_drum = control.drum.gradient(angle / control.gear_ratio)?;
+            let machine_drum = machine.drum.gradient(angle / machine.gear_ratio)?;
+            // δq = ∂q_M/∂θ δθ/g_M with δθ = g_C δ(sent)/(∂q_C/∂θ)
+            let per_angle = machine_drum.by_angle / machine.gear_ratio;
+            let by_sent = per_angle * control.gear_ratio / control_drum.by_angle;
+            Ok(WindingGradient { by_sent, control: control_drum, machine: machine_drum })
+        };
+        let gradients: Result<Vec<_>, GrooveError> = self.winches.iter().zip(sent).map(one).collect();
+        gradients.map(Some).map_err(|error| error.to_string())
     }
 
     /// Lengths that the control model believes in when the machine has paid out these (m).

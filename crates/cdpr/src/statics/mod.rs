@@ -5,16 +5,20 @@
 
 mod balance;
 mod error;
+mod general_cable;
 mod holding;
 mod load;
 mod sections;
 mod stiffness;
+mod straight_cable;
 #[cfg(test)]
 mod tests;
 
 pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_residual};
 pub use error::{StaticsError, check_tensions};
+pub(crate) use general_cable::GeneralCable;
 pub use holding::{Held, held, holds};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
 pub use stiffness::{Stability, Stiffness, geometric_stiffness};
+pub(crate) use straight_cable::StraightCable;

@@ -7,7 +7,6 @@
 mod analysis;
 mod covariance;
 mod descent;
-mod general_rows;
 mod linearization;
 mod noise;
 mod normal;

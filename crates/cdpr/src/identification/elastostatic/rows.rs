@@ -1,18 +1,12 @@
 //! Residuals of one sample and their derivatives by parameters and by what is measured.
 
-use nalgebra::{Matrix3, Vector3};
-
-use super::general_rows::GeneralCable;
 use super::noise::{Noise, Sigmas};
-use crate::cable::Course;
-use crate::cable::elasticity::Elasticity;
 use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Wrench};
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind, specific_compliance};
-use crate::robot::StiffnessBasis;
+use crate::model::{Model, Parameter, ParameterKind};
 use crate::scalar::LANES;
-use crate::statics::Load;
+use crate::statics::{GeneralCable, Load, StraightCable};
 
 /// Where the rows of one sample are written: n + m rows of the padded Jacobian, its last used column the residual.
 #[derive(Clone, Debug)]
@@ -84,19 +78,6 @@ fn by_winch(wound: &DrumLength, parameter: &Parameter, model: &Model) -> f64 {
     }
 }
 
-/// What one cable contributes to the rows of a sample.
-struct CableRows {
-    course: Course<f64>,
-    /// b = R b_P (world, m).
-    lever: Vector3<f64>,
-    /// Real tension behind the recorded one (N).
-    tension: f64,
-    tension_scale: f64,
-    length_scale: f64,
-    /// ∂q_θ/∂q, ∂q_θ/∂f, ∂q_θ/∂κ, ∂q_θ/∂q_h and q_θ itself.
-    controlled: crate::cable::elasticity::ControlledLength<f64>,
-}
-
 impl SampleRows {
     pub(super) fn new(model: &Model, parameter_count: usize) -> Self {
         let count = model.dof() + model.cable_count();
@@ -118,20 +99,15 @@ impl<'a> RowModel<'a> {
         Self { model, load, parameters, first: first_columns(model, parameters) }
     }
 
-    fn cable(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3], recorded_tension: f64) -> CableRows {
-        let data = &self.model.robot().cables[cable];
-        let (course, lever) = self.model.course_at(cable, position, rotation);
+    fn cable(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+        recorded_tension: f64,
+    ) -> StraightCable {
         let tension = self.model.real_tension(cable, recorded_tension);
-        let law: &Elasticity<f64> = self.model.elasticity(cable);
-        let controlled = law.controlled_length_gradient(
-            course.length,
-            tension,
-            data.hidden_length.unwrap_or(0.0),
-            specific_compliance(data),
-            data.stiffness_by == Some(StiffnessBasis::Unstrained),
-        );
-        let (tension_scale, length_scale) = (data.tension_scale.unwrap_or(1.0), data.length_scale.unwrap_or(1.0));
-        CableRows { course, lever, tension, tension_scale, length_scale, controlled }
+        StraightCable::at(self.model, cable, position, rotation, tension)
     }
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
@@ -166,6 +142,11 @@ impl<'a> RowModel<'a> {
         }
     }
 
+    /// `None` where the cable cannot have this tension at this pose.
+    fn general_cable(&self, cable: usize, pose: &Pose, recorded_tension: f64) -> Option<GeneralCable<'_>> {
+        GeneralCable::at(self.model, cable, pose, self.model.real_tension(cable, recorded_tension)).ok()
+    }
+
     /// Writes the rows of a cable whose law has no closed form; the answer is its wrench. Rows are NaN where it has no shape.
     fn write_general(
         &self,
@@ -176,7 +157,7 @@ impl<'a> RowModel<'a> {
         rows: &mut SampleRows,
     ) -> Wrench {
         let length_row = (self.model.dof() + cable) * rows.stride;
-        let Some(data) = GeneralCable::at(self.model, cable, pose, tension) else {
+        let Some(data) = self.general_cable(cable, pose, tension) else {
             rows.entries[length_row + rows.parameter_count] = f64::NAN;
             return Wrench::repeat(f64::NAN);
         };
@@ -203,7 +184,7 @@ impl<'a> RowModel<'a> {
         sigmas: &Sigmas,
         noise: &mut Noise,
     ) -> nalgebra::Matrix6<f64> {
-        let Some(data) = GeneralCable::at(self.model, cable, pose, tension) else {
+        let Some(data) = self.general_cable(cable, pose, tension) else {
             return nalgebra::Matrix6::repeat(f64::NAN);
         };
         let basis = self.model.twist_basis();
@@ -270,67 +251,3 @@ impl<'a> RowModel<'a> {
 const SLACK_SIGMAS: f64 = 4.0;
 /// Standard deviation of a length row that says nothing (m).
 const SLACK_SIGMA: f64 = 1e3;
-
-impl CableRows {
-    /// Column of the structure matrix in the world, \[u; b × u\].
-    fn column(&self) -> Wrench {
-        let u = Vector3::from(self.course.direction);
-        stacked(u, self.lever.cross(&u))
-    }
-
-    /// ∂\[u; b × u\]/∂\[δr; δφ\], the lever's turn included.
-    fn column_by_pose(&self) -> nalgebra::Matrix6<f64> {
-        let (_, by_pose) = self.course.by_pose(self.lever.into());
-        let u = Vector3::from(self.course.direction);
-        let mut matrix = nalgebra::Matrix6::zeros();
-        for k in 0..6 {
-            let direction = Vector3::new(by_pose[0][k], by_pose[1][k], by_pose[2][k]);
-            let lever = if k < 3 { Vector3::zeros() } else { Vector3::ith(k - 3, 1.0).cross(&self.lever) };
-            matrix.set_column(k, &stacked(direction, lever.cross(&u) + self.lever.cross(&direction)));
-        }
-        matrix
-    }
-
-    /// Change of the wrench (world) and of the length row by one of the cable's parameters.
-    fn by(&self, parameter: &Parameter, model: &Model, rotation: &Matrix3<f64>) -> (Wrench, f64) {
-        let u = Vector3::from(self.course.direction);
-        let gradient = Matrix3::from(self.course.direction_gradient).transpose();
-        let by_length = self.length_scale * self.controlled.by_length;
-        // a change of the direction and of the lever
-        let wrench = |direction: Vector3<f64>, lever: Vector3<f64>| {
-            stacked(direction, lever.cross(&u) + self.lever.cross(&direction)) * self.tension
-        };
-        let none = Wrench::zeros();
-        match parameter.kind {
-            ParameterKind::FrameAnchor => {
-                let axis = model.axes()[parameter.axis];
-                (wrench(-(gradient * axis), Vector3::zeros()), by_length * u.dot(&axis))
-            }
-            ParameterKind::PlatformAnchor => {
-                let axis = rotation * model.axes()[parameter.axis];
-                (wrench(gradient * axis, axis), -by_length * u.dot(&axis))
-            }
-            ParameterKind::PulleyRadius => {
-                let direction = Vector3::from(self.course.direction_by_radius);
-                (wrench(direction, Vector3::zeros()), by_length * self.course.length_by_radius)
-            }
-            ParameterKind::LengthOffset => (none, 1.0),
-            // they change what is recorded, not what is expected
-            ParameterKind::DrumRadius | ParameterKind::StartLength => (none, 0.0),
-            ParameterKind::LengthScale => (none, self.controlled.value),
-            ParameterKind::Compliance => (none, self.length_scale * self.controlled.by_compliance),
-            ParameterKind::HiddenLength => (none, self.length_scale * self.controlled.by_hidden_length),
-            ParameterKind::TensionScale => self.by_tension(-self.tension / self.tension_scale),
-            ParameterKind::TensionOffset => self.by_tension(-1.0 / self.tension_scale),
-            ParameterKind::Wrench => (none, 0.0),
-        }
-    }
-
-    fn by_tension(&self, change: f64) -> (Wrench, f64) {
-        (self.column() * change, self.length_scale * self.controlled.by_tension * change)
-    }
-}
-
-fn stacked(force: Vector3<f64>, moment: Vector3<f64>) -> Wrench {
-    Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
-}

@@ -1,6 +1,6 @@
 //! What a study file may not say, with the place where it says it.
 
-use super::{Grid, Study, TensionTests};
+use super::{Grid, Study, TensionTests, Tolerances};
 use crate::model::Composition;
 use crate::reading::{ReadError, Step, TomlDocument};
 
@@ -18,6 +18,9 @@ pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), Re
     }
     if let Some(tests) = study.poses.as_ref().and_then(|poses| poses.tension_tests.as_ref()) {
         check_tension_tests(study, tests, &place)?;
+    }
+    if let Some(tolerances) = &study.tolerances {
+        check_tolerances(tolerances, &place)?;
     }
     check_poses(study, &place)
 }
@@ -97,6 +100,28 @@ fn check_limits(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
         }
         _ => Ok(()),
     }
+}
+
+fn check_tolerances(tolerances: &Tolerances, place: &Place<'_>) -> Result<(), ReadError> {
+    for (side, _, key, sigma) in tolerances.entries() {
+        // written so that NaN is refused too
+        if !(sigma >= 0.0 && sigma.is_finite()) {
+            let message = format!("{key} is a standard deviation, a finite number of 0 or more, found {sigma}");
+            return Err(place.error(&["tolerances", side.name(), key], message));
+        }
+    }
+    if !(1..=1_000_000).contains(&tolerances.robots) {
+        let message = "robots is a whole number from 1 to 1000000".to_owned();
+        return Err(place.error(&["tolerances", "robots"], message));
+    }
+    if !(0.1..=10.0).contains(&tolerances.sigmas) {
+        return Err(place.error(&["tolerances", "sigmas"], "sigmas is a number from 0.1 to 10".to_owned()));
+    }
+    // written so that NaN is refused too
+    if tolerances.accuracy_m.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy.is_finite())) {
+        return Err(place.error(&["tolerances", "accuracy_m"], "accuracy_m is a finite number above 0".to_owned()));
+    }
+    Ok(())
 }
 
 fn check_tension_tests(study: &Study, tests: &TensionTests, place: &Place<'_>) -> Result<(), ReadError> {

@@ -1,14 +1,15 @@
-//! What one cable contributes to the rows of a sample when its law has no closed form.
+//! What one cable whose law has no closed form pulls and how long it is, with the derivatives by pose, tension and parameters.
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
-use crate::cable::law::{Hold, LawChange, LawParameter, outlet_change};
+use super::error::StaticsError;
+use super::holding::{Held, held};
+use crate::cable::law::{Hold, Known, LawChange, LawParameter, outlet_change};
 use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::{Model, Parameter, ParameterKind};
-use crate::statics::Held;
 
-/// A cable at rest at a pose with the tension behind a recorded one.
-pub(super) struct GeneralCable<'a> {
+/// A cable at rest at a pose with a tension.
+pub(crate) struct GeneralCable<'a> {
     model: &'a Model,
     cable: usize,
     held: Held,
@@ -16,19 +17,28 @@ pub(super) struct GeneralCable<'a> {
     anchor: [f64; 3],
     tension_scale: f64,
     length_scale: f64,
-    /// Real tension (N).
-    pub(super) tension: f64,
+    /// Tension (N).
+    pub(crate) tension: f64,
 }
 
 impl<'a> GeneralCable<'a> {
-    /// `None` where the cable cannot have this tension at this pose.
-    pub(super) fn at(model: &'a Model, cable: usize, pose: &Pose, recorded_tension: f64) -> Option<Self> {
+    /// With a tension where the robot measures it (N).
+    pub(crate) fn at(model: &'a Model, cable: usize, pose: &Pose, tension: f64) -> Result<Self, StaticsError> {
+        Ok(Self::of(model, cable, pose, held(model, pose, cable, tension)?, tension))
+    }
+
+    /// With a tension at the outlet (N), as forward problems give it; what is called tension is this one then.
+    pub(crate) fn at_outlet(model: &'a Model, cable: usize, pose: &Pose, tension: f64) -> Result<Self, StaticsError> {
+        let hold = model.hold(cable, pose, Known::OutletTension(tension));
+        let (hold, lever) = hold.map_err(|reason| StaticsError::Hold { cable: cable + 1, reason })?;
+        Ok(Self::of(model, cable, pose, Held { hold, lever, is_known_at_platform: false }, tension))
+    }
+
+    fn of(model: &'a Model, cable: usize, pose: &Pose, held: Held, tension: f64) -> Self {
         let data = &model.robot().cables[cable];
-        let tension = model.real_tension(cable, recorded_tension);
-        let held = crate::statics::held(model, pose, cable, tension).ok()?;
         let (tension_scale, length_scale) = (data.tension_scale.unwrap_or(1.0), data.length_scale.unwrap_or(1.0));
         let anchor = (pose.position + held.lever).into();
-        Some(Self { model, cable, held, anchor, tension_scale, length_scale, tension })
+        Self { model, cable, held, anchor, tension_scale, length_scale, tension }
     }
 
     fn hold(&self) -> &Hold {
@@ -36,22 +46,22 @@ impl<'a> GeneralCable<'a> {
     }
 
     /// q_θ (m).
-    pub(super) fn controlled_length(&self) -> f64 {
+    pub(crate) fn controlled_length(&self) -> f64 {
         self.hold().controlled_length
     }
 
     /// Wrench on the platform.
-    pub(super) fn wrench(&self) -> Wrench {
+    pub(crate) fn wrench(&self) -> Wrench {
         self.held.wrench()
     }
 
     /// Change of wrench and recorded length by the recorded tension.
-    pub(super) fn by_recorded_tension(&self) -> (Wrench, f64) {
+    pub(crate) fn by_recorded_tension(&self) -> (Wrench, f64) {
         self.by_tension(1.0 / self.tension_scale)
     }
 
-    /// Change of wrench and recorded length with a change of the real tension where it is measured.
-    fn by_tension(&self, change: f64) -> (Wrench, f64) {
+    /// Change of wrench and recorded length with a change of the tension where it is measured.
+    pub(crate) fn by_tension(&self, change: f64) -> (Wrench, f64) {
         let hold = self.hold();
         let at_outlet = match self.held.is_known_at_platform {
             true => 1.0 / crate::scalar::dot(hold.direction, hold.by_tension),
@@ -80,13 +90,13 @@ impl<'a> GeneralCable<'a> {
     }
 
     /// Change of the recorded length along a twist of the platform.
-    pub(super) fn length_by_twist(&self, twist: &Twist) -> f64 {
+    pub(crate) fn length_by_twist(&self, twist: &Twist) -> f64 {
         let (v, turn) = (twist.fixed_rows::<3>(0), Vector3::new(twist[3], twist[4], twist[5]));
         self.by_anchor(&(v + turn.cross(&self.held.lever))).1
     }
 
     /// Change of the wrench by \[δr; δφ\].
-    pub(super) fn wrench_by_pose(&self) -> Matrix6<f64> {
+    pub(crate) fn wrench_by_pose(&self) -> Matrix6<f64> {
         let lever = self.held.lever;
         let pull = Vector3::from(self.hold().pull);
         let mut matrix = Matrix6::zeros();
@@ -100,7 +110,7 @@ impl<'a> GeneralCable<'a> {
     }
 
     /// Change of the wrench (world) and of the length row by one of the cable's parameters.
-    pub(super) fn by(&self, parameter: &Parameter, rotation: &Matrix3<f64>) -> (Wrench, f64) {
+    pub(crate) fn by(&self, parameter: &Parameter, rotation: &Matrix3<f64>) -> (Wrench, f64) {
         let lever = self.held.lever;
         let law = |kind: LawParameter| {
             let change = self.model.law(self.cable).by_parameter(self.hold(), self.anchor, kind);

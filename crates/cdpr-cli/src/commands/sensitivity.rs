@@ -1,0 +1,125 @@
+//! `cdpr sensitivity`: which numbers matter, what their tolerances do, and which tolerances an accuracy allows.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use cdpr::metamodel::sensitivity::Offsets;
+use cdpr::metamodel::tolerance::Engine;
+use clap::{Args, ValueEnum};
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::laboratory::Laboratory;
+use crate::progress::Progress;
+use crate::sensitivities::{Asked, Found, tables};
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr sensitivity study.toml
+  cdpr sensitivity study.toml --accuracy 0.005 --csv maps.csv
+  cdpr sensitivity studies/planar-tolerances.toml --engine linear --format json";
+
+/// Tell how the emerging pose and its tensions follow every number of the control model, of the machine, and of how the
+/// winches were set.
+///
+/// The derivatives are analytic, at the emerging poses. With standard deviations in [tolerances] of the study robots are drawn
+/// that deviate, and their accuracy is told; with a required accuracy, the tolerances that it allows. The answer is negative
+/// (exit code 1) when a pose has no answer, and when the accuracy is missed without any deviation.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Study file (TOML); `cdpr schema study` describes it.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+
+    /// What deviations do to the winch offsets [default: that of the study, else kept].
+    #[arg(long, value_name = "RULE")]
+    offsets: Option<OffsetRule>,
+
+    /// How the drawn robots answer.
+    #[arg(long, value_name = "ENGINE", default_value = "exact")]
+    engine: EngineName,
+
+    /// Robots drawn; 0 draws none [default: those of the study, else 10000].
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    robots: Option<u32>,
+
+    /// Required accuracy of the position in metres [default: that of the study].
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    accuracy: Option<f64>,
+
+    /// Parameters shown in the table; `--format json` has all.
+    #[arg(long, value_name = "COUNT", default_value_t = 12)]
+    top: usize,
+
+    /// Write the derivatives at every pose, a row per pose and parameter (CSV).
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+
+    /// Write error, spread and quantiles at every pose, a row per pose (CSV).
+    #[arg(long, value_name = "FILE")]
+    poses_csv: Option<PathBuf>,
+
+    /// Seed of random poses and of the robots drawn.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+}
+
+/// What deviations do to the winch offsets.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum OffsetRule {
+    /// They stay as they were set.
+    Kept,
+    /// The winches are set again after everything has deviated.
+    SetAnew,
+}
+
+/// How drawn robots answer.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum EngineName {
+    /// By the exact forward problem.
+    Exact,
+    /// By the derivatives: at once.
+    Linear,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err("a number of metres above 0".to_owned()),
+    }
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let laboratory = Laboratory::read(&arguments.study)?;
+    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let tolerances = laboratory.study.tolerances.clone().unwrap_or_default();
+    let offsets = match arguments.offsets {
+        None => tolerances.offsets,
+        Some(OffsetRule::Kept) => Offsets::Kept,
+        Some(OffsetRule::SetAnew) => Offsets::SetAnew,
+    };
+    let limit = laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
+    let asked = Asked {
+        offsets,
+        engine: match arguments.engine {
+            EngineName::Exact => Engine::Exact,
+            EngineName::Linear => Engine::Linear,
+        },
+        robots: arguments.robots.map_or(tolerances.robots, |robots| robots as usize),
+        accuracy: arguments.accuracy.or(tolerances.accuracy_m).or(limit),
+        top: arguments.top,
+        seed: arguments.seed,
+    };
+    let progress = Progress::spinner("drawing robots");
+    let found = Found::of(&laboratory, &tolerances, &asked)?;
+    drop(progress);
+    found.without_effect(&tolerances).iter().for_each(|remark| output.remark(remark));
+    let maps = arguments.csv.as_ref().map(|path| (path, tables::derivatives(&found, &laboratory)));
+    let poses = arguments.poses_csv.as_ref().map(|path| (path, tables::poses(&found)));
+    let written: Vec<_> =
+        maps.iter().chain(&poses).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
+    files::write_all(&written)?;
+    output.answer(&found.answer(&laboratory, &tolerances, &asked))
+}

@@ -1,0 +1,94 @@
+//! How the lengths that a control model sends follow its parameters.
+
+use nalgebra::DVector;
+
+use super::cable::CableState;
+use super::cause::Cause;
+use super::choice::Choice;
+use crate::equilibrium::distribution;
+use crate::geometry::Pose;
+use crate::metamodel::control::Controller;
+use crate::metamodel::input_error::InputError;
+use crate::model::Model;
+use crate::statics::{Load, StaticsError};
+use crate::tension::Limits;
+
+/// A control model with what its derivatives need.
+pub(super) struct Command<'a> {
+    model: &'a Model,
+    /// How tensions are chosen, where lengths depend on them.
+    force_control: Option<(distribution::Solver<'a>, Limits)>,
+}
+
+impl<'a> Command<'a> {
+    pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
+        let force_control = match model.composition().depends_on_tension() {
+            true => {
+                let limits = Limits::of(model.robot(), None, None)?;
+                Some((distribution::Solver::new(model, &Load::of(model.robot())?, &limits), limits))
+            }
+            false => None,
+        };
+        Ok(Self { model, force_control })
+    }
+
+    /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
+    pub(super) fn by_causes(&mut self, pose: &Pose, causes: &[Cause]) -> Result<Vec<DVector<f64>>, String> {
+        let words = |error: &dyn std::error::Error| error.to_string();
+        let (model, m) = (self.model, self.model.cable_count());
+        let Some((solver, limits)) = &mut self.force_control else {
+            return causes.iter().map(|cause| at_tensions(model, pose, &vec![0.0; m], cause)).collect();
+        };
+        if model.composition().is_sagging() {
+            return causes.iter().map(|cause| by_differences(model, pose, cause)).collect();
+        }
+        let found = solver.solve(pose).map_err(|error| words(&error))?;
+        if let Some(reason) = found.reason {
+            return Err(format!("the control model finds no tensions: {}", reason.words()));
+        }
+        let middle: Vec<f64> = (0..m).map(|cable| limits.middle(cable)).collect();
+        let choice = Choice::nearest(model, pose, &found.tensions, &middle, Some(limits))
+            .map_err(|error| words(&error))?
+            .ok_or(
+                "so many tensions of the control model are on their limits that the others cannot follow a change",
+            )?;
+        let stretch = by_tensions(model, pose, &found.tensions)?;
+        let one = |cause: &Cause| {
+            let fixed = at_tensions(model, pose, &found.tensions, cause)?;
+            Ok(fixed + stretch.component_mul(&choice.by_cause(cause)))
+        };
+        causes.iter().map(one).collect()
+    }
+}
+
+/// Change of the recorded lengths at fixed tensions (m).
+pub(super) fn at_tensions(model: &Model, pose: &Pose, tensions: &[f64], cause: &Cause) -> Result<DVector<f64>, String> {
+    let mut change = DVector::zeros(model.cable_count());
+    if let Some(parameter) = cause.parameter() {
+        let state = CableState::at_measured(model, cause.cable, pose, tensions[cause.cable]);
+        let (_, length) = state.map_err(|error| error.to_string())?.by(&parameter, &pose.rotation_matrix());
+        change[cause.cable] = length * cause.parameter_change(model);
+    }
+    Ok(change)
+}
+
+/// Change of each recorded length per newton of the cable's tension (m/N).
+pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DVector<f64>, String> {
+    let slope = |(cable, &tension)| Ok(CableState::at_measured(model, cable, pose, tension)?.by_tension().1);
+    let slopes: Result<Vec<f64>, StaticsError> = tensions.iter().enumerate().map(slope).collect();
+    Ok(DVector::from_vec(slopes.map_err(|error| error.to_string())?))
+}
+
+/// Central differences for sagging control models, whose pulls turn with their tensions: the derivative of that choice has no
+/// closed form here.
+fn by_differences(model: &Model, pose: &Pose, cause: &Cause) -> Result<DVector<f64>, String> {
+    let step = cause.kind.difference_step();
+    let lengths = |by: f64| {
+        let mut robot = model.robot().clone();
+        cause.deviate(model, &mut robot, by);
+        let deviating = Model::new(robot, model.composition()).map_err(|error| error.to_string())?;
+        let mut controller = Controller::new(&deviating).map_err(|error| error.to_string())?;
+        controller.lengths(pose).map(DVector::from_vec)
+    };
+    Ok((lengths(step)? - lengths(-step)?) / (2.0 * step))
+}

@@ -1,0 +1,171 @@
+//! How the emerging pose and its tensions follow every parameter: of the control model, of the machine, and of how the winches
+//! were set.
+//!
+//! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes what is sent (its control model, its winch offsets) or what
+//! answers (its machine); the rest is the implicit function theorem at the emerging state, dx̂ = K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p).
+//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells.
+
+mod cable;
+mod cause;
+mod choice;
+mod command;
+mod equilibrium;
+mod ranking;
+mod setting;
+mod windings;
+
+use nalgebra::{DMatrix, DVector};
+
+pub use cause::{Cause, Kind, Side, causes_of};
+pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
+pub use setting::{Offsets, Setting};
+
+use super::input_error::InputError;
+use super::operate::{Operation, Outcome, Status};
+use super::study::CommandedPose;
+use crate::model::{Model, StretchEffect};
+use crate::statics::Load;
+use command::Command;
+use equilibrium::{Answer, Equilibrium};
+use windings::Windings;
+
+/// How pose and tensions follow deviations at one commanded pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseSensitivity {
+    /// What emerges without deviations.
+    pub outcome: Outcome,
+    /// The derivatives, or why there are none.
+    pub derivatives: Result<Derivatives, String>,
+}
+
+/// Derivatives by every cause, a column each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derivatives {
+    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes), per unit
+    /// of the cause.
+    pub pose: DMatrix<f64>,
+    /// Change of the tensions (N); `None` for a rigid machine.
+    pub tensions: Option<DMatrix<f64>>,
+}
+
+impl Derivatives {
+    /// Distance that the platform origin moves per unit of a cause (m).
+    pub fn position(&self, translations: usize, cause: usize) -> f64 {
+        self.pose.column(cause).rows(0, translations).norm()
+    }
+
+    /// Angle that the platform turns per unit of a cause (rad); 0 for patterns without turns.
+    pub fn rotation(&self, translations: usize, cause: usize) -> f64 {
+        self.pose.column(cause).rows(translations, self.pose.nrows() - translations).norm()
+    }
+}
+
+/// A control model on a machine whose winches are set, with all that may deviate.
+pub struct Sensitivity<'a> {
+    control: &'a Model,
+    machine: &'a Model,
+    operation: Operation<'a>,
+    command: Command<'a>,
+    load: Option<Load>,
+    causes: Vec<Cause>,
+    /// Of the winch offsets per cause (m).
+    offsets: Vec<DVector<f64>>,
+}
+
+impl<'a> Sensitivity<'a> {
+    /// Refuses what [`Operation::new`] does, and machines whose cables remember: their answer depends on the way.
+    ///
+    /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
+    pub fn new(
+        control: &'a Model,
+        machine: &'a Model,
+        offsets: &[f64],
+        setting: &Setting<'a>,
+    ) -> Result<Self, InputError> {
+        if machine.composition().stretch == StretchEffect::Hysteresis {
+            return Err(InputError::Remembers);
+        }
+        let operation = Operation::new(control, machine, offsets)?;
+        let load = match machine.composition().depends_on_tension() {
+            true => Some(Load::of(machine.robot())?),
+            false => None,
+        };
+        let causes = causes(control, machine, setting);
+        let offsets = setting.by_causes(control, machine, &causes)?;
+        Ok(Self { control, machine, operation, command: Command::new(control)?, load, causes, offsets })
+    }
+
+    /// All that may deviate, in the order of the columns of all derivatives: control model, machine, winches.
+    pub fn causes(&self) -> &[Cause] {
+        &self.causes
+    }
+
+    /// The derivatives at a commanded pose.
+    pub fn at(&mut self, command: &CommandedPose) -> Result<PoseSensitivity, InputError> {
+        let outcome = self.operation.answer(command);
+        let derivatives = match (outcome.status, &outcome.reason) {
+            (Status::Converged, _) => self.derivatives(command, &outcome)?,
+            (_, Some(reason)) => Err(reason.clone()),
+            (status, None) => Err(status.name().to_owned()),
+        };
+        Ok(PoseSensitivity { outcome, derivatives })
+    }
+
+    fn derivatives(
+        &mut self,
+        command: &CommandedPose,
+        outcome: &Outcome,
+    ) -> Result<Result<Derivatives, String>, InputError> {
+        let windings = match Windings::at(self.control, self.machine, &outcome.sent)? {
+            Ok(windings) => windings,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let Some(equilibrium) = self.equilibrium(outcome)? else {
+            return Ok(Err("the stiffness of the machine is singular at the emerging pose".to_owned()));
+        };
+        let of_control: Vec<Cause> = self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
+        let commanded = match self.command.by_causes(&command.pose, &of_control) {
+            Ok(changes) => changes,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let (n, m, count) = (self.machine.dof(), self.machine.cable_count(), self.causes.len());
+        let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
+        for (column, (cause, offsets)) in self.causes.iter().zip(&self.offsets).enumerate() {
+            // the causes of the control model come first
+            let sent = offsets + commanded.get(column).unwrap_or(&DVector::zeros(m));
+            let mut paid_out = windings.paid_out(&sent);
+            paid_out[cause.cable] += windings.by_cause(cause);
+            let answer: Answer = match cause.side {
+                Side::Machine => equilibrium.by_cause(cause, &paid_out),
+                _ => equilibrium.by_sent(&paid_out),
+            };
+            pose.set_column(column, &answer.pose);
+            tensions.set_column(column, &answer.tensions);
+        }
+        Ok(Ok(Derivatives { pose, tensions: outcome.tensions.is_some().then_some(tensions) }))
+    }
+
+    fn equilibrium(&self, outcome: &Outcome) -> Result<Option<Equilibrium<'a>>, InputError> {
+        let (machine, pose) = (self.machine, &outcome.pose);
+        if let (Some(load), Some(tensions)) = (&self.load, &outcome.tensions) {
+            return Ok(Equilibrium::elastic(machine, pose, tensions, load)?);
+        }
+        let controlled = |(cable, &length): (usize, &f64)| machine.controlled_length(cable, length);
+        let paid_out: Vec<f64> =
+            self.operation.paid_out(&outcome.sent).map_err(|reason| InputError::NotBalanced { reason })?;
+        let lengths: Vec<f64> = paid_out.iter().enumerate().map(controlled).collect();
+        Ok(Equilibrium::rigid(machine, pose, &lengths)?)
+    }
+}
+
+/// All that may deviate: control model, machine, winches.
+pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<Cause> {
+    let elastic =
+        [machine, setting.set_with(control)].into_iter().find(|model| model.composition().depends_on_tension());
+    let mut causes = causes_of(Side::Control, control);
+    causes.extend(causes_of(Side::Machine, machine));
+    let winches = causes_of(Side::Winches, elastic.unwrap_or(machine));
+    causes
+        .extend(winches.into_iter().filter(|cause| cause.kind == Kind::WinchOffset || setting.has_computed_offsets()));
+    causes
+}

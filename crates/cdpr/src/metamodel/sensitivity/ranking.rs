@@ -1,0 +1,100 @@
+//! Which deviations matter: magnitudes over the poses, cause by cause and kind by kind.
+
+use serde::Serialize;
+
+use super::{Cause, Derivatives, Kind, Side};
+
+/// What one unit of a cause does over the poses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Influence {
+    /// The cause.
+    pub cause: Cause,
+    /// Mean distance that the platform moves (m per unit).
+    pub position_mean: f64,
+    /// Largest.
+    pub position_max: f64,
+    /// Mean angle that it turns (rad per unit).
+    pub rotation_mean: f64,
+    /// Largest.
+    pub rotation_max: f64,
+    /// Mean over the poses of the largest change of a tension (N per unit); `None` for a rigid machine.
+    pub tension_mean: Option<f64>,
+    /// Largest.
+    pub tension_max: Option<f64>,
+}
+
+/// What a kind of deviation does over the poses: the root of the sum of squares over its causes, so that independent deviations of
+/// one standard deviation each move the platform by as much.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct KindInfluence {
+    /// Whose.
+    pub side: Side,
+    /// What.
+    pub kind: Kind,
+    /// Number of causes.
+    pub count: usize,
+    /// Root mean square over the poses (m per unit).
+    pub position_rms: f64,
+    /// At the worst pose.
+    pub position_max: f64,
+}
+
+/// Every cause with what it does, in the order of the causes.
+pub fn rank(causes: &[Cause], derivatives: &[&Derivatives], translations: usize) -> Vec<Influence> {
+    let one = |(column, &cause): (usize, &Cause)| {
+        let position = Spread::of(derivatives.iter().map(|at| at.position(translations, column)));
+        let rotation = Spread::of(derivatives.iter().map(|at| at.rotation(translations, column)));
+        let largest = |at: &&Derivatives| at.tensions.as_ref().map(|tensions| tensions.column(column).amax());
+        let tensions: Option<Vec<f64>> = derivatives.iter().map(largest).collect();
+        let tension = tensions.filter(|all| !all.is_empty()).map(|all| Spread::of(all.into_iter()));
+        Influence {
+            cause,
+            position_mean: position.mean,
+            position_max: position.max,
+            rotation_mean: rotation.mean,
+            rotation_max: rotation.max,
+            tension_mean: tension.as_ref().map(|spread| spread.mean),
+            tension_max: tension.as_ref().map(|spread| spread.max),
+        }
+    };
+    causes.iter().enumerate().map(one).collect()
+}
+
+/// Every kind with what it does.
+pub fn rank_kinds(causes: &[Cause], derivatives: &[&Derivatives], translations: usize) -> Vec<KindInfluence> {
+    let mut kinds: Vec<(Side, Kind)> = causes.iter().map(|cause| (cause.side, cause.kind)).collect();
+    kinds.sort();
+    kinds.dedup();
+    let one = |(side, kind): (Side, Kind)| {
+        let columns: Vec<usize> =
+            (0..causes.len()).filter(|&column| (causes[column].side, causes[column].kind) == (side, kind)).collect();
+        let squares = |at: &&Derivatives| -> f64 {
+            columns.iter().map(|&column| at.position(translations, column).powi(2)).sum()
+        };
+        let spread = Spread::of(derivatives.iter().map(squares));
+        KindInfluence {
+            side,
+            kind,
+            count: columns.len(),
+            position_rms: spread.mean.sqrt(),
+            position_max: spread.max.sqrt(),
+        }
+    };
+    kinds.into_iter().map(one).collect()
+}
+
+/// Mean and largest; NaN without any.
+struct Spread {
+    mean: f64,
+    max: f64,
+}
+
+impl Spread {
+    fn of(values: impl Iterator<Item = f64>) -> Self {
+        let (mut count, mut sum, mut max) = (0_u32, 0.0, f64::NAN);
+        for value in values {
+            (count, sum, max) = (count + 1, sum + value, f64::max(max, value));
+        }
+        Self { mean: sum / f64::from(count), max }
+    }
+}

@@ -1,0 +1,194 @@
+//! How winch offsets follow what deviates: kept as they were set, or set anew.
+
+use nalgebra::DVector;
+use serde::{Deserialize, Serialize};
+
+use super::cause::{Cause, Kind, Side};
+use super::choice::Choice;
+use super::command::{at_tensions, by_tensions};
+use super::windings::Windings;
+use crate::geometry::Pose;
+use crate::metamodel::control::lengths_at;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::study::{Initial, TensionMethod};
+use crate::metamodel::winches::{aim, initial_tensions, winch_offsets};
+use crate::model::Model;
+
+/// What deviations do to the winch offsets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Offsets {
+    /// The offsets are numbers in the winches: they were set before anything deviated, and stay.
+    #[default]
+    Kept,
+    /// The winches are set at the initial pose after everything has deviated, so that deviations that do the same everywhere are
+    /// taken up.
+    SetAnew,
+}
+
+/// How the winches were set.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    /// What the study says.
+    pub initial: &'a Initial,
+    /// The initial pose.
+    pub pose: Pose,
+    /// The model in use when they were set, where it is not the control model.
+    pub former: Option<&'a Model>,
+    /// What deviations do to the offsets.
+    pub offsets: Offsets,
+}
+
+impl<'a> Setting<'a> {
+    /// The model in use when the winches were set.
+    pub(in crate::metamodel) fn set_with<'b>(&self, control: &'b Model) -> &'b Model
+    where
+        'a: 'b,
+    {
+        self.former.unwrap_or(control)
+    }
+
+    /// True where the offsets follow from initial tensions or geometry: neither "none" nor numbers.
+    pub(in crate::metamodel) fn has_computed_offsets(&self) -> bool {
+        self.initial.offset.is_none() && self.initial.offset_m.is_none()
+    }
+
+    /// Changes of the winch offsets (m) per unit of each cause.
+    pub(super) fn by_causes(
+        &self,
+        control: &'a Model,
+        machine: &'a Model,
+        causes: &[Cause],
+    ) -> Result<Vec<DVector<f64>>, InputError> {
+        let m = machine.cable_count();
+        let at = if self.has_computed_offsets() { Some(AtInitial::new(self, control, machine)?) } else { None };
+        let one = |cause: &Cause| match (cause.kind, &at) {
+            (Kind::WinchOffset, _) => Ok(DVector::from_fn(m, |cable, _| f64::from(u8::from(cable == cause.cable)))),
+            (Kind::InitialTension, Some(at)) => Ok(at.by_initial_tension(cause)),
+            (_, Some(at)) if self.offsets == Offsets::SetAnew => at.by_cause(cause),
+            _ => Ok(DVector::zeros(m)),
+        };
+        causes.iter().map(one).collect()
+    }
+}
+
+/// The state at which the winches were set.
+struct AtInitial<'a> {
+    setting: &'a Setting<'a>,
+    control: &'a Model,
+    machine: &'a Model,
+    set_with: &'a Model,
+    tensions: Vec<f64>,
+    /// Windings between the model in use and the machine.
+    windings: Windings<'a>,
+    /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
+    as_they_are: Option<Choice<'a>>,
+    /// The same with the multipliers of the study's method, where that has a closed form.
+    chosen: Option<Choice<'a>>,
+    /// Metres per newton of machine and model in use.
+    stretch: [DVector<f64>; 2],
+}
+
+impl<'a> AtInitial<'a> {
+    fn new(setting: &'a Setting<'a>, control: &'a Model, machine: &'a Model) -> Result<Self, InputError> {
+        let (set_with, pose, m) = (setting.set_with(control), &setting.pose, machine.cable_count());
+        let elastic = [machine, set_with].into_iter().find(|model| model.composition().depends_on_tension());
+        let tensions = match elastic {
+            Some(elastic) => initial_tensions(setting.initial, elastic, pose)?,
+            None => vec![0.0; m],
+        };
+        let sent = lengths_at(set_with, pose, &tensions)?;
+        let offsets = winch_offsets(setting.initial, set_with, machine, pose)?;
+        let wanted: Vec<f64> = sent.iter().zip(&offsets).map(|(sent, offset)| sent + offset).collect();
+        let windings =
+            Windings::at(set_with, machine, &wanted)?.map_err(|reason| InputError::NotBalanced { reason })?;
+        let (mut as_they_are, mut chosen) = (None, None);
+        if let Some(elastic) = elastic {
+            as_they_are = Choice::as_they_are(elastic, pose, &tensions)?;
+            if let Some(reference) = reference(setting.initial, elastic)? {
+                chosen = Choice::nearest(elastic, pose, &tensions, &reference, None)?;
+            }
+        }
+        let stretch = |model| by_tensions(model, pose, &tensions).map_err(|reason| InputError::NotBalanced { reason });
+        let stretch = [stretch(machine)?, stretch(set_with)?];
+        Ok(Self { setting, control, machine, set_with, tensions, windings, as_they_are, chosen, stretch })
+    }
+
+    /// Of the tensions of all cables to the offsets: what the machine needs, as the model in use counts it, minus what that
+    /// knows of.
+    fn by_tension_change(&self, tensions: &DVector<f64>) -> DVector<f64> {
+        let [machine, set_with] = self.stretch.each_ref().map(|stretch| stretch.component_mul(tensions));
+        self.windings.sent(&machine) - set_with
+    }
+
+    fn by_initial_tension(&self, cause: &Cause) -> DVector<f64> {
+        match &self.as_they_are {
+            Some(choice) => self.by_tension_change(&choice.by_reference(cause.cable)),
+            None => DVector::zeros(self.tensions.len()),
+        }
+    }
+
+    fn by_cause(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
+        let model = match cause.side {
+            Side::Machine => self.machine,
+            Side::Control if self.setting.former.is_none() => self.set_with,
+            _ => return Ok(DVector::zeros(self.tensions.len())),
+        };
+        let carries = match self.machine.composition().depends_on_tension() {
+            true => Side::Machine,
+            false => Side::Control,
+        };
+        let is_elastic = [self.machine, self.set_with].iter().any(|model| model.composition().depends_on_tension());
+        let tensions = match (is_elastic && cause.side == carries, &self.chosen) {
+            (false, _) => DVector::zeros(self.tensions.len()),
+            (true, Some(choice)) => choice.by_cause(cause),
+            (true, None) => return self.by_differences(cause),
+        };
+        let refused = |reason| InputError::NotBalanced { reason };
+        let own = at_tensions(model, &self.setting.pose, &self.tensions, cause).map_err(refused)?;
+        let mut machine = DVector::zeros(self.tensions.len());
+        machine[cause.cable] -= self.windings.by_cause(cause);
+        let mut change = self.by_tension_change(&tensions);
+        match cause.side {
+            Side::Machine => machine += own,
+            _ => change -= own,
+        }
+        Ok(change + self.windings.sent(&machine))
+    }
+
+    /// Central differences for tensions by methods whose derivative has no closed form here, and for sagging cables.
+    fn by_differences(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
+        let step = cause.kind.difference_step();
+        let offsets = |by: f64| {
+            let deviating = |model: &Model| {
+                let mut robot = model.robot().clone();
+                cause.deviate(model, &mut robot, by);
+                Model::new(robot, model.composition())
+                    .map_err(|error| InputError::NotBalanced { reason: error.to_string() })
+            };
+            let Setting { initial, pose, former, .. } = self.setting;
+            let found = match cause.side {
+                Side::Machine => winch_offsets(initial, self.set_with, &deviating(self.machine)?, pose)?,
+                _ if former.is_none() => winch_offsets(initial, &deviating(self.control)?, self.machine, pose)?,
+                _ => return Ok(DVector::zeros(self.tensions.len())),
+            };
+            Ok::<_, InputError>(DVector::from_vec(found))
+        };
+        Ok((offsets(step)? - offsets(-step)?) / (2.0 * step))
+    }
+}
+
+/// The reference of methods that take the nearest tensions whatever the limits; `None` for others and sagging cables.
+fn reference(initial: &Initial, model: &Model) -> Result<Option<Vec<f64>>, InputError> {
+    if model.composition().is_sagging() {
+        return Ok(None);
+    }
+    Ok(match (&initial.tensions_N, initial.tension_method) {
+        (Some(tensions), _) => Some(tensions.clone()),
+        (None, Some(TensionMethod::ClosedForm)) => {
+            let limits = aim(initial, model)?;
+            Some((0..model.cable_count()).map(|cable| limits.middle(cable)).collect())
+        }
+        _ => None,
+    })
+}
