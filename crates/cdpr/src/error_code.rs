@@ -271,6 +271,14 @@ impl ErrorCode for metamodel::InputError {
     }
 }
 
+impl ErrorCode for metamodel::sweep::KeyError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Place { .. } | Self::Entry { .. } | Self::Nowhere { .. } => "sweep::value",
+        }
+    }
+}
+
 impl ErrorCode for DataError {
     fn code(&self) -> &'static str {
         match self {
