@@ -11,11 +11,14 @@ use std::time::Instant;
 use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::model::{Composition, Model, place_pulleys};
-use cdpr::nalgebra::Vector3;
+use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
 use cdpr::tension::{self, Limits, quadratic};
+use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr::workspace::grid::{self, Grid};
+use cdpr::workspace::{Archetype, Bounds, Region, octree};
 
 const ROUNDS: usize = 9;
 const POSES: usize = 4096;
@@ -196,6 +199,35 @@ fn feasible(model: &Model) {
     assert_eq!(answers, exact);
 }
 
+/// An octree against the grid of its smallest cells, 100 along the longest side of the box around the robot; one thread.
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn refined(model: &Model) {
+    let (load, limits) = load_and_limits();
+    let criterion = WrenchFeasible::new(model, &load, &limits).expect("fits");
+    let upright = Archetype::ConstantOrientation(UnitQuaternion::identity());
+    let region = Region::new(model, &criterion, &upright).expect("an orientation");
+    let bounds = Bounds::around(model).expect("a box");
+    let longest = (0..3).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
+    let cells = Grid::new(&bounds, longest / 100.0).expect("a grid");
+    let settings = octree::Settings::new(longest / 100.0);
+    let found = octree::solve(&region, &bounds, &settings).expect("cells");
+    let mut tree = || {
+        black_box(octree::solve(&region, &bounds, &settings)).expect("cells");
+    };
+    let mut all = || {
+        black_box(grid::count(&region, &cells));
+    };
+    let times = medians(1, &mut [&mut tree, &mut all]).into_iter().map(|time| time * 1e-6).collect::<Vec<_>>();
+    println!(
+        "octree {:.1} ms ({} points), grid {:.1} ms ({} points), ×{:.1} (goal ×10)",
+        times[0],
+        found.points,
+        times[1],
+        cells.points(),
+        times[1] / times[0]
+    );
+}
+
 /// The grid of 100³ by all threads against one, by the wall clock: the best of some runs each.
 #[cfg(feature = "parallel")]
 #[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
@@ -234,4 +266,5 @@ fn main() {
     elastic("points", &elastic_model, 800.0);
     tensions(&standard);
     feasible(&standard);
+    refined(&standard);
 }

@@ -13,8 +13,8 @@ use answer::{by_grid, by_hull, by_octree};
 use cdpr::workspace::criterion::registry::{self, Wanted};
 use cdpr::workspace::grid::Grid;
 use cdpr::workspace::hull::Hull;
-use cdpr::workspace::mesh::Format;
-use cdpr::workspace::{Region, hull, octree};
+use cdpr::workspace::mesh::{Format, Mesh};
+use cdpr::workspace::{Cells, Region, hull, octree};
 use clap::{Args, ValueEnum};
 use orientations::OrientationArguments;
 use question::Question;
@@ -59,7 +59,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", value_parser = finite_number, allow_hyphen_values = true)]
     pub(super) max: Option<f64>,
 
-    #[arg(long, value_name = "CRITERION", default_value = "wrench-feasible", help = criteria_help())]
+    #[arg(long, value_name = "CRITERION", default_value = "wrench-feasible")]
+    #[arg(help = criteria_help(false), long_help = criteria_help(true))]
     pub(super) criterion: Vec<String>,
 
     /// How the workspace is found.
@@ -92,7 +93,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
     pub(super) center: Option<NumberList>,
 
-    /// Write the hull as a surface: .stl, .glb, .ply, .vtk, or .csv for its vertices, with margin and limiting cable.
+    /// Write the boundary as a closed surface (of a planar robot the area): .stl, .glb, .ply, .vtk, or .csv for its vertices,
+    /// with margin and limiting cable.
     #[arg(long, value_name = "FILE")]
     pub(super) mesh: Option<PathBuf>,
 
@@ -131,73 +133,116 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let question = Question::new(&arguments, &model)?;
     let criterion = question.criterion(&wanted)?;
     let region = question.region(criterion.as_ref())?;
-    let mut found = None;
-    let mut answer = match arguments.method {
-        Method::Grid => {
-            let grid = Grid::new(&question.bounds, question.step).map_err(|error| Failure::refused("--step", &error))?;
-            let count = counting::count(&region, &grid, &question, arguments.resume.as_deref())?;
-            by_grid(&question, &region, &grid, &count)
-        }
-        Method::Octree => {
-            let progress = Progress::spinner("following the boundary");
-            let settings = octree::Settings::new(question.step);
-            let outcome = octree::solve(&region, &question.bounds, &settings);
-            drop(progress);
-            by_octree(&question, &region, &outcome.map_err(|error| Failure::refused("--step", &error))?)
-        }
-        Method::Hull => match find_hull(&arguments, &question, &region)? {
-            None => answer::empty(&question, &region),
-            Some(hull) => by_hull(&question, &region, found.insert(hull), arguments.mesh.as_deref()),
-        },
-    };
+    let (mut answer, found) = find(&arguments, &question, &region)?;
+    if let Some(path) = &arguments.mesh
+        && let Some(mesh) = found.mesh(&region)
+    {
+        write_mesh(path, &mesh)?;
+        answer.set_mesh(path, &mesh);
+    }
     if let Some(path) = &arguments.page {
         let _progress = Progress::spinner("judging the grid of the page");
-        page::write(path, &question, &region, page::Found { answer: &answer, hull: found.as_ref(), earlier })?;
+        page::write(path, &question, &region, page::Found { answer: &answer, shape: &found, earlier })?;
         answer.page = Some(path.display().to_string());
     }
     answer.remarks().iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)
 }
 
-/// Every criterion that there is, for the help.
-fn criteria_help() -> String {
-    let criteria = registry::ENTRIES.iter().map(|entry| {
-        let numbers: Vec<String> = entry.numbers.iter().map(|number| format!("{} ({})", number.name, number.unit)).collect();
-        let numbers = if numbers.is_empty() { String::new() } else { format!(", numbers {}", numbers.join(", ")) };
-        format!("`{}`: {}{numbers}", entry.name, entry.summary)
-    });
-    let criteria: Vec<String> = criteria.collect();
-    format!("What has to hold at a pose, NAME or NAME:NUMBER=VALUE,…; repeated, all of them. {}", criteria.join("; "))
+/// What was found besides numbers.
+enum Found {
+    /// Only its size.
+    Size,
+    Hull(Hull),
+    Surface(Mesh),
 }
 
-/// The hull, written where `--mesh` asks for it; `None` where no centre can be found.
+impl Found {
+    fn mesh(&self, region: &Region<'_>) -> Option<Mesh> {
+        match self {
+            Self::Size => None,
+            Self::Hull(hull) => Some(hull.mesh(region)),
+            Self::Surface(mesh) => Some(mesh.clone()),
+        }
+    }
+}
+
+/// The workspace, with its surface where a file shall show it.
+fn find(
+    arguments: &Arguments,
+    question: &Question<'_>,
+    region: &Region<'_>,
+) -> Result<(answer::WorkspaceAnswer, Found), Failure> {
+    let refused = |error| Failure::refused("--step", &error);
+    // the page shows the part of the box where the surface is, of planar robots too
+    let is_shown = arguments.mesh.is_some() || arguments.page.is_some();
+    match arguments.method {
+        Method::Grid => {
+            let grid = Grid::new(&question.bounds, question.step).map_err(refused)?;
+            let is_whole = is_shown && arguments.resume.is_none();
+            let mut cells = is_whole.then(|| Cells::new(&grid)).transpose().map_err(refused)?;
+            let count = counting::count(region, &grid, question, arguments.resume.as_deref(), cells.as_mut())?;
+            let _progress = Progress::spinner("drawing the surface");
+            let found = cells.map_or(Found::Size, |cells| Found::Surface(cells.surface(region)));
+            Ok((by_grid(question, region, &grid, &count), found))
+        }
+        Method::Octree => {
+            let _progress = Progress::spinner("following the boundary");
+            let settings = octree::Settings::new(question.step);
+            let (outcome, found) = match is_shown {
+                true => octree::solve_with_surface(region, &question.bounds, &settings)
+                    .map(|(outcome, mesh)| (outcome, Found::Surface(mesh))),
+                false => octree::solve(region, &question.bounds, &settings).map(|outcome| (outcome, Found::Size)),
+            }
+            .map_err(refused)?;
+            Ok((by_octree(question, region, &outcome), found))
+        }
+        Method::Hull => Ok(match find_hull(arguments, question, region)? {
+            None => (answer::empty(question, region), Found::Size),
+            Some(hull) => (by_hull(question, region, &hull), Found::Hull(hull)),
+        }),
+    }
+}
+
+/// What can be asked for: names in the short help, their numbers too in the long one.
+fn criteria_help(is_long: bool) -> String {
+    let criteria = registry::ENTRIES.iter().map(|entry| {
+        let numbers: Vec<&str> = entry.numbers.iter().map(|number| number.name).collect();
+        let numbers = if is_long && !numbers.is_empty() { format!(":{}", numbers.join(",")) } else { String::new() };
+        format!("{}{numbers}", entry.name)
+    });
+    let criteria: Vec<String> = criteria.collect();
+    let intent = "What has to hold at a pose, NAME or NAME:NUMBER=VALUE,…; repeated, all of them.";
+    let more = "The chapter \"Criteria\" of the book says what each asks.";
+    match is_long {
+        true => format!("{intent} Names, with the numbers that they take: {}. {more}", criteria.join("; ")),
+        false => format!("{intent} {}", criteria.join(", ")),
+    }
+}
+
+/// The hull; `None` where no centre can be found.
 fn find_hull(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>) -> Result<Option<Hull>, Failure> {
-    let progress = Progress::spinner("following rays");
+    let _progress = Progress::spinner("following rays");
     let Some(center) = question.center(region)? else { return Ok(None) };
     let mut settings = hull::Settings::new(&question.bounds);
     settings.rays = arguments.rays.unwrap_or(settings.rays);
     settings.tolerance = arguments.tolerance.unwrap_or(settings.tolerance);
     let found = hull::solve(region, &question.bounds, &center, &settings);
-    let found = found.map_err(|error| Failure::refused("--method hull", &error))?;
-    drop(progress);
-    if let Some(path) = &arguments.mesh {
-        write_mesh(path, &found, region)?;
-    }
-    Ok(Some(found))
+    Ok(Some(found.map_err(|error| Failure::refused("--method hull", &error))?))
 }
 
 /// Options about files that the method would not write.
 fn check_files(arguments: &Arguments) -> Result<(), Failure> {
     let refused = |code, message: String, help: &str| Err(Failure::input(code, message, help));
     match (&arguments.mesh, &arguments.resume) {
-        (Some(_), _) if arguments.method != Method::Hull => {
-            let help = "add --method hull, which finds a surface";
-            refused("workspace::mesh", "--mesh writes the surface that rays find, but the method is another".to_owned(), help)
-        }
         (Some(path), _) if format_of(path).is_none() => {
             let endings: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
             let message = format!("--mesh {}: the ending names no format of meshes", path.display());
             refused("workspace::mesh", message, &format!("let the name end in {}", endings.join(", ")))
+        }
+        (Some(_), Some(_)) => {
+            let message = "--mesh draws a surface from all cells, but the state of --resume keeps no more than their number".to_owned();
+            refused("workspace::resume", message, "leave --resume or --mesh out, or use --method octree")
         }
         (_, Some(_)) if arguments.method != Method::Grid => {
             let message = "--resume keeps the state of a count of cells, but the method is another".to_owned();
@@ -211,10 +256,10 @@ fn format_of(path: &Path) -> Option<Format> {
     Format::of_extension(path.extension()?.to_str()?)
 }
 
-fn write_mesh(path: &Path, hull: &Hull, region: &Region<'_>) -> Result<(), Failure> {
+fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), Failure> {
     let Some(format) = format_of(path) else { return Ok(()) };
     let mut bytes = Vec::new();
-    let written = hull.mesh(region).write(format, &mut bytes);
+    let written = mesh.write(format, &mut bytes);
     written.map_err(|error| Failure::io("write", &path.display().to_string(), &error))?;
     files::write(path, &bytes)
 }

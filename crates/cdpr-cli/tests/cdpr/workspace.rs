@@ -53,7 +53,7 @@ fn what_is_missing_or_wrong_is_named_with_its_code() {
         ("planar-example --archetype dextrous", vec!["workspace::orientations", "does not turn"]),
         ("ipanema-1 --archetype total-orientation --angles 0,1,2", vec!["workspace::orientations", "9 numbers"]),
         ("ipanema-1 --archetype total-orientation --angles 1,0,2,0,0,1,0,0,1", vec!["reversed"]),
-        ("planar-example --mesh hull.stl", vec!["workspace::mesh", "--method hull"]),
+        ("planar-example --mesh hull.stl --resume state.json", vec!["workspace::resume", "--method octree"]),
         ("planar-example --method hull --mesh hull.obj", vec!["workspace::mesh", ".stl"]),
         ("planar-example --method hull --resume state.json", vec!["workspace::resume", "--method grid"]),
     ] {
@@ -79,6 +79,22 @@ fn a_hull_is_written_in_every_format_of_meshes() {
     }
     let table = std::fs::read_to_string(folder.path().join("hull.csv")).unwrap();
     assert_eq!(table.lines().count(), 43, "{table}");
+}
+
+#[test]
+fn grid_and_octree_write_the_surface_of_what_they_found() {
+    let folder = tempfile::tempdir().unwrap();
+    for method in ["grid", "octree"] {
+        for (robot, name) in [("cablerobot-simulator-icosahedron", "space.ply"), ("planar-example", "plane.vtk")] {
+            let options = format!("--method {method} --step 0.8 --mesh {name} --format json");
+            let run = cdpr_in(folder.path(), &format!("workspace {robot} {options}"));
+            assert_eq!(run.exit_code, 0, "{}", run.stderr);
+            assert_eq!(run.json()["mesh"], name);
+            assert_eq!(run.json().get("surface_m2").is_some(), robot.starts_with("cable"), "{}", run.stdout);
+            let bytes = std::fs::read(folder.path().join(name)).unwrap();
+            assert!(bytes.len() > 1000 && String::from_utf8_lossy(&bytes).contains("limiting_cable"), "{name}");
+        }
+    }
 }
 
 /// The state of a finished count answers at once; that of another question is refused.

@@ -15,6 +15,7 @@ pub mod mesh;
 pub mod octree;
 mod polygon;
 mod region;
+mod surface;
 mod verdict;
 pub mod wrench_set;
 
@@ -24,4 +25,5 @@ pub use criterion::Criterion;
 pub use error::WorkspaceError;
 pub use polygon::Polygon;
 pub use region::{Archetype, Region};
+pub use surface::Cells;
 pub use verdict::Verdict;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cdpr::workspace::grid::{Count, Grid};
 use cdpr::workspace::hull::{Hull, Status};
+use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Point, Region, octree};
 use serde::Serialize;
 
@@ -48,7 +49,8 @@ pub(super) struct WorkspaceAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     outline_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    surface_m2: Option<f64>,
+    #[serde(rename = "surface_m2")]
+    surface: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mesh: Option<String>,
     /// The page, where one was written.
@@ -142,7 +144,7 @@ pub(super) fn by_octree(question: &Question<'_>, region: &Region<'_>, outcome: &
     judged(answer, question, region)
 }
 
-pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull, mesh: Option<&Path>) -> WorkspaceAnswer {
+pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull) -> WorkspaceAnswer {
     let (measure, dimension) = (hull.measure(), region.dimension());
     let surface = measure.map(|measure| measure.surface);
     let mut answer = WorkspaceAnswer {
@@ -155,8 +157,7 @@ pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull,
         rays_again: Some(hull.rays_again),
         center_m: components(&hull.center, dimension),
         outline_m: surface.filter(|_| dimension == 2),
-        surface_m2: surface.filter(|_| dimension == 3),
-        mesh: mesh.map(|path| path.display().to_string()),
+        surface: surface.filter(|_| dimension == 3),
         ..common(question, region, measure.map(|measure| measure.size))
     };
     if let Status::NotStarShaped { rays, direction } = &hull.status {
@@ -174,6 +175,14 @@ pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull,
 }
 
 impl WorkspaceAnswer {
+    /// The surface was written there. Its area is told where no other is.
+    pub(super) fn set_mesh(&mut self, path: &Path, mesh: &Mesh) {
+        self.mesh = Some(path.display().to_string());
+        if matches!(self.area, Unless::Other) && self.status == "found" {
+            self.surface = self.surface.or_else(|| Some(mesh.area()));
+        }
+    }
+
     /// Area (m²) or volume (m³), where there is one.
     pub(super) fn size(&self) -> Option<f64> {
         match (&self.area, &self.volume) {

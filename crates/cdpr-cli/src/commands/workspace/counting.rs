@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cdpr::workspace::Region;
 use cdpr::workspace::grid::{Count, Grid};
+use cdpr::workspace::{Cells, Region};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -24,12 +24,13 @@ struct State {
     count: Count,
 }
 
-/// Counts all cells, from the state in the file if there is one.
+/// Counts all cells, from the state in the file if there is one, and keeps in `cells` which of those counted now hold.
 pub(super) fn count(
     region: &Region<'_>,
     grid: &Grid,
     question: &Question<'_>,
     file: Option<&Path>,
+    mut cells: Option<&mut Cells>,
 ) -> Result<Count, Failure> {
     let asked = fingerprint(&question.words());
     let mut count = match file {
@@ -41,7 +42,12 @@ pub(super) fn count(
     let mut written = Instant::now();
     let mut goes_on = count.slabs < grid.slabs();
     while goes_on {
-        goes_on = count.advance(region, grid, &mut |_, _| progress.step());
+        goes_on = count.advance(region, grid, &mut |slab, answers| {
+            progress.step();
+            if let Some(cells) = &mut cells {
+                cells.see(slab, answers);
+            }
+        });
         if let Some(path) = file
             && (written.elapsed() > PAUSE || !goes_on)
         {

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use cdpr::geometry::Pose;
-use cdpr::nalgebra::UnitQuaternion;
+use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::tension::Limits;
 use cdpr::workspace::hull::Hull;
-use cdpr::workspace::{Bounds, Polygon, Region};
+use cdpr::workspace::{Bounds, Point, Polygon, Region};
 
 use super::Arguments;
+use super::Found as Outline;
 use super::answer::WorkspaceAnswer;
 use super::question::Question;
 use crate::failure::Failure;
@@ -16,8 +17,11 @@ use crate::number_format::short;
 use crate::wrench_answer::WrenchAnswer;
 use crate::workspace_page::{self, Finding, Shape, WorkspacePage, findings_of};
 
-/// Beyond a hull the grid of the page reaches by this share of the hull's size: what fails is worth a look too.
+/// Beyond what was found the grid of the page reaches by this share of its size: what fails is worth a look too.
 const MARGIN: f64 = 0.15;
+
+/// Surfaces of more triangles would make the page larger than a browser likes.
+const MOST_TRIANGLES: usize = 100_000;
 
 /// The results of the pages to lay over the new one, to be read before a long computation.
 pub(super) fn earlier(arguments: &Arguments) -> Result<Vec<Finding>, Failure> {
@@ -32,20 +36,24 @@ pub(super) fn earlier(arguments: &Arguments) -> Result<Vec<Finding>, Failure> {
 /// What the page is about besides the question.
 pub(super) struct Found<'a> {
     pub(super) answer: &'a WorkspaceAnswer,
-    pub(super) hull: Option<&'a Hull>,
+    pub(super) shape: &'a Outline,
     pub(super) earlier: Vec<Finding>,
 }
 
 /// Writes the page.
 pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, found: Found<'_>) -> Result<(), Failure> {
-    let Found { answer, hull, earlier } = found;
+    let Found { answer, shape, earlier } = found;
+    let hull = match shape {
+        Outline::Hull(hull) => Some(hull),
+        _ => None,
+    };
     let statics = question.statics();
     let start = start(question, region, hull);
     let limits = statics.map(|(_, limits)| limit_words(limits));
-    let own = finding(answer, region, hull, limits.as_deref());
+    let own = finding(answer, region, shape, limits.as_deref());
     let is_found = own.is_some();
     let findings: Vec<Finding> = own.into_iter().chain(earlier).collect();
-    let bounds = bounds(&question.bounds, hull);
+    let bounds = bounds(&question.bounds, &corners(region, shape));
     let mut facts = vec![("Criterion", region.criterion().name().to_owned()), ("Archetype", archetype_words(region))];
     facts.extend(limits.map(|words| ("Tension limits", words)));
     if let Some((load, _)) = statics {
@@ -87,11 +95,14 @@ fn start(question: &Question<'_>, region: &Region<'_>, hull: Option<&Hull>) -> P
     Pose { position: region.position(&point), rotation: nearest.copied().unwrap_or_else(UnitQuaternion::identity) }
 }
 
-fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, hull: Option<&Hull>, limits: Option<&str>) -> Option<Finding> {
-    let shape = match hull {
-        Some(hull) if hull.dimension() == 2 => Shape::Areas(vec![Polygon::of(hull)?.vertices]),
-        Some(hull) => Shape::Hull(hull.mesh(region)),
-        None => Shape::Unknown,
+fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, shape: &Outline, limits: Option<&str>) -> Option<Finding> {
+    let shape = match shape {
+        Outline::Hull(hull) if hull.dimension() == 2 => Shape::Areas(vec![Polygon::of(hull)?.vertices]),
+        Outline::Hull(hull) => Shape::Hull(hull.mesh(region)),
+        Outline::Surface(mesh) if region.dimension() == 3 && (1..=MOST_TRIANGLES).contains(&mesh.triangles.len()) => {
+            Shape::Hull(mesh.clone())
+        }
+        _ => Shape::Unknown,
     };
     let mut name = vec![region.criterion().name().to_owned()];
     name.extend(limits.map(str::to_owned));
@@ -120,13 +131,23 @@ fn archetype_words(region: &Region<'_>) -> String {
     }
 }
 
-/// The box of the hull and a little around it; without a hull the box that was searched.
-fn bounds(searched: &Bounds, hull: Option<&Hull>) -> Vec<[f64; 2]> {
+/// Corners of what was found, along the axes of the box (m).
+fn corners(region: &Region<'_>, shape: &Outline) -> Vec<Point> {
+    match shape {
+        Outline::Size => Vec::new(),
+        Outline::Hull(hull) => hull.vertices(),
+        Outline::Surface(mesh) => mesh.vertices.iter().map(|vertex| region.point(&Vector3::from(*vertex))).collect(),
+    }
+}
+
+/// The box of what was found and a little around it; where nothing was the box that was searched.
+fn bounds(searched: &Bounds, corners: &[Point]) -> Vec<[f64; 2]> {
     let ends: Vec<[f64; 2]> = searched.ends().as_chunks::<2>().0.to_vec();
-    let Some(hull) = hull else { return ends };
-    let vertices = hull.vertices();
+    if corners.is_empty() {
+        return ends;
+    }
     let around = |(axis, [low, high]): (usize, [f64; 2])| {
-        let along = || vertices.iter().map(|vertex| vertex[axis]);
+        let along = || corners.iter().map(|corner| corner[axis]);
         let (least, largest) = (along().fold(high, f64::min), along().fold(low, f64::max));
         let more = MARGIN * (largest - least);
         [(least - more).max(low), (largest + more).min(high)]

@@ -2,8 +2,9 @@
 
 use super::registry::{Entry, Number, Setting, Wanted};
 use super::{
-    CablesApart, Criterion, Dexterous, LengthLimits, ModelValid, ObstaclesClear, PlatformClear, StaticallyStable,
-    StiffEnough, StiffVibrations, WellConditioned, WrapLimits, WrenchClosure, WrenchFeasible, WrenchSetFeasible,
+    CablesApart, Criterion, Dexterous, LengthLimits, ModelValid, ObstaclesClear, PlatformClear, PlatformOffObstacles,
+    StaticallyStable, StiffEnough, StiffVibrations, WellConditioned, WrapLimits, WrenchClosure, WrenchFeasible,
+    WrenchSetFeasible,
 };
 use crate::workspace::WorkspaceError;
 use crate::workspace::criterion::Requirement;
@@ -137,6 +138,14 @@ pub const ENTRIES: &[Entry] = &[
         make: |setting, wanted| {
             let (clearance, diameter) = (wanted.number("clearance").unwrap_or(0.0), wanted.number("diameter"));
             Ok(Box::new(ObstaclesClear::new(setting.model, clearance, diameter)?))
+        },
+    },
+    Entry {
+        name: "platform-obstacles",
+        summary: "the platform keeps away from the file's obstacles by the clearance",
+        numbers: &[optional("clearance", "m")],
+        make: |setting, wanted| {
+            Ok(Box::new(PlatformOffObstacles::new(setting.model, wanted.number("clearance").unwrap_or(0.0))?))
         },
     },
     Entry {

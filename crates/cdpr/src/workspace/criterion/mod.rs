@@ -13,6 +13,7 @@ mod obstacles;
 #[cfg(test)]
 mod oracles;
 mod platform_interference;
+mod platform_obstacles;
 pub mod registry;
 mod stability;
 mod stiffness;
@@ -31,6 +32,7 @@ pub use lengths::LengthLimits;
 pub use natural_frequency::StiffVibrations;
 pub use obstacles::ObstaclesClear;
 pub use platform_interference::PlatformClear;
+pub use platform_obstacles::PlatformOffObstacles;
 pub use stability::StaticallyStable;
 pub use stiffness::StiffEnough;
 pub use validity::ModelValid;

@@ -33,7 +33,7 @@ struct Pair {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Body {
+pub(super) enum Body {
     Box(AxisBox),
     Strut { axis: Segment, radius: f64 },
 }
@@ -46,12 +46,7 @@ impl<'a> ObstaclesClear<'a> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
         if robot.obstacles.is_empty() {
-            return Err(WorkspaceError::MissingKey {
-                criterion: NAME,
-                robot: robot.name.clone(),
-                key: "`[[obstacle]]`".to_owned(),
-                cure: "add a table for each box or strut that cables may not touch".to_owned(),
-            });
+            return Err(missing_obstacles(NAME, robot, "add a table for each box or strut that cables may not touch"));
         }
         let diameters = per_cable(robot, (NAME, "diameter_m"), diameter, |cable| cable.diameter)?;
         let mut pairs = Vec::new();
@@ -71,8 +66,18 @@ impl<'a> ObstaclesClear<'a> {
     }
 }
 
+/// The file has no obstacles.
+pub(super) fn missing_obstacles(criterion: &'static str, robot: &Robot, cure: &str) -> WorkspaceError {
+    WorkspaceError::MissingKey {
+        criterion,
+        robot: robot.name.clone(),
+        key: "`[[obstacle]]`".to_owned(),
+        cure: cure.to_owned(),
+    }
+}
+
 impl Body {
-    fn of(robot: &Robot, obstacle: &Obstacle) -> Self {
+    pub(super) fn of(robot: &Robot, obstacle: &Obstacle) -> Self {
         match obstacle.shape {
             ObstacleShape::Box { min, max } => {
                 let mut half_extent: Vector3<f64> = (max - min) * 0.5;

@@ -1,15 +1,17 @@
-//! Cells refined only where the boundary of the region passes (quadtree in the plane, octree in space).
+//! Cells refined only where the boundary of the region passes, in a plane or in space.
 //!
-//! Cells are judged at their corners. Where corners differ, the boundary passes, and the cell is cut into halves along each
-//! axis, down to cells of the step. Where a new corner on a face shows that the boundary goes on into a neighbour that
-//! looked uniform, the neighbour is cut too, so that the boundary is followed wherever it leads. Parts of the region, and
-//! gaps in it, that fit between the corners of the start cells and touch nothing else are not found.
+//! The corners of large start cells are judged. On every edge of theirs whose ends differ the boundary is found by halving, down
+//! to an edge of the smallest cells; from the cell there it is followed through every face whose corners differ into the next
+//! cell, wherever it leads. All corners of every smallest cell that the boundary passes are judged, and no others near it.
+//! Parts of the region, and gaps in it, that fit between the corners of the start cells and touch nothing else are not found.
 
 mod nodes;
 mod outcome;
+mod surface;
 
 use nodes::{Node, Nodes};
 pub use outcome::Outcome;
+pub use surface::solve_with_surface;
 
 use super::grid::cell_count;
 use super::{Bounds, Point, Region, WorkspaceError};
@@ -33,17 +35,16 @@ impl Settings {
 /// More would make start cells larger than any box.
 const MOST_HALVINGS: u32 = 16;
 /// More corners need more than 2 GB.
-const MOST_NODES: f64 = 8e9;
+const MOST_NODES: f64 = 5e9;
 
 /// Measures a region in a box.
 pub fn solve(region: &Region<'_>, bounds: &Bounds, settings: &Settings) -> Result<Outcome, WorkspaceError> {
-    let mut tree = Tree::new(region, bounds, settings)?;
-    tree.start();
-    while tree.refine() {}
-    Ok(tree.outcome())
+    let mut search = Search::new(region, bounds, settings)?;
+    search.follow_everywhere();
+    Ok(search.outcome())
 }
 
-struct Tree<'a> {
+struct Search<'a> {
     region: &'a Region<'a>,
     bounds: Bounds,
     dimension: usize,
@@ -52,24 +53,27 @@ struct Tree<'a> {
     /// Side of a start cell in smallest cells.
     start: usize,
     nodes: Nodes,
-    /// For each size of cell from the start cells down, which were cut.
-    cut: Vec<Vec<bool>>,
+    /// A bit for each smallest cell: whether the boundary was followed into it.
+    reached: Vec<u64>,
+    /// Smallest cells that the boundary passes.
+    cells: Vec<Cell>,
     /// Corners to judge next.
     asked: Vec<Node>,
-    /// Cells cut since the last batch.
-    fresh: Vec<Cell>,
     points: u64,
     feasible_points: u64,
 }
 
-/// A cell by its lower corner; its side in smallest cells is `start >> level`.
+/// A smallest cell by its lower corner, with bits of the corners that hold.
 #[derive(Clone, Copy, Debug)]
 struct Cell {
-    level: usize,
     node: Node,
+    corners: u8,
 }
 
-impl<'a> Tree<'a> {
+/// Corners of the lower and of the upper face across each axis.
+const FACES: [[u8; 2]; 3] = [[0b0101_0101, 0b1010_1010], [0b0011_0011, 0b1100_1100], [0b0000_1111, 0b1111_0000]];
+
+impl<'a> Search<'a> {
     fn new(region: &'a Region<'a>, bounds: &Bounds, settings: &Settings) -> Result<Self, WorkspaceError> {
         let halvings = settings.halvings.min(MOST_HALVINGS);
         let (dimension, start) = (bounds.dimension(), 1_usize << halvings);
@@ -77,45 +81,25 @@ impl<'a> Tree<'a> {
         for (axis, count) in counts.iter_mut().enumerate().take(dimension) {
             *count = cell_count(bounds, axis, settings.step)?.next_multiple_of(start);
         }
-        let corners = |axis: usize| if axis < dimension { counts[axis] + 1 } else { 1 };
-        let corners = [corners(0), corners(1), corners(2)];
+        let corners = [0, 1, 2].map(|axis| counts[axis] + usize::from(axis < dimension));
         if corners.iter().map(|&count| count as f64).product::<f64>() > MOST_NODES {
             return Err(WorkspaceError::StepTooFine { step: settings.step, extent: bounds.extent(0) });
         }
-        let cells = |level: u32| (0..dimension).map(|axis| counts[axis] / (start >> level)).product::<usize>();
-        let cut = (0..halvings).map(|level| vec![false; cells(level)]).collect();
-        let (nodes, bounds) = (Nodes::new(corners), *bounds);
-        let (asked, fresh) = (Vec::new(), Vec::new());
-        Ok(Self { region, bounds, dimension, counts, start, nodes, cut, asked, fresh, points: 0, feasible_points: 0 })
-    }
-
-    fn side(&self, level: usize) -> usize {
-        self.start >> level
-    }
-
-    /// Whether the cell is one of the smallest.
-    fn is_smallest(&self, level: usize) -> bool {
-        level == self.cut.len()
-    }
-
-    /// Steps of the given length to every corner of a block of so many along each axis.
-    fn corners(&self, node: Node, step: usize, count: usize) -> impl Iterator<Item = Node> + use<> {
-        let dimension = self.dimension;
-        (0..count.pow(dimension as u32)).map(move |index| {
-            let mut corner = node;
-            let mut rest = index;
-            for place in corner.iter_mut().take(dimension) {
-                *place += rest % count * step;
-                rest /= count;
-            }
-            corner
+        let reached = vec![0; counts.iter().product::<usize>().div_ceil(64)];
+        let (nodes, bounds, cells, asked) = (Nodes::new(corners), *bounds, Vec::new(), Vec::new());
+        Ok(Self {
+            region,
+            bounds,
+            dimension,
+            counts,
+            start,
+            nodes,
+            reached,
+            cells,
+            asked,
+            points: 0,
+            feasible_points: 0,
         })
-    }
-
-    /// Whether the corners of a cell are of both kinds.
-    fn is_mixed(&self, cell: Cell) -> bool {
-        let first = self.nodes.holds(cell.node);
-        self.corners(cell.node, self.side(cell.level), 2).any(|corner| self.nodes.holds(corner) != first)
     }
 
     fn point(&self, node: Node) -> Point {
@@ -127,54 +111,9 @@ impl<'a> Tree<'a> {
         point
     }
 
-    /// Judges the corners of the start cells and cuts those with corners of both kinds.
-    fn start(&mut self) {
-        let cells: Vec<Cell> = self.start_cells().collect();
-        for cell in &cells {
-            self.ask(cell.node, self.start, 2);
-        }
-        self.judge();
-        for cell in cells {
-            if !self.is_smallest(0) && self.is_mixed(cell) {
-                self.cut(cell);
-            }
-        }
-    }
-
-    fn start_cells(&self) -> impl Iterator<Item = Cell> + use<> {
-        let (side, dimension) = (self.start, self.dimension);
-        let counts = [0, 1, 2].map(|axis| if axis < dimension { self.counts[axis] / side } else { 1 });
-        (0..counts.iter().product()).map(move |index: usize| {
-            let along = [index % counts[0], index / counts[0] % counts[1], index / (counts[0] * counts[1])];
-            Cell { level: 0, node: along.map(|place| place * side) }
-        })
-    }
-
-    fn ask(&mut self, node: Node, step: usize, count: usize) {
-        for corner in self.corners(node, step, count) {
-            if self.nodes.ask(corner) {
-                self.asked.push(corner);
-            }
-        }
-    }
-
-    fn is_known_and_mixed(&self, cell: Cell) -> bool {
-        self.corners(cell.node, self.side(cell.level), 2).all(|corner| self.nodes.known(corner).is_some())
-            && self.is_mixed(cell)
-    }
-
-    /// Asks for the middles of those edges and faces of a cell whose ends differ, and for its own: between ends that agree
-    /// it is taken for uniform, as cells are.
-    fn ask_where_it_is_crossed(&mut self, node: Node, side: usize) {
-        let middles: Vec<Node> = self.corners(node, side / 2, 3).collect();
-        for middle in middles {
-            let is_end =
-                |corner: &Node| (0..self.dimension).all(|axis| middle[axis].abs_diff(corner[axis]) <= side / 2);
-            let mut ends = self.corners(node, side, 2).filter(is_end).map(|corner| self.nodes.holds(corner));
-            let first = ends.next();
-            if ends.any(|end| Some(end) != first) && self.nodes.ask(middle) {
-                self.asked.push(middle);
-            }
+    fn ask(&mut self, node: Node) {
+        if self.nodes.ask(node) {
+            self.asked.push(node);
         }
     }
 
@@ -191,82 +130,98 @@ impl<'a> Tree<'a> {
         self.asked.clear();
     }
 
-    fn cut_index(&self, level: usize, node: Node) -> usize {
-        let side = self.side(level);
-        let row = |axis: usize| if axis < self.dimension { self.counts[axis] / side } else { 1 };
-        (node[2] / side * row(1) + node[1] / side) * row(0) + node[0] / side
-    }
-
-    /// Cuts a cell and whatever contains it; asks for the corners of its parts.
-    fn cut(&mut self, cell: Cell) {
-        for level in 0..=cell.level {
-            let side = self.side(level);
-            let node = cell.node.map(|place| place / side * side);
-            let index = self.cut_index(level, node);
-            if !self.cut[level][index] {
-                self.cut[level][index] = true;
-                self.fresh.push(Cell { level, node });
-                match level > 0 && self.is_known_and_mixed(Cell { level, node }) {
-                    true => self.ask_where_it_is_crossed(node, side),
-                    false => self.ask(node, side / 2, 3),
-                }
+    fn follow_everywhere(&mut self) {
+        let mut front = self.crossed_cells();
+        while !front.is_empty() {
+            for &node in &front {
+                (0..1 << self.dimension)
+                    .for_each(|corner| self.ask([0, 1, 2].map(|axis| node[axis] + (corner >> axis & 1))));
             }
+            self.judge();
+            let mut next = Vec::new();
+            for node in front {
+                let cell = Cell { node, corners: self.nodes.corners(node, self.dimension) };
+                self.spread(cell, &mut next);
+                self.cells.push(cell);
+            }
+            front = next;
         }
     }
 
-    /// Judges the new corners and cuts what they show the boundary to pass; false when it is followed everywhere.
-    fn refine(&mut self) -> bool {
+    /// A smallest cell for each edge of the start cells whose ends differ: where halving finds the boundary.
+    fn crossed_cells(&mut self) -> Vec<Node> {
+        let corners: Vec<Node> = self.start_corners().collect();
+        corners.iter().for_each(|&node| self.ask(node));
         self.judge();
-        let fresh = std::mem::take(&mut self.fresh);
-        for &cell in &fresh {
-            let (level, half) = (cell.level + 1, self.side(cell.level) / 2);
-            if !self.is_smallest(level) {
-                let parts: Vec<Node> = self.corners(cell.node, half, 2).collect();
-                for node in parts {
-                    if self.is_mixed(Cell { level, node }) {
-                        self.cut(Cell { level, node });
-                    }
+        let mut edges: Vec<(Node, usize)> = Vec::new();
+        for node in corners {
+            for axis in 0..self.dimension {
+                let end = further(node, axis, self.start);
+                if end[axis] <= self.counts[axis] && self.nodes.holds(end) != self.nodes.holds(node) {
+                    edges.push((node, axis));
                 }
             }
-            self.follow(cell);
         }
-        !self.fresh.is_empty()
+        let mut length = self.start;
+        while length > 1 {
+            length /= 2;
+            edges.iter().for_each(|&(node, axis)| self.ask(further(node, axis, length)));
+            self.judge();
+            for (node, axis) in &mut edges {
+                let middle = further(*node, *axis, length);
+                if self.nodes.holds(middle) == self.nodes.holds(*node) {
+                    *node = middle;
+                }
+            }
+        }
+        let mut cells = Vec::new();
+        for (node, _) in edges {
+            // edges on the upper faces of the box belong to the cells below
+            self.reach([0, 1, 2].map(|axis| node[axis].min(self.counts[axis] - 1)), &mut cells);
+        }
+        cells
     }
 
-    /// Cuts the neighbours of a cut cell into which the boundary goes on.
-    fn follow(&mut self, cell: Cell) {
-        let side = self.side(cell.level);
+    fn start_corners(&self) -> impl Iterator<Item = Node> + use<> {
+        let start = self.start;
+        let counts = [0, 1, 2].map(|axis| if axis < self.dimension { self.counts[axis] / start + 1 } else { 1 });
+        (0..counts.iter().product()).map(move |index: usize| {
+            [index % counts[0], index / counts[0] % counts[1], index / (counts[0] * counts[1])]
+                .map(|place| place * start)
+        })
+    }
+
+    /// Adds the cells behind the faces through which the boundary leaves a cell.
+    fn spread(&mut self, cell: Cell, next: &mut Vec<Node>) {
+        let whole = if self.dimension == 3 { u8::MAX } else { 0b1111 };
         for axis in 0..self.dimension {
-            for is_upper in [false, true] {
-                let mut neighbour = cell.node;
-                if is_upper {
-                    neighbour[axis] += side;
-                } else if neighbour[axis] >= side {
-                    neighbour[axis] -= side;
-                } else {
-                    continue;
-                }
-                if neighbour[axis] >= self.counts[axis] || self.cut[cell.level][self.cut_index(cell.level, neighbour)] {
-                    continue;
-                }
-                let value = self.nodes.holds(self.leaf(neighbour, cell.level));
-                let mut face = cell.node;
-                face[axis] += if is_upper { side } else { 0 };
-                let is_on_face = |corner: &Node| corner[axis] == face[axis];
-                let differs = self
-                    .corners(cell.node, side / 2, 3)
-                    .filter(is_on_face)
-                    .any(|corner| self.nodes.holds(corner) != value);
-                if differs {
-                    self.cut(Cell { level: cell.level, node: neighbour });
-                }
+            let [lower, upper] = FACES[axis].map(|face| {
+                let (face, holding) = (face & whole, cell.corners & face & whole);
+                holding != 0 && holding != face
+            });
+            if lower && cell.node[axis] > 0 {
+                let mut node = cell.node;
+                node[axis] -= 1;
+                self.reach(node, next);
+            }
+            if upper && cell.node[axis] + 1 < self.counts[axis] {
+                self.reach(further(cell.node, axis, 1), next);
             }
         }
     }
 
-    /// Lower corner of the uncut cell that contains a cell which is not cut itself.
-    fn leaf(&self, node: Node, level: usize) -> Node {
-        let at = |level: usize| node.map(|place| place / self.side(level) * self.side(level));
-        (0..level).find(|&level| !self.cut[level][self.cut_index(level, at(level))]).map_or(node, at)
+    /// Adds a cell the first time that it is reached.
+    fn reach(&mut self, node: Node, cells: &mut Vec<Node>) {
+        let index = (node[2] * self.counts[1] + node[1]) * self.counts[0] + node[0];
+        let (word, bit) = (&mut self.reached[index / 64], 1 << (index % 64));
+        if *word & bit == 0 {
+            *word |= bit;
+            cells.push(node);
+        }
     }
+}
+
+fn further(mut node: Node, axis: usize, by: usize) -> Node {
+    node[axis] += by;
+    node
 }

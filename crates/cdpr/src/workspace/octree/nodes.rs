@@ -26,8 +26,7 @@ impl Nodes {
         (node[2] * self.counts[1] + node[1]) * self.counts[0] + node[0]
     }
 
-    fn state(&self, node: Node) -> u8 {
-        let index = self.index(node);
+    fn state(&self, index: usize) -> u8 {
         self.states[index / 4] >> (2 * (index % 4)) & 3
     }
 
@@ -39,7 +38,7 @@ impl Nodes {
 
     /// True once for each corner: it is to be judged now.
     pub(super) fn ask(&mut self, node: Node) -> bool {
-        let is_new = self.state(node) == UNKNOWN;
+        let is_new = self.state(self.index(node)) == UNKNOWN;
         if is_new {
             self.set(node, ASKED);
         }
@@ -50,26 +49,27 @@ impl Nodes {
         self.set(node, if holds { HOLDS } else { FAILS });
     }
 
-    /// The answer at a corner, if it was judged.
-    pub(super) fn known(&self, node: Node) -> Option<bool> {
-        match self.state(node) {
-            HOLDS => Some(true),
-            FAILS => Some(false),
-            _ => None,
-        }
+    /// Bits of the corners that hold of a cell whose corners were judged: corner k lies at (k & 1, k >> 1 & 1, k >> 2).
+    pub(super) fn corners(&self, cell: Node, dimension: usize) -> u8 {
+        let (first, row, layer) = (self.index(cell), self.counts[0], self.counts[0] * self.counts[1]);
+        let offsets = [0, 1, row, row + 1, layer, layer + 1, layer + row, layer + row + 1];
+        let corners = offsets.iter().take(1 << dimension).enumerate();
+        corners.map(|(corner, offset)| u8::from(self.state(first + offset) == HOLDS) << corner).sum()
     }
 
-    /// The answer at a corner; where it was not judged that of the end of the edge or face on whose middle it lies.
+    /// The answer at a corner; where it was not judged that of its neighbours, for both ends of an edge that the boundary
+    /// crosses were judged.
     pub(super) fn holds(&self, mut node: Node) -> bool {
         loop {
-            if let Some(holds) = self.known(node) {
-                return holds;
+            match self.state(self.index(node)) {
+                HOLDS => return true,
+                FAILS => return false,
+                _ => {}
             }
-            // the middle of something: one step of its level back along the axis in which it is one
-            let finest = node.iter().filter(|place| **place > 0).map(|place| place.trailing_zeros()).min();
-            let axis = node.iter().position(|place| *place > 0 && Some(place.trailing_zeros()) == finest);
-            let (Some(axis), Some(finest)) = (axis, finest) else { return false };
-            node[axis] -= 1 << finest;
+            match node.iter_mut().find(|place| **place > 0) {
+                Some(place) => *place -= 1,
+                None => return false,
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
-//! What the cells of an octree add up to.
+//! What the cells at the boundary add up to.
 
-use super::{Cell, Tree};
+use super::Search;
 use crate::workspace::Point;
 
 /// What an octree says of a region.
@@ -25,68 +25,59 @@ pub struct Outcome {
     pub reaches_bounds: bool,
 }
 
-impl Tree<'_> {
-    /// Adds up all cells that are not cut.
+impl Search<'_> {
     pub(super) fn outcome(&self) -> Outcome {
-        let mut sum = Sum::default();
-        let mut open: Vec<Cell> = self.start_cells().collect();
-        while let Some(cell) = open.pop() {
-            if !self.is_smallest(cell.level) && self.cut[cell.level][self.cut_index(cell.level, cell.node)] {
-                let half = self.side(cell.level) / 2;
-                open.extend(self.corners(cell.node, half, 2).map(|node| Cell { level: cell.level + 1, node }));
-            } else {
-                sum.add(self, cell);
-            }
-        }
+        let (mixed, corners) = (self.cells.len() as f64, (1 << self.dimension) as f64);
+        let shares: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();
+        let mixed_above = self.cells.iter().filter(|cell| cell.corners & 1 == 1).count();
+        // a cell whose lower corner holds is all inside, or the boundary passes it
+        let inside = (self.holding_lower_corners() - mixed_above as i64) as f64;
         let cells: usize = self.counts[..self.dimension].iter().product();
         let smallest = self.bounds.size() / cells as f64;
-        let size = sum.inside + sum.shares;
+        let size = inside + shares;
         let mut start_cell = [0.0; 3];
         for axis in 0..self.dimension {
             start_cell[axis] = self.bounds.extent(axis) / self.counts[axis] as f64 * self.start as f64;
         }
         Outcome {
             size: smallest * size,
-            error_bound: smallest * (size - sum.inside).max(sum.inside + sum.mixed as f64 - size),
+            error_bound: smallest * (size - inside).max(inside + mixed - size),
             points: self.points,
             feasible_points: self.feasible_points,
-            boundary_cells: sum.mixed,
+            boundary_cells: self.cells.len() as u64,
             grid_points: cells as u64,
             start_cell,
-            reaches_bounds: sum.reaches_bounds,
+            reaches_bounds: self.reaches_bounds(),
         }
     }
-}
 
-/// Sizes in smallest cells.
-#[derive(Default)]
-struct Sum {
-    inside: f64,
-    mixed: u64,
-    /// Shares of the mixed cells that count as inside.
-    shares: f64,
-    reaches_bounds: bool,
-}
+    /// Lower corners of cells that hold, counted by the boundary alone: of a row of corners those before an edge at which holding
+    /// ends, less those before an edge at which it begins; all of them more where the end of the row holds. The ends of rows make
+    /// a plane, in which rows are counted the same way, and the ends of those a line.
+    fn holding_lower_corners(&self) -> i64 {
+        let (mut count, mut factor) = (0, 1);
+        for axis in 0..self.dimension {
+            let (from, to) = ((1 << axis) - 1, (2 << axis) - 1);
+            let is_at_ends = |node: &[usize; 3]| (0..axis).all(|before| node[before] + 1 == self.counts[before]);
+            for cell in self.cells.iter().filter(|cell| is_at_ends(&cell.node)) {
+                let [from, to] = [from, to].map(|corner| i64::from(cell.corners >> corner & 1));
+                count += factor * (from - to) * (cell.node[axis] as i64 + 1);
+            }
+            factor *= self.counts[axis] as i64;
+        }
+        let mut last = [0; 3];
+        last[..self.dimension].copy_from_slice(&self.counts[..self.dimension]);
+        count + factor * i64::from(self.nodes.holds(last))
+    }
 
-impl Sum {
-    fn add(&mut self, tree: &Tree<'_>, cell: Cell) {
-        let side = tree.side(cell.level);
-        let (mut holding, mut corners) = (0, 0);
-        for corner in tree.corners(cell.node, side, 2) {
-            corners += 1;
-            if tree.nodes.holds(corner) {
-                holding += 1;
-                let is_end = |axis: usize| corner[axis] == 0 || corner[axis] == tree.counts[axis];
-                self.reaches_bounds |= (0..tree.dimension).any(is_end);
-            }
-        }
-        match holding {
-            0 => {}
-            _ if holding == corners => self.inside += side.pow(tree.dimension as u32) as f64,
-            _ => {
-                self.mixed += 1;
-                self.shares += f64::from(holding) / f64::from(corners);
-            }
-        }
+    /// Whether a corner on the faces of the box holds: of a start cell, or of a cell that the boundary passes.
+    fn reaches_bounds(&self) -> bool {
+        let is_at_a_face =
+            |node: &[usize; 3]| (0..self.dimension).any(|axis| node[axis] == 0 || node[axis] == self.counts[axis]);
+        let corner = |node: &[usize; 3], corner: usize| [0, 1, 2].map(|axis| node[axis] + (corner >> axis & 1));
+        let reaches = |cell: &super::Cell| {
+            (0..1 << self.dimension).any(|k| cell.corners >> k & 1 == 1 && is_at_a_face(&corner(&cell.node, k)))
+        };
+        self.start_corners().any(|node| is_at_a_face(&node) && self.nodes.holds(node)) || self.cells.iter().any(reaches)
     }
 }

@@ -19,6 +19,13 @@ impl AxisBox {
         if outside > 0.0 { outside } else { self.depth(segment).min(0.0) }
     }
 
+    /// Its corners (m), those of a cross-section where an axis is left out.
+    pub(crate) fn corners(&self) -> Vec<Vector3<f64>> {
+        let half = self.half_extent.map(|half| if half.is_finite() { half } else { 0.0 });
+        let sign = |corner: usize, axis: usize| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 };
+        (0..8).map(|corner| self.center + Vector3::from_fn(|axis, _| sign(corner, axis) * half[axis])).collect()
+    }
+
     /// The squared distance is convex along the segment, and a quadratic between the faces that it passes.
     fn outside(&self, segment: &Segment) -> f64 {
         let (start, way) = (segment.from - self.center, segment.to - segment.from);

@@ -83,6 +83,7 @@ fn all(model: &Model) -> Vec<Box<dyn Criterion + '_>> {
         Box::new(LengthLimits::new(model, None, None).unwrap()),
         Box::new(CablesApart::new(model, 0.02, None).unwrap()),
         Box::new(ObstaclesClear::new(model, 0.1, None).unwrap()),
+        Box::new(PlatformOffObstacles::new(model, 0.05).unwrap()),
         Box::new(ModelValid::new(model)),
         Box::new(WrenchSetFeasible::with_ball(model, &limits, &load, [50.0, 10.0], None).unwrap()),
     ];
