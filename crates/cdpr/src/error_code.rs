@@ -279,6 +279,18 @@ impl ErrorCode for metamodel::sweep::KeyError {
     }
 }
 
+impl ErrorCode for metamodel::advice::AdviceError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Model(error) => error.code(),
+            Self::Input(error) => error.code(),
+            Self::NoPoses => "study::no-poses",
+            Self::NoHome => "advice::no-home",
+            Self::NothingToChoose { .. } => "advice::nothing-to-choose",
+        }
+    }
+}
+
 impl ErrorCode for DataError {
     fn code(&self) -> &'static str {
         match self {

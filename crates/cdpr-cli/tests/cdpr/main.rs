@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+mod advise;
 mod bad_input;
 mod book;
 mod command_line;

@@ -122,3 +122,29 @@ fn a_pose_without_an_answer_is_a_negative_answer_with_the_reason() {
         run.stdout
     );
 }
+
+/// A folder with everything, the same to the byte on one thread and on two.
+#[test]
+fn a_study_leaves_its_errors_in_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |out: &str, threads: u32| {
+        let run = cdpr_in(
+            folder.path(),
+            &format!("study {} --out {out} --threads {threads} --format json", study("planar-wide-grid")),
+        );
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        run.json_with(&["position_error_m", "linear_residual_m", "linear_trusted_share", "files"])
+    };
+    let answer = run("one", 1);
+    assert!((answer["position_error_m"]["mean"].as_f64().unwrap() - 0.05714).abs() < 1e-5);
+    assert!((answer["relative_position_error"].as_f64().unwrap() - 0.00589).abs() < 1e-5);
+    assert_eq!(answer, run("two", 2));
+    for file in ["errors.csv", "error-map-xy.svg", "result.json"] {
+        let read = |out: &str| std::fs::read(folder.path().join(out).join(file)).unwrap();
+        assert_eq!(read("one"), read("two"), "{file}");
+    }
+    let table = std::fs::read_to_string(folder.path().join("one/errors.csv")).unwrap();
+    assert_eq!(table.lines().count(), 26);
+    assert!(table.lines().all(|line| line.split(',').count() == 25), "{table}");
+    assert!(folder.path().join("one/run.toml").exists());
+}

@@ -1,6 +1,7 @@
 //! A control model on a machine: what emerges when one model's lengths drive another.
 
 pub mod accuracy;
+pub mod advice;
 mod control;
 mod driving;
 pub mod effects;

@@ -1,0 +1,166 @@
+//! `cdpr study`: everything that a study tells, in a folder.
+
+mod tables;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use cdpr::geometry::Pose;
+use cdpr::metamodel::field::{Field, Summary, field};
+use clap::Args;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use crate::answer::{Answer, Output};
+use crate::failure::Failure;
+use crate::files;
+use crate::laboratory::Laboratory;
+use crate::number_format::significant;
+use crate::progress::Progress;
+use crate::selecting::NamedFile;
+use crate::table::{Table, cell};
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr study studies/planar-wide-grid.toml --out planar
+  cdpr study study.toml --out result --seed 7 --format json";
+
+/// Errors over the poses of a study, exact and by one linear step, as tables and maps in a folder.
+///
+/// Writes result.json, run.toml, errors.csv (pose by pose: what was commanded, what emerges, the error vector, that of the linear
+/// step, and the tensions) and error maps as SVG. The answer is negative (exit code 1) when a pose has no answer.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Study file (TOML); `cdpr schema study` describes it.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+
+    /// Folder to write to; made where it does not exist.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+
+    /// Seed of random poses.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+}
+
+#[derive(Serialize)]
+struct Studied {
+    status: &'static str,
+    reason: Option<String>,
+    control: String,
+    machine: String,
+    #[serde(flatten)]
+    summary: Summary,
+    winch_offsets_m: Vec<f64>,
+    seed: u64,
+    files: Vec<String>,
+}
+
+/// What made the folder.
+#[derive(Serialize)]
+struct Run<'a> {
+    version: &'a str,
+    command: String,
+    seed: u64,
+    study: String,
+    study_sha256: String,
+    control: String,
+    machine: String,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let bytes = files::read(&arguments.study)?;
+    let laboratory = Laboratory::read(&arguments.study)?;
+    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let commands = laboratory.untested_poses(arguments.seed)?;
+    let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
+    if poses.is_empty() {
+        return Err(laboratory.refused(&cdpr::metamodel::InputError::NoPoses));
+    }
+    let driving = laboratory.driving()?;
+    let progress = Progress::spinner("commanding the poses");
+    let found = field(&driving, &poses);
+    drop(progress);
+    let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
+    let mut made = tables::maps(&found, &laboratory.machine);
+    made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
+    let run = Run {
+        version: env!("CARGO_PKG_VERSION"),
+        command: crate::command_line(),
+        seed: arguments.seed,
+        study: arguments.study.display().to_string(),
+        study_sha256: Sha256::digest(&bytes).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}")),
+        control: title(&laboratory.control),
+        machine: title(&laboratory.machine),
+    };
+    let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;
+    made.insert(0, NamedFile::new("run.toml", run));
+    let reason = reason(&found);
+    let answer = Studied {
+        status: if reason.is_none() { "converged" } else { "not-converged" },
+        reason,
+        control: title(&laboratory.control),
+        machine: title(&laboratory.machine),
+        summary: found.summary,
+        winch_offsets_m: laboratory.offsets.clone(),
+        seed: arguments.seed,
+        files: made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect(),
+    };
+    let json = serde_json::to_vec_pretty(&answer).map_err(|error| Failure::unwritable("result.json", &error))?;
+    made.push(NamedFile::new("result.json", json));
+    write(&arguments.out, &made)?;
+    output.answer(&answer)
+}
+
+/// All files, `result.json` last: a folder that has it is complete.
+fn write(folder: &Path, all: &[NamedFile]) -> Result<(), Failure> {
+    let _own = files::OwnFolder::make(folder)?;
+    let paths: Vec<PathBuf> = all.iter().map(|file| folder.join(&file.name)).collect();
+    let pairs: Vec<(&Path, &[u8])> =
+        paths.iter().map(PathBuf::as_path).zip(all.iter().map(|file| &file.content[..])).collect();
+    files::write_all(&pairs)
+}
+
+/// Why poses have no answer, by the first of them.
+fn reason(found: &Field) -> Option<String> {
+    let failed = found.summary.samples - found.summary.converged;
+    let (pose, first) = found.samples.iter().enumerate().find(|(_, sample)| sample.exact.is_none())?;
+    let why = first.outcome.reason.as_deref().unwrap_or("no reason is known");
+    Some(format!("{failed} of {} poses have no answer, first pose {}: {why}", found.summary.samples, pose + 1))
+}
+
+impl Answer for Studied {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self) -> String {
+        let Summary { position_error_m, rotation_error_rad, linear_position_error_m, linear_residual_m, .. } = &self.summary;
+        let mut text = format!("{} drives {} to {} poses\n", self.control, self.machine, self.summary.samples);
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}; the others count\n"));
+        }
+        let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
+        for (name, unit, factor, error) in [
+            ("position, exact", "mm", 1e3, position_error_m),
+            ("position, one linear step", "mm", 1e3, linear_position_error_m),
+            ("linear step beside exact", "mm", 1e3, linear_residual_m),
+            ("rotation, exact", "°", 1.0_f64.to_degrees(), rotation_error_rad),
+        ] {
+            let numbers = [error.mean, error.rms, error.median, error.p95, error.max];
+            let cells = numbers.map(|number| cell(Some(factor * number), 3));
+            table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
+        }
+        text.push_str(&format!("\n{}", table.text()));
+        if let Some(relative) = self.summary.relative_position_error {
+            let diameter = significant(self.summary.diameter_m, 3);
+            text.push_str(&format!("\nmean error: {} % of the {diameter} m across the poses\n", significant(100.0 * relative, 3)));
+        }
+        let share = 100.0 * self.summary.linear_trusted_share;
+        text.push_str(&format!("the linear step is within a tenth of the error at {share:.0} % of the poses\n"));
+        text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
+        text
+    }
+}

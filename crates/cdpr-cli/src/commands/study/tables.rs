@@ -1,0 +1,61 @@
+//! Tables and drawings of a field of errors.
+
+use std::fmt::Write;
+
+use cdpr::geometry::Twist;
+use cdpr::metamodel::field::Field;
+use cdpr::model::Model;
+
+use crate::figures::{Map, MapPoint};
+use crate::selecting::NamedFile;
+
+/// One row per commanded pose; empty cells where there is no answer.
+pub(super) fn errors(found: &Field) -> String {
+    let cables = found.samples.iter().find_map(|sample| Some(sample.outcome.tensions.as_ref()?.len())).unwrap_or(0);
+    let mut text = String::from(
+        "pose,status,x_m,y_m,z_m,qx,qy,qz,qw,dx_m,dy_m,dz_m,rx_rad,ry_rad,rz_rad,linear_dx_m,linear_dy_m,linear_dz_m,\
+         linear_rx_rad,linear_ry_rad,linear_rz_rad",
+    );
+    (1..=cables).for_each(|cable| text.push_str(&format!(",tension_N_{cable}")));
+    text.push('\n');
+    for (index, sample) in found.samples.iter().enumerate() {
+        let (position, turn) = (sample.commanded.position, sample.commanded.rotation.coords);
+        let mut cells = vec![(index + 1).to_string(), sample.outcome.status.name().to_owned()];
+        cells.extend(position.iter().chain(turn.iter()).map(f64::to_string));
+        let twist = |twist: &Option<Twist>| -> Vec<String> {
+            twist.as_ref().map_or_else(|| vec![String::new(); 6], |twist| twist.iter().map(f64::to_string).collect())
+        };
+        cells.extend(twist(&sample.exact));
+        cells.extend(twist(&sample.linear));
+        let tensions = sample.outcome.tensions.as_deref().unwrap_or(&[]);
+        cells.extend((0..cables).map(|cable| tensions.get(cable).map_or_else(String::new, f64::to_string)));
+        let _ = writeln!(text, "{}", cells.join(","));
+    }
+    text
+}
+
+/// Position errors over the plane of a planar robot; of a spatial one seen along each axis.
+pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
+    let names = ["x", "y", "z"];
+    let axes: Vec<usize> = machine.axes().iter().map(|axis| axis.iamax()).collect();
+    let views: Vec<[usize; 2]> = match axes.as_slice() {
+        &[first, second] => vec![[first, second]],
+        _ => vec![[0, 1], [0, 2], [1, 2]],
+    };
+    let top = 1e3 * found.summary.position_error_m.max;
+    let drawn = |[first, second]: [usize; 2]| {
+        let point = |sample: &cdpr::metamodel::field::Sample| {
+            let error = sample.exact?.fixed_rows::<3>(0).norm();
+            let position = sample.commanded.position;
+            Some(MapPoint { at: [position[first], position[second]], error: 1e3 * error })
+        };
+        let map = Map {
+            points: found.samples.iter().filter_map(point).collect(),
+            axes: [names[first], names[second]].map(str::to_owned),
+            top,
+            colour_label: "position error in mm".to_owned(),
+        };
+        Some(NamedFile::new(format!("error-map-{}{}.svg", names[first], names[second]), map.svg()?))
+    };
+    views.into_iter().filter_map(drawn).collect()
+}
