@@ -1,7 +1,8 @@
 """Judges exact tensions by DAQP and SciPy's linprog: `judge.py [--untimed] CASES.json`; exit code 1 when a figure is beyond its
 limit. Untimed, ratios of times are shown and not judged: our times are then those of a build for tests.
 
-Verdicts, optima, and how many times as long the others take: DAQP by its own clock, linprog as a user calls it.
+Verdicts, optima, and how many times as long the others take: DAQP by its own clock, linprog as a user calls it. Both sides count
+the least of some rounds of each problem, as other work on the machine adds to single ones; the median over problems is judged.
 """
 
 import ctypes
@@ -20,6 +21,8 @@ DAQP_RATIO = 2.5
 LINPROG_RATIO = 1500.0
 # linprog takes milliseconds each
 LINEAR_PROGRAMMES = 100
+LINEAR_ROUNDS = 3
+ROUNDS = 20
 EQUALITY = 5
 
 
@@ -54,16 +57,16 @@ def judge(cases, limits):
     solver = Daqp(limits, len(cases[0]["matrix"][0]), len(cases[0]["wrench"]))
     for index, case in enumerate(cases):
         matrix, wrench = numpy.array(case["matrix"]), numpy.array(case["wrench"])
-        answers = [solver.solve(matrix, wrench) for _ in range(5)]
+        answers = [solver.solve(matrix, wrench) for _ in range(ROUNDS)]
         theirs = answers[0][0]
-        ratios.append(numpy.median([answer[1] for answer in answers]) / case["nanoseconds"])
+        ratios.append(min(answer[1] for answer in answers) / case["nanoseconds"])
         wrong += (theirs is None) != (case["tensions"] is None)
         if theirs is not None and case["tensions"] is not None:
             apart = max(apart, numpy.abs(theirs - case["tensions"]).max())
         if index < LINEAR_PROGRAMMES:
-            is_feasible, nanoseconds = linear_programme(matrix, wrench, limits)
-            wrong += is_feasible == (case["tensions"] is None)
-            linear_ratios.append(nanoseconds / case["nanoseconds"])
+            answers = [linear_programme(matrix, wrench, limits) for _ in range(LINEAR_ROUNDS)]
+            wrong += answers[0][0] == (case["tensions"] is None)
+            linear_ratios.append(min(answer[1] for answer in answers) / case["nanoseconds"])
     return [
         ("other verdicts", wrong, 0, "", False),
         ("largest difference of a tension", apart, TENSION_N, "N", False),

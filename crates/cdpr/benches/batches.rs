@@ -2,11 +2,13 @@
 //! `cargo bench -p cdpr --bench batches`.
 //!
 //! Prints the time per pose beside the goal of a quiet machine, and how many times as long the loop takes in the same run. One
-//! thread; CPU time where the system tells it (Linux); candidates take turns, the median of rounds counts. The last lines
-//! compare one thread with all of them by the wall clock.
+//! thread, the wall clock; candidates take turns in short rounds. The median of rounds is what the machine gave, their least
+//! (`best`) what it gives with nothing else on it. The first line compares one thread with all of them, the last two the
+//! grids of 50³ and 100³ poses, and an octree with the grid.
+
+mod clock;
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
@@ -19,43 +21,29 @@ use cdpr::tension::{self, Limits, quadratic};
 use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::{Archetype, Bounds, Region, octree};
+use clock::{Time, times};
 
 const ROUNDS: usize = 9;
+/// Rounds of each batch, and how long one lasts at least (s): short enough that some are left alone on a busy machine.
+const SHORT_ROUNDS: usize = 301;
+const SHORT: f64 = 0.0005;
 const POSES: usize = 4096;
-
-/// CPU time of this thread (s), or the wall clock's.
-fn seconds(start: Instant) -> f64 {
-    let cpu = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = cpu.and_then(|text| text.split(' ').next().and_then(|first| first.parse::<f64>().ok()));
-    nanoseconds.map_or_else(|| start.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
-}
-
-/// Median nanoseconds per pose of each candidate, each round some 20 ms long.
-fn medians(poses: usize, candidates: &mut [&mut dyn FnMut()]) -> Vec<f64> {
-    let start = Instant::now();
-    let mut times = vec![Vec::new(); candidates.len()];
-    for _ in 0..ROUNDS {
-        for (candidate, times) in candidates.iter_mut().zip(&mut times) {
-            let (begin, mut calls) = (seconds(start), 0);
-            while seconds(start) - begin < 0.02 {
-                candidate();
-                calls += 1;
-            }
-            times.push((seconds(start) - begin) * 1e9 / (calls * poses) as f64);
-        }
-    }
-    for times in &mut times {
-        times.sort_by(f64::total_cmp);
-    }
-    times.iter().map(|times| times[ROUNDS / 2]).collect()
-}
 
 /// One line of the table: the batch, its goal, and how many times the loop takes.
 #[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
 fn report(name: &str, goal: f64, poses: usize, batch: &mut dyn FnMut(), single: &mut dyn FnMut()) {
-    let times = medians(poses, &mut [batch, single]);
+    let rounds = (SHORT_ROUNDS * POSES / poses).max(ROUNDS);
+    let times = times(poses, rounds, SHORT, &mut [batch, single]);
     let (batch, single) = (times[0], times[1]);
-    println!("{name:36} {batch:9.1} ns (goal {goal:6.1})   one by one {single:9.1} ns   ×{:.1}", single / batch);
+    println!(
+        "{name:36} {:9.1} ns, best {:8.1} (goal {goal:6.1})   one by one {:9.1} ns, best {:8.1}   ×{:.1}, best ×{:.1}",
+        batch.median,
+        batch.best,
+        single.median,
+        single.best,
+        single.median / batch.median,
+        single.best / batch.best
+    );
 }
 
 fn poses() -> Vec<Pose> {
@@ -197,6 +185,27 @@ fn feasible(model: &Model) {
     };
     report("wrench-feasible, grid 50³", 200.0, poses.len(), &mut all, &mut single);
     assert_eq!(answers, exact);
+    let fine = grid(100);
+    let mut fine_answers = vec![false; fine.len()];
+    let mut all_fine =
+        || feasibility::feasible(model, &load, &limits, black_box(&fine), &mut fine_answers).expect("fits");
+    let mut all = || feasibility::feasible(model, &load, &limits, black_box(&poses), &mut answers).expect("fits");
+    growth(&times(1, ROUNDS, SHORT, &mut [&mut all, &mut all_fine]));
+}
+
+/// How the time of a grid grows with its points: eight times as many should not take more than 8.2 times as long.
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn growth(times: &[Time]) {
+    let [coarse, fine] = times else { return };
+    println!(
+        "grid 50³ {:.1} ms, best {:.1}; grid 100³ {:.1} ms, best {:.1}; ×{:.2}, best ×{:.2} (goal ×8.2)",
+        coarse.median * 1e-6,
+        coarse.best * 1e-6,
+        fine.median * 1e-6,
+        fine.best * 1e-6,
+        fine.median / coarse.median,
+        fine.best / coarse.best
+    );
 }
 
 /// An octree against the grid of its smallest cells, 100 along the longest side of the box around the robot; one thread.
@@ -217,7 +226,8 @@ fn refined(model: &Model) {
     let mut all = || {
         black_box(grid::count(&region, &cells));
     };
-    let times = medians(1, &mut [&mut tree, &mut all]).into_iter().map(|time| time * 1e-6).collect::<Vec<_>>();
+    let times = times(1, ROUNDS, SHORT, &mut [&mut tree, &mut all]);
+    let times: Vec<f64> = times.iter().map(|time| time.median * 1e-6).collect();
     println!(
         "octree {:.1} ms ({} points), grid {:.1} ms ({} points), ×{:.1} (goal ×10)",
         times[0],
@@ -240,7 +250,7 @@ fn threads(model: &Model) {
     for _ in 0..ROUNDS {
         for (best, threads) in best.iter_mut().zip([1, all]) {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-            let start = Instant::now();
+            let start = std::time::Instant::now();
             pool.install(|| feasibility::feasible(model, &load, &limits, &poses, &mut answers)).expect("fits");
             *best = best.min(start.elapsed().as_secs_f64() * 1e3);
         }

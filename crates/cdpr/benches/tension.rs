@@ -3,7 +3,11 @@
 //! `feasible` are random poses with loads that tensions drawn from within the limits balance, `infeasible` the same with
 //! tensions drawn from beyond them; every problem has another structure matrix. `path` are 256 poses along a line under one
 //! load: cold as if each were the first, warm from the limits that were active at the pose before.
+//!
+//! The tables come first: the exact programme beside clarabel, and every method with the steps it took. Candidates take turns in
+//! short rounds of the wall clock; `best` is the least of the rounds, what the machine gives with nothing else on it.
 
+mod clock;
 #[path = "../tests/distribution/mod.rs"]
 mod distribution;
 
@@ -15,9 +19,10 @@ use cdpr::nalgebra::{DVector, Vector3};
 use cdpr::robot::Robot;
 use cdpr::tension::quadratic::{Solver, Status, solve};
 use cdpr::tension::{self, Limits, Method, Options, closed_form};
+use clock::{Time, times};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion};
-use distribution::{Opinion, Problem};
+use distribution::{Conic, Opinion, Problem};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -77,20 +82,90 @@ fn bench_reused(group: &mut BenchmarkGroup<WallTime>, name: &str, problems: &[Pr
     });
 }
 
-/// Every method through the common interface, cold.
-fn bench_methods(group: &mut BenchmarkGroup<WallTime>, feasible: &[Problem], infeasible: &[Problem]) {
-    for method in Method::ALL {
-        for (name, problems) in [("feasible", feasible), ("infeasible", infeasible)] {
-            let mut solver = tension::Solver::new(method, 8, 6);
-            let mut problems = problems.iter().cycle();
-            group.bench_function(format!("{name}, {method}"), |bencher| {
-                bencher.iter(|| {
-                    let Problem { matrix, wrench, limits } = problems.next().expect("has no end");
-                    solver.forget();
-                    solver.solve(black_box(matrix), wrench, limits, &Options::default()).map(|found| found.status)
-                });
-            });
+/// Rounds of each candidate, and how long one lasts at least (s).
+const ROUNDS: usize = 301;
+const SHORT: f64 = 0.0005;
+
+/// Times per problem of the exact programme, cold, and of clarabel on the same problems.
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn compare(feasible: &[Problem], infeasible: &[Problem]) {
+    let exact = |problems: &[Problem], solver: &mut Solver| {
+        for Problem { matrix, wrench, limits } in problems {
+            solver.forget();
+            let found = solver.solve(black_box(matrix), wrench, limits, None).expect("fits");
+            black_box(found.status);
         }
+    };
+    // few problems of clarabel make a round already
+    let few = COUNT / 32;
+    let programmes =
+        [feasible, infeasible].map(|problems| problems[..few].iter().map(Problem::conic).collect::<Vec<_>>());
+    let interior = |programmes: &[Conic]| {
+        for programme in programmes {
+            black_box(matches!(programme.solve(), Opinion::Optimum(_)));
+        }
+    };
+    let (mut first, mut second) = (Solver::new(8, 6), Solver::new(8, 6));
+    let found = times(
+        COUNT,
+        ROUNDS,
+        SHORT,
+        &mut [
+            &mut || exact(feasible, &mut first),
+            &mut || exact(infeasible, &mut second),
+            &mut || interior(&programmes[0]),
+            &mut || interior(&programmes[1]),
+        ],
+    );
+    let row = |name: &str, ours: Time, theirs: Time| {
+        let share = (COUNT / few) as f64;
+        let ratios = [share * theirs.median / ours.median, share * theirs.best / ours.best];
+        println!(
+            "exact programme, {name}: {:.0} ns, best {:.0}; clarabel ×{:.0}, best ×{:.0} (goal ×60)",
+            ours.median, ours.best, ratios[0], ratios[1]
+        );
+    };
+    row("feasible (goal 600 ns)", found[0], found[2]);
+    row("infeasible", found[1], found[3]);
+    let ratios = [found[1].median / found[0].median, found[1].best / found[0].best];
+    println!("infeasible beside feasible: ×{:.2}, best ×{:.2} (goal ×1.4)", ratios[0], ratios[1]);
+}
+
+/// Every method through the common interface, cold: times and steps, as the book's table has them.
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn methods(feasible: &[Problem], infeasible: &[Problem]) {
+    println!("\n| method | feasible | best | infeasible | best | steps, feasible | steps, infeasible |");
+    println!("|---|---|---|---|---|---|---|");
+    for method in Method::ALL {
+        let pass = |problems: &[Problem], solver: &mut tension::Solver, steps: &mut dyn FnMut(u32)| {
+            for Problem { matrix, wrench, limits } in problems {
+                solver.forget();
+                let found = solver.solve(black_box(matrix), wrench, limits, &Options::default()).expect("fits");
+                steps(found.iterations);
+            }
+        };
+        let mut solver = tension::Solver::new(method, 8, 6);
+        let steps = [feasible, infeasible].map(|problems| {
+            let mut all = Vec::with_capacity(COUNT);
+            pass(problems, &mut solver, &mut |steps| all.push(steps));
+            let mean = all.iter().map(|&steps| f64::from(steps)).sum::<f64>() / all.len() as f64;
+            format!("{mean:.1} (most {})", all.iter().max().copied().unwrap_or(0))
+        });
+        let mut other = tension::Solver::new(method, 8, 6);
+        let found = times(
+            COUNT,
+            ROUNDS,
+            SHORT,
+            &mut [&mut || pass(feasible, &mut solver, &mut |steps| _ = black_box(steps)), &mut || {
+                pass(infeasible, &mut other, &mut |steps| _ = black_box(steps))
+            }],
+        );
+        let time = |nanoseconds: f64| match nanoseconds {
+            small if small < 1e3 => format!("{small:.0} ns"),
+            large => format!("{:.1} µs", large * 1e-3),
+        };
+        let [yes, no] = [found[0], found[1]].map(|found| format!("{} | {}", time(found.median), time(found.best)));
+        println!("| `{method}` | {yes} | {no} | {} | {} |", steps[0], steps[1]);
     }
 }
 
@@ -102,6 +177,8 @@ fn main() {
     let infeasible = random_problems(&model, [-0.5, 1.5], Status::Infeasible);
     let path = path(&model);
     assert!(path.iter().all(|problem| status(problem) == Status::Feasible));
+    compare(&feasible, &infeasible);
+    methods(&feasible, &infeasible);
     let mut group = criterion.benchmark_group("tension distribution 8 × 6");
     bench_reused(&mut group, "feasible", &feasible, true);
     bench_reused(&mut group, "infeasible", &infeasible, true);
@@ -121,14 +198,6 @@ fn main() {
             closed_form.solve(black_box(matrix), wrench, limits, None).map(|found| found.within_limits)
         });
     });
-    bench_methods(&mut group, &feasible, &infeasible);
-    group.sample_size(20);
-    for (name, problems) in [("feasible, clarabel", &feasible), ("infeasible, clarabel", &infeasible)] {
-        let mut programmes = problems.iter().map(Problem::conic).collect::<Vec<_>>().into_iter().cycle();
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| matches!(programmes.next().expect("has no end").solve(), Opinion::Optimum(_)));
-        });
-    }
     group.finish();
     criterion.final_summary();
 }

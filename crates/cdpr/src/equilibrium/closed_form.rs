@@ -1,11 +1,11 @@
 //! The closed form of tension distribution at many poses at once, a pose per lane.
 //!
-//! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by orthogonal factors instead of singular values: both agree
-//! to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no course, and for robots with
+//! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by the products AᵀA instead of singular values, and once more
+//! for what their rounding left of the balance: both agree to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no course, and for robots with
 //! more than eight cables or fewer cables than degrees of freedom, the single pose is asked.
 
 use super::feasibility::balance::Balance;
-use super::feasibility::factors;
+use super::feasibility::factors::{INDEPENDENT, Rows};
 use crate::geometry::PoseBatch;
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, over_parts};
@@ -48,9 +48,9 @@ pub fn solve_batch(
         return Err(InputError::LimitCount { expected: cables, found: limits.cable_count() });
     }
     tensions.reshape(cables, poses.len());
-    let balance = Balance { model, load, limits };
+    let balance = Balance::new(model, load, limits);
     over_parts(tensions.lines_mut(), cables, &mut (), |(), first, lines| {
-        Tensions { balance: &balance, poses, first: first / LANES, lines }.run_on(Unit::widest());
+        Tensions { balance: &balance, limits, poses, first: first / LANES, lines }.run_on(Unit::widest());
     });
     Ok(())
 }
@@ -58,6 +58,7 @@ pub fn solve_batch(
 /// Tensions of a part of a batch.
 struct Tensions<'a> {
     balance: &'a Balance<'a>,
+    limits: &'a Limits,
     poses: &'a PoseBatch,
     /// Group of poses that the lines begin with.
     first: usize,
@@ -77,37 +78,138 @@ impl Kernel for Tensions<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
-        let Self { balance, poses, first, lines } = self;
+        let Self { balance, limits, poses, first, lines } = self;
         let (cables, dof) = (balance.model.cable_count(), balance.model.dof());
         let fits = (dof..=LANES).contains(&cables) && !balance.model.composition().is_sagging();
+        let mut rows = [[lanes.constant(0.0); LANES]; 6];
         for (group, lines) in (first..).zip(lines.chunks_exact_mut(cables)) {
             if !fits {
-                ask_single(balance, poses, group, lines);
+                ask_single(balance, limits, poses, group, lines);
                 continue;
             }
             let (position, rotation) = poses.at(lanes, group);
-            let (mut rows, doubt) = balance.rows(position, &rotation);
+            let doubt = balance.fill(&mut rows, position, &rotation);
             let rest = balance.rest(&rotation, &rows);
-            let found = factors::solve(lanes, [dof, cables, 0], &mut rows, rest);
+            let normal = Normal::of(&rows, dof);
+            let mut found = [lanes.constant(0.0); LANES];
+            move_along(&mut found, &rows, normal.solve(rest));
+            // what rounding of the products left: after one step more, the answer is as good as by orthogonal factors
+            let left = left_over(&found, &rows, rest);
+            move_along(&mut found, &rows, normal.solve(left));
             for (cable, line) in lines.iter_mut().enumerate() {
-                (lanes.constant(balance.limits.middle(cable)) + found.shortest[cable]).store(&mut line.0);
+                (lanes.constant(balance.middle[cable]) + found[cable]).store(&mut line.0);
             }
-            if lanes.any((found.has_rank - doubt).is_less(lanes.constant(1.0))) {
-                ask_single(balance, poses, group, lines);
+            if lanes.any((normal.has_rank - doubt).is_less(lanes.constant(1.0))) {
+                ask_single(balance, limits, poses, group, lines);
             }
         }
     }
 }
 
+/// The products AᵀA of the rows of eight structure matrices as L D Lᵀ. Rows that a robot lacks are zeros with 1 on the diagonal,
+/// so that all sizes are the compiler's.
+struct Normal<L> {
+    /// Below the diagonal.
+    lower: [[L; 6]; 6],
+    /// 1/D.
+    inverse: [L; 6],
+    /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
+    has_rank: L,
+}
+
+impl<L: Lanes> Normal<L> {
+    #[inline(always)]
+    fn of(rows: &Rows<L>, dof: usize) -> Self {
+        let (zero, one) = (rows[0][0].constant(0.0), rows[0][0].constant(1.0));
+        let mut lower = [[zero; 6]; 6];
+        let mut squares = [one; 6];
+        for i in 0..6 {
+            for j in 0..i {
+                lower[i][j] = product(&rows[i], &rows[j]);
+            }
+            if i < dof {
+                squares[i] = product(&rows[i], &rows[i]);
+            }
+        }
+        let (mut pivots, mut inverse) = (squares, [one; 6]);
+        for k in 0..6 {
+            inverse[k] = one / pivots[k];
+            for i in k + 1..6 {
+                let entry = lower[i][k] * inverse[k];
+                pivots[i] = pivots[i] - entry * lower[i][k];
+                for j in i + 1..6 {
+                    lower[j][i] = lower[j][i] - entry * lower[j][k];
+                }
+                lower[i][k] = entry;
+            }
+        }
+        let mut has_rank = one;
+        for k in 0..6 {
+            has_rank = has_rank.select((squares[k] * one.constant(INDEPENDENT)).is_less(pivots[k]), zero);
+        }
+        Self { lower, inverse, has_rank }
+    }
+
+    /// What the rows must be multiplied by and summed up for a solution of the balance with this rest.
+    #[inline(always)]
+    fn solve(&self, mut x: [L; 6]) -> [L; 6] {
+        for k in 0..6 {
+            for i in k + 1..6 {
+                x[i] = x[i] - self.lower[i][k] * x[k];
+            }
+        }
+        for k in 0..6 {
+            x[k] = x[k] * self.inverse[k];
+        }
+        for k in (0..6).rev() {
+            for i in 0..k {
+                x[i] = x[i] - self.lower[k][i] * x[k];
+            }
+        }
+        x
+    }
+}
+
+/// Scalar product over cables, in pairs of pairs: a short chain of sums.
+#[inline(always)]
+fn product<L: Lanes>(a: &[L; LANES], b: &[L; LANES]) -> L {
+    let mut terms = [a[0]; LANES];
+    for cable in 0..LANES {
+        terms[cable] = a[cable] * b[cable];
+    }
+    let [a, b, c, d, e, f, g, h] = terms;
+    ((a + b) + (c + d)) + ((e + f) + (g + h))
+}
+
+/// f ← f − A x.
+#[inline(always)]
+fn move_along<L: Lanes>(tensions: &mut [L; LANES], rows: &Rows<L>, x: [L; 6]) {
+    for cable in 0..LANES {
+        let first = rows[0][cable] * x[0] + rows[1][cable] * x[1];
+        let middle = rows[2][cable] * x[2] + rows[3][cable] * x[3];
+        let last = rows[4][cable] * x[4] + rows[5][cable] * x[5];
+        tensions[cable] = tensions[cable] - ((first + middle) + last);
+    }
+}
+
+/// Aᵀ f + rest.
+#[inline(always)]
+fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut rest: [L; 6]) -> [L; 6] {
+    for k in 0..6 {
+        rest[k] = rest[k] + product(&rows[k], tensions);
+    }
+    rest
+}
+
 /// The tensions of one group as the single pose gives them.
 #[cold]
 #[inline(never)]
-fn ask_single(balance: &Balance<'_>, poses: &PoseBatch, group: usize, lines: &mut [Line]) {
+fn ask_single(balance: &Balance<'_>, limits: &Limits, poses: &PoseBatch, group: usize, lines: &mut [Line]) {
     for lane in 0..LANES.min(poses.len() - group * LANES) {
         let pose = poses.get(group * LANES + lane);
         let matrix = balance.model.structure_matrix(&pose).ok().filter(|_| !balance.model.composition().is_sagging());
         let wrench = balance.load.in_pattern(balance.model, &pose);
-        let solve = |matrix| closed_form::solve(&matrix, wrench.as_slice(), balance.limits).ok();
+        let solve = |matrix| closed_form::solve(&matrix, wrench.as_slice(), limits).ok();
         let found = matrix.and_then(solve);
         for (cable, line) in lines.iter_mut().enumerate() {
             line.0[lane] = found.as_ref().map_or(f64::NAN, |found| found.tensions[cable]);
@@ -153,8 +255,9 @@ mod tests {
             }
             for unit in Unit::available() {
                 let mut other = tensions.clone();
-                let balance = Balance { model: &model, load: &load, limits: &limits };
-                Tensions { balance: &balance, poses: &poses, first: 0, lines: other.lines_mut() }.run_on(unit);
+                let balance = Balance::new(&model, &load, &limits);
+                Tensions { balance: &balance, limits: &limits, poses: &poses, first: 0, lines: other.lines_mut() }
+                    .run_on(unit);
                 assert_eq!(other, tensions, "{name} on {unit:?}");
             }
         }

@@ -103,10 +103,11 @@ impl FreeParameters {
     fn check_start_lengths(parameters: &[Parameter]) -> Result<(), ParameterError> {
         let is_free =
             |cable, kind| parameters.iter().any(|parameter| parameter.cable == cable && parameter.kind == kind);
-        let mut cables = parameters.iter().map(|parameter| parameter.cable);
-        let is_twice =
-            |cable: &usize| is_free(*cable, ParameterKind::StartLength) && is_free(*cable, ParameterKind::LengthOffset);
-        cables.find(is_twice).map_or(Ok(()), |cable| Err(ParameterError::StartLengthTwice { cable: cable + 1 }))
+        let of_start = parameters.iter().filter(|parameter| parameter.kind == ParameterKind::StartLength);
+        let mut cables = of_start.map(|parameter| parameter.cable);
+        cables
+            .find(|&cable| is_free(cable, ParameterKind::LengthOffset))
+            .map_or(Ok(()), |cable| Err(ParameterError::StartLengthTwice { cable: cable + 1 }))
     }
 
     /// The single parameters of a model that are free and not held, ordered by cable, kind and axis.

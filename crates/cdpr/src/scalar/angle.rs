@@ -34,45 +34,39 @@ pub(super) fn full_angle<T: Select>(y: T, x: T) -> T {
     // Fold into the first eighth of the turn: 0 ≤ low ≤ high. A NaN ends up in one of the two.
     let (width, height) = (x.abs(), y.abs());
     let steep = width.is_less(height);
-    let low = width.select(steep, height);
-    let high = height.select(steep, width);
+    let low = width.min(height);
+    let high = height.max(width);
     let high = one.select(high.is_less(y.constant(f64::from_bits(1))), high);
 
     // From tan = 1/2 on, turn back by π/4: |t| ≤ 1/2, with one division for both cases.
     let far = high.is_less(low + low);
-    let t = (low - high).select(far, low) / (low + high).select(far, high);
+    let above = (low - high).select(far, low);
+    let under = (low + high).select(far, high);
 
-    // Unfold: the angle is `eighths` π/4 + atan(t), each mirroring reverses both.
-    let (eighths, t) = (one.select(far, zero), t);
-    let (eighths, t) = ((two - eighths).select(steep, eighths), (-t).select(steep, t));
+    // Unfold: the angle is `eighths` π/4 + atan(t), each mirroring reverses both. The signs are known before the quotient.
+    let eighths = one.select(far, zero);
+    let (eighths, above) = ((two - eighths).select(steep, eighths), (-above).select(steep, above));
     let left = x.is_less(zero);
-    let (eighths, t) = ((y.constant(4.0) - eighths).select(left, eighths), (-t).select(left, t));
+    let (eighths, above) = ((y.constant(4.0) - eighths).select(left, eighths), (-above).select(left, above));
     let below = y.is_less(zero);
-    let (eighths, t) = ((y.constant(8.0) - eighths).select(below, eighths), (-t).select(below, t));
+    let (eighths, above) = ((y.constant(8.0) - eighths).select(below, eighths), (-above).select(below, above));
 
+    let t = above / under;
     let square = t * t;
     let rest = eighths * y.constant(EIGHTH_TURN_LOW) + t * square * atan_polynomial(square);
     eighths * y.constant(EIGHTH_TURN_HIGH) + (t + rest)
 }
 
-/// P of [`ATAN`]: even and odd powers apart, which halves the chain of dependent operations.
+/// P of [`ATAN`] as a quadratic in z⁴ of cubics in z: a short chain of dependent operations.
 #[inline(always)]
 fn atan_polynomial<T: Select>(z: T) -> T {
     let c = ATAN;
-    let w = z * z;
-    let mut even = z.constant(c[10]);
-    let mut odd = z.constant(c[11]);
-    even = even * w + z.constant(c[8]);
-    odd = odd * w + z.constant(c[9]);
-    even = even * w + z.constant(c[6]);
-    odd = odd * w + z.constant(c[7]);
-    even = even * w + z.constant(c[4]);
-    odd = odd * w + z.constant(c[5]);
-    even = even * w + z.constant(c[2]);
-    odd = odd * w + z.constant(c[3]);
-    even = even * w + z.constant(c[0]);
-    odd = odd * w + z.constant(c[1]);
-    even + odd * z
+    let second = z * z;
+    let fourth = second * second;
+    let low = (z.constant(c[0]) + z.constant(c[1]) * z) + (z.constant(c[2]) + z.constant(c[3]) * z) * second;
+    let middle = (z.constant(c[4]) + z.constant(c[5]) * z) + (z.constant(c[6]) + z.constant(c[7]) * z) * second;
+    let high = (z.constant(c[8]) + z.constant(c[9]) * z) + (z.constant(c[10]) + z.constant(c[11]) * z) * second;
+    low + (middle + high * fourth) * fourth
 }
 
 #[cfg(test)]

@@ -70,11 +70,12 @@ fn course_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> Course<T> {
     let one = radius.constant(1.0);
     let h = b_xy - radius;
     let center_distance_squared = h * h + b_z * b_z; // b_M²
-    let by_square = one / center_distance_squared;
     let free_length = (center_distance_squared - radius * radius).sqrt();
-    let cosine = (free_length * b_z - radius * h) * by_square;
-    let sine = (free_length * h + radius * b_z) * by_square;
-    let wrap_angle = sine.full_angle(cosine);
+    // b_M² cos β and b_M² sin β: the angle needs no division
+    let (forward, sideways) = (free_length * b_z - radius * h, free_length * h + radius * b_z);
+    let wrap_angle = sideways.full_angle(forward);
+    let by_square = one / center_distance_squared;
+    let (cosine, sine) = (forward * by_square, sideways * by_square);
 
     // The free part swings about C in the pulley's plane (along `bend`) and turns with the swivel (along `side`).
     let bend = sub(scale(cosine, radial), scale(sine, swivel_axis));

@@ -10,16 +10,29 @@ use crate::tension::Limits;
 pub(in crate::equilibrium) struct Balance<'a> {
     pub(in crate::equilibrium) model: &'a Model,
     pub(in crate::equilibrium) load: &'a Load,
-    pub(in crate::equilibrium) limits: &'a Limits,
+    /// The middle of each cable's limits (N).
+    pub(in crate::equilibrium) middle: [f64; LANES],
 }
 
-impl Balance<'_> {
-    /// The n rows of the structure matrix, and where a cable may have no course (above 0).
+impl<'a> Balance<'a> {
+    pub(in crate::equilibrium) fn new(model: &'a Model, load: &'a Load, limits: &Limits) -> Self {
+        let mut middle = [0.0; LANES];
+        for (cable, middle) in middle.iter_mut().enumerate().take(limits.cable_count()) {
+            *middle = limits.middle(cable);
+        }
+        Self { model, load, middle }
+    }
+
+    /// Fills in the rows of the structure matrix, zeros from row n on; where a cable may have no course the answer is above 0.
+    /// Columns without a cable are left as they are.
     #[inline(always)]
-    pub(in crate::equilibrium) fn rows<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Rows<L>, L) {
-        let zero = position[0].constant(0.0);
-        let mut rows = [[zero; LANES]; 6];
-        let mut doubt = zero;
+    pub(in crate::equilibrium) fn fill<L: Lanes>(
+        &self,
+        rows: &mut Rows<L>,
+        position: [L; 3],
+        rotation: &[[L; 3]; 3],
+    ) -> L {
+        let mut doubt = position[0].constant(0.0);
         let cables = &self.model.groups()[0];
         let basis = self.model.twist_basis();
         for cable in 0..self.model.cable_count() {
@@ -31,7 +44,7 @@ impl Balance<'_> {
             }
             doubt = doubt + found.doubt;
         }
-        (rows, doubt)
+        doubt
     }
 
     /// Aᵀ f_m + w: what the middle of the limits leaves of the load.
@@ -46,7 +59,7 @@ impl Balance<'_> {
         let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(lever, weight));
         let mut rest = in_pattern(self.model.twist_basis(), force, moment);
         for cable in 0..self.model.cable_count() {
-            let middle = l.constant(self.limits.middle(cable));
+            let middle = l.constant(self.middle[cable]);
             for row in 0..6 {
                 rest[row] = rest[row] + rows[row][cable] * middle;
             }

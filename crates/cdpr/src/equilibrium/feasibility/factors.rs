@@ -1,93 +1,140 @@
 //! The solutions of the balance at eight poses at once.
 //!
-//! Numbers of rows and cables are those of the robot, not of the compiler: unrolled for each, the code would be fifty times as
-//! much and not faster.
+//! How many columns a reflection has left is the compiler's number, so that a row stays in registers; how many rows follow is the
+//! robot's. Columns without a cable are zeros and change nothing.
 
 use crate::scalar::{LANES, Lanes};
 
-/// Rows of a structure matrix by cables, at eight poses.
+/// Rows of a structure matrix by cables, at eight poses; zeros where a robot has fewer.
 pub(in crate::equilibrium) type Rows<L> = [[L; LANES]; 6];
 
 /// f = f₀ + H λ solves Aᵀ f + w = 0.
-pub(in crate::equilibrium) struct Solutions<L> {
+pub(super) struct Solutions<L> {
     /// f₀, the shortest solution, per cable (N).
-    pub(in crate::equilibrium) shortest: [L; LANES],
+    pub(super) shortest: [L; LANES],
     /// H by columns, orthonormal; the last ones are zero where redundancy is less than 2.
-    pub(in crate::equilibrium) null_space: [[L; LANES]; 2],
+    pub(super) null_space: [[L; LANES]; 2],
     /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
-    pub(in crate::equilibrium) has_rank: L,
+    pub(super) has_rank: L,
 }
 
 /// Squared sine of the angle between a row and those before it, below which lanes do not trust the rank.
-const INDEPENDENT: f64 = 1e-6;
+pub(in crate::equilibrium) const INDEPENDENT: f64 = 1e-6;
 
-/// Householder factors of the first `dof` rows, whose place they take; `rest` is w. Of the null space this many
-/// directions are wanted, two at most.
+/// Householder reflections of the first `dof` rows, whose place they take.
+struct Reflections<'a, L> {
+    dof: usize,
+    rows: &'a mut Rows<L>,
+    /// 2/vᵀv of each.
+    factors: [L; 6],
+    /// The rows' lengths, squared.
+    squares: [L; 6],
+    /// What rows not yet reached leave of the load.
+    rest: [L; 6],
+    /// Rᵀ y = −rest, zeros behind.
+    solution: [L; LANES],
+    has_rank: L,
+}
+
+/// [`Solutions`] for these rows, which are lost; `rest` is w. Two directions of the null space at most are found.
 #[inline(always)]
-pub(in crate::equilibrium) fn solve<L: Lanes>(
-    lanes: L,
-    [dof, cables, directions]: [usize; 3],
-    rows: &mut Rows<L>,
-    mut rest: [L; 6],
-) -> Solutions<L> {
+pub(super) fn solve<L: Lanes>(lanes: L, [dof, cables]: [usize; 2], rows: &mut Rows<L>, rest: [L; 6]) -> Solutions<L> {
     let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
     let mut squares = [zero; 6];
     for row in 0..dof {
-        squares[row] = product(&rows[row][..cables], &rows[row][..cables]);
+        squares[row] = product::<L, 0>(&rows[row], &rows[row]);
     }
-    let mut has_rank = one;
-    let mut factors = [zero; 6];
-    let mut shortest = [zero; LANES];
-    for k in 0..dof {
-        let (done, left) = rows[..dof].split_at_mut(k + 1);
-        let v = &mut done[k][k..cables];
-        let tail = product(v, v);
-        has_rank = has_rank.select((squares[k] * lanes.constant(INDEPENDENT)).is_less(tail), zero);
+    let (factors, solution) = ([zero; 6], [zero; LANES]);
+    let mut reflections = Reflections { dof, rows, factors, squares, rest, solution, has_rank: one };
+    reflections.find::<0>();
+    reflections.find::<1>();
+    reflections.find::<2>();
+    reflections.find::<3>();
+    reflections.find::<4>();
+    reflections.find::<5>();
+    let mut vectors = [reflections.solution, [zero; LANES], [zero; LANES]];
+    let directions = (cables - dof).min(2);
+    for direction in 0..directions {
+        vectors[1 + direction][dof + direction] = one;
+    }
+    let found = &mut vectors[..=directions];
+    reflections.apply::<5>(found);
+    reflections.apply::<4>(found);
+    reflections.apply::<3>(found);
+    reflections.apply::<2>(found);
+    reflections.apply::<1>(found);
+    reflections.apply::<0>(found);
+    let [shortest, first, second] = vectors;
+    Solutions { shortest, null_space: [first, second], has_rank: reflections.has_rank }
+}
+
+impl<L: Lanes> Reflections<'_, L> {
+    /// The reflection that leaves of row K nothing beyond column K.
+    #[inline(always)]
+    fn find<const K: usize>(&mut self) {
+        if K >= self.dof {
+            return;
+        }
+        let mut v = self.rows[K];
+        let (zero, one) = (v[K].constant(0.0), v[K].constant(1.0));
+        let tail = product::<L, K>(&v, &v);
+        let is_clear = (self.squares[K] * one.constant(INDEPENDENT)).is_less(tail);
+        self.has_rank = self.has_rank.select(is_clear, zero);
         let length = tail.sqrt();
-        let signed = (-length).select(v[0].is_less(zero), length);
-        let head = v[0] + signed;
-        v[0] = head;
+        let signed = (-length).select(v[K].is_less(zero), length);
+        let head = v[K] + signed;
+        v[K] = head;
         // both reciprocals of one division
         let factor = one / (signed * head);
-        factors[k] = factor;
-        // R has −signed on its diagonal, and Rᵀ y = −rest
-        let y = rest[k] * (factor * head);
-        shortest[k] = y;
-        for (row, rest) in left.iter_mut().zip(&mut rest[k + 1..]) {
-            let row = &mut row[k..cables];
-            subtract(row, factor * product(v, row), v);
-            *rest = *rest + row[0] * y;
+        self.rows[K][K] = head;
+        self.factors[K] = factor;
+        // R has −signed on its diagonal
+        let y = self.rest[K] * (factor * head);
+        self.solution[K] = y;
+        for row in K + 1..self.dof {
+            let target = &mut self.rows[row];
+            subtract::<L, K>(target, factor * product::<L, K>(&v, target), &v);
+            self.rest[row] = self.rest[row] + target[K] * y;
         }
     }
-    let mut null_space = [[zero; LANES]; 2];
-    for (column, entries) in null_space.iter_mut().enumerate().take((cables - dof).min(directions)) {
-        entries[dof + column] = one;
-    }
-    for k in (0..dof).rev() {
-        let v = &rows[k][k..cables];
-        let x = &mut shortest[k..cables];
-        subtract(x, factors[k] * product(v, x), v);
-        for x in &mut null_space[..directions] {
-            let x = &mut x[k..cables];
-            subtract(x, factors[k] * product(v, x), v);
+
+    /// Reflects vectors, to be called from the last reflection to the first.
+    #[inline(always)]
+    fn apply<const K: usize>(&self, vectors: &mut [[L; LANES]]) {
+        if K >= self.dof {
+            return;
+        }
+        let (v, factor) = (self.rows[K], self.factors[K]);
+        for x in vectors {
+            subtract::<L, K>(x, factor * product::<L, K>(&v, x), &v);
         }
     }
-    Solutions { shortest, null_space, has_rank }
 }
 
+/// Scalar product from column K on, in pairs of pairs: a short chain of sums.
 #[inline(always)]
-fn product<L: Lanes>(a: &[L], b: &[L]) -> L {
-    let mut sum = a[0] * b[0];
-    for (a, b) in a[1..].iter().zip(&b[1..]) {
-        sum = sum + *a * *b;
+fn product<L: Lanes, const K: usize>(a: &[L; LANES], b: &[L; LANES]) -> L {
+    let mut pairs = [a[0]; LANES / 2];
+    for (pair, sum) in pairs.iter_mut().enumerate() {
+        let (first, second) = (2 * pair, 2 * pair + 1);
+        if first >= K {
+            *sum = a[first] * b[first] + a[second] * b[second];
+        } else if second >= K {
+            *sum = a[second] * b[second];
+        }
     }
-    sum
+    let right = pairs[2] + pairs[3];
+    match K {
+        0 | 1 => (pairs[0] + pairs[1]) + right,
+        2 | 3 => pairs[1] + right,
+        _ => right,
+    }
 }
 
-/// x ← x − along v
+/// x ← x − along v from column K on.
 #[inline(always)]
-fn subtract<L: Lanes>(x: &mut [L], along: L, v: &[L]) {
-    for (x, v) in x.iter_mut().zip(v) {
-        *x = *x - along * *v;
+fn subtract<L: Lanes, const K: usize>(x: &mut [L; LANES], along: L, v: &[L; LANES]) {
+    for column in K..LANES {
+        x[column] = x[column] - along * v[column];
     }
 }

@@ -160,13 +160,14 @@ impl Kernel for Chunk<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { solver, poses, verdicts } = self;
-        let balance = Balance { model: solver.model, load: &solver.load, limits: &solver.limits };
+        let balance = Balance::new(solver.model, &solver.load, &solver.limits);
         let strips = Strips::new(&solver.limits, solver.model.dof());
+        let mut rows = [[lanes.constant(0.0); LANES]; 6];
         for (poses, verdicts) in poses.chunks(LANES).zip(verdicts.chunks_mut(LANES)) {
             let mut numbers = [Line::default(); POSE_ROWS];
             transpose(poses, &mut numbers);
             let (position, rotation) = in_lanes(lanes, &numbers);
-            let (mut rows, doubt) = balance.rows(position, &rotation);
+            let doubt = balance.fill(&mut rows, position, &rotation);
             let rest = balance.rest(&rotation, &rows);
             let codes = strips.verdicts(lanes, &mut rows, rest, doubt).to_array();
             for (verdict, code) in verdicts.iter_mut().zip(codes) {

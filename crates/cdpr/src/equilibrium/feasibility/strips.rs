@@ -63,7 +63,7 @@ impl Strips {
     #[inline(always)]
     pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, rest: [L; 6], doubt: L) -> L {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        let solutions = factors::solve(lanes, [self.dof, self.cables, self.cables - self.dof], rows, rest);
+        let solutions = factors::solve(lanes, [self.dof, self.cables], rows, rest);
         let mut scale = lanes.constant(self.scale);
         for cable in 0..self.cables {
             scale = scale + solutions.shortest[cable].abs();

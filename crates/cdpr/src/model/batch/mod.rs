@@ -74,7 +74,7 @@ impl Kernel for Lengths<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { model, poses, first, lines } = self;
-        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let zero = lanes.constant(0.0);
         for (group, lengths) in (first..).zip(lines.chunks_exact_mut(model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
             let mut doubt = zero;
@@ -82,7 +82,7 @@ impl Kernel for Lengths<'_> {
                 for (lane, target) in target.iter_mut().enumerate() {
                     let cable = cables.course_in_lanes(lane, position, &rotation);
                     cable.course.length.store(&mut target.0);
-                    doubt = one.select(zero.is_less(cable.doubt), doubt);
+                    doubt = doubt + cable.doubt;
                 }
             }
             if lanes.any(zero.is_less(doubt)) {
@@ -127,7 +127,7 @@ impl Kernel for StructureMatrices<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let Self { model, poses, first, lines } = self;
-        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let zero = lanes.constant(0.0);
         let n = model.dof();
         for (group, matrices) in (first..).zip(lines.chunks_exact_mut(n * model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
@@ -140,7 +140,7 @@ impl Kernel for StructureMatrices<'_> {
                     for (target, entry) in target.iter_mut().zip(column) {
                         entry.store(&mut target.0);
                     }
-                    doubt = one.select(zero.is_less(cable.doubt), doubt);
+                    doubt = doubt + cable.doubt;
                 }
             }
             if lanes.any(zero.is_less(doubt)) {

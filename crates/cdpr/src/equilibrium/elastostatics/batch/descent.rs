@@ -82,20 +82,23 @@ impl Kernel for Descents<'_> {
         let (mut size, mut last) = (zero, zero);
         let mut before = [[zero; 6]; 6];
         let mut stiffness = before;
+        let mut terms = [[zero; TERMS]; LANES];
         // a plain descent needs far fewer steps
         for _ in 0..=self.settings.max_iterations.min(30) {
             let all_end = !lanes.any(last.is_less(state.is_running));
-            let point = self.evaluate(lanes, &trial, &springs, &mut tensions, !all_end);
+            let point = self.evaluate(lanes, &trial, &springs, (&mut tensions, &mut terms), !all_end);
             let residual_squared = self.squared(&point.residual);
             let is_cut = flag(one, residual_squared.is_less(lanes.constant(CUT) * state.residual_squared));
             let has_courses = one - flag(one, zero.is_less(point.doubt));
             state.is_running = state.is_running * is_cut * has_courses;
             state.accept(lanes, &trial, &tensions, [size, residual_squared]);
             let ends = zero.is_less(state.is_running * last);
-            for row in 0..self.model.dof() {
-                for column in 0..=row {
-                    // the stiffness of an end is that before its last step
-                    stiffness[row][column] = before[row][column].select(ends, stiffness[row][column]);
+            if lanes.any(ends) {
+                for row in 0..self.model.dof() {
+                    for column in 0..=row {
+                        // the stiffness of an end is that before its last step
+                        stiffness[row][column] = before[row][column].select(ends, stiffness[row][column]);
+                    }
                 }
             }
             before = point.stiffness;
@@ -189,19 +192,19 @@ impl Descents<'_> {
         (amounts, is_regular)
     }
 
-    /// Residual, tensions and, where it is asked for, stiffness.
+    /// Residual, tensions and, where it is asked for, stiffness; `terms` are the cables' shares, which stay zeros where there is
+    /// no cable.
     #[inline(always)]
     fn evaluate<L: Lanes>(
         &self,
         lanes: L,
         pose: &[Line; POSE_ROWS],
         springs: &[L; LANES],
-        tensions: &mut [Line; LANES],
+        (tensions, terms): (&mut [Line; LANES], &mut [[L; TERMS]; LANES]),
         with_stiffness: bool,
     ) -> Point<L> {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let (position, rotation) = in_lanes(lanes, pose);
-        let mut terms = [[zero; TERMS]; LANES];
         let mut doubt = zero;
         for (cable, length) in self.lengths.iter().enumerate() {
             let found = self.model.groups()[0].course_in_lanes(cable, position, &rotation);
