@@ -21,7 +21,7 @@ pub struct Tolerances {
     /// Robots drawn; 10 000 when missing.
     #[schemars(range(min = 1, max = 1000000))]
     pub robots: usize,
-    /// Required accuracy of the position (m); [limits] position_error_max_m counts when missing.
+    /// Required accuracy of the position (m); that of the study's limits counts when missing.
     pub accuracy_m: Option<f64>,
     /// What has to keep the required accuracy; `error` when missing.
     pub accuracy_of: AccuracyOf,
