@@ -14,30 +14,10 @@ use cdpr::tension::Limits;
 use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::differential::{Differences, motion};
 use cdpr::workspace::grid::{self, Count, Grid};
-use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, Verdict, WorkspaceError, hull, octree};
+use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError, hull, octree};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use support::{builtin, random_direction};
-
-/// A set of positions by its signed distance.
-struct Shape<F>(F);
-
-impl<F: Fn(&Vector3<f64>) -> f64 + Sync> Criterion for Shape<F> {
-    fn name(&self) -> &str {
-        "shape"
-    }
-
-    fn unit(&self) -> &str {
-        "m"
-    }
-
-    fn judge(&self, pose: &Pose) -> Verdict {
-        match (self.0)(&pose.position) {
-            margin if margin >= 0.0 => Verdict::held(margin, None),
-            margin => Verdict::failed(margin, "outside", None),
-        }
-    }
-}
+use support::{Shape, builtin, random_direction};
 
 fn standard(name: &str) -> Model {
     Model::new(builtin(name), Composition::STANDARD).unwrap()

@@ -5,7 +5,6 @@ mod support;
 
 use std::f64::consts::PI;
 
-use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::statics::Load;
@@ -13,28 +12,8 @@ use cdpr::tension::Limits;
 use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::grid::{Count, Grid, Outcome};
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Archetype, Bounds, Cells, Criterion, Region, Verdict, octree};
-use support::builtin;
-
-/// A set of positions by its signed distance.
-struct Shape<F>(F);
-
-impl<F: Fn(&Vector3<f64>) -> f64 + Sync> Criterion for Shape<F> {
-    fn name(&self) -> &str {
-        "shape"
-    }
-
-    fn unit(&self) -> &str {
-        "m"
-    }
-
-    fn judge(&self, pose: &Pose) -> Verdict {
-        match (self.0)(&pose.position) {
-            margin if margin >= 0.0 => Verdict::held(margin, Some(3)),
-            margin => Verdict::failed(margin, "outside", None),
-        }
-    }
-}
+use cdpr::workspace::{Archetype, Bounds, Cells, Region, octree};
+use support::{Shape, builtin};
 
 fn standard(name: &str) -> Model {
     Model::new(builtin(name), Composition::STANDARD).unwrap()

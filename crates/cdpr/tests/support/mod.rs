@@ -8,6 +8,7 @@ use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{DrumSide, Robot};
+use cdpr::workspace::{Criterion, Verdict};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -92,4 +93,24 @@ pub(crate) fn measured(machine: &Robot, composition: Composition, count: usize, 
     simulate(&model, &model, &vec![0.0; model.cable_count()], &poses, &NOISE, seed)
         .expect("machine and control model fit")
         .samples
+}
+
+/// A set of positions by its signed distance; cable 4 limits within.
+pub(crate) struct Shape<F>(pub(crate) F);
+
+impl<F: Fn(&Vector3<f64>) -> f64 + Sync> Criterion for Shape<F> {
+    fn name(&self) -> &str {
+        "shape"
+    }
+
+    fn unit(&self) -> &str {
+        "m"
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        match (self.0)(&pose.position) {
+            margin if margin >= 0.0 => Verdict::held(margin, Some(3)),
+            margin => Verdict::failed(margin, "outside", None),
+        }
+    }
 }
