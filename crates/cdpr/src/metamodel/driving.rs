@@ -91,14 +91,14 @@ impl<'a> Driving<'a> {
         self.each(poses, |pose| self.outcome(pose))
     }
 
-    /// Something of each of many poses, in their order.
-    pub(super) fn each<T: Send>(&self, poses: &[Pose], of: impl Fn(&Pose) -> T + Send + Sync) -> Vec<T> {
+    /// Something of each of many items, in their order.
+    pub(super) fn each<I: Sync, T: Send>(&self, items: &[I], of: impl Fn(&I) -> T + Send + Sync) -> Vec<T> {
         #[cfg(feature = "parallel")]
         {
             use rayon::prelude::*;
-            poses.par_iter().with_min_len(SHARE).map(of).collect()
+            items.par_iter().with_min_len(SHARE).map(of).collect()
         }
         #[cfg(not(feature = "parallel"))]
-        poses.iter().map(of).collect()
+        items.iter().map(of).collect()
     }
 }

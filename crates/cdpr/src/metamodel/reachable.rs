@@ -183,6 +183,10 @@ impl Criterion for Reachable<'_> {
         self.verdict(pose, &self.driving.outcome(pose))
     }
 
+    fn holds(&self, pose: &Pose) -> bool {
+        self.is_kept(pose, &self.driving.outcome(pose))
+    }
+
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
         let judged = self.driving.with(|operation| {
             for (pose, answer) in poses.iter().zip(&mut *answers) {

@@ -15,8 +15,6 @@ pub struct Cell {
     pub rotation_error: f64,
     /// Least distance of the tensions from their limits as a share of the range; infinite without limits.
     pub tension_margin: f64,
-    /// The emerging position (m), where there is one.
-    pub emerging: Option<Point>,
 }
 
 /// All cells of a grid, slab after slab.
@@ -24,6 +22,8 @@ pub struct Cell {
 pub struct Census {
     /// One entry per cell.
     pub cells: Vec<Cell>,
+    /// The largest angle that was required (rad).
+    rotation_error_max: Option<f64>,
 }
 
 impl Census {
@@ -33,29 +33,32 @@ impl Census {
         let slab = |slab: usize| (0..grid.slab_points()).map(move |index| grid.point(slab, index));
         let pose = |point: Point| Pose { position: region.position(&point), rotation };
         let poses: Vec<Pose> = (0..grid.slabs()).flat_map(slab).map(pose).collect();
-        Self { cells: reachable.driving().each(&poses, |pose| Cell::of(reachable, region, pose)) }
+        let rotation_error_max = reachable.requirements().rotation_error_max;
+        Self { rotation_error_max, cells: reachable.driving().each(&poses, |pose| Cell::of(reachable, pose)) }
     }
 
-    /// Which cells are reached with tensions within their limits and a position error of at most this (m).
+    /// Which cells are reached as required, with a position error of at most this (m) in place of the required one.
     pub fn reached(&self, position_error_max: Option<f64>) -> Vec<bool> {
         let most = position_error_max.unwrap_or(f64::MAX);
-        self.cells.iter().map(|cell| cell.tension_margin >= 0.0 && cell.position_error <= most).collect()
+        let turn = self.rotation_error_max.unwrap_or(f64::MAX);
+        let is_reached =
+            |cell: &Cell| cell.tension_margin >= 0.0 && cell.position_error <= most && cell.rotation_error <= turn;
+        self.cells.iter().map(is_reached).collect()
     }
 }
 
 impl Cell {
-    fn of(reachable: &Reachable<'_>, region: &Region<'_>, commanded: &Pose) -> Self {
+    fn of(reachable: &Reachable<'_>, commanded: &Pose) -> Self {
         let outcome = reachable.driving().outcome(commanded);
         if outcome.status != Status::Converged {
-            let (none, emerging) = (f64::INFINITY, None);
-            return Self { position_error: none, rotation_error: none, tension_margin: none, emerging };
+            let none = f64::INFINITY;
+            return Self { position_error: none, rotation_error: none, tension_margin: none };
         }
         let limits = reachable.requirements().tensions.as_ref().zip(outcome.tensions.as_ref());
         Self {
             position_error: (outcome.pose.position - commanded.position).norm(),
             rotation_error: outcome.pose.angle_to(commanded),
             tension_margin: limits.map_or(f64::INFINITY, |(limits, tensions)| tension_margin(limits, tensions).0),
-            emerging: Some(region.point(&outcome.pose.position)),
         }
     }
 }

@@ -12,19 +12,8 @@ use crate::workspace::{Point, Region};
 /// `cells` are slab and index of the cells that are reached, as [`Grid::point`] takes them.
 pub fn emerging_size(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid, cells: &[(usize, usize)]) -> f64 {
     let size = |&(slab, index): &(usize, usize)| stretch(reachable, region, grid, &grid.point(slab, index));
-    grid.cell_size() * sum(cells, &size)
-}
-
-#[cfg(feature = "parallel")]
-fn sum(cells: &[(usize, usize)], size: &(dyn Fn(&(usize, usize)) -> f64 + Sync)) -> f64 {
-    use rayon::prelude::*;
-    // collected before they are added: the order of a sum decides its last digits
-    cells.par_iter().map(size).collect::<Vec<f64>>().iter().sum()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn sum(cells: &[(usize, usize)], size: &(dyn Fn(&(usize, usize)) -> f64 + Sync)) -> f64 {
-    cells.iter().map(size).sum()
+    // all sizes are there before they are added: the order of a sum decides its last digits
+    grid.cell_size() * reachable.driving().each(cells, size).iter().sum::<f64>()
 }
 
 /// |det ∂x̂/∂x| at a commanded position; 1 where a neighbour has no answer.
