@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use cdpr::geometry::Pose;
-use cdpr::measurement::{Provenance, Sidecar, poses_from_csv};
+use cdpr::identification::{Evaluation, evaluate};
+use cdpr::measurement::{Provenance, SensorSigmas, Sidecar, poses_from_csv};
 use cdpr::metamodel::accuracy::{Assessment, assess_operation};
 use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
@@ -26,6 +27,8 @@ pub(crate) struct Laboratory {
     pub(crate) control: Model,
     /// What answers.
     pub(crate) machine: Model,
+    /// The model that is asked what emerges.
+    pub(crate) prediction: Option<Model>,
     /// The model in use when the winches were set, where it is not the control model.
     former: Option<Model>,
     /// What is added to the lengths (m).
@@ -53,6 +56,7 @@ impl Laboratory {
     pub(crate) fn new(study: Study, name: &str, folder: &Path, robots: RobotSource<'_>) -> Result<Self, Failure> {
         let control = model_of(&study, &study.control, robots)?;
         let machine = model_of(&study, &study.machine, robots)?;
+        let prediction = study.prediction.as_ref().map(|side| model_of(&study, side, robots)).transpose()?;
         let pose = study.initial_pose(machine.robot()).map_err(|error| Failure::refused(name, &error))?;
         let former = study
             .initial
@@ -62,7 +66,8 @@ impl Laboratory {
         let former = former.map(|side| model_of(&study, &side, robots)).transpose()?;
         let offsets = winch_offsets(&study.initial, former.as_ref().unwrap_or(&control), &machine, &pose)
             .map_err(|error| Failure::refused(name, &error))?;
-        Ok(Self { study, control, machine, former, offsets, name: name.to_owned(), folder: folder.to_owned() })
+        let (name, folder) = (name.to_owned(), folder.to_owned());
+        Ok(Self { study, control, machine, prediction, former, offsets, name, folder })
     }
 
     /// Virtual measurements of all poses and tension tests.
@@ -76,6 +81,15 @@ impl Laboratory {
     pub(crate) fn assess(&self, seed: u64) -> Result<Assessment, Failure> {
         let poses = self.untested_poses(seed)?;
         assess_operation(&mut self.operation()?, &poses).map_err(|error| self.refused(&error))
+    }
+
+    /// How well the model of `[prediction]` tells what emerges from what was sent, sensors without noise; nothing without one.
+    pub(crate) fn predict(&self, seed: u64) -> Result<Option<Evaluation>, Failure> {
+        let Some(model) = &self.prediction else { return Ok(None) };
+        let poses = self.untested_poses(seed)?;
+        let recorded = simulate_operation(&mut self.operation()?, &poses, &SensorSigmas::default(), seed);
+        let recorded = recorded.map_err(|error| self.refused(&error))?;
+        evaluate(model, &recorded.samples).map(Some).map_err(|error| self.refused(&error))
     }
 
     /// The poses that count for accuracy: tension tests leave theirs on purpose.

@@ -4,13 +4,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::geometry::MotionPattern;
+use cdpr::identification::ErrorBlocks;
 use cdpr::metamodel::Status;
 use cdpr::metamodel::accuracy::{Accuracy, Assessment};
 use cdpr::metamodel::study::{History, Reach};
+use cdpr::model::Model;
 use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
+use crate::error_table::{convergence_remark, error_table};
 use crate::failure::Failure;
 use crate::laboratory::Laboratory;
 use crate::progress::Progress;
@@ -25,7 +28,8 @@ Examples:
 /// Drive a machine by a control model through the poses of a study, and compare what emerges with what was commanded.
 ///
 /// Position and rotation errors compare the emerging with the commanded pose; length errors compare what the control model
-/// would send for the emerging pose with what it sent (eq. 6.6). Sensor noise and tension tests of the study do not count.
+/// would send for the emerging pose with what it sent (eq. 6.6). With [prediction], another model is asked what emerges, and how
+/// far it is from the machine's pose and tensions. Sensor noise and tension tests of the study do not count.
 /// The answer is negative (exit code 1) when a pose has no answer; tensions outside the limits are told, not judged.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -49,10 +53,20 @@ struct Assessed {
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    prediction: Option<Prediction>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     history: Option<History>,
     seed: u64,
     #[serde(skip)]
     pattern: MotionPattern,
+}
+
+/// How well a model told from the lengths that were sent what emerged.
+#[derive(Serialize)]
+struct Prediction {
+    model: String,
+    #[serde(flatten)]
+    blocks: ErrorBlocks,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -60,9 +74,15 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let progress = Progress::spinner("driving the machine");
     let assessment = laboratory.assess(arguments.seed)?;
+    let prediction = laboratory.predict(arguments.seed)?;
     drop(progress);
+    assessment.accuracy.remark().iter().for_each(|remark| output.remark(remark));
     let reason = reason(&assessment);
-    let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
+    let title = |model: &Model| format!("{} ({})", model.robot().name, model.composition());
+    let prediction = prediction.zip(laboratory.prediction.as_ref());
+    let prediction = prediction.map(|(found, model)| Prediction { model: title(model), blocks: found.blocks() });
+    let unsettled = prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));
+    unsettled.iter().for_each(|remark| output.remark(remark));
     output.answer(&Assessed {
         status: if reason.is_none() { "converged" } else { "not-converged" },
         reason,
@@ -70,6 +90,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         machine: title(&laboratory.machine),
         pattern: laboratory.machine.robot().motion_pattern,
         accuracy: assessment.accuracy,
+        prediction,
         history: laboratory.history(),
         winch_offsets_m: laboratory.offsets,
         seed: arguments.seed,
@@ -99,6 +120,10 @@ impl Answer for Assessed {
         }
         text.push_str(&format!("\n{}", self.errors()));
         text.push_str(&self.tensions());
+        if let Some(Prediction { model, blocks }) = &self.prediction {
+            let table = error_table(self.pattern, &[("value", blocks)]);
+            text.push_str(&format!("\n{model} predicts from the lengths sent what emerges, with errors of\n\n{table}"));
+        }
         let offsets: Vec<String> =
             self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
         text.push_str(&format!("\nwinch offsets  {} mm\n", offsets.join(", ")));

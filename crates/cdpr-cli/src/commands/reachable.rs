@@ -198,10 +198,22 @@ impl Search<'_> {
     /// Says why nothing is reached, if nothing is.
     fn explained(&self, mut found: Found) -> Found {
         if found.feasible_points == 0 {
-            let verdict = self.region.judge(&self.center);
-            let why = verdict.reason.map_or_else(String::new, |why| format!("; at the initial pose: {why}"));
-            found.reason = Some(format!("none of {} commanded poses is reached{why}", found.points));
+            found.reason = Some(format!("none of {} commanded poses is reached{}", found.points, self.why_nothing()));
         }
         found
+    }
+
+    /// What stands in the way at the center; where that is reached, the box or its cells are to blame.
+    fn why_nothing(&self) -> String {
+        let at_center = self.region.judge(&self.center);
+        if let Some(why) = at_center.reason {
+            return format!("; at the initial pose: {why}");
+        }
+        if self.bounds.contain(&self.center) {
+            return "; the initial pose is, so the cells are too coarse: take a smaller --step".to_owned();
+        }
+        let in_the_middle = self.region.judge(&self.bounds.middle()).reason;
+        let why = in_the_middle.map_or_else(String::new, |why| format!("; in its middle: {why}"));
+        format!(": the box lies outside the robot's reach, the initial pose outside the box; move --bounds{why}")
     }
 }

@@ -63,6 +63,29 @@ fn what_nothing_reaches_is_a_negative_answer_with_its_reason() {
     assert!(run.stderr.contains("-1 m is no largest error"), "{}", run.stderr);
 }
 
+#[test]
+fn a_box_outside_the_reach_is_named_as_the_reason() {
+    let run = cdpr(&format!("reachable {} --bounds=20,30,20,30 --step 1", study("planar-wide-grid")));
+    assert_eq!(run.exit_code, 1);
+    for words in ["the box lies outside the robot's reach", "in its middle: cable", "--bounds"] {
+        assert!(run.stdout.contains(words), "{words}: {}", run.stdout);
+    }
+    // the initial pose is reached to a micrometre, the middles of the cells are not
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(study("planar-wide-grid")).unwrap();
+    std::fs::write(folder.path().join("study.toml"), text.replace("[limits]", "[limits]\nposition_error_max_m = 1e-6"))
+        .unwrap();
+    let run = cdpr_in(folder.path(), "reachable study.toml --step 1");
+    assert!(run.exit_code == 1 && run.stdout.contains("smaller --step"), "{}", run.stdout);
+    let folder = sweep();
+    let text = SWEEP.replace("[-6, 6, -1, 9]", "[20, 30, 20, 30]");
+    std::fs::write(folder.path().join("sweep.toml"), text).unwrap();
+    assert_eq!(cdpr_in(folder.path(), "sweep plan sweep.toml --out out").exit_code, 0);
+    assert_eq!(cdpr_in(folder.path(), "sweep run out").exit_code, 0);
+    let run = cdpr_in(folder.path(), "sweep merge out");
+    assert!(run.exit_code == 1 && run.stdout.contains("box 20, 30, 20, 30 lies outside"), "{}", run.stdout);
+}
+
 const SWEEP: &str = r#"
 study = "study.toml"
 position_error_max_m = [0.01]

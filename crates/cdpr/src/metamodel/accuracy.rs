@@ -35,6 +35,19 @@ pub struct Accuracy {
     pub outside_limits_share: Option<f64>,
 }
 
+impl Accuracy {
+    /// What is odd about the numbers: the poses lie outside what the machine reaches.
+    pub fn remark(&self) -> Option<String> {
+        let settled = self.statuses.get(Status::Converged.name()).copied().unwrap_or(0);
+        (settled > 0 && self.outside_limits_share == Some(1.0)).then(|| {
+            format!(
+                "the tensions break their limits at each of the {settled} poses that the machine comes to rest at: they lie outside \
+                 its reach, which `cdpr reachable` shows"
+            )
+        })
+    }
+}
+
 /// What emerges at every pose, with the errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {

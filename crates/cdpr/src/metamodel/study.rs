@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 pub use poses::{CommandedPose, Shortening};
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
+use super::poorer::remark_on_poorer;
 use crate::geometry::{PatternError, Pose};
 use crate::measurement::SensorSigmas;
 use crate::model::Composition;
@@ -23,6 +24,9 @@ pub struct Study {
     pub control: RobotModel,
     /// What answers: same or higher complexity, own parameters.
     pub machine: RobotModel,
+    /// A model that is asked what emerges: it predicts pose and tensions from the lengths that were sent, as `cdpr evaluate` does
+    /// from measurements. `cdpr accuracy` only.
+    pub prediction: Option<RobotModel>,
     /// Where the winches are set.
     pub initial: Initial,
     /// Tension limits and the largest position error; the robot files' limits apply without.
@@ -206,8 +210,18 @@ impl Study {
             .any(|side| side.composition().is_some_and(|effects| effects.depends_on_tension()))
     }
 
-    /// What the study states without effect.
+    /// What is odd about the study: a machine poorer than its control model, and what it states without effect.
     pub fn remarks(&self) -> Vec<String> {
+        let poorer = self.control.composition().zip(self.machine.composition());
+        poorer
+            .and_then(|(control, machine)| remark_on_poorer(control, machine))
+            .into_iter()
+            .chain(self.idle())
+            .collect()
+    }
+
+    /// What the study states without effect.
+    fn idle(&self) -> Vec<String> {
         let initial = &self.initial;
         let tensions = [
             ("[initial] tensions_N", initial.tensions_N.is_some()),

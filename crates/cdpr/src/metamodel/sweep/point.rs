@@ -44,7 +44,7 @@ pub struct Row {
     pub by_accuracy: Vec<f64>,
     /// Cells of the grid.
     pub cells: u64,
-    /// Why there is nothing to reach with, in words: the machine cannot be set up so.
+    /// Why there is nothing to reach, in words: the machine cannot be set up so, or the box lies outside its reach.
     pub reason: Option<String>,
 }
 
@@ -100,14 +100,22 @@ fn measured(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) ->
         let criterion = WrenchFeasible::new(machine, &load, limits.as_ref()?).ok()?;
         Some(grid::count(&region.with_criterion(&criterion), &grid).outcome(&grid).size)
     };
+    let (physical, reachable) = (physical(), size(None));
+    let is_out_of_reach = physical == Some(0.0) && reachable == 0.0;
     Ok(Row {
         point,
         values: values.to_vec(),
-        physical: physical(),
-        reachable: Some(size(None)),
+        physical,
+        reachable: Some(reachable),
         by_accuracy: sweep.position_error_max_m.iter().map(|&most| size(Some(most))).collect(),
         cells: grid.points(),
-        reason: None,
+        reason: is_out_of_reach.then(|| {
+            let ends: Vec<String> = bounds.ends().iter().map(f64::to_string).collect();
+            format!(
+                "the box {} lies outside the robot's reach: its cables can balance the load at no cell of it",
+                ends.join(", ")
+            )
+        }),
     })
 }
 
