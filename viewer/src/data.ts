@@ -1,4 +1,5 @@
 // What the page is told: the JSON block that `report/page_data.rs` writes. SI units; names carry the unit.
+import type { StudyData } from "./study/data";
 import type { WorkspaceData } from "./workspace/data";
 
 /** Statistics of position (m) or rotation errors (rad). */
@@ -120,7 +121,7 @@ export interface PageData {
 }
 
 /** The block of the page; null where no candidate could be identified. A page that is no report says what it is. */
-export function readData(): PageData | WorkspaceData | null {
+export function readData(): PageData | StudyData | WorkspaceData | null {
   const text = document.getElementById("cdpr-data")?.textContent;
-  return text ? (JSON.parse(text) as PageData | WorkspaceData | null) : null;
+  return text ? (JSON.parse(text) as PageData | StudyData | WorkspaceData | null) : null;
 }

@@ -12,6 +12,7 @@ import { offerDefinitions } from "./definitions";
 import { fill } from "./figure";
 import { offerPrinting } from "./printing";
 import { showScene } from "./scene/scene";
+import { showStudy } from "./study/page";
 import { offerTheme } from "./theme";
 import { showWorkspace } from "./workspace/page";
 
@@ -33,6 +34,8 @@ const data = readData();
 offerTheme();
 offerDefinitions();
 offerPrinting();
-if (data && "page" in data) showWorkspace(data);
-else if (data) drawAll(data);
+if (data && "page" in data) {
+  if (data.page === "study") showStudy(data);
+  else showWorkspace(data);
+} else if (data) drawAll(data);
 document.documentElement.dataset.drawn = "true";

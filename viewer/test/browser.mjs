@@ -1,12 +1,13 @@
 // Opens pages of the command in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
 //   node test/browser.mjs CHROMIUM OUTPUT FOLDER_OF_A_RESULT…
-// Each folder holds report.html, and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
+// Each folder holds report.html (of a study or of models), and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
 import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { checkPage, layout } from "./page-checks.mjs";
+import { checkStudy } from "./study-checks.mjs";
 import { checkWorkspace } from "./workspace-checks.mjs";
 
 const ARGUMENTS = [
@@ -58,10 +59,17 @@ async function examine(context, folder, name) {
   console.log(`${name}: ${(bytes / 1e6).toFixed(2)} MB, drawn after ${milliseconds.toFixed(0)} ms`);
   if (bytes > LARGEST_BYTES) found.push(`the page has ${bytes} bytes, more than ${LARGEST_BYTES}`);
   if (milliseconds > LONGEST_MILLISECONDS) found.push(`the page took ${milliseconds.toFixed(0)} ms, more than ${LONGEST_MILLISECONDS}`);
-  found.push(...(file === workspace ? await checkWorkspace(page, layout) : await checkPage(page, result)));
+  found.push(...(await checks(page, result)));
   await pictures(page, name);
   await page.close();
   return found;
+}
+
+/** What is wrong with a page of its kind. */
+async function checks(page, result) {
+  const kind = await page.locator("#cdpr-data").evaluate((block) => JSON.parse(block.textContent)?.page);
+  if (kind === "workspace") return checkWorkspace(page, layout);
+  return kind === "study" ? checkStudy(page, layout) : checkPage(page, result);
 }
 
 /** The page wide and narrow, light and dark, and on paper, for people to look at. */

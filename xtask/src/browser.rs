@@ -141,7 +141,18 @@ fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
         println!("the page of the real robot is skipped: {} is not here", measured.display());
     }
     pages.extend(workspace_pages(root, folder)?);
+    pages.extend(study_pages(root, folder)?);
     Ok(pages)
+}
+
+/// Pages of studies: two in a plane, one of them of a small region, and one in space.
+fn study_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let study = |name: &str| -> Result<PathBuf, String> {
+        let out = folder.join(format!("study-{name}"));
+        cdpr(root, &["study", &format!("studies/{name}.toml"), "--out", &out.display().to_string()])?;
+        Ok(out)
+    };
+    ["planar-wide-grid", "planar-low-grid", "twin-nominal"].into_iter().map(study).collect()
 }
 
 /// Pages of workspaces: one in a plane and one in space, each with an earlier result laid over it.

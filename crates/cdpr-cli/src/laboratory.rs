@@ -13,7 +13,9 @@ use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
 use cdpr::metamodel::{Driving, Operation, Study, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
+use cdpr::statics::Load;
 use cdpr::tension::Limits;
+use cdpr::workspace::criterion::WrenchFeasible;
 
 use crate::failure::Failure;
 use crate::files;
@@ -139,6 +141,12 @@ impl Laboratory {
             rotation_error_max: None,
         };
         Reachable::new(self.driving()?, requirements).map_err(|error| self.refused(&error))
+    }
+
+    /// Wrench feasibility of one of the models under the study's limits; nothing where load or limits are unknown.
+    pub(crate) fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
+        let load = Load::of(model.robot()).ok()?;
+        WrenchFeasible::new(model, &load, &self.limits()?).ok()
     }
 
     fn operation(&self) -> Result<Operation<'_>, Failure> {

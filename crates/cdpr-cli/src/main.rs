@@ -23,6 +23,7 @@ mod report;
 mod selecting;
 mod sensitivities;
 mod statics_failure;
+mod study_page;
 mod table;
 mod tension_choice;
 mod tension_method;

@@ -1,8 +1,9 @@
 // The page of a workspace: the robot, its platform to drag, and what the grid says there.
 import { button, choice, element } from "../controls";
+import { save, svg } from "../saving";
 import { onThemeChange } from "../theme";
 import type { WorkspaceData } from "./data";
-import { png, save, stl, svg } from "./download";
+import { png, stl } from "./download";
 import { tensionLegend } from "./legend";
 import { type MarginChart, type Plane, marginChart } from "./margin-chart";
 import { placePlatform } from "./plane-robot";

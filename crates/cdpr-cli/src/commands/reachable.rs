@@ -8,8 +8,6 @@ use std::process::ExitCode;
 use answer::{Found, ReachableAnswer};
 use cdpr::metamodel::reachable::{Census, Reachable, emerging_size, image_of};
 use cdpr::model::Model;
-use cdpr::statics::Load;
-use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::{Archetype, Bounds, Point, Region, components, hull};
 use clap::{Args, ValueEnum};
@@ -135,7 +133,7 @@ impl Search<'_> {
         let by_accuracy = thresholds.iter().map(|&most| (most, grid::outcome(&grid, &census.reached(Some(most))).size));
         let by_accuracy = by_accuracy.collect();
         let feasible = |model: &Model| -> Option<f64> {
-            let criterion = self.feasible(model)?;
+            let criterion = self.laboratory.feasible(model)?;
             let region = self.region.with_criterion(&criterion);
             Some(grid::count(&region, &grid).outcome(&grid).size)
         };
@@ -165,7 +163,7 @@ impl Search<'_> {
         let found = solve(self.region).map_err(|error| Failure::refused("--method hull", &error))?;
         let measure = found.measure();
         let feasible = |model: &Model| -> Option<f64> {
-            let criterion = self.feasible(model)?;
+            let criterion = self.laboratory.feasible(model)?;
             solve(&self.region.with_criterion(&criterion)).ok()?.measure().map(|measure| measure.size)
         };
         let answer = Found {
@@ -187,12 +185,6 @@ impl Search<'_> {
         };
         drop(progress);
         Ok(answer)
-    }
-
-    /// Wrench feasibility of one of the models; nothing where its limits are unknown.
-    fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
-        let load = Load::of(model.robot()).ok()?;
-        WrenchFeasible::new(model, &load, &self.laboratory.limits()?).ok()
     }
 
     /// Says why nothing is reached, if nothing is.

@@ -18,6 +18,7 @@ use crate::laboratory::Laboratory;
 use crate::number_format::significant;
 use crate::progress::Progress;
 use crate::selecting::NamedFile;
+use crate::study_page::{self, ErrorRow, StudyPage, error_rows};
 use crate::table::{Table, cell};
 
 const EXAMPLES: &str = "\
@@ -28,7 +29,8 @@ Examples:
 /// Errors over the poses of a study, exact and by one linear step, as tables and maps in a folder.
 ///
 /// Writes result.json, run.toml, errors.csv (pose by pose: what was commanded, what emerges, the error vector, that of the linear
-/// step, and the tensions) and error maps as SVG. The answer is negative (exit code 1) when a pose has no answer.
+/// step, and the tensions), error maps as SVG, and report.html: a page that opens from disk, with contours, error vectors and
+/// the values under the pointer. The answer is negative (exit code 1) when a pose has no answer.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -73,7 +75,8 @@ struct Run<'a> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let bytes = files::read(&arguments.study)?;
     let laboratory = Laboratory::read(&arguments.study)?;
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let remarks = laboratory.study.remarks();
+    remarks.iter().for_each(|remark| output.remark(remark));
     let commands = laboratory.untested_poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
     if poses.is_empty() {
@@ -82,10 +85,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let driving = laboratory.driving()?;
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
+    let reason = reason(&found);
+    let page = page(&laboratory, &arguments, &found, remarks.into_iter().chain(reason.clone()).collect())?;
     drop(progress);
     let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
     let mut made = tables::maps(&found, &laboratory.machine);
     made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
+    made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
         version: env!("CARGO_PKG_VERSION"),
         command: crate::command_line(),
@@ -97,7 +103,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;
     made.insert(0, NamedFile::new("run.toml", run));
-    let reason = reason(&found);
     let answer = Studied {
         status: if reason.is_none() { "converged" } else { "not-converged" },
         reason,
@@ -112,6 +117,25 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     made.push(NamedFile::new("result.json", json));
     write(&arguments.out, &made)?;
     output.answer(&answer)
+}
+
+/// The page of the study.
+fn page(
+    laboratory: &Laboratory,
+    arguments: &Arguments,
+    found: &Field,
+    warnings: Vec<String>,
+) -> Result<String, Failure> {
+    let name = arguments.study.file_stem().unwrap_or(arguments.study.as_os_str()).to_string_lossy();
+    study_page::render(&StudyPage {
+        laboratory,
+        name: &name,
+        found,
+        warnings: &warnings,
+        command: &crate::command_line(),
+        seed: arguments.seed,
+        version: env!("CARGO_PKG_VERSION"),
+    })
 }
 
 /// All files, `result.json` last: a folder that has it is complete.
@@ -137,18 +161,12 @@ impl Answer for Studied {
     }
 
     fn words(&self) -> String {
-        let Summary { position_error_m, rotation_error_rad, linear_position_error_m, linear_residual_m, .. } = &self.summary;
         let mut text = format!("{} drives {} to {} poses\n", self.control, self.machine, self.summary.samples);
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}; the others count\n"));
         }
         let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
-        for (name, unit, factor, error) in [
-            ("position, exact", "mm", 1e3, position_error_m),
-            ("position, one linear step", "mm", 1e3, linear_position_error_m),
-            ("linear step beside exact", "mm", 1e3, linear_residual_m),
-            ("rotation, exact", "°", 1.0_f64.to_degrees(), rotation_error_rad),
-        ] {
+        for ErrorRow { name, unit, factor, error } in error_rows(&self.summary) {
             let numbers = [error.mean, error.rms, error.median, error.p95, error.max];
             let cells = numbers.map(|number| cell(Some(factor * number), 3));
             table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());

@@ -3,15 +3,21 @@
 //!
 //! Program and style are made from `viewer/` and committed in `report/generated`.
 
+mod nodes;
 #[cfg(test)]
 pub(crate) mod reading;
 mod text;
 
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 
+pub(crate) use nodes::counts;
 pub(crate) use text::{breakable, plain, prose};
 
 const FRAME: &str = include_str!("frame.html");
+/// Warnings, and the command that makes the page again: `warnings`, `command` and, where there is one, `seed`.
+const CLOSING: &str = include_str!("closing.html");
+/// At the top: where the warnings are.
+const WARNED: &str = include_str!("warned.html");
 const STYLE: &str = include_str!("../report/generated/viewer.css");
 const SCRIPT: &str = include_str!("../report/generated/viewer.js");
 const NOTICES: &str = include_str!("../report/generated/notices.txt");
@@ -22,7 +28,7 @@ pub(crate) struct Page<'a> {
     pub(crate) title: &'a str,
     /// Class of the body; empty for none.
     pub(crate) class: &'a str,
-    /// Template of what stands between head and footer.
+    /// Template of what stands between head and footer; `closing` and `warned` are known to it.
     pub(crate) template: &'static str,
     /// The template's values; `title` and `version` are known to it besides.
     pub(crate) values: Value,
@@ -39,9 +45,16 @@ impl Page<'_> {
         environment.set_undefined_behavior(UndefinedBehavior::Strict);
         environment.add_template("body.html", self.template)?;
         environment.add_template("frame.html", FRAME)?;
+        environment.add_template("closing.html", CLOSING)?;
+        environment.add_template("warned.html", WARNED)?;
         let (title, version) = (plain(self.title), plain(self.version));
         let own = context! { title, version };
-        let body = environment.get_template("body.html")?.render(context! { ..self.values, ..own.clone() })?;
+        let known = context! { ..self.values, ..own.clone() };
+        let part = |name: &str| -> Result<Value, Error> {
+            Ok(Value::from_safe_string(environment.get_template(name)?.render(&known)?))
+        };
+        let (closing, warned) = (part("closing.html")?, part("warned.html")?);
+        let body = environment.get_template("body.html")?.render(context! { closing, warned, ..known.clone() })?;
         environment.get_template("frame.html")?.render(context! {
             style => Value::from_safe_string(STYLE.to_owned()),
             script => Value::from_safe_string(SCRIPT.to_owned()),

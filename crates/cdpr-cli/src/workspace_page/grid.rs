@@ -7,6 +7,7 @@ use cdpr::workspace::Verdict;
 use rayon::prelude::*;
 
 use super::WorkspacePage;
+use crate::html_page::counts;
 use crate::number_format::significant;
 use crate::pose_answer::axis_names;
 
@@ -165,42 +166,8 @@ fn axes(page: &WorkspacePage<'_>) -> Vec<Axis> {
         .collect()
 }
 
-/// Nodes along axes of these lengths, `most` together at most: cells as near to cubes as that allows.
-fn counts(extents: &[f64], most: usize) -> Vec<usize> {
-    let longest = extents.iter().copied().fold(0.0, f64::max);
-    // a box without extent along an axis has one layer there
-    let for_longest = |count: usize| -> Vec<usize> {
-        let along = |extent: &f64| match extent / longest {
-            share if share > 0.0 => ((count - 1) as f64 * share).round().max(1.0) as usize + 1,
-            _ => 1,
-        };
-        extents.iter().map(along).collect()
-    };
-    let fits = |count: &usize| for_longest(*count).iter().product::<usize>() <= most;
-    (2..=most).take_while(fits).last().map_or_else(|| vec![1; extents.len()], for_longest)
-}
-
 fn tensions(page: &WorkspacePage<'_>, pose: &Pose) -> Option<Vec<f64>> {
     let (load, limits) = page.statics?;
     let found = distribution::solve(page.model, pose, load, limits).ok()?;
     found.reason.is_none().then_some(found.tensions)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cells_are_nearly_cubes_and_nodes_no_more_than_asked() {
-        for (extents, most) in [([4.0, 5.0, 5.0], 8000), ([10.0, 0.1, 3.0], 8000), ([1.0, 1.0, 1.0], 8)] {
-            let counts = counts(&extents, most);
-            assert!(counts.iter().product::<usize>() <= most, "{counts:?}");
-            let steps: Vec<f64> = extents.iter().zip(&counts).map(|(e, n)| e / (n - 1) as f64).collect();
-            let longest = steps.iter().copied().fold(0.0, f64::max);
-            // a thin box keeps two layers; elsewhere rounding changes a step by less than a third
-            assert!(steps.iter().zip(&counts).all(|(step, &n)| n == 2 || *step > 0.66 * longest), "{steps:?}");
-        }
-        assert_eq!(counts(&[3.0, 0.0], 100)[1], 1);
-        assert_eq!(counts(&[0.0, 0.0], 100), [1, 1]);
-    }
 }

@@ -25,6 +25,7 @@ mod sensitivity;
 mod shells;
 mod statics;
 mod studies;
+mod study_page;
 mod tension;
 mod test_bench;
 mod winches;

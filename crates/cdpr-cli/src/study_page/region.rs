@@ -1,0 +1,179 @@
+//! Regions of the plane of a planar robot with errors on a regular grid, which the page draws contours through.
+
+use cdpr::geometry::Pose;
+use cdpr::metamodel::field::{Field, Sample, field};
+use cdpr::workspace::{Bounds, Criterion};
+
+use crate::failure::Failure;
+use crate::html_page::counts;
+use crate::laboratory::Laboratory;
+use crate::number_format::significant;
+
+/// Numbers that a page may hold for one region (about 8 bytes each).
+const MOST_NUMBERS: usize = 36_000;
+/// Nodes of a region at most: more would not be seen.
+const MOST_NODES: usize = 3_600;
+/// The region around the poses reaches further than their box by this share of its longer side.
+const AROUND: f64 = 0.1;
+
+/// A part of the plane.
+pub(super) struct Region {
+    /// What it is a region of.
+    pub(super) name: &'static str,
+    /// Nodes along the two axes.
+    pub(super) axes: [Nodes; 2],
+    /// What a control model and a machine make of every node, the first axis running fastest.
+    pub(super) samples: Vec<Sample>,
+    /// Margin of the machine's wrench feasibility at every node; `None` where its limits are unknown.
+    pub(super) physical: Option<Vec<f64>>,
+    /// Margin of what counts as reached at every node; `None` where nothing is asked for.
+    pub(super) reachable: Option<Vec<f64>>,
+}
+
+/// Evenly spaced nodes along an axis (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Nodes {
+    pub(super) start: f64,
+    pub(super) step: f64,
+    pub(super) count: usize,
+}
+
+impl Nodes {
+    fn at(&self, index: usize) -> f64 {
+        self.start + index as f64 * self.step
+    }
+}
+
+impl Region {
+    /// What it is, for readers.
+    pub(super) fn statement(&self) -> String {
+        let [first, second] = self.axes;
+        format!(
+            "{}: {} × {} grid points, {} m × {} m apart",
+            self.name,
+            first.count,
+            second.count,
+            significant(first.step, 3),
+            significant(second.step, 3)
+        )
+    }
+}
+
+/// The surroundings of the poses and the whole workspace; none of a spatial robot.
+pub(super) fn regions(laboratory: &Laboratory, found: &Field) -> Result<Vec<Region>, Failure> {
+    let robot = laboratory.machine.robot();
+    if !robot.motion_pattern.is_planar() {
+        return Ok(Vec::new());
+    }
+    let plane = Plane { laboratory, angle: angle(laboratory, found)? };
+    let poses: Vec<[f64; 2]> =
+        found.samples.iter().map(|sample| robot.plane.components(&sample.commanded.position)).collect();
+    let around_poses = widened(box_of(&poses));
+    let mut boxes = vec![("the whole workspace", plane.whole(box_of(&poses))?)];
+    boxes.extend(around_poses.map(|ends| ("the surroundings of the poses", ends)));
+    boxes.into_iter().map(|(name, ends)| plane.region(name, ends)).collect()
+}
+
+/// The orientation that all poses share, else the one at which the winches were set, as the pattern's components beyond the
+/// position.
+fn angle(laboratory: &Laboratory, found: &Field) -> Result<Vec<f64>, Failure> {
+    let robot = laboratory.machine.robot();
+    let first = found.samples.first().map(|sample| sample.commanded);
+    let is_shared = |pose: &Pose| found.samples.iter().all(|sample| sample.commanded.angle_to(pose) < 1e-9);
+    let pose = match first.filter(is_shared) {
+        Some(pose) => pose,
+        None => laboratory.initial_pose()?,
+    };
+    Ok(robot.motion_pattern.pose_to_components(robot.plane, &pose)[2..].to_vec())
+}
+
+/// Least and largest component along both axes.
+fn box_of(points: &[[f64; 2]]) -> [[f64; 2]; 2] {
+    let ends = |axis: usize| {
+        let along = || points.iter().map(|point| point[axis]);
+        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    [ends(0), ends(1)]
+}
+
+/// The box and what is around it; nothing around a single point.
+fn widened(ends: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let more = AROUND * longest;
+    (more > 0.0 && more.is_finite()).then(|| ends.map(|[low, high]| [low - more, high + more]))
+}
+
+/// Where a pose has two components to choose.
+struct Plane<'a> {
+    laboratory: &'a Laboratory,
+    /// Components of the pose beyond its position (rad).
+    angle: Vec<f64>,
+}
+
+impl Plane<'_> {
+    /// The box of the machine's physical workspace and of the poses, or a box around the robot where that workspace is unknown
+    /// or empty.
+    fn whole(&self, poses: [[f64; 2]; 2]) -> Result<[[f64; 2]; 2], Failure> {
+        let around = Bounds::around(&self.laboratory.machine).map_err(|error| self.laboratory.refused(&error))?;
+        let ends: Vec<[f64; 2]> = around.ends().as_chunks::<2>().0.to_vec();
+        let axes = nodes([ends[0], ends[1]], MOST_NODES);
+        let places = self.places(&axes);
+        let held: Vec<[f64; 2]> = match self.physical(&places)? {
+            Some(margins) => {
+                places.iter().zip(margins).filter(|(_, margin)| *margin >= 0.0).map(|(at, _)| *at).collect()
+            }
+            None => Vec::new(),
+        };
+        if held.is_empty() {
+            return Ok([ends[0], ends[1]]);
+        }
+        let [found, step] = [box_of(&held), [[axes[0].step; 2], [axes[1].step; 2]]];
+        let with_poses = |axis: usize| {
+            let [low, high] = found[axis];
+            [(low - step[axis][0]).min(poses[axis][0]), (high + step[axis][1]).max(poses[axis][1])]
+        };
+        Ok([with_poses(0), with_poses(1)])
+    }
+
+    fn region(&self, name: &'static str, ends: [[f64; 2]; 2]) -> Result<Region, Failure> {
+        let laboratory = self.laboratory;
+        let numbers_per_node = 2 * (2 + self.angle.len()) + laboratory.machine.cable_count() + 2;
+        let axes = nodes(ends, (MOST_NUMBERS / numbers_per_node).min(MOST_NODES));
+        let places = self.places(&axes);
+        let poses = self.poses(&places)?;
+        let samples = field(&laboratory.driving()?, &poses).samples;
+        let reachable = laboratory.reachable().ok();
+        let reachable = reachable.map(|reachable| {
+            samples.iter().map(|sample| reachable.verdict(&sample.commanded, &sample.outcome).margin).collect()
+        });
+        Ok(Region { name, axes, samples, physical: self.physical(&places)?, reachable })
+    }
+
+    fn physical(&self, places: &[[f64; 2]]) -> Result<Option<Vec<f64>>, Failure> {
+        let Some(criterion) = self.laboratory.feasible(&self.laboratory.machine) else { return Ok(None) };
+        let poses = self.poses(places)?;
+        Ok(Some(poses.iter().map(|pose| criterion.judge(pose).margin).collect()))
+    }
+
+    /// The nodes, the first axis running fastest.
+    fn places(&self, [first, second]: &[Nodes; 2]) -> Vec<[f64; 2]> {
+        let row = |up: usize| (0..first.count).map(move |across| [first.at(across), second.at(up)]);
+        (0..second.count).flat_map(row).collect()
+    }
+
+    fn poses(&self, places: &[[f64; 2]]) -> Result<Vec<Pose>, Failure> {
+        let robot = self.laboratory.machine.robot();
+        let pose = |at: &[f64; 2]| robot.motion_pattern.pose(robot.plane, &[&at[..], &self.angle].concat());
+        let poses: Result<Vec<Pose>, _> = places.iter().map(pose).collect();
+        poses.map_err(|error| self.laboratory.refused(&error))
+    }
+}
+
+fn nodes(ends: [[f64; 2]; 2], most: usize) -> [Nodes; 2] {
+    let counts = counts(&ends.map(|[low, high]| high - low), most);
+    let along = |axis: usize| {
+        let ([low, high], count) = (ends[axis], counts[axis]);
+        Nodes { start: low, step: (high - low) / (count - 1).max(1) as f64, count }
+    };
+    [along(0), along(1)]
+}
