@@ -10,7 +10,7 @@ use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
 use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
-use cdpr::metamodel::{Driving, Operation, Study, winch_offsets};
+use cdpr::metamodel::{Driving, Operation, Study, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -118,6 +118,17 @@ impl Laboratory {
         self.study.initial_pose(self.machine.robot()).map_err(|error| self.refused(&error))
     }
 
+    /// The tensions at which the winches were set (N); nothing where the study states offsets, or cables have none.
+    pub(crate) fn initial_tensions(&self) -> Result<Option<Vec<f64>>, Failure> {
+        let initial = &self.study.initial;
+        let models = [&self.machine, self.former.as_ref().unwrap_or(&self.control)];
+        let elastic = models.into_iter().find(|model| model.composition().depends_on_tension());
+        let Some(model) = elastic.filter(|_| initial.offset.is_none() && initial.offset_m.is_none()) else {
+            return Ok(None);
+        };
+        initial_tensions(initial, model, &self.initial_pose()?).map(Some).map_err(|error| self.refused(&error))
+    }
+
     /// Tension limits of the machine, if they are known.
     pub(crate) fn limits(&self) -> Option<Limits> {
         Limits::of(self.machine.robot(), None, None).ok()
@@ -188,7 +199,9 @@ impl Laboratory {
             }
             None => Vec::new(),
         };
-        self.study.commanded_poses(robot, from_file, seed).map_err(|error| self.refused(&error))
+        let mut poses = self.study.commanded_poses(robot, from_file, seed).map_err(|error| self.refused(&error))?;
+        self.study.keep_wanted(&self.machine, &mut poses).map_err(|error| self.refused(&error))?;
+        Ok(poses)
     }
 }
 

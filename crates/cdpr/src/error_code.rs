@@ -265,7 +265,7 @@ impl ErrorCode for metamodel::InputError {
             Self::NoDrum => "study::no-drum",
             Self::Remembers => "study::remembers",
             Self::TooManyRobots { .. } => "study::too-many-robots",
-            Self::NoPoses => "study::no-poses",
+            Self::NoPoses | Self::NoneFeasible { .. } => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
         }
     }

@@ -52,6 +52,8 @@ struct Assessed {
     #[serde(flatten)]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
+    #[serde(rename = "initial_tensions_N")]
+    initial_tensions: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     prediction: Option<Prediction>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,6 +94,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         accuracy: assessment.accuracy,
         prediction,
         history: laboratory.history(),
+        initial_tensions: laboratory.initial_tensions()?,
         winch_offsets_m: laboratory.offsets,
         seed: arguments.seed,
     })
@@ -126,7 +129,12 @@ impl Answer for Assessed {
         }
         let offsets: Vec<String> =
             self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
-        text.push_str(&format!("\nwinch offsets  {} mm\n", offsets.join(", ")));
+        text.push_str(&format!("\nwinch offsets  {} mm", offsets.join(", ")));
+        if let Some(tensions) = &self.initial_tensions {
+            let tensions: Vec<String> = tensions.iter().map(|tension| format!("{tension:.0}")).collect();
+            text.push_str(&format!(", for initial tensions of {} N", tensions.join(", ")));
+        }
+        text.push('\n');
         if let Some(history) = self.history {
             let from = match history.reach {
                 Reach::FromInitial => "the initial pose",

@@ -7,6 +7,7 @@ mod bad_input;
 mod book;
 mod command_line;
 mod criteria;
+mod dissertation;
 mod effects;
 mod elastic_models;
 mod equilibrium;

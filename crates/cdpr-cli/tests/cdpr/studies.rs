@@ -106,6 +106,12 @@ fn poses_outside_the_reach_are_told() {
     std::fs::write(folder.path().join("study.toml"), text).unwrap();
     let run = cdpr_in(folder.path(), "accuracy study.toml");
     assert!(run.stderr.contains("outside its reach"), "{}", run.stderr);
+    let text = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    let text = text.replace("[poses.grid]", "[poses]\nonly = \"wrench-feasible\"\n[poses.grid]");
+    std::fs::write(folder.path().join("study.toml"), text).unwrap();
+    let run = cdpr_in(folder.path(), "accuracy study.toml");
+    assert_eq!(run.exit_code, 2, "{}", run.stdout);
+    assert!(run.stderr.contains("none of the 25 poses of the study is wrench-feasible"), "{}", run.stderr);
 }
 
 #[test]

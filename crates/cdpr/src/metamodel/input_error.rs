@@ -94,6 +94,15 @@ pub enum InputError {
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,
+    /// `[poses] only` keeps none.
+    #[error(
+        "none of the {poses} poses of the study is wrench-feasible: the machine's cables balance the load at no pose of this region; move \
+         [poses], or take `only` out"
+    )]
+    NoneFeasible {
+        /// Poses of the study.
+        poses: usize,
+    },
 }
 
 fn no_requirement(is_elastic: bool) -> &'static str {

@@ -9,12 +9,16 @@ use serde::{Deserialize, Serialize};
 pub use poses::{CommandedPose, Shortening};
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
+use super::input_error::InputError;
 use super::poorer::remark_on_poorer;
 use crate::geometry::{PatternError, Pose};
 use crate::measurement::SensorSigmas;
-use crate::model::Composition;
+use crate::model::{Composition, Model};
 use crate::reading::{ReadError, TomlDocument, text_from_bytes};
 use crate::robot::Robot;
+use crate::statics::Load;
+use crate::tension;
+use crate::workspace::criterion::{Criterion, WrenchFeasible};
 
 /// A study as its file states it; robots are named, not read.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
@@ -139,6 +143,16 @@ pub struct Poses {
     pub random: Option<Random>,
     /// Single cables shortened at some poses, for elastic machines: what tells stiffness from geometry.
     pub tension_tests: Option<TensionTests>,
+    /// Which of all these poses count: every one when missing.
+    pub only: Option<Only>,
+}
+
+/// Poses that count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Only {
+    /// Those at which tensions of the machine within their limits balance the load (eq. 3.29).
+    WrenchFeasible,
 }
 
 /// A grid over pose components, first component slowest.
@@ -253,6 +267,20 @@ impl Study {
             cable.tension_max = limits.tension_max_N.or(cable.tension_max);
         }
         robot
+    }
+
+    /// Leaves out what `[poses] only` does not want.
+    pub fn keep_wanted(&self, machine: &Model, poses: &mut Vec<CommandedPose>) -> Result<(), InputError> {
+        let Some(Only::WrenchFeasible) = self.poses.as_ref().and_then(|poses| poses.only) else { return Ok(()) };
+        let limits = tension::Limits::of(machine.robot(), None, None)?;
+        let (expected, found, poses_before) = (machine.cable_count(), limits.cable_count(), poses.len());
+        let feasible = WrenchFeasible::new(machine, &Load::of(machine.robot())?, &limits)
+            .map_err(|_| InputError::Count { key: "tension limits", expected, found })?;
+        poses.retain(|command| feasible.holds(&command.pose));
+        match poses.is_empty() && poses_before > 0 {
+            true => Err(InputError::NoneFeasible { poses: poses_before }),
+            false => Ok(()),
+        }
     }
 
     /// The initial pose of a robot.

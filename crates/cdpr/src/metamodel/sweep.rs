@@ -48,7 +48,8 @@ pub struct Parameter {
     /// How the row is spaced: `linear` (when missing) or `logarithmic`.
     #[serde(default)]
     pub spacing: Spacing,
-    /// Swivel axis of placed pulleys, from the winch into the pulley (components in the robot's plane, or three).
+    /// Swivel axis of placed pulleys, from the winch into the pulley (components in the robot's plane, or three); that of each cable
+    /// in the machine's file when missing.
     pub swivel_axis: Option<Vec<f64>>,
 }
 

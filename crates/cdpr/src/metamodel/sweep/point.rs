@@ -9,7 +9,7 @@ use super::{Key, Sweep};
 use crate::metamodel::reachable::{Census, Reachable, Requirements};
 use crate::metamodel::{Driving, Study, winch_offsets};
 use crate::model::{Composition, Model, place_pulleys};
-use crate::robot::Robot;
+use crate::robot::{Cable, Robot};
 use crate::statics::Load;
 use crate::tension::Limits;
 use crate::workspace::criterion::WrenchFeasible;
@@ -177,14 +177,29 @@ impl Varied {
 }
 
 /// The machine with a pulley of this radius at every cable that touches at the anchor at the initial pose.
+///
+/// The axis is one for all cables, or that of each cable's file.
 fn with_pulleys(machine: &Robot, study: &Study, radius: f64, axis: Option<&[f64]>) -> Result<Robot, String> {
-    let axis = match axis {
-        Some(&[first, second]) if machine.motion_pattern.is_planar() => machine.plane.embed([first, second]),
-        Some(&[x, y, z]) => Vector3::new(x, y, z),
-        _ => return Err("placed_pulley_radius_m needs swivel_axis, as [0, 0, 1]".to_owned()),
+    let common = match axis {
+        None => None,
+        Some(&[first, second]) if machine.motion_pattern.is_planar() => Some(machine.plane.embed([first, second])),
+        Some(&[x, y, z]) => Some(Vector3::new(x, y, z)),
+        Some(_) => {
+            return Err(
+                "a swivel_axis is three numbers, as [0, 0, 1], or two in the plane of a planar robot".to_owned()
+            );
+        }
     };
-    let axis = axis.try_normalize(0.0).ok_or("a swivel_axis of length 0 has no direction")?;
+    let pulley = |cable: &Cable| -> Result<(f64, Vector3<f64>), String> {
+        let axis = common.or(cable.pulley_swivel_axis).ok_or_else(|| {
+            format!(
+                "placed_pulley_radius_m needs swivel_axis, as [0, 0, 1], or pulley_swivel_axis of every cable, which \"{}\" lacks",
+                cable.name
+            )
+        })?;
+        Ok((radius, axis.try_normalize(0.0).ok_or("a swivel_axis of length 0 has no direction")?))
+    };
+    let pulleys: Vec<_> = machine.cables.iter().map(pulley).collect::<Result<_, _>>()?;
     let pose = study.initial_pose(machine).map_err(|error| error.to_string())?;
-    let pulleys = vec![(radius, axis); machine.cable_count()];
     place_pulleys(machine, &pulleys, &pose).map_err(|error| words(&error))
 }
