@@ -61,6 +61,20 @@ fn the_planar_anchors_are_identified_from_the_record_of_the_wide_grid() {
     }
 }
 
+/// Eq. 4.26 and 4.28: at the nominal anchors, where a rigid machine leaves them.
+#[test]
+fn both_sets_of_poses_have_the_printed_conditions() {
+    for (set, condition) in [("wide", 3.202), ("low", 19.278)] {
+        let folder = tempfile::tempdir().unwrap();
+        let text = std::fs::read_to_string(study(&format!("planar-{set}-grid"))).unwrap();
+        let text = text.replace("model = \"elastic\"", "model = \"standard\"");
+        std::fs::write(folder.path().join("study.toml"), text).unwrap();
+        assert_eq!(cdpr_in(folder.path(), "simulate study.toml --out rigid.csv").exit_code, 0);
+        let run = cdpr_in(folder.path(), "identify planar-example rigid.csv --free frame-anchor --format json");
+        assert_near(&run.json()["condition"], condition, 1e-3);
+    }
+}
+
 /// Fig. 3.8, 3.11 and eq. 4.29.
 #[test]
 fn the_linear_error_of_the_planar_example_follows_the_exact_one_over_its_whole_workspace() {
@@ -201,21 +215,43 @@ fn pulleys_that_the_controller_does_not_know_cost_reachable_workspace_and_force_
     }
 }
 
-/// The charts of the chapter are what the sweeps of the folder draw.
-#[test]
-fn the_charts_of_the_chapter_are_drawn_by_its_sweeps() {
+/// What the sweep of this name draws, and the chart of the chapter.
+fn assert_drawn(name: &str) {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["pulleys", "force-control"] {
-        for command in [
-            format!("plan {} --out {name}", study(&format!("sweep-planar-{name}"))),
-            format!("run {name}"),
-            format!("merge {name}"),
-        ] {
-            assert_eq!(cdpr_in(folder.path(), &format!("sweep {command}")).exit_code, 0, "{command}");
-        }
-        let drawn = std::fs::read(folder.path().join(name).join("result.svg")).unwrap();
-        assert!(drawn == figure(&format!("dissertation-{name}.svg")), "draw the chart of {name} again");
+    let sweep = study(&format!("sweep-planar-{name}"));
+    for command in [format!("plan {sweep} --out out"), "run out".to_owned(), "merge out".to_owned()] {
+        assert_eq!(cdpr_in(folder.path(), &format!("sweep {command}")).exit_code, 0, "{command}");
     }
+    let drawn = std::fs::read(folder.path().join("out/result.svg")).unwrap();
+    assert!(drawn == figure(&format!("dissertation-{name}.svg")), "draw the chart of {name} again");
+}
+
+#[test]
+fn the_chart_of_pulleys_is_drawn_by_its_sweep() {
+    assert_drawn("pulleys");
+}
+
+#[test]
+fn the_chart_of_force_control_is_drawn_by_its_sweep() {
+    assert_drawn("force-control");
+}
+
+#[test]
+fn the_chart_of_initial_tensions_is_drawn_by_its_sweep() {
+    assert_drawn("tension-stiff");
+}
+
+/// Fig. 3.20: without a limit of the error most is reached at 6000 N, with one at less.
+#[test]
+fn the_tighter_the_accuracy_the_lower_is_the_best_initial_tension() {
+    let rows = swept("sweep-planar-tension-stiff", "0.1", "[4000, 4500, 5000, 5500, 6000, 6500]");
+    let best = |share: &dyn Fn(&Value) -> f64| {
+        let best = rows.iter().max_by(|a, b| share(a).total_cmp(&share(b))).unwrap();
+        best["values"][0].as_f64().unwrap()
+    };
+    let within = |index: usize| move |row: &Value| row["share_by_accuracy"][index].as_f64().unwrap();
+    assert_eq!(best(&|row| row["share"].as_f64().unwrap()), 6000.0);
+    assert_eq!((best(&within(2)), best(&within(1))), (5500.0, 4500.0), "to 5 mm and to 2 mm");
 }
 
 fn figure(name: &str) -> Vec<u8> {
@@ -275,6 +311,40 @@ fn the_kinematic_calibration_of_the_twin_improves_its_nominal_controller_at_leas
     assert_near(&answer["condition"], 28.7, 0.1);
 }
 
+/// Eq. 6.24, printed to a millimetre.
+#[test]
+fn the_winch_offsets_of_the_twin_are_those_printed() {
+    let offsets = numbers(&answer("accuracy", "twin-winch-offsets", "")["winch_offsets_m"]);
+    for (offset, printed) in offsets.iter().zip([-19.0, -11.0, -22.0, -8.0, -19.0, -10.0, -23.0, -8.0]) {
+        assert!((1e3 * offset - printed).abs() < 0.8, "{offsets:?}");
+    }
+}
+
+/// Eq. 6.9: printed 431 N in the mean.
+#[test]
+fn calibrating_the_controller_of_the_twin_changes_its_tensions_little() {
+    let folder = tempfile::tempdir().unwrap();
+    let tensions = |name: &str| -> Vec<f64> {
+        let run = cdpr_in(folder.path(), &format!("study {} --out {name}", study(name)));
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        let table = std::fs::read_to_string(folder.path().join(name).join("errors.csv")).unwrap();
+        let columns: Vec<usize> = (0..)
+            .zip(table.lines().next().unwrap().split(','))
+            .filter(|(_, heading)| heading.starts_with("tension_N_"))
+            .map(|(column, _)| column)
+            .collect();
+        let row = |line: &str| -> Vec<f64> {
+            let cells: Vec<&str> = line.split(',').collect();
+            columns.iter().map(|&column| cells[column].parse().unwrap()).collect()
+        };
+        table.lines().skip(1).flat_map(row).collect()
+    };
+    let (nominal, calibrated) = (tensions("twin-nominal"), tensions("twin-kinematic-calibrated"));
+    assert_eq!((nominal.len(), calibrated.len()), (600, 600));
+    let sum: f64 = nominal.iter().zip(&calibrated).map(|(nominal, calibrated)| (nominal - calibrated).abs()).sum();
+    assert!((sum / 600.0 - 298.0).abs() < 1.0, "{}", sum / 600.0);
+}
+
 /// A study that no chapter names would be forgotten.
 #[test]
 fn every_study_says_what_it_shows_and_stands_in_the_list() {
@@ -287,5 +357,22 @@ fn every_study_says_what_it_shows_and_stands_in_the_list() {
         }
         assert!(std::fs::read_to_string(&path).unwrap().starts_with("# "), "{name}");
         assert!(list.contains(&format!("`{name}`")), "{name} is missing in studies/README.md");
+    }
+}
+
+/// The chapter's commands name studies that are there, and its sweeps can be planned.
+#[test]
+fn the_commands_of_the_chapter_find_their_studies() {
+    let chapter = std::fs::read_to_string(root().join("docs/book/src/dissertation.md")).unwrap();
+    let studies = chapter.split([' ', '`', '\n']).filter(|word| word.starts_with("studies/"));
+    let studies: std::collections::BTreeSet<&str> = studies.collect();
+    assert!(studies.len() > 15, "{studies:?}");
+    let folder = tempfile::tempdir().unwrap();
+    for study in studies {
+        assert!(root().join(study).is_file(), "{study}");
+        if study.starts_with("studies/sweep") {
+            let run = cdpr_in(folder.path(), &format!("sweep plan {} --out out", root().join(study).display()));
+            assert_eq!(run.exit_code, 0, "{study}: {}", run.stderr);
+        }
     }
 }
