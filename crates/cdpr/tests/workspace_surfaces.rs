@@ -5,14 +5,16 @@ mod support;
 
 use std::f64::consts::PI;
 
+use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
+use cdpr::robot::{Obstacle, ObstacleShape};
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
-use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr::workspace::criterion::{All, LengthLimits, PlatformOffObstacles, WrenchClosure, WrenchFeasible};
 use cdpr::workspace::grid::{Count, Grid, Outcome};
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Archetype, Bounds, Cells, Region, octree};
+use cdpr::workspace::{Archetype, Bounds, Cells, Criterion, Region, Verdict, hull, octree};
 use support::{Shape, builtin};
 
 fn standard(name: &str) -> Model {
@@ -99,6 +101,62 @@ fn where_the_region_reaches_the_bounds_the_surface_is_their_face() {
         assert!(mesh.is_closed());
         // the edges of the box are cut off where nodes lie half a cell inside it
         assert!((mesh.volume() / size - 1.0).abs() < 0.01, "{} {size}", mesh.volume());
+    }
+}
+
+/// The same verdicts without closed forms.
+struct Judged<'a>(&'a dyn Criterion);
+
+impl Criterion for Judged<'_> {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn unit(&self) -> &str {
+        self.0.unit()
+    }
+
+    fn judge(&self, pose: &Pose) -> Verdict {
+        self.0.judge(pose)
+    }
+}
+
+/// Rays end where bisection ends, to its tolerance, and see the same of what lies beyond; the hull needs a point per ray.
+#[test]
+fn rays_in_closed_form_end_where_bisected_ones_do() {
+    let mut robot = builtin("cablerobot-simulator-icosahedron");
+    let home = robot.home_or_middle().position;
+    let shape =
+        ObstacleShape::Box { min: home + Vector3::new(2.5, -1.0, -2.0), max: home + Vector3::new(3.0, 0.5, 2.0) };
+    robot.obstacles = vec![Obstacle { name: "crate".to_owned(), shape }];
+    let model = Model::new(robot, Composition::STANDARD).unwrap();
+    let lengths = || Box::new(LengthLimits::new(&model, Some(2.0), Some(9.5)).unwrap()) as Box<dyn Criterion>;
+    let platform = || Box::new(PlatformOffObstacles::new(&model, 0.0).unwrap()) as Box<dyn Criterion>;
+    let all = All::new(vec![lengths(), platform()]).unwrap();
+    let bounds = Bounds::around(&model).unwrap();
+    let closure = WrenchClosure::new(&model).unwrap();
+    for (criterion, rays, probes) in
+        [(lengths().as_ref(), 162, 500), (platform().as_ref(), 42, 500), (&all, 42, 500), (&closure, 42, 200)]
+    {
+        let settings = hull::Settings { rays, probes, ..hull::Settings::new(&bounds) };
+        let judged = Judged(criterion);
+        let solve = |criterion: &dyn Criterion| {
+            let region = Region::new(&model, criterion, &upright()).unwrap();
+            let center = region.point(&home);
+            hull::solve(&region, &bounds, &center, &settings).unwrap()
+        };
+        let (exact, bisected) = (solve(criterion), solve(&judged));
+        assert_eq!(exact.points, rays as u64);
+        let apart = exact.radii.iter().zip(&bisected.radii).filter(|(a, b)| (*a - *b).abs() > 2.0 * settings.tolerance);
+        // a probe every 5 mm steps over what a ray but grazes
+        assert!(apart.count() <= 2, "{}", criterion.name());
+        assert!(
+            (exact.left_out - bisected.left_out).abs() < 0.02 * bisected.left_out + 0.05,
+            "{} {}",
+            exact.left_out,
+            bisected.left_out
+        );
+        assert_eq!(exact.is_star_shaped(), bisected.is_star_shaped());
     }
 }
 

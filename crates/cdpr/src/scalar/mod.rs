@@ -12,6 +12,7 @@ pub(crate) mod decomposition;
 mod dispatch;
 pub(crate) mod ldl;
 mod parts;
+pub(crate) mod polynomial;
 mod portable;
 mod select;
 mod smooth;

@@ -2,6 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::criterion::Spans;
 use super::{Criterion, Point, Verdict, WorkspaceError};
 use crate::geometry::{MotionPattern, Pose};
 use crate::model::Model;
@@ -140,6 +141,14 @@ impl<'a> Region<'a> {
         let mut answers =
             self.orientations.iter().map(|rotation| self.criterion.holds(&Pose { position, rotation: *rotation }));
         if self.needs_every { answers.all(|holds| holds) } else { answers.any(|holds| holds) }
+    }
+
+    /// Where along a ray from a point, in a direction of length 1 and so far (m), points belong to the region, in closed form;
+    /// `None` where the criterion has none, or where several orientations count.
+    pub fn holds_along(&self, from: &Point, direction: &Point, length: f64) -> Option<Spans> {
+        let [rotation] = self.orientations[..] else { return None };
+        let start = Pose { position: self.position(from), rotation };
+        self.criterion.holds_along(&start, &self.position(direction), length)
     }
 
     /// Whether each of many points belongs to the region; `answers` has one entry per point.

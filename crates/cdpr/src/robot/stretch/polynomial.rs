@@ -1,6 +1,7 @@
 //! How far a polynomial of the strain rises.
 
 use super::StretchError;
+use crate::scalar::polynomial::{bisect, derivative, horner, sign_changes};
 
 /// Strain up to which polynomials are looked at: no cable becomes a thousand times longer.
 const RISING_RANGE: f64 = 1e3;
@@ -32,7 +33,7 @@ pub fn rising_range(coefficients: &[f64], largest_tension: Option<f64>) -> Resul
 /// Least strain where the slope is no longer positive.
 fn first_turn(slope: &[f64]) -> Option<f64> {
     let flat = FLATNESS * slope[0];
-    let mut marks = roots(&derivative(slope));
+    let mut marks = sign_changes(&derivative(slope), RISING_RANGE);
     marks.push(RISING_RANGE);
     let mut before = 0.0;
     for mark in marks {
@@ -42,47 +43,6 @@ fn first_turn(slope: &[f64]) -> Option<f64> {
         before = mark;
     }
     None
-}
-
-/// Σ cₖ xᵏ, k from 0.
-fn horner(coefficients: &[f64], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
-}
-
-fn derivative(coefficients: &[f64]) -> Vec<f64> {
-    coefficients.iter().enumerate().skip(1).map(|(k, c)| c * k as f64).collect()
-}
-
-/// Rising roots in 0..`RISING_RANGE` at which the polynomial changes its sign: between two roots of its derivative there is at most one.
-fn roots(coefficients: &[f64]) -> Vec<f64> {
-    if coefficients.len() < 2 {
-        return Vec::new();
-    }
-    let mut marks = roots(&derivative(coefficients));
-    marks.push(RISING_RANGE);
-    let mut before = 0.0;
-    let mut found = Vec::new();
-    for mark in marks {
-        let is_negative = horner(coefficients, before) < 0.0;
-        if is_negative != (horner(coefficients, mark) < 0.0) {
-            found.push(bisect(before, mark, |x| (horner(coefficients, x) < 0.0) == is_negative));
-        }
-        before = mark;
-    }
-    found
-}
-
-/// Where a statement that holds at `from` and not at `to` stops to hold.
-fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    // the middle is at last one of both ends
-    for _ in 0..200 {
-        let middle = 0.5 * (from + to);
-        match holds(middle) {
-            true => from = middle,
-            false => to = middle,
-        }
-    }
-    from
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! Criteria joined by and, and by or.
 
-use super::{Criterion, Verdict};
+use nalgebra::Vector3;
+
+use super::{Criterion, Spans, Verdict};
 use crate::geometry::Pose;
 use crate::workspace::WorkspaceError;
 
@@ -36,6 +38,11 @@ impl<'a> Joined<'a> {
 
     fn verdicts(&self, pose: &Pose) -> Vec<Verdict> {
         self.criteria.iter().map(|criterion| criterion.judge(pose)).collect()
+    }
+
+    /// The spans of all criteria, where each has some.
+    fn spans(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Vec<Spans>> {
+        self.criteria.iter().map(|criterion| criterion.holds_along(start, direction, length)).collect()
     }
 
     /// Reason of a criterion, after its name where there are several.
@@ -103,6 +110,11 @@ impl Criterion for All<'_> {
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
         self.joined.holds_all(poses, answers, true);
     }
+
+    fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
+        let spans = self.joined.spans(start, direction, length)?;
+        Some(spans.iter().fold(Spans::whole(length), |all, spans| all.and(spans)))
+    }
 }
 
 impl Criterion for Any<'_> {
@@ -130,5 +142,10 @@ impl Criterion for Any<'_> {
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
         self.joined.holds_all(poses, answers, false);
+    }
+
+    fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
+        let spans = self.joined.spans(start, direction, length)?;
+        Some(spans.iter().fold(Spans::default(), |any, spans| any.or(spans)))
     }
 }

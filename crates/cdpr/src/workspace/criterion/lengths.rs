@@ -1,7 +1,9 @@
 //! Cable lengths within limits.
 
+use nalgebra::Vector3;
+
 use super::cables::{courses, limits, named};
-use super::{Criterion, Verdict};
+use super::{Criterion, Spans, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::robot::Cable;
@@ -9,7 +11,8 @@ use crate::workspace::WorkspaceError;
 
 /// Every geometric cable length q, wrapped part included, keeps q_min ≤ q ≤ q_max (`length_min_m`, `length_max_m`).
 ///
-/// The margin (m) is the least distance of a length from its limits.
+/// The margin (m) is the least distance of a length from its limits. Between points, without pulleys, drums and sag, the limits are
+/// spheres: where they hold along a straight way follows from quadratic equations.
 #[derive(Clone, Debug)]
 pub struct LengthLimits<'a> {
     model: &'a Model,
@@ -48,6 +51,34 @@ impl Criterion for LengthLimits<'_> {
             format!("{name} would be {length:.4} m long, it may be {side} {limit} m")
         })
     }
+
+    fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
+        let composition = self.model.composition();
+        if composition.pulley || composition.drum || composition.is_sagging() {
+            return None;
+        }
+        let mut spans = Spans::whole(length);
+        for (cable, [least, largest]) in self.model.robot().cables.iter().zip(&self.limits) {
+            let way = start.transform(&cable.platform_anchor) - cable.frame_anchor;
+            if largest.is_finite() {
+                spans = in_sphere(&way, direction, *largest).map_or_else(Spans::default, |inside| spans.within(inside));
+            }
+            if *least > 0.0
+                && let Some(inside) = in_sphere(&way, direction, *least)
+            {
+                spans = spans.without(inside);
+            }
+        }
+        Some(spans)
+    }
+}
+
+/// Where `way` + ρ `direction` is no longer than a radius: |way|² + 2 ρ way · direction + ρ² ≤ radius²; `None` where nowhere.
+fn in_sphere(way: &Vector3<f64>, direction: &Vector3<f64>, radius: f64) -> Option<[f64; 2]> {
+    let nearest = -way.dot(direction);
+    // the distance of the line, without the difference of large squares
+    let away = (way + direction * nearest).norm();
+    (away <= radius).then(|| ((radius - away) * (radius + away)).sqrt()).map(|half| [nearest - half, nearest + half])
 }
 
 /// The verdict on numbers of cables by their limits, that of the worst cable; words of cable, number and limit.

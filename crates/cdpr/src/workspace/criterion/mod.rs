@@ -7,6 +7,7 @@ mod clearance;
 mod dexterity;
 mod entries;
 mod lengths;
+mod minors;
 mod narrowing;
 mod natural_frequency;
 mod obstacles;
@@ -15,6 +16,7 @@ mod oracles;
 mod platform_interference;
 mod platform_obstacles;
 pub mod registry;
+mod spans;
 mod stability;
 mod stiffness;
 #[cfg(test)]
@@ -33,6 +35,7 @@ pub use natural_frequency::StiffVibrations;
 pub use obstacles::ObstaclesClear;
 pub use platform_interference::PlatformClear;
 pub use platform_obstacles::PlatformOffObstacles;
+pub use spans::Spans;
 pub use stability::StaticallyStable;
 pub use stiffness::StiffEnough;
 pub use validity::ModelValid;
@@ -40,6 +43,8 @@ pub use wrap::WrapLimits;
 pub use wrench_closure::WrenchClosure;
 pub use wrench_feasible::WrenchFeasible;
 pub use wrench_set_feasible::{Requirement, WrenchSetFeasible};
+
+use nalgebra::Vector3;
 
 use super::Verdict;
 use crate::geometry::Pose;
@@ -61,6 +66,14 @@ pub trait Criterion: Sync {
     /// Whether it holds at a pose: the verdict of [`Criterion::judge`], faster where that can be.
     fn holds(&self, pose: &Pose) -> bool {
         self.judge(pose).holds()
+    }
+
+    /// Where it holds along a straight way, in closed form: from `start` on with its rotation, along a direction of length 1, so
+    /// far (m). `None` where it has no closed form, as most criteria: then poses are judged.
+    ///
+    /// A criterion answers all ways of one model alike, with intervals or with `None`.
+    fn holds_along(&self, _start: &Pose, _direction: &Vector3<f64>, _length: f64) -> Option<Spans> {
+        None
     }
 
     /// Whether it holds at each of many poses; `answers` has one entry per pose.

@@ -1,9 +1,11 @@
 //! A platform that does not touch the frame or other obstacles.
 
+use nalgebra::Vector3;
+
 use super::cables::not_negative;
 use super::clearance::{Other, Solid};
 use super::obstacles::{Body, missing_obstacles};
-use super::{Criterion, Verdict};
+use super::{Criterion, Spans, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::workspace::WorkspaceError;
@@ -12,7 +14,7 @@ use crate::workspace::WorkspaceError;
 ///
 /// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors where the file has none. The
 /// margin (m) is the exact distance of the nearest obstacle less the clearance; where they overlap, minus the shortest way that
-/// would part them.
+/// would part them. Without a clearance and among boxes only, where it holds along a straight way has a closed form.
 #[derive(Clone, Debug)]
 pub struct PlatformOffObstacles<'a> {
     model: &'a Model,
@@ -79,5 +81,14 @@ impl Criterion for PlatformOffObstacles<'_> {
             }
         };
         Verdict::failed(margin, words, None)
+    }
+
+    fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
+        if self.clearance > 0.0 || self.bodies.iter().any(|(_, radius)| *radius > 0.0) {
+            return None;
+        }
+        let solid = self.solid.moved(|point| start.transform(point));
+        let overlaps = self.bodies.iter().map(|(body, _)| solid.overlap_along(body, direction));
+        Some(overlaps.fold(Spans::whole(length), |spans, overlap| spans.without(overlap)))
     }
 }

@@ -1,9 +1,10 @@
 //! Wrench closure: the cables can balance every load if only they may pull hard enough.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 
+use super::minors::Minors;
 use super::narrowing::{Closing, Narrowing, largest};
-use super::{Criterion, Verdict};
+use super::{Criterion, Spans, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::decomposition::svd;
@@ -16,6 +17,9 @@ use crate::workspace::WorkspaceError;
 /// The margin (–) is the largest possible share of the smallest tension in the mean: max min f / mean f over Aᵀ f = 0. It
 /// is 1 where all cables can pull alike, 0 on the boundary, and below zero the smallest push that one cable could not do
 /// without; −∞ where the rank is lost.
+///
+/// Between points, without pulleys, closure changes along a straight way only where a minor of the structure matrix does its
+/// sign, and minors times cable lengths are polynomials there: rays are exact then.
 #[derive(Clone, Debug)]
 pub struct WrenchClosure<'a> {
     model: &'a Model,
@@ -127,6 +131,17 @@ impl Criterion for WrenchClosure<'_> {
     fn holds(&self, pose: &Pose) -> bool {
         let Ok(matrix) = self.model.structure_matrix(pose) else { return false };
         self.all_pull(&mut self.programme(), &matrix) && rank(&matrix) == matrix.nrows()
+    }
+
+    fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
+        let marks = Minors::along(self.model, start, direction, length)?.sign_changes();
+        let ends = marks.iter().copied().chain([length]);
+        let holds = |[from, to]: &[f64; 2]| {
+            let position = start.position + direction * (0.5 * (from + to));
+            self.holds(&Pose { position, ..*start })
+        };
+        let starts = [0.0].into_iter().chain(marks.iter().copied());
+        Some(Spans::of(starts.zip(ends).map(|(from, to)| [from, to]).filter(holds)))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where rays leave a region.
 
 use super::Settings;
+use crate::workspace::criterion::Spans;
 use crate::workspace::{Point, Region};
 
 /// Rays from a centre.
@@ -32,8 +33,46 @@ pub(super) struct Again {
 }
 
 impl Rays<'_> {
-    /// Probes along every ray, then bisection between the last probe in the region before the first one outside, and that.
+    /// The closed form where there is one; else probes along every ray, then bisection between the last probe in the region
+    /// before the first one outside, and that.
     pub(super) fn search(&self, settings: &Settings) -> Found {
+        let rays = self.directions.iter().zip(self.lengths);
+        let spans = rays.map(|(direction, length)| self.region.holds_along(self.center, direction, *length));
+        match spans.collect::<Option<Vec<Spans>>>() {
+            Some(spans) => self.read(&spans, settings.tolerance),
+            None => self.look(settings),
+        }
+    }
+
+    /// What the spans of all rays say. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
+    fn read(&self, spans: &[Spans], tolerance: f64) -> Found {
+        let (mut radii, mut rays_at_bounds, mut again, mut longest) = (Vec::new(), 0, Again::default(), 0.0);
+        for (ray, spans) in spans.iter().enumerate() {
+            // the centre belongs to the region
+            let end = spans.parts().first().filter(|part| part[0] <= tolerance).map_or(0.0, |part| part[1]);
+            rays_at_bounds += usize::from(end >= self.lengths[ray]);
+            radii.push(end);
+            let beyond: Vec<&[f64; 2]> = spans.parts().iter().filter(|part| part[0] > end).collect();
+            let way: f64 = beyond.iter().map(|[from, to]| to - from).sum();
+            again.rays += usize::from(way > tolerance);
+            again.size += beyond.iter().map(|part| self.part(**part)).sum::<f64>();
+            if way > longest {
+                (longest, again.direction) = (way, self.directions[ray]);
+            }
+        }
+        let points: Vec<Point> = radii.iter().enumerate().map(|(ray, radius)| self.point(ray, *radius)).collect();
+        let mut holds = vec![false; points.len()];
+        self.region.holds_all(&points, &mut holds);
+        radii
+            .iter_mut()
+            .zip(&holds)
+            .filter(|(_, holds)| !**holds)
+            .for_each(|(radius, _)| *radius -= (0.5 * tolerance).min(*radius));
+        let feasible_points = holds.iter().filter(|holds| **holds).count() as u64;
+        Found { radii, rays_at_bounds, points: points.len() as u64, feasible_points, again }
+    }
+
+    fn look(&self, settings: &Settings) -> Found {
         let probes = settings.probes.max(1);
         let holds = self.probe(probes);
         let mut brackets = Vec::with_capacity(self.lengths.len());
@@ -46,7 +85,7 @@ impl Rays<'_> {
             let beyond: Vec<usize> = (left.unwrap_or(probes)..probes).filter(|&probe| holds[probe]).collect();
             let way = beyond.len() as f64 * at(1);
             again.rays += usize::from(!beyond.is_empty());
-            again.size += beyond.iter().map(|&probe| self.part(at(probe + 1)) * at(1)).sum::<f64>();
+            again.size += beyond.iter().map(|&probe| self.part([at(probe), at(probe + 1)])).sum::<f64>();
             if way > longest {
                 (longest, again.direction) = (way, self.directions[ray]);
             }
@@ -61,11 +100,11 @@ impl Rays<'_> {
         }
     }
 
-    /// A ray's part of the circle or sphere of a radius (m, m²).
-    fn part(&self, radius: f64) -> f64 {
+    /// A ray's part of the ring or shell between two radii (m², m³).
+    fn part(&self, [from, to]: [f64; 2]) -> f64 {
         let whole = match self.region.dimension() {
-            2 => std::f64::consts::TAU * radius,
-            _ => 2.0 * std::f64::consts::TAU * radius * radius,
+            2 => std::f64::consts::PI * (to * to - from * from),
+            _ => 4.0 / 3.0 * std::f64::consts::PI * (to * to * to - from * from * from),
         };
         whole / self.directions.len() as f64
     }

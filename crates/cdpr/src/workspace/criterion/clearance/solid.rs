@@ -61,7 +61,21 @@ impl Solid {
         }
     }
 
+    /// The least overlap along any normal; not above 0 as soon as one is none.
     fn depth(&self, other: &Other) -> f64 {
+        let mut least = f64::INFINITY;
+        for normal in self.normals(other) {
+            let ([low, high], [other_low, other_high]) = (self.shadow(&normal), other.shadow(&normal));
+            least = least.min(high - other_low).min(other_high - low);
+            if !(least > 0.0) {
+                break;
+            }
+        }
+        if least.is_finite() { least } else { 0.0 }
+    }
+
+    /// Unit normals that stand on two edges: across one of them the bodies part, if they can.
+    fn normals(&self, other: &Other) -> Vec<Vector3<f64>> {
         let mine = distinct(self.edges.iter().map(|[a, b]| self.points[*b] - self.points[*a]));
         let others = match other {
             Other::Box(solid) => {
@@ -71,42 +85,36 @@ impl Solid {
             Other::Strut(axis) => distinct([axis.to - axis.from].into_iter()),
         };
         let all: Vec<Vector3<f64>> = mine.into_iter().chain(others).collect();
-        let mut least = f64::INFINITY;
-        let mut test = |normal: Vector3<f64>| {
-            if normal.norm() > ROUNDING {
-                least = least.min(self.overlap(other, &normal.normalize()));
-            }
-            least > 0.0
+        let normals: Vec<Vector3<f64>> = match self.plane_normal {
+            // a plane has one normal on each edge
+            Some(normal) => all.iter().map(|edge| normal.cross(edge)).collect(),
+            None => all.iter().enumerate().flat_map(|(index, a)| all[..index].iter().map(|b| a.cross(b))).collect(),
         };
-        match self.plane_normal {
-            Some(normal) => {
-                // a plane has one normal on each edge
-                let _ = all.iter().all(|edge| test(normal.cross(edge)));
-            }
-            None => {
-                let _ = all.iter().enumerate().all(|(index, a)| all[..index].iter().all(|b| test(a.cross(b))));
-            }
-        }
-        if least.is_finite() { least } else { 0.0 }
+        normals.into_iter().filter(|normal| normal.norm() > ROUNDING).map(|normal| normal.normalize()).collect()
     }
 
-    /// How far the bodies overlap along a unit normal, by the side on which that is less (m).
-    fn overlap(&self, other: &Other, normal: &Vector3<f64>) -> f64 {
+    /// Least and largest coordinate along a unit normal (m).
+    fn shadow(&self, normal: &Vector3<f64>) -> [f64; 2] {
         let along = || self.points.iter().map(|point| normal.dot(point));
-        let (low, high) = (along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max));
-        let [least, largest] = match other {
-            Other::Box(solid) => {
-                let finite = |axis: &usize| solid.half_extent[*axis].is_finite();
-                let reach: f64 = (0..3).filter(finite).map(|axis| normal[axis].abs() * solid.half_extent[axis]).sum();
-                let middle = normal.dot(&solid.center);
-                [middle - reach, middle + reach]
-            }
-            Other::Strut(axis) => {
-                let [from, to] = [normal.dot(&axis.from), normal.dot(&axis.to)];
-                [from.min(to), from.max(to)]
-            }
-        };
-        (high - least).min(largest - low)
+        [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// Where the body overlaps with a box on its way along a direction of length 1: wherever all normals say so, and along each
+    /// the overlap is linear.
+    pub(crate) fn overlap_along(&self, other: &Other, direction: &Vector3<f64>) -> [f64; 2] {
+        let mut overlap = [f64::NEG_INFINITY, f64::INFINITY];
+        for normal in self.normals(other) {
+            let ([low, high], [least, largest]) = (self.shadow(&normal), other.shadow(&normal));
+            let speed = normal.dot(direction);
+            // high + ρ speed > least and low + ρ speed < largest
+            let ends = match speed == 0.0 {
+                true if high > least && low < largest => continue,
+                true => return [0.0, 0.0],
+                false => [(least - high) / speed, (largest - low) / speed],
+            };
+            overlap = [overlap[0].max(ends[0].min(ends[1])), overlap[1].min(ends[0].max(ends[1]))];
+        }
+        overlap
     }
 
     /// The distance of bodies that do not overlap.
@@ -125,6 +133,24 @@ impl Solid {
             corners.filter_map(|corner| above(&face.map(|index| self.points[index]), corner))
         });
         of_edges.chain(of_faces).fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl Other {
+    /// Least and largest coordinate along a unit normal (m).
+    fn shadow(&self, normal: &Vector3<f64>) -> [f64; 2] {
+        match self {
+            Self::Box(solid) => {
+                let finite = |axis: &usize| solid.half_extent[*axis].is_finite();
+                let reach: f64 = (0..3).filter(finite).map(|axis| normal[axis].abs() * solid.half_extent[axis]).sum();
+                let middle = normal.dot(&solid.center);
+                [middle - reach, middle + reach]
+            }
+            Self::Strut(axis) => {
+                let [from, to] = [normal.dot(&axis.from), normal.dot(&axis.to)];
+                [from.min(to), from.max(to)]
+            }
+        }
     }
 }
 
@@ -170,7 +196,10 @@ mod tests {
     /// is turned on by ever smaller steps.
     fn by_shadows(solid: &Solid, other: &Other, rng: &mut ChaCha8Rng) -> f64 {
         let mut random = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
-        let value = |normal: &Vector3<f64>| -solid.overlap(other, normal);
+        let value = |normal: &Vector3<f64>| {
+            let ([low, high], [least, largest]) = (solid.shadow(normal), other.shadow(normal));
+            (least - high).max(low - largest)
+        };
         let mut best = (f64::NEG_INFINITY, Vector3::x());
         for _ in 0..3000 {
             let normal = random().normalize();
