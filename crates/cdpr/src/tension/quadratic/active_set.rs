@@ -6,7 +6,8 @@
 //! against an active one, the multipliers prove that no tensions keep these limits.
 
 use super::block::{Block, add_scaled, dot, fill, rotate};
-use crate::scalar::LANES;
+use super::plane::{DEPENDENT, NO_WEIGHT, Plane, SMALL, ZERO};
+use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::Limits;
 
 /// A limit: the least tension (`sign` 1) or the largest (`sign` −1) of a cable.
@@ -17,8 +18,15 @@ pub(super) struct Bound {
 }
 
 impl Bound {
+    #[inline]
     fn limit(self, limits: &Limits) -> f64 {
         if self.sign > 0.0 { limits.minimum()[self.cable] } else { limits.maximum()[self.cable] }
+    }
+
+    /// By how much a tension breaks the limit; below zero where it keeps it (N).
+    #[inline]
+    pub(super) fn missed(self, tension: f64, limits: &Limits) -> f64 {
+        self.sign * (self.limit(limits) - tension)
     }
 }
 
@@ -60,13 +68,6 @@ pub(super) struct ActiveSet {
     pub(super) iterations: u32,
 }
 
-/// Squared length that is zero for a row of an orthonormal basis, whatever the limits.
-const ZERO: f64 = 1e-30;
-/// Squared length below which the limits decide whether it is zero.
-const SMALL: f64 = 1e-16;
-/// Weight below which a multiplier does not fall.
-const NO_WEIGHT: f64 = 1e-12;
-
 impl ActiveSet {
     pub(super) fn new(cable_count: usize) -> Self {
         let blocks = cable_count.div_ceil(LANES);
@@ -94,6 +95,9 @@ impl ActiveSet {
 impl ActiveSet {
     /// The nearest point to `reference`; `basis` holds the null space and after it a solution, as `Balance` writes them.
     pub(super) fn search(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> End {
+        if self.blocks == 1 && (1..=2).contains(&dimension) {
+            return self.search_plane(dimension, limits, reference);
+        }
         let tolerance = limits.tolerance();
         self.begin(dimension, limits, reference);
         self.resume(limits);
@@ -114,13 +118,35 @@ impl ActiveSet {
         }
     }
 
+    /// The same for one or two more cables than degrees of freedom.
+    fn search_plane(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> End {
+        self.dimension = dimension;
+        self.write_limits(limits);
+        self.write_reference(reference);
+        dispatch_narrow(Plane {
+            basis: &self.basis[..=dimension],
+            minimum: &self.minimum[0],
+            maximum: &self.maximum[0],
+            reference: &self.step[0],
+            limits,
+            active: &mut self.active,
+            weights: &mut self.weights,
+            point: &mut self.point[0],
+            iterations: &mut self.iterations,
+        })
+    }
+
     /// Sets the point to the nearest one that balances the load, whatever the limits.
     pub(super) fn begin(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) {
         self.dimension = dimension;
         self.iterations = 0;
+        self.write_limits(limits);
+        self.start(reference);
+    }
+
+    fn write_limits(&mut self, limits: &Limits) {
         fill(&mut self.minimum, limits.minimum().iter().copied());
         fill(&mut self.maximum, limits.maximum().iter().copied());
-        self.start(reference);
     }
 
     /// Combination of cables that has its largest value within the limits where they contradict the balance.
@@ -151,8 +177,7 @@ impl ActiveSet {
         for index in 0..known {
             let bound = self.remembered[index];
             let free = self.look_along(bound);
-            // nearly dependent limits are left to the search
-            if free > 1e-8 {
+            if free > DEPENDENT {
                 self.insert(bound, 0.0);
             }
         }
@@ -171,7 +196,16 @@ impl ActiveSet {
 
     /// The nearest point of the affine space to the reference, by default the middle of the limits.
     fn start(&mut self, reference: Option<&[f64]>) {
+        self.write_reference(reference);
         let (blocks, end) = (self.blocks, self.dimension * self.blocks);
+        self.point.copy_from_slice(&self.basis[end..end + blocks]);
+        for column in self.basis[..end].chunks_exact(blocks) {
+            add_scaled(&mut self.point, dot(column, &self.step), column);
+        }
+    }
+
+    /// The reference, by default the middle of the limits, into `step`.
+    fn write_reference(&mut self, reference: Option<&[f64]>) {
         match reference {
             Some(reference) => fill(&mut self.step, reference.iter().copied()),
             None => {
@@ -182,18 +216,14 @@ impl ActiveSet {
                 }
             }
         }
-        self.point.copy_from_slice(&self.basis[end..end + blocks]);
-        for column in self.basis[..end].chunks_exact(blocks) {
-            add_scaled(&mut self.point, dot(column, &self.step), column);
-        }
     }
 
     /// Multipliers of the active limits, and in `row` the way to the point that meets them all.
     fn solve_for_active(&mut self, limits: &Limits) {
         let (q, m) = (self.active.len(), self.cable_count);
         for j in 0..q {
-            let Bound { cable, sign } = self.active[j];
-            let mut missed = sign * (self.active[j].limit(limits) - self.point[cable / LANES][cable % LANES]);
+            let cable = self.active[j].cable;
+            let mut missed = self.active[j].missed(self.point[cable / LANES][cable % LANES], limits);
             for i in 0..j {
                 missed -= self.triangle[j * m + i] * self.row[i];
             }
@@ -225,14 +255,13 @@ impl ActiveSet {
     fn active_limits_are_met(&self, limits: &Limits, tolerance: f64) -> bool {
         self.active.iter().all(|bound| {
             let f = self.point[bound.cable / LANES][bound.cable % LANES];
-            (f - bound.limit(limits)).abs() <= tolerance
+            bound.missed(f, limits).abs() <= tolerance
         })
     }
 
     /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
     fn add(&mut self, bound: Bound, limits: &Limits) -> Option<End> {
         let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
-        let limit = bound.limit(limits);
         let mut multiplier = 0.0;
         loop {
             self.iterations += 1;
@@ -240,7 +269,7 @@ impl ActiveSet {
                 return Some(End::TooLong);
             }
             let free = self.look_along(bound);
-            let missed = (bound.sign * (limit - self.point[block][lane])).max(0.0);
+            let missed = bound.missed(self.point[block][lane], limits).max(0.0);
             // no allowed tensions are further away than the diameter: a limit that asks for more cannot be met this way
             let is_open = free > SMALL || (free > ZERO && missed < 4.0 * free.sqrt() * limits.diameter());
             let whole = if is_open { missed / free } else { f64::INFINITY };

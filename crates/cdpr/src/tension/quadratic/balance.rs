@@ -36,6 +36,8 @@ pub(in crate::tension) struct Balance {
     /// Row of the structure matrix at each place.
     order: Vec<usize>,
     rank: usize,
+    /// Whether the factors are those of the usual sizes, rows in their own order.
+    is_fixed: bool,
     /// Coordinates of the particular solution in the columns of Q.
     coordinates: Vec<f64>,
 }
@@ -62,6 +64,7 @@ impl Balance {
             triangle: vec![0.0; dof * dof],
             order: (0..dof).collect(),
             rank: 0,
+            is_fixed: false,
             coordinates: vec![0.0; dof],
         }
     }
@@ -84,7 +87,8 @@ impl Balance {
         wrench: &[f64],
         solutions: &mut [Block],
     ) -> Result<Option<Unreachable>, InputError> {
-        if self.solve_fixed(structure_matrix, wrench, solutions) {
+        self.is_fixed = self.solve_fixed(structure_matrix, wrench, solutions);
+        if self.is_fixed {
             return Ok(None);
         }
         self.factorise(structure_matrix)?;
@@ -265,6 +269,12 @@ impl Balance {
 
     /// The combination y of rows that comes nearest to `cables`, A y ≈ c; `cables` is used up.
     pub(super) fn write_combination(&self, cables: &mut [Block], y: &mut [f64]) {
+        match self.dof {
+            2 if self.is_fixed => return dispatch_narrow(self.combination::<2>(&cables[0], y)),
+            3 if self.is_fixed => return dispatch_narrow(self.combination::<3>(&cables[0], y)),
+            6 if self.is_fixed => return dispatch_narrow(self.combination::<6>(&cables[0], y)),
+            _ => {}
+        }
         let blocks = self.blocks;
         for k in 0..self.rank {
             let v = &self.columns[k * blocks..(k + 1) * blocks];
@@ -273,6 +283,17 @@ impl Balance {
         }
         y.fill(0.0);
         self.write_back_substituted(&cables.as_flattened()[..self.rank], y);
+    }
+
+    fn combination<'a, const N: usize>(&'a self, cables: &'a Block, y: &'a mut [f64]) -> fixed::Combination<'a, N> {
+        fixed::Combination {
+            cables,
+            row_scales: &self.row_scales,
+            factors: &self.factors,
+            reflectors: &self.columns,
+            triangle: &self.triangle,
+            y,
+        }
     }
 
     /// The combination y of rows that vanishes, Aᵀ's part, but not its load: yᵀ w < 0.

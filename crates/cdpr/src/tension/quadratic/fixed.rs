@@ -134,6 +134,42 @@ impl<const N: usize> Solutions<'_, N> {
     }
 }
 
+/// The combination y of N rows with A y = c, from their factors: what [`super::balance::Balance::write_combination`] computes.
+pub(super) struct Combination<'a, const N: usize> {
+    /// c, one entry per cable.
+    pub(super) cables: &'a Block,
+    pub(super) row_scales: &'a [f64],
+    pub(super) factors: &'a [f64],
+    pub(super) reflectors: &'a [Block],
+    pub(super) triangle: &'a [f64],
+    /// N entries.
+    pub(super) y: &'a mut [f64],
+}
+
+impl<const N: usize> Kernel for Combination<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let (triangle, reflectors) = (&self.triangle[..N * N], &self.reflectors[..N]);
+        let mut rest = lanes.load(self.cables);
+        for k in 0..N {
+            let v = lanes.load(&reflectors[k]);
+            rest = rest - lanes.constant(self.factors[k] * (v * rest).sum()) * v;
+        }
+        let mut y = rest.to_array();
+        for place in (0..N).rev() {
+            y[place] = y[place] * triangle[place * N + place];
+            for before in 0..place {
+                y[before] = y[before] - triangle[place * N + before] * y[place];
+            }
+        }
+        for row in 0..N {
+            self.y[row] = y[row] * self.row_scales[row];
+        }
+    }
+}
+
 /// Products of a vector with the rows from `from` on.
 #[inline(always)]
 fn products<L: Lanes, const N: usize>(lanes: L, vector: L, rows: &[L; N], from: usize) -> [f64; LANES] {

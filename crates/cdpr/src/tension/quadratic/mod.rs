@@ -11,6 +11,7 @@ pub(super) mod balance;
 pub(super) mod block;
 pub(super) mod certificate;
 mod fixed;
+mod plane;
 #[cfg(test)]
 mod tests;
 mod words;
