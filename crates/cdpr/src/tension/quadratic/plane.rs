@@ -108,18 +108,17 @@ fn tensions<L: Lanes>(lanes: L, [first, second, solution]: &[L; 3], lambda: Pair
     *solution + lanes.constant(lambda[0]) * *first + lanes.constant(lambda[1]) * *second
 }
 
+/// Choices without branches: which limit it is cannot be foreseen.
 #[inline(always)]
 fn most_missed(below: &Block, above: &Block, tolerance: f64) -> Option<Bound> {
-    let (mut worst, mut found) = (tolerance, None);
+    let (mut worst, mut worst_cable) = (tolerance, LANES);
     for cable in 0..LANES {
-        let is_below = below[cable] > above[cable];
-        let missed = if is_below { below[cable] } else { above[cable] };
-        if missed > worst {
-            worst = missed;
-            found = Some(Bound { cable, sign: if is_below { 1.0 } else { -1.0 } });
-        }
+        let missed = if below[cable] > above[cable] { below[cable] } else { above[cable] };
+        worst_cable = if missed > worst { cable } else { worst_cable };
+        worst = if missed > worst { missed } else { worst };
     }
-    found
+    let cable = (worst_cable < LANES).then_some(worst_cable)?;
+    Some(Bound { cable, sign: if below[cable] > above[cable] { 1.0 } else { -1.0 } })
 }
 
 impl<'a> State<'a> {
