@@ -17,6 +17,7 @@ pub struct Driving<'a> {
     machine: &'a Model,
     offsets: Vec<f64>,
     history: Option<(History, Pose)>,
+    restarts: bool,
     idle: Mutex<Vec<Operation<'a>>>,
 }
 
@@ -29,13 +30,21 @@ impl<'a> Driving<'a> {
     pub fn new(control: &'a Model, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
         let operation = Operation::new(control, machine, offsets)?;
         let idle = Mutex::new(vec![operation]);
-        Ok(Self { control, machine, offsets: offsets.to_vec(), history: None, idle })
+        Ok(Self { control, machine, offsets: offsets.to_vec(), history: None, restarts: true, idle })
     }
 
     /// Cables that remember come to every pose from this one in steps, as [`Operation::with_history`] says.
     #[must_use]
     pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
         self.history = Some((History { reach: Reach::FromInitial, ..*history }, *start));
+        self.idle = Mutex::default();
+        self
+    }
+
+    /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
+    #[must_use]
+    pub fn without_restarts(mut self) -> Self {
+        self.restarts = false;
         self.idle = Mutex::default();
         self
     }
@@ -67,6 +76,7 @@ impl<'a> Driving<'a> {
 
     fn begin(&self) -> Result<Operation<'a>, InputError> {
         let operation = Operation::new(self.control, self.machine, &self.offsets)?;
+        let operation = if self.restarts { operation } else { operation.without_restarts() };
         Ok(match &self.history {
             Some((history, start)) => operation.with_history(history, start),
             None => operation,

@@ -2,9 +2,11 @@
 
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
+use crate::equilibrium::elastostatics::batch::Solutions;
 use crate::equilibrium::{elastostatics, forward_kinematics};
-use crate::geometry::Pose;
+use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, StretchEffect};
+use crate::scalar::LaneTable;
 use crate::statics::Load;
 
 /// A machine with the forward problem that it answers by.
@@ -37,6 +39,11 @@ impl<'a> Machine<'a> {
         self.model
     }
 
+    /// True when tensions emerge.
+    pub(super) fn is_elastic(&self) -> bool {
+        matches!(self.forward, Forward::Elastic(_))
+    }
+
     /// True when the cables remember how they came to a tension.
     pub(super) fn remembers(&self) -> bool {
         self.model.composition().stretch == StretchEffect::Hysteresis
@@ -53,6 +60,30 @@ impl<'a> Machine<'a> {
     pub(super) fn forget(&mut self) {
         if let Forward::Elastic(solver) = &mut self.forward {
             solver.forget();
+        }
+    }
+
+    /// The forward problem starts from the commanded pose alone from now on.
+    pub(super) fn without_restarts(mut self) -> Self {
+        if let Forward::Elastic(solver) = self.forward {
+            self.forward = Forward::Elastic(Box::new(solver.without_restarts()));
+        }
+        self
+    }
+
+    /// What emerges for many controlled lengths at once (m; a row per cable), sought from these poses; with `only_taut` where
+    /// every cable pulls. False for a rigid machine, and where the lengths are no numbers.
+    pub(super) fn answer_all(
+        &mut self,
+        lengths: &LaneTable,
+        guesses: &PoseBatch,
+        only_taut: bool,
+        solutions: &mut Solutions,
+    ) -> bool {
+        match &mut self.forward {
+            Forward::Rigid(_) => false,
+            Forward::Elastic(solver) if only_taut => solver.solve_taut_batch(lengths, guesses, solutions).is_ok(),
+            Forward::Elastic(solver) => solver.solve_batch(lengths, guesses, solutions).is_ok(),
         }
     }
 

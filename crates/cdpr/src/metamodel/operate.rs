@@ -5,8 +5,10 @@ use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
-use crate::geometry::Pose;
+use crate::equilibrium::elastostatics::batch::Solutions;
+use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
+use crate::scalar::LaneTable;
 
 /// What a machine answers to one command.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +28,14 @@ pub struct Outcome {
     pub status: Status,
     /// The reason in words where the status is not [`Status::Converged`].
     pub reason: Option<String>,
+}
+
+/// What emerges for many commands.
+pub(super) struct Emerged {
+    /// Which of the commands have been sent.
+    pub(super) commanded: Vec<usize>,
+    /// What each of those led to.
+    pub(super) solutions: Solutions,
 }
 
 /// How the answer of a machine was found.
@@ -123,6 +133,13 @@ impl<'a> Operation<'a> {
         self
     }
 
+    /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
+    #[must_use]
+    pub fn without_restarts(mut self) -> Self {
+        self.machine = self.machine.without_restarts();
+        self
+    }
+
     /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
     pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
         self.control.lengths(pose)
@@ -138,6 +155,28 @@ impl<'a> Operation<'a> {
     /// Lengths that the winches pay out when these are sent, in the units of the machine's encoders (m).
     pub(super) fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
         self.winding.to_machine(sent)
+    }
+
+    /// What emerges for many commands at once, of those for which the control model has lengths; with `only_taut` where every
+    /// cable pulls. `None` for rigid machines, and for those that remember.
+    pub(super) fn answer_all(&mut self, poses: &[Pose], only_taut: bool) -> Option<Emerged> {
+        if self.way.is_some() || !self.machine.is_elastic() {
+            return None;
+        }
+        let (mut lengths, mut guesses) = (LaneTable::new(self.machine().cable_count()), PoseBatch::default());
+        let mut commanded = Vec::with_capacity(poses.len());
+        for (index, pose) in poses.iter().enumerate() {
+            if let Ok(controlled) = self.controlled_lengths(pose) {
+                lengths.resize(commanded.len() + 1);
+                lengths.write(commanded.len(), &controlled);
+                guesses.push(pose);
+                commanded.push(index);
+            }
+        }
+        let mut solutions = Solutions::default();
+        self.machine
+            .answer_all(&lengths, &guesses, only_taut, &mut solutions)
+            .then_some(Emerged { commanded, solutions })
     }
 
     /// What emerges for one command.

@@ -14,8 +14,9 @@ pub use emerging::{Image, emerging_size, image_of};
 
 use super::driving::Driving;
 use super::input_error::InputError;
-use super::operate::{Outcome, Status};
+use super::operate::{Emerged, Outcome, Status};
 use super::study::CommandedPose;
+use crate::equilibrium::elastostatics;
 use crate::geometry::Pose;
 use crate::tension::Limits;
 use crate::workspace::criterion::Criterion;
@@ -34,7 +35,8 @@ pub struct Requirements {
 
 /// Poses at which the machine comes to rest as the requirements ask, when the control model commands them.
 ///
-/// The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
+/// The machine is where it is led from the commanded pose: equilibria elsewhere, which a search from other starts might find,
+/// do not count. The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
 /// 1 − error/largest error.
 pub struct Reachable<'a> {
     driving: Driving<'a>,
@@ -54,7 +56,7 @@ impl<'a> Reachable<'a> {
             let (expected, found) = (machine.cable_count(), limits.cable_count());
             return Err(InputError::Count { key: "tension limits", expected, found });
         }
-        Ok(Self { driving, requirements })
+        Ok(Self { driving: driving.without_restarts(), requirements })
     }
 
     /// Control model, machine and winches.
@@ -73,9 +75,12 @@ impl<'a> Reachable<'a> {
             let reason = outcome.reason.as_deref().unwrap_or("nothing emerges");
             return Verdict::impossible(reason, None);
         }
-        let errors = Errors::of(commanded, outcome);
-        let decisive =
-            self.margins(&errors, outcome).into_iter().flatten().min_by(|a, b| a.margin.total_cmp(&b.margin));
+        let errors = Errors::of(commanded, &outcome.pose);
+        let decisive = self
+            .margins(&errors, outcome.tensions.as_deref())
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.margin.total_cmp(&b.margin));
         match decisive {
             Some(Decisive { margin, cable, .. }) if margin >= 0.0 => Verdict::held(margin, cable),
             Some(decisive) => Verdict::failed(decisive.margin, self.words(&decisive, &errors, outcome), decisive.cable),
@@ -83,13 +88,13 @@ impl<'a> Reachable<'a> {
         }
     }
 
-    fn margins(&self, errors: &Errors, outcome: &Outcome) -> [Option<Decisive>; 3] {
+    fn margins(&self, errors: &Errors, emerging: Option<&[f64]>) -> [Option<Decisive>; 3] {
         let Requirements { tensions, position_error_max, rotation_error_max } = &self.requirements;
         let of_error = |kind, error: f64, largest: f64| Decisive { kind, margin: 1.0 - error / largest, cable: None };
         [
             position_error_max.map(|largest| of_error(Kind::Position, errors.position, largest)),
             rotation_error_max.map(|largest| of_error(Kind::Rotation, errors.rotation, largest)),
-            tensions.as_ref().zip(outcome.tensions.as_ref()).map(|(limits, tensions)| {
+            tensions.as_ref().zip(emerging).map(|(limits, tensions)| {
                 let (margin, cable) = tension_margin(limits, tensions);
                 Decisive { kind: Kind::Tension, margin, cable: Some(cable) }
             }),
@@ -135,9 +140,9 @@ struct Errors {
 }
 
 impl Errors {
-    fn of(commanded: &Pose, outcome: &Outcome) -> Self {
-        let position = (outcome.pose.position - commanded.position).norm();
-        Self { position, rotation: outcome.pose.angle_to(commanded) }
+    fn of(commanded: &Pose, emerging: &Pose) -> Self {
+        let position = (emerging.position - commanded.position).norm();
+        Self { position, rotation: emerging.angle_to(commanded) }
     }
 }
 
@@ -193,22 +198,44 @@ impl Criterion for Reachable<'_> {
     }
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
-        let judged = self.driving.with(|operation| {
-            for (pose, answer) in poses.iter().zip(&mut *answers) {
-                *answer = self.is_kept(pose, &operation.answer(&CommandedPose::at(*pose)));
+        answers.fill(false);
+        self.driving.with(|operation| match operation.answer_all(poses, self.needs_all_taut()) {
+            Some(emerged) => self.read(poses, &emerged, answers),
+            None => {
+                for (pose, answer) in poses.iter().zip(&mut *answers) {
+                    *answer = self.is_kept(pose, &operation.answer(&CommandedPose::at(*pose)));
+                }
             }
         });
-        if judged.is_none() {
-            answers.fill(false);
-        }
     }
 }
 
 impl Reachable<'_> {
     /// [`Reachable::verdict`] without words.
     fn is_kept(&self, commanded: &Pose, outcome: &Outcome) -> bool {
-        let margins = self.margins(&Errors::of(commanded, outcome), outcome);
-        outcome.status == Status::Converged && margins.iter().flatten().all(|decisive| decisive.margin >= 0.0)
+        outcome.status == Status::Converged && self.keeps(commanded, &outcome.pose, outcome.tensions.as_deref())
+    }
+
+    fn keeps(&self, commanded: &Pose, emerging: &Pose, tensions: Option<&[f64]>) -> bool {
+        let margins = self.margins(&Errors::of(commanded, emerging), tensions);
+        margins.iter().flatten().all(|decisive| decisive.margin >= 0.0)
+    }
+
+    /// True where a slack cable breaks a limit, whatever else emerges.
+    fn needs_all_taut(&self) -> bool {
+        self.requirements.tensions.as_ref().is_some_and(|limits| limits.minimum().iter().all(|&least| least > 0.0))
+    }
+
+    /// The answers to what emerged for many poses.
+    fn read(&self, poses: &[Pose], emerged: &Emerged, answers: &mut [bool]) {
+        let mut tensions = vec![0.0; self.driving.machine().cable_count()];
+        let solutions = &emerged.solutions;
+        for (item, &index) in emerged.commanded.iter().enumerate() {
+            if solutions.status(item) == elastostatics::Status::Converged {
+                tensions.iter_mut().enumerate().for_each(|(cable, f)| *f = solutions.tension(cable, item));
+                answers[index] = self.keeps(&poses[index], &solutions.pose(item), Some(&tensions));
+            }
+        }
     }
 
     /// Where the platform comes to rest, as a point of a region; nothing where the machine has no answer.

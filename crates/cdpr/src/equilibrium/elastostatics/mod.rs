@@ -250,6 +250,13 @@ impl<'a> Solver<'a> {
         })
     }
 
+    /// Seeks from the guess alone from now on: an answer is what the platform comes to from there.
+    #[must_use]
+    pub fn without_restarts(mut self) -> Self {
+        self.settings.max_restarts = 0;
+        self
+    }
+
     /// Another load from now on.
     pub fn set_load(&mut self, load: &Load) {
         self.load = *load;

@@ -1,3 +1,7 @@
+use nalgebra::Vector3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
 use super::*;
 use crate::metamodel::study::Initial;
 use crate::metamodel::winch_offsets;
@@ -107,6 +111,35 @@ fn reasons_name_the_requirement_that_is_broken() {
     let verdict = planar.region(&planar.reachable(None)).judge(&[-4.5, 6.9, 0.0]);
     assert!(verdict.reason.as_ref().is_some_and(|reason| reason.contains("tension of")), "{verdict:?}");
     assert!(verdict.cable.is_some());
+}
+
+/// The batches judge as the single poses do, in a box far beyond the frame, where most cables hang slack.
+#[test]
+fn many_poses_are_reached_where_each_is() {
+    let control =
+        Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap();
+    let elastic = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let machine = Model::new(elastic, Composition::ELASTIC).unwrap();
+    let limits = Limits::of(machine.robot(), None, None).unwrap();
+    let mut rng = ChaCha8Rng::seed_from_u64(93);
+    let poses: Vec<Pose> = (0..1500)
+        .map(|_| {
+            let position = Vector3::new(6.0, 6.0, 4.0).map(|half: f64| rng.random_range(-half..half));
+            Pose { position: position + Vector3::new(0.0, 0.0, 2.5), ..Pose::identity() }
+        })
+        .collect();
+    for tensions in [None, Some(limits)] {
+        let requirements = Requirements { tensions, position_error_max: Some(0.05), rotation_error_max: None };
+        let driving = Driving::new(&control, &machine, &[0.0; 8]).unwrap();
+        let reachable = Reachable::new(driving, requirements).unwrap();
+        let mut answers = vec![false; poses.len()];
+        reachable.holds_all(&poses, &mut answers);
+        for (pose, answer) in poses.iter().zip(&answers) {
+            assert_eq!(reachable.judge(pose).holds(), *answer, "{pose:?}");
+        }
+        let reached = answers.iter().filter(|answer| **answer).count();
+        assert!((5..1000).contains(&reached), "{reached}");
+    }
 }
 
 #[test]

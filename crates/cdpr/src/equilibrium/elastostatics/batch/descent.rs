@@ -50,17 +50,28 @@ struct State<L> {
 impl Descents<'_> {
     /// On an available unit; compiled here, once for library and tests.
     #[inline(never)]
-    pub(super) fn run_on(self, unit: Unit) -> [bool; LANES] {
+    pub(super) fn run_on(self, unit: Unit) -> [Ending; LANES] {
         dispatch_on(unit, self).unwrap_or_default()
     }
 }
 
+/// What became of one of the eight.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// It takes more than a plain descent.
+    #[default]
+    Open,
+    /// A stable equilibrium without slack cables.
+    Solved,
+    /// An equilibrium of bars, one of which pushes: as cables they would not all be taut.
+    Pushes,
+}
+
 impl Kernel for Descents<'_> {
-    /// Which of the eight are solved.
-    type Output = [bool; LANES];
+    type Output = [Ending; LANES];
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> [bool; LANES] {
+    fn run<L: Lanes>(self, lanes: L) -> [Ending; LANES] {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let mean_length = self.mean_length(lanes);
         let tolerance = lanes.constant(self.settings.pose_tolerance) * mean_length.max(one);
@@ -258,9 +269,9 @@ impl Descents<'_> {
         }
     }
 
-    /// Writes the solutions; which of them are stable equilibria without slack cables.
+    /// Writes the solutions and tells what they are.
     #[inline(always)]
-    fn conclude<L: Lanes>(self, lanes: L, state: &State<L>, mut stiffness: [[L; 6]; 6], scale: L) -> [bool; LANES] {
+    fn conclude<L: Lanes>(self, lanes: L, state: &State<L>, mut stiffness: [[L; 6]; 6], scale: L) -> [Ending; LANES] {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let least = lanes.constant(STABLE) * scale;
         for row in 0..6 {
@@ -268,20 +279,25 @@ impl Descents<'_> {
             stiffness[row][row] = stiffness[row][row] - least * lanes.constant(radius * radius);
         }
         let is_stable = ldl::solve_in_lanes(self.model.dof(), &mut stiffness, &mut [zero; 6]);
-        let mut is_done = state.is_done * is_stable;
+        let mut pushes = zero;
         for tension in &state.tensions[..self.lengths.len()] {
-            is_done = zero.select(lanes.load(&tension.0).is_less(zero), is_done);
+            pushes = one.select(lanes.load(&tension.0).is_less(zero), pushes);
         }
+        let is_solved = state.is_done * is_stable * (one - pushes);
         self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
         state.iterations.store(&mut self.solutions[ITERATIONS].0);
         self.solutions[STATUS].0 = [code_of(Status::Converged); LANES];
         self.solutions[TENSIONS..].copy_from_slice(&state.tensions[..self.lengths.len()]);
-        let flags = (is_done * one).to_array();
-        let mut done = [false; LANES];
+        let (solved, pushing) = (is_solved.to_array(), (state.is_done * pushes).to_array());
+        let mut endings = [Ending::Open; LANES];
         for lane in 0..LANES {
-            done[lane] = flags[lane] > 0.0;
+            if solved[lane] > 0.0 {
+                endings[lane] = Ending::Solved;
+            } else if pushing[lane] > 0.0 {
+                endings[lane] = Ending::Pushes;
+            }
         }
-        done
+        endings
     }
 }
 

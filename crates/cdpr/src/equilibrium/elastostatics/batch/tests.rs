@@ -105,18 +105,18 @@ fn eight_descents_give_the_same_bits_on_every_unit_and_taut_cables_end_in_lanes(
             };
             (descents.run_on(unit), solutions)
         };
-        let (is_done, solutions) = on(Unit::Portable);
+        let (endings, solutions) = on(Unit::Portable);
         for unit in Unit::available() {
             let (other, found) = on(unit);
-            assert_eq!(other, is_done, "{unit:?}");
-            for lane in (0..LANES).filter(|&lane| is_done[lane]) {
+            assert_eq!(other, endings, "{unit:?}");
+            for lane in (0..LANES).filter(|&lane| endings[lane] == Ending::Solved) {
                 let bits = |lines: &[Line; TENSIONS + 8]| lines.map(|line| line.0[lane].to_bits());
                 assert_eq!(bits(&found), bits(&solutions), "{unit:?}");
             }
         }
         let is_near = |lane: &usize| lane % 4 < 3 && (group * LANES + lane) / 4 % 4 < 3;
         near += (0..LANES).filter(is_near).count();
-        done += (0..LANES).filter(is_near).filter(|&lane| is_done[lane]).count();
+        done += (0..LANES).filter(is_near).filter(|&lane| endings[lane] == Ending::Solved).count();
     }
     assert!(done as f64 > 0.9 * near as f64, "{done} of {near}");
 }
