@@ -159,9 +159,9 @@ impl<const N: usize> Kernel for Combination<'_, N> {
         }
         let mut y = rest.to_array();
         for place in (0..N).rev() {
-            y[place] = y[place] * triangle[place * N + place];
+            y[place] *= triangle[place * N + place];
             for before in 0..place {
-                y[before] = y[before] - triangle[place * N + before] * y[place];
+                y[before] -= triangle[place * N + before] * y[place];
             }
         }
         for row in 0..N {
