@@ -63,7 +63,7 @@ async function planeLayers(page, data) {
   const values = await page.locator("text.contour-value").allTextContents();
   if (!values.some((text) => / mm$/.test(text)) || values.some((text) => !/^−?[\d.]+ ?(mm|°|N)$/.test(text))) found.push(`contours bear the values ${values}`);
   found.push(...(await looks(page)));
-  for (const label of ["error by one linear step", "difference of both", "largest tension, N", "smallest tension, N", "vectors by one linear step"]) await page.getByLabel(label, { exact: true }).uncheck();
+  for (const [label] of layers.filter(([label]) => /linear|difference|tension/.test(label))) await page.getByLabel(label, { exact: true }).uncheck();
   return found;
 }
 
@@ -116,9 +116,8 @@ async function pointer(page, data) {
   await page.mouse.move(...box);
   const text = await tip(page);
   await page.mouse.move(2, 2);
-  // poses behind each other share a place in a projection
-  const named = Number(/^pose (\d+)commanded/.exec(text)?.[1]);
-  const read = data.robot.planar ? at : data.samples.number.indexOf(named);
+  // poses behind each other, or turned at one place, share a mark
+  const read = data.samples.number.indexOf(Number(/^pose (\d+)commanded/.exec(text)?.[1]));
   return read < 0 ? [`the tip reads "${text}"`] : tipComplaints(text, data, read);
 }
 

@@ -16,7 +16,10 @@ export async function checkWorkspace(page, layout) {
   await check("failing pose", failingPose);
   await check("legend", legend);
   await check("drawings", drawings);
-  if (!data.robot.planar && data.regions.some((region) => region.triangles.length > 0)) await check("clip plane", clipPlane);
+  if (!data.robot.planar && data.regions.some((region) => region.triangles.length > 0)) {
+    await check("clip plane", clipPlane);
+    await check("colours of surfaces", colouring);
+  }
   await check("downloads", downloads);
   found.push(...(await layout(page)));
   await backToStart(page, data);
@@ -239,7 +242,7 @@ async function picture(page) {
 }
 
 async function clipPlane(page) {
-  const select = page.locator(".workspace select").last();
+  const select = page.locator("label", { hasText: "Clip plane" }).locator("select");
   const whole = await picture(page);
   await select.selectOption({ index: 1 });
   const cut = await picture(page);
@@ -250,6 +253,34 @@ async function clipPlane(page) {
   const found = cut === whole ? ["it cuts nothing"] : [];
   if (other === cut) found.push("both sides look alike");
   if ((await picture(page)) !== whole) found.push("the whole does not come back");
+  return found;
+}
+
+/** Coloured by limiting cable, the surface bears the names of cables, the legend lists them all, and both go with the colours. */
+async function colouring(page, data) {
+  const select = page.getByLabel("Colour of surfaces");
+  const opacity = page.getByLabel("Opacity of surfaces");
+  const [plain, before] = [await picture(page), await opacity.inputValue()];
+  const known = data.regions.filter((region) => region.triangles.length > 0);
+  const numbers = [...new Set(known.flatMap((region) => region.limiting_cable))].sort((a, b) => a - b);
+  const names = numbers.map((number) => (number === 0 ? "none" : data.robot.cables[number - 1].name));
+  await select.selectOption({ label: "by limiting cable" });
+  const found = (await picture(page)) === plain ? ["by limiting cable it looks as before"] : [];
+  const listed = await page.locator(".legend.colours li span").allTextContents();
+  if (String(listed.map((text) => text.split(": ")[0])) !== String(names)) found.push(`the legend lists ${listed} for the cables ${names}`);
+  const shares = listed.reduce((sum, text) => sum + Number(/([\d.]+) %$/.exec(text)?.[1]), 0);
+  if (!(Math.abs(shares - 100) < 2)) found.push(`the shares of the legend make ${shares} %`);
+  const labels = await page.locator(".labels .patch:not([hidden])").allTextContents();
+  if (labels.length < 2) found.push(`the surface bears only the names ${labels}`);
+  const letters = known.length > 1 ? /^[A-Z] / : /^/;
+  if (labels.some((text) => !letters.test(text) || !names.includes(text.replace(letters, "")))) found.push(`the surface bears ${labels}`);
+  const png = await downloaded(page, "Save as PNG");
+  if (png.length < 5000) found.push(`the PNG has ${png.length} bytes`);
+  await select.selectOption({ label: "by margin" });
+  if (!(await page.locator(".legend.colours").textContent()).startsWith("Margin")) found.push("the margin has no legend");
+  await select.selectOption({ label: "by result" });
+  if ((await page.locator(".legend.colours, .labels .patch").count()) > 0) found.push("names and legend stay when the colours go");
+  if ((await opacity.inputValue()) !== before || (await picture(page)) !== plain) found.push("the colours of the results do not come back");
   return found;
 }
 

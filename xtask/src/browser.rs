@@ -155,7 +155,7 @@ fn study_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     ["planar-wide-grid", "planar-low-grid", "twin-nominal"].into_iter().map(study).collect()
 }
 
-/// Pages of workspaces: one in a plane and one in space, each with an earlier result laid over it.
+/// Pages of workspaces: one in a plane and one in space, each with an earlier result laid over it, and the surface of a grid.
 fn workspace_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     let planar = ["workspace", "planar-example", "--method", "hull", "--max", "8000"];
     let spatial = ["workspace", "cablerobot-simulator-helicopter", "--method", "hull", "--rays", "642"];
@@ -169,6 +169,11 @@ fn workspace_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
         cdpr(root, &[arguments, &["--min", "1000", "--page", &page, "--overlay", &earlier]].concat())?;
         pages.push(folder);
     }
+    let folder = folder.join("workspace-grid");
+    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let page = folder.join("workspace.html").display().to_string();
+    cdpr(root, &["workspace", "cablerobot-simulator-helicopter", "--step", "0.4", "--page", &page])?;
+    pages.push(folder);
     Ok(pages)
 }
 

@@ -98,7 +98,9 @@ export function writeValues(drawing: SVGSVGElement, lines: Labelled[], box: Box,
       }
     });
   }
-  drawing.append(layer);
+  const tips = drawing.querySelector('[aria-label="tip"]');
+  if (tips) tips.before(layer);
+  else drawing.append(layer);
 }
 
 function ringsOf(path: string): Pixel[][] {

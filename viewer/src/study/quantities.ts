@@ -97,9 +97,9 @@ export function words(data: StudyData, place: Place): string {
   return lines.join("\n");
 }
 
-/** E.g. "commanded x 1.250, y −0.500 m" and, where the platform is turned, "turned by 3.10°". */
+/** E.g. "commanded x 1.2500, y −0.5000 m" and, where the platform is turned, "commanded angle 3.10°". */
 function poseWords(name: string, axes: string[], components: number[]): string[] {
-  const positions = `${name} ${axes.map((axis, k) => `${axis} ${fixed(components[k] ?? Number.NaN, 3)}`).join(", ")} m`;
+  const positions = `${name} ${axes.map((axis, k) => `${axis} ${fixed(components[k] ?? Number.NaN, 4)}`).join(", ")} m`;
   const angles = components.slice(axes.length);
   if (angles.every((angle) => angle === 0)) return [positions];
   const names = angles.length === 1 ? ["angle"] : ["rx", "ry", "rz"];

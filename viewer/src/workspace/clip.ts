@@ -20,7 +20,7 @@ export function offerClip(controls: HTMLElement, axes: Axis[], changed: () => vo
     tell();
   };
   const tell = () => {
-    words.textContent = ` ${chosen()?.name} = ${slider.valueAsNumber.toFixed(2)} m`;
+    words.textContent = ` ${chosen()?.name} = ${slider.valueAsNumber.toFixed(2).replace("-", "−")} m`;
   };
   const chosen = choice(
     controls,

@@ -31,7 +31,7 @@ export interface Grid {
   interpolation: { cells: number; mean_N: number; largest_N: number } | null;
 }
 
-/** A result: a hull of triangles, or areas of a plane. */
+/** A result: a surface of triangles, or areas of a plane. */
 export interface Region {
   name: string;
   measure: number;
@@ -41,6 +41,13 @@ export interface Region {
   vertices_m: number[];
   /** Three vertices each. */
   triangles: number[];
+  /** How a surface was found. */
+  method: string;
+  /** At the vertices; empty where they are not known. */
+  margin: number[];
+  margin_unit: string;
+  /** At the vertices: the cable's number from 1, or 0 for none; empty where it is not known. */
+  limiting_cable: number[];
   /** Closed lines in the coordinates of the grid's two axes, of which an odd number encloses what belongs to the area. */
   outlines_m: [number, number][][];
 }

@@ -1,6 +1,7 @@
-// A hull in space: a transparent surface that a plane may cut, and the line of the cut.
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, Plane, Vector3 } from "three";
+// A hull or another surface in space: transparent, painted, with a plane that may cut it, and the line of the cut.
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial, Plane, Vector3 } from "three";
 import type { Segment } from "../scene/geometry";
+import { type Piece, placeOf } from "./colouring";
 import type { Region } from "./data";
 
 /** The surface as three.js keeps it (world, m). */
@@ -12,16 +13,44 @@ export function geometryOf(region: Region): BufferGeometry {
   return geometry;
 }
 
-/** The surface, from both sides; `dress` gives it its looks. */
+/** The surface, from both sides; `paint` or `paintEach` and `dress` give it its looks. */
 export type Surface = Mesh<BufferGeometry, MeshLambertMaterial>;
 
 export function surface(region: Region): Surface {
   return new Mesh(geometryOf(region), new MeshLambertMaterial({ side: DoubleSide }));
 }
 
-/** Colour, transparency and the plane that cuts it, if any. */
-export function dress({ material }: Surface, color: string, opacity: number, clip: Plane | null): void {
+/** One colour for all of it. */
+export function paint({ material }: Surface, color: string): void {
+  material.vertexColors = false;
   material.color.set(color);
+}
+
+/** A colour for each triangle of this geometry, whose triangles have corners of their own. */
+export function paintEach({ material }: Surface, geometry: BufferGeometry, colours: string[]): void {
+  const known = new Map([...new Set(colours)].map((name) => [name, new Color(name)]));
+  const values = new Float32Array(9 * colours.length);
+  colours.forEach((name, triangle) => {
+    for (const corner of [0, 1, 2]) known.get(name)?.toArray(values, 9 * triangle + 3 * corner);
+  });
+  geometry.setAttribute("color", new BufferAttribute(values, 3));
+  material.vertexColors = true;
+  material.color.set("#fff");
+}
+
+/** The pieces of a surface, each corner with the mean normal of its vertices. */
+export function geometryOfPieces(region: Region, pieces: Piece[], normals: ArrayLike<number>): BufferGeometry {
+  const corners = pieces.flatMap((piece) => piece.corners);
+  const normal = (corner: number[]) => corner.reduce((sum, vertex) => sum.add(new Vector3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2])), new Vector3()).normalize();
+  const geometry = new BufferGeometry();
+  const flat = (of: (corner: number[]) => Vector3) => new BufferAttribute(new Float32Array(corners.flatMap((corner) => of(corner).toArray())), 3);
+  geometry.setAttribute("position", flat((corner) => placeOf(region, corner)));
+  geometry.setAttribute("normal", flat(normal));
+  return geometry;
+}
+
+/** Transparency and the plane that cuts it, if any. */
+export function dress({ material }: Surface, opacity: number, clip: Plane | null): void {
   Object.assign(material, { opacity, transparent: opacity < 1, depthWrite: opacity >= 1, clippingPlanes: clip ? [clip] : [] });
   material.needsUpdate = true;
 }

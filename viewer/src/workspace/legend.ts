@@ -12,6 +12,19 @@ export function tensionLegend(scale: TensionScale): HTMLElement {
   return list;
 }
 
+/** Entries of colours with words, under a name. */
+export function colourLegend(name: string, entries: { colour: string; words: string }[]): HTMLElement {
+  const list = element("ul", "", "legend colours");
+  list.setAttribute("aria-label", name);
+  list.append(element("li", `${name}:`));
+  for (const { colour, words } of entries) {
+    const picture = drawn("svg", { width: 16, height: 12, viewBox: "0 0 16 12", "aria-hidden": "true" });
+    picture.append(drawn("rect", { width: 16, height: 12, fill: colour, stroke: "var(--ink)" }));
+    list.append(entry(picture, words));
+  }
+  return list;
+}
+
 /** A short line. */
 export function sample(look: Record<string, string | number>): SVGSVGElement {
   const picture = drawn("svg", { width: 34, height: 12, viewBox: "0 0 34 12", "aria-hidden": "true" });

@@ -24,7 +24,8 @@ export interface MarginChart {
   y: Plot.Scale;
 }
 
-const SHADES = ["n4", "n3", "n2", "n1", "1", "2", "3", "4"].map((name) => `var(--diverging-${name})`);
+/** Colours of the bands between seven levels. */
+export const SHADES = ["n4", "n3", "n2", "n1", "1", "2", "3", "4"].map((name) => `var(--diverging-${name})`);
 
 /** Contours of the margin; where it fails there is a hatch too, and the limit is a thick line. `also` must be seen as well. */
 export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownRegion[], also: [number, number][], width: number): MarginChart {
@@ -92,7 +93,7 @@ function layerOf(grid: Grid, plane: Plane): number[] {
 }
 
 /** Seven round levels around zero, fit for the margins that hold. */
-function levelsOf(values: number[]): number[] {
+export function levelsOf(values: number[]): number[] {
   const best = values.reduce((a, b) => Math.max(a, b), 0);
   const worst = values.reduce((a, b) => Math.min(a, b), 0);
   const target = (best > 0 ? best : -worst || 1) / 4;

@@ -26,7 +26,7 @@ export function showWorkspace(data: WorkspaceData): void {
   if (hasTensions(data)) legends.append(tensionLegend(scale));
   showReadout(side, platform, scale);
   offerPosition(side, platform);
-  const redraw = data.robot.planar ? showPlanar(canvas, controls, platform, regions, scale) : showSpatial(canvas, controls, platform, regions, scale);
+  const redraw = data.robot.planar ? showPlanar(canvas, controls, platform, regions, scale) : showSpatial(canvas, controls, legends, platform, regions, scale);
   offerRegions(legends, regions, redraw);
 }
 
@@ -38,14 +38,16 @@ function showPlanar(canvas: HTMLElement, controls: HTMLElement, platform: Platfo
   return chart.redraw;
 }
 
-function showSpatial(canvas: HTMLElement, controls: HTMLElement, platform: Platform, regions: ShownRegion[], scale: TensionScale): () => void {
+function showSpatial(canvas: HTMLElement, controls: HTMLElement, legends: HTMLElement, platform: Platform, regions: ShownRegion[], scale: TensionScale): () => void {
   const { name } = platform.data.robot;
   showSlices(platform, regions);
   try {
     const scene = new RobotScene(canvas, controls, platform, regions, scale);
     const group = element("div", "", "buttons");
     button(group, "Save as PNG", async () => save(await png(canvas), `${name}-workspace.png`));
-    for (const one of regions) button(group, regions.length > 1 ? `Save ${one.letter} as STL` : "Save hull as STL", () => save(stl([one]), `${name}-workspace-${one.letter}.stl`));
+    legends.append(scene.legend);
+    const solid = regions.filter(({ region }) => region.triangles.length > 0);
+    for (const one of solid) button(group, solid.length > 1 ? `Save ${one.letter} as STL` : `Save ${one.region.method === "hull" ? "hull" : "surface"} as STL`, () => save(stl([one]), `${name}-workspace-${one.letter}.stl`));
     controls.append(group);
     return () => scene.build();
   } catch (error) {

@@ -1,15 +1,15 @@
 // The robot in space: cables by tension, the platform that follows the pointer, and the hulls with their clip plane.
-import { AmbientLight, BoxGeometry, DirectionalLight, EdgesGeometry, Group, type Plane, Vector3 } from "three";
+import { AmbientLight, DirectionalLight, Group, Vector3 } from "three";
 import { button, choice, element } from "../controls";
 import { dashed, dispose, lines, markers } from "../scene/drawing";
 import { offerDragging } from "../scene/dragging";
 import type { Segment } from "../scene/geometry";
+import type { Label } from "../scene/labels";
 import { Stage } from "../scene/stage";
 import { colour, onThemeChange } from "../theme";
-import { type ClipChoice, offerClip } from "./clip";
-import { type Surface, cut, dress, surface, top } from "./hull";
 import { type Platform, cableName } from "./platform";
 import type { ShownRegion } from "./regions";
+import { Surfaces, boxCorners } from "./surfaces";
 import type { TensionScale } from "./tension-style";
 
 const WORDS =
@@ -17,23 +17,12 @@ const WORDS =
 
 const KEYS: Record<string, [number, number]> = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1], PageDown: [2, -1], PageUp: [2, 1] };
 
-interface Label {
-  at: Vector3;
-  text: string;
-  className?: string;
-}
-
 /** The scene; `place` gets the canvas, `controls` the choices. Throws where the browser has no WebGL. */
 export class RobotScene {
   readonly stage: Stage;
   private readonly robot = new Group();
-  private readonly hulls = new Group();
-  private readonly cuts = new Group();
-  private readonly surfaces: Surface[];
+  private readonly surfaces: Surfaces;
   private readonly size: number;
-  private letters: Label[] = [];
-  private opacity = 0.35;
-  private clip: ClipChoice = () => null;
   private hovered = false;
   private normal: () => Vector3 | null = () => null;
 
@@ -41,18 +30,18 @@ export class RobotScene {
     place: HTMLElement,
     controls: HTMLElement,
     private readonly platform: Platform,
-    private readonly regions: ShownRegion[],
+    regions: ShownRegion[],
     private readonly scale: TensionScale,
   ) {
     this.stage = new Stage(place, WORDS);
-    const points = [...platform.frame, ...platform.anchors, ...this.boxCorners()];
+    const points = [...platform.frame, ...platform.anchors, ...boxCorners(platform)];
     this.stage.frame(points);
     this.size = Math.max(...points.map((point) => point.distanceTo(points[0] as Vector3)), 1e-3);
-    this.surfaces = regions.map(({ region }) => surface(region));
-    this.hulls.add(...this.surfaces);
+    this.surfaces = new Surfaces(platform, regions, this.size);
     const light = new DirectionalLight("#fff", 2.4);
     light.position.set(0.4, -1, 0.8);
-    this.stage.content.add(new AmbientLight("#fff", 1.9), light, this.hulls, this.cuts, this.robot);
+    this.stage.content.add(new AmbientLight("#fff", 1.9), light, this.surfaces.group, this.robot);
+    this.stage.labels.isHidden = (point) => this.surfaces.hides(this.stage.camera.position, point);
     this.offerControls(controls);
     this.offerMoving();
     onThemeChange(() => this.build());
@@ -64,12 +53,16 @@ export class RobotScene {
 
   /** Draws everything again, e.g. after a result was hidden. */
   build(): void {
-    this.buildHulls();
+    this.surfaces.build();
     this.buildRobot();
   }
 
+  /** What the colours of surfaces mean. */
+  get legend(): HTMLElement {
+    return this.surfaces.legend;
+  }
+
   private offerControls(controls: HTMLElement): void {
-    const axes = this.platform.data.grid.axes;
     this.normal = choice(controls, "Drag the platform", [
       { label: "in the plane of the screen", value: null as Vector3 | null },
       { label: "horizontally", value: new Vector3(0, 0, 1) },
@@ -86,21 +79,7 @@ export class RobotScene {
     button(views, "Zoom in", () => this.stage.zoom(0.85));
     button(views, "Zoom out", () => this.stage.zoom(1 / 0.85));
     controls.append(views);
-    if (this.regions.length === 0) return;
-    this.offerOpacity(controls);
-    this.clip = offerClip(controls, axes, () => this.build());
-  }
-
-  private offerOpacity(controls: HTMLElement): void {
-    const slider = element("input");
-    Object.assign(slider, { type: "range", min: "0.05", max: "1", step: "0.05", value: String(this.opacity) });
-    slider.addEventListener("input", () => {
-      this.opacity = slider.valueAsNumber;
-      this.build();
-    });
-    const label = element("label", "Opacity of the hull ");
-    label.append(slider);
-    controls.append(label);
+    this.surfaces.offer(controls, () => this.build());
   }
 
   private offerMoving(): void {
@@ -152,7 +131,7 @@ export class RobotScene {
       markers([position], colour("ink"), this.hovered ? 20 : 15, false),
       this.axes(),
     );
-    this.stage.labels.set([...this.letters, ...this.axisLabels(), ...frame.map((at, index) => ({ at, text: this.words(index, tensions) }))]);
+    this.stage.labels.set([...this.surfaces.labels, ...this.axisLabels(), ...frame.map((at, index) => ({ at, text: this.words(index, tensions) }))]);
     this.stage.draw();
   }
 
@@ -160,43 +139,6 @@ export class RobotScene {
     const name = cableName(this.platform.data, index);
     const tension = tensions?.[index];
     return tension === undefined ? name : `${name}: ${tension.toFixed(0)} N`;
-  }
-
-  private buildHulls(): void {
-    const { cuts } = this;
-    const clip = this.clip();
-    dispose(cuts);
-    cuts.clear();
-    this.letters = [];
-    this.regions.forEach(({ region, shown, colour: name, letter, dashes }, index) => {
-      const hull = this.surfaces[index] as Surface;
-      hull.visible = shown;
-      hull.renderOrder = index;
-      if (!shown) return;
-      dress(hull, colour(name), this.opacity, clip);
-      if (clip) cuts.add(dashes === "none" ? lines(cut(region, clip), colour(name), 3) : dashed(cut(region, clip), colour(name), 0.01 * this.size));
-      const at = top(region, clip);
-      if (at) this.letters.push({ at, text: letter, className: "letter" });
-    });
-    if (clip) cuts.add(lines(this.clipFrame(clip), colour("muted"), 1));
-    this.stage.draw();
-  }
-
-  private boxCorners(): Vector3[] {
-    const { axes } = this.platform.data.grid;
-    const ends = axes.map((axis) => [axis.start_m, axis.start_m + (axis.count - 1) * axis.step_m]);
-    return [...Array(1 << axes.length).keys()].map((k) => this.platform.positionOf(ends.map((pair, axis) => pair[(k >> axis) & 1] as number)));
-  }
-
-  /** The rectangle that the clip plane cuts out of the grid's box. */
-  private clipFrame(clip: Plane): Segment[] {
-    const corners = this.boxCorners();
-    const [low, high] = [corners[0] as Vector3, corners.at(-1) as Vector3];
-    const size = high.clone().sub(low);
-    const box = new EdgesGeometry(new BoxGeometry(size.x, size.y, size.z)).getAttribute("position");
-    const middle = low.clone().lerp(high, 0.5);
-    const flat = (index: number) => clip.projectPoint(new Vector3().fromBufferAttribute(box, index).add(middle), new Vector3());
-    return [...Array(box.count / 2).keys()].map((k): Segment => [flat(2 * k), flat(2 * k + 1)]);
   }
 
   /** Beside the lowest corner of the frame, clear of the label of the anchor there. */

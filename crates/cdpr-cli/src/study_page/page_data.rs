@@ -13,8 +13,8 @@ use super::region::{Nodes, Region};
 use crate::html_page::{digits, inside_script, plain};
 use crate::pose_answer::{axis_names, components};
 
-/// Numbers that a page may hold for its poses (about 8 bytes each).
-const MOST_NUMBERS: usize = 30_000;
+/// Numbers that a page may hold for its poses (about 9 bytes each).
+const MOST_NUMBERS: usize = 20_000;
 
 /// The whole block.
 #[derive(Serialize)]
@@ -160,16 +160,16 @@ fn region_data(robot: &Robot, region: &Region) -> RegionData {
     }
 }
 
-/// Numbers with so many digits.
-fn points(robot: &Robot, samples: &[&Sample], count: usize) -> PointData {
-    let shift = |twist: &Twist| short(components(robot, &twist.fixed_rows::<3>(0).into_owned()), count);
-    let turn = |twist: &Twist| short(turned(robot, &twist.fixed_rows::<3>(3).into_owned()), count);
+/// Errors with six digits, for the page subtracts them; tensions with so many.
+fn points(robot: &Robot, samples: &[&Sample], tension_digits: usize) -> PointData {
+    let shift = |twist: &Twist| short(components(robot, &twist.fixed_rows::<3>(0).into_owned()), 6);
+    let turn = |twist: &Twist| short(turned(robot, &twist.fixed_rows::<3>(3).into_owned()), 6);
     let exact = |of: &dyn Fn(&Twist) -> Vec<f64>| samples.iter().map(|sample| sample.exact.as_ref().map(of)).collect();
     let linear =
         |of: &dyn Fn(&Twist) -> Vec<f64>| samples.iter().map(|sample| sample.linear.as_ref().map(of)).collect();
     let tensions = |sample: &&Sample| {
         let answered = sample.outcome.tensions.clone().filter(|_| sample.exact.is_some());
-        answered.map(|tensions| short(tensions, count))
+        answered.map(|tensions| short(tensions, tension_digits))
     };
     PointData {
         error_m: exact(&shift),

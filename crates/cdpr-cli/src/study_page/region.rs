@@ -9,10 +9,10 @@ use crate::html_page::counts;
 use crate::laboratory::Laboratory;
 use crate::number_format::significant;
 
-/// Numbers that a page may hold for one region (about 8 bytes each).
-const MOST_NUMBERS: usize = 36_000;
+/// Numbers that a page may hold for one region (about 9 bytes each).
+const MOST_NUMBERS: usize = 30_000;
 /// Nodes of a region at most: more would not be seen.
-const MOST_NODES: usize = 3_600;
+const MOST_NODES: usize = 3_000;
 /// The region around the poses reaches further than their box by this share of its longer side.
 const AROUND: f64 = 0.1;
 

@@ -77,8 +77,13 @@ pub(crate) struct Finding {
 /// The form of a finding.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// The hull of a volume.
-    Hull(Mesh),
+    /// The surface of a volume, with margin and limiting cable at its vertices where they are known.
+    Surface {
+        /// The surface.
+        mesh: Mesh,
+        /// The method that found it: a hull, or the cells of a grid or an octree.
+        method: String,
+    },
     /// Closed lines in the coordinates of the plane's axes (m); a point belongs to the area when an odd number encloses it.
     Areas(Vec<Vec<[f64; 2]>>),
     /// Only the measure is known: from a grid, say.
@@ -145,7 +150,10 @@ fn facts(page: &WorkspacePage<'_>) -> Value {
 fn finding_row(index: usize, finding: &Finding, is_planar: bool) -> Value {
     let letter = char::from(b'A' + (index % 26) as u8).to_string();
     let form = match &finding.shape {
-        Shape::Hull(mesh) => format!("hull of {} triangles", mesh.triangles.len()),
+        Shape::Surface { mesh, method } if method == "hull" => format!("hull of {} triangles", mesh.triangles.len()),
+        Shape::Surface { mesh, method } => {
+            format!("surface of the {}, {} triangles", plain(method), mesh.triangles.len())
+        }
         Shape::Areas(outlines) if outlines.len() == 1 => "1 outline".to_owned(),
         Shape::Areas(outlines) => format!("{} outlines", outlines.len()),
         Shape::Unknown => "no surface: measure only".to_owned(),

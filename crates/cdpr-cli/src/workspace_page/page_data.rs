@@ -3,7 +3,7 @@
 //! SI units, named in the keys. No physics is left to the program.
 
 use cdpr::nalgebra::Vector3;
-use cdpr::workspace::mesh::Mesh;
+use cdpr::workspace::mesh::{Field, Mesh};
 use serde::{Deserialize, Serialize};
 
 use super::grid::Grid;
@@ -97,10 +97,29 @@ pub(super) struct RegionData {
     measure: f64,
     error_bound: Option<f64>,
     unit: String,
+    /// How a surface was found.
+    #[serde(default = "hull")]
+    method: String,
     vertices_m: Vec<f64>,
     triangles: Vec<u32>,
+    /// At the vertices of a surface, in `margin_unit`; empty where it is not known, as in pages of earlier versions.
+    #[serde(default)]
+    margin: Vec<f64>,
+    #[serde(default)]
+    margin_unit: String,
+    /// At the vertices of a surface: its number from 1, or 0 for none.
+    #[serde(default)]
+    limiting_cable: Vec<u32>,
     outlines_m: Vec<Vec<[f64; 2]>>,
 }
+
+/// What pages of earlier versions did not say: most of them held hulls.
+fn hull() -> String {
+    "hull".to_owned()
+}
+
+const MARGIN: &str = "margin";
+const LIMITING_CABLE: &str = "limiting cable";
 
 /// The block as text that may stand inside a `script` element.
 pub(super) fn json(page: &WorkspacePage<'_>, grid: &Grid) -> String {
@@ -188,11 +207,14 @@ fn vector(point: &Vector3<f64>) -> [f64; 3] {
 
 impl RegionData {
     fn new(finding: &Finding, is_planar: bool) -> Self {
-        let (mesh, outlines) = match &finding.shape {
-            Shape::Hull(mesh) => (mesh.clone(), Vec::new()),
-            Shape::Areas(outlines) => (Mesh::default(), outlines.clone()),
-            Shape::Unknown => (Mesh::default(), Vec::new()),
+        let none = (Mesh::default(), "");
+        let ((mesh, method), outlines) = match &finding.shape {
+            Shape::Surface { mesh, method } => ((mesh.clone(), method.as_str()), Vec::new()),
+            Shape::Areas(outlines) => (none, outlines.clone()),
+            Shape::Unknown => (none, Vec::new()),
         };
+        let field = |name: &str| mesh.fields.iter().find(|field| field.name == name).cloned().unwrap_or_default();
+        let margin = field(MARGIN);
         let short = |point: [f64; 2]| point.map(|value| digits(value, 6));
         Self {
             name: plain(&finding.name),
@@ -200,6 +222,10 @@ impl RegionData {
             error_bound: finding.error_bound.map(|bound| digits(bound, 3)),
             unit: finding.unit(is_planar).to_owned(),
             vertices_m: mesh.vertices.iter().flatten().map(|value| digits(*value, 6)).collect(),
+            method: plain(method),
+            margin: margin.values.iter().map(|value| digits(*value, 3)).collect(),
+            margin_unit: plain(&margin.unit),
+            limiting_cable: field(LIMITING_CABLE).values.iter().map(|number| *number as u32).collect(),
             triangles: mesh.triangles.concat(),
             outlines_m: outlines.into_iter().map(|outline| outline.into_iter().map(short).collect()).collect(),
         }
@@ -215,11 +241,15 @@ impl RegionData {
         ) else {
             return None;
         };
-        let mesh = Mesh { vertices: vertices.to_vec(), triangles: triangles.to_vec(), fields: Vec::new() };
+        let cables: Vec<f64> = self.limiting_cable.iter().map(|&number| f64::from(number)).collect();
+        let all = [(MARGIN, self.margin_unit, self.margin), (LIMITING_CABLE, String::new(), cables)];
+        let known = all.into_iter().filter(|(_, _, values)| !values.is_empty() && values.len() == vertices.len());
+        let fields = known.map(|(name, unit, values)| Field { name: name.to_owned(), unit, values }).collect();
+        let mesh = Mesh { vertices: vertices.to_vec(), triangles: triangles.to_vec(), fields };
         let is_sound = mesh.triangles.iter().flatten().all(|&corner| (corner as usize) < mesh.vertices.len());
         let shape = match (self.outlines_m.is_empty(), mesh.triangles.is_empty()) {
             (false, _) => Shape::Areas(self.outlines_m),
-            (_, false) => Shape::Hull(mesh),
+            (_, false) => Shape::Surface { mesh, method: self.method },
             _ => Shape::Unknown,
         };
         is_sound.then_some(Finding { name: self.name, measure: self.measure, error_bound: self.error_bound, shape })

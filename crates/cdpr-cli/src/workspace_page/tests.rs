@@ -8,6 +8,8 @@ use cdpr::workspace::criterion::WrenchFeasible;
 
 use cdpr::nalgebra::Vector3;
 
+use cdpr::workspace::mesh::Field;
+
 use super::*;
 use crate::html_page::reading::{data, markup, parsed};
 
@@ -64,7 +66,10 @@ fn tetrahedron() -> Mesh {
     Mesh {
         vertices: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.5]],
         triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
-        fields: vec![],
+        fields: vec![
+            Field { name: "margin".to_owned(), unit: "N".to_owned(), values: vec![0.5, 0.25, 0.0, 12.5] },
+            Field { name: "limiting cable".to_owned(), unit: String::new(), values: vec![1.0, 8.0, 8.0, 0.0] },
+        ],
     }
 }
 
@@ -156,7 +161,7 @@ fn results_of_a_page_can_be_laid_over_another() {
             name: "1 to 9 kN".to_owned(),
             measure: 0.25,
             error_bound: Some(0.01),
-            shape: Shape::Hull(tetrahedron()),
+            shape: Shape::Surface { mesh: tetrahedron(), method: "octree".to_owned() },
         },
         Finding { name: "grid".to_owned(), measure: 0.3, error_bound: None, shape: Shape::Unknown },
     ];
@@ -164,12 +169,31 @@ fn results_of_a_page_can_be_laid_over_another() {
     let path = folder.path().join("page.html");
     files::write(&path, case.page().as_bytes()).unwrap();
     assert_eq!(findings_of(&path).unwrap(), case.findings);
+    let page = case.page();
+    assert_eq!(data(&page)["regions"][0]["limiting_cable"], serde_json::json!([1, 8, 8, 0]));
+    assert!(page.contains("surface of the octree, 4 triangles") && !page.contains("hull of"), "its form has its name");
     let outlines = vec![vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
     let mut planar = Case::planar();
     let region = Finding { name: "area".to_owned(), measure: 0.5, error_bound: None, shape: Shape::Areas(outlines) };
     planar.findings = vec![region];
     files::write(&path, planar.page().as_bytes()).unwrap();
     assert_eq!(findings_of(&path).unwrap(), planar.findings);
+}
+
+/// Pages of earlier versions said nothing of their vertices, nor how a surface was found.
+#[test]
+fn a_surface_of_an_earlier_version_can_still_be_laid_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    let region = r#"{"name":"a","measure":1,"error_bound":null,"unit":"m³","vertices_m":[0,0,0,1,0,0,0,1,0],"triangles":[0,1,2],"outlines_m":[]}"#;
+    let block = format!(
+        r#"<script type="application/json" id="cdpr-data">{{"page":"workspace","regions":[{region}]}}</script>"#
+    );
+    files::write(&path, block.as_bytes()).unwrap();
+    let Shape::Surface { mesh, method } = &findings_of(&path).unwrap()[0].shape else {
+        panic!("a surface was written")
+    };
+    assert_eq!((mesh.triangles.len(), mesh.fields.len(), method.as_str()), (1, 0, "hull"));
 }
 
 #[test]

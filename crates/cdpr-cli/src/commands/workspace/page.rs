@@ -96,11 +96,12 @@ fn start(question: &Question<'_>, region: &Region<'_>, hull: Option<&Hull>) -> P
 }
 
 fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, shape: &Outline, limits: Option<&str>) -> Option<Finding> {
+    let method = answer.method().to_owned();
     let shape = match shape {
         Outline::Hull(hull) if hull.dimension() == 2 => Shape::Areas(vec![Polygon::of(hull)?.vertices]),
-        Outline::Hull(hull) => Shape::Hull(hull.mesh(region)),
+        Outline::Hull(hull) => Shape::Surface { mesh: hull.mesh(region), method },
         Outline::Surface(mesh) if region.dimension() == 3 && (1..=MOST_TRIANGLES).contains(&mesh.triangles.len()) => {
-            Shape::Hull(mesh.clone())
+            Shape::Surface { mesh: mesh.clone(), method }
         }
         _ => Shape::Unknown,
     };
