@@ -21,6 +21,8 @@ const PHYSICAL: Look = { stroke: INK, width: 3, dashes: "none" };
 const REACHABLE: Look = { stroke: "var(--region-3)", width: 3.5, dashes: "10 5" };
 const INTO_PLANE = [0, 1];
 
+/** More poses than this are drawn small, and vectors begin at grid points, which are fewer. */
+const MANY = 300;
 /** Columns of vectors over a region. */
 const VECTOR_COLUMNS = 17;
 
@@ -42,7 +44,9 @@ export function plane(data: StudyData, figure: Figure, tell: (words: string) => 
   const errors = errorsOf(data);
   const region = choice(figure.controls, "Region", data.regions.map((value) => ({ label: value.name, value })), figure.redraw);
   const error = choice(figure.controls, "Error", errors.map((value) => ({ label: value.words, value })), figure.redraw);
-  const at = choice(figure.controls, "Vectors at", [{ label: "the poses", value: false }, { label: "grid points", value: true }], figure.redraw);
+  const places = [{ label: "the poses", value: false }, { label: "grid points", value: true }];
+  const isMany = data.samples.number.length > MANY;
+  const at = choice(figure.controls, "Vectors at", isMany ? places.reverse() : places, figure.redraw);
   const magnified = choice(figure.controls, "Vectors magnified", MAGNIFICATIONS, figure.redraw);
   offerLayers(figure.controls, groups(data, layers), figure.redraw);
   return (width) => {
@@ -114,6 +118,7 @@ function draw(data: StudyData, scene: Scene): Node {
   const isInside = (position: number[]) => [[left, right], [bottom, top]].every(([low, high], k) => (position[k] ?? 0) >= (low as number) && (position[k] ?? 0) <= (high as number));
   const visible = scene.poses.filter(({ commanded }) => isInside(commanded));
   const tipped = [...visible, ...gridPlaces(region)];
+  const size = visible.length > MANY ? 0.5 : 1;
   const whole = Plot.plot(
     frame(Math.min(width, 1000), {
       aspectRatio: 1,
@@ -131,8 +136,8 @@ function draw(data: StudyData, scene: Scene): Node {
         ...anchorMarks(data, INTO_PLANE, isWhole && layers.anchors.shown),
         ...(layers.exact.shown ? exactVectors(scene.vectors, scene.magnification, INTO_PLANE) : []),
         ...(layers.linear.shown ? linearVectors(scene.vectors, scene.magnification, INTO_PLANE) : []),
-        layers.emerging.shown ? Plot.dot(visible.filter((place) => place.emerging), { x: (place: Place) => place.emerging?.[0], y: (place: Place) => place.emerging?.[1], r: 2.6, fill: BAD, ariaDescription: "emerging poses" }) : null,
-        layers.commanded.shown ? Plot.dot(visible, { x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], r: 3.5, stroke: INK, strokeWidth: 1.3, fill: PAPER, fillOpacity: 0.35, ariaDescription: "commanded poses" }) : null,
+        layers.emerging.shown ? Plot.dot(visible.filter((place) => place.emerging), { x: (place: Place) => place.emerging?.[0], y: (place: Place) => place.emerging?.[1], r: 2.6 * size, fill: BAD, ariaDescription: "emerging poses" }) : null,
+        layers.commanded.shown ? Plot.dot(visible, { x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], r: 3.5 * size, stroke: INK, strokeWidth: 1.3 * size, fill: PAPER, fillOpacity: 0.35, ariaDescription: "commanded poses" }) : null,
         // the keyboard goes through these
         Plot.dot(visible, { x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], r: 1, fill: "none", stroke: "none" }),
         Plot.tip(tipped, Plot.pointer({ x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], title: (place: Place) => words(data, place), maxRadius: 60, lineWidth: 34, fontSize: 12 })),

@@ -14,7 +14,7 @@ use crate::html_page::{digits, inside_script, plain};
 use crate::pose_answer::{axis_names, components};
 
 /// Numbers that a page may hold for its poses (about 9 bytes each).
-const MOST_NUMBERS: usize = 20_000;
+const MOST_NUMBERS: usize = 25_000;
 
 /// The whole block.
 #[derive(Serialize)]
