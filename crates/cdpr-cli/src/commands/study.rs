@@ -75,7 +75,7 @@ struct Run<'a> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let bytes = files::read(&arguments.study)?;
     let laboratory = Laboratory::read(&arguments.study)?;
-    let remarks = laboratory.study.remarks();
+    let mut remarks = laboratory.study.remarks();
     remarks.iter().for_each(|remark| output.remark(remark));
     let commands = laboratory.untested_poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
@@ -85,6 +85,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let driving = laboratory.driving()?;
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
+    let out_of_reach = found.remark(&laboratory.machine);
+    out_of_reach.iter().for_each(|remark| output.remark(remark));
+    remarks.extend(out_of_reach);
     let reason = reason(&found);
     let page = page(&laboratory, &arguments, &found, remarks.into_iter().chain(reason.clone()).collect())?;
     drop(progress);

@@ -21,6 +21,7 @@ use crate::progress::Progress;
 
 const EXAMPLES: &str = "\
 Examples:
+  cdpr sweep all studies/sweep-planar-tension.toml --out tension
   cdpr sweep plan studies/sweep-planar-stiffness.toml --out stiffness
   cdpr sweep run stiffness
   cdpr sweep run stiffness --shard 1/2
@@ -29,8 +30,8 @@ Examples:
 /// How the reachable workspace changes with parameters of control model, machine and study.
 ///
 /// `plan` writes a folder with everything that a sweep needs; `run` computes its points, or one shard of them, and goes on
-/// where it was interrupted; `merge` joins the rows to result.json, result.csv and, for one parameter, result.svg. The
-/// result does not depend on how many shards and threads computed it.
+/// where it was interrupted; `merge` joins the rows to result.json, result.csv and, for one parameter, result.svg; `all` does
+/// the three in turn. The result does not depend on how many shards and threads computed it.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -40,6 +41,15 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum StepOfSweep {
+    /// Plan, compute and merge a sweep at once.
+    All {
+        /// Sweep file (TOML), as for `plan`.
+        #[arg(value_name = "SWEEP")]
+        sweep: PathBuf,
+        /// Folder for plan, rows and result.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+    },
     /// Write the plan of a sweep into a folder.
     Plan {
         /// Sweep file (TOML): the study, the parameters and their values; `cdpr schema sweep` describes it.
@@ -100,18 +110,27 @@ impl Answer for Progressed {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     match arguments.step {
-        StepOfSweep::Plan { sweep, out } => output.answer(&plan(&sweep, &out)?),
+        StepOfSweep::All { sweep, out } => {
+            plan(&sweep, &out, output)?;
+            compute(&out, Shard { number: 1, count: 1 })?;
+            output.answer(&Merged::of(&out, &Plan::read(&out)?)?)
+        }
+        StepOfSweep::Plan { sweep, out } => {
+            let planned = plan(&sweep, &out, output)?;
+            output.answer(&planned)
+        }
         StepOfSweep::Run { folder, shard } => output.answer(&compute(&folder, shard)?),
         StepOfSweep::Merge { folder } => output.answer(&Merged::of(&folder, &Plan::read(&folder)?)?),
     }
 }
 
-fn plan(path: &Path, out: &Path) -> Result<Progressed, Failure> {
+fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Failure> {
     let name = path.display().to_string();
     let sweep = Sweep::from_toml_bytes(&files::read(path)?, &name)?;
     let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
     let study_bytes = files::read(&study_path)?;
     let study = Study::from_toml_bytes(&study_bytes, &study_path.display().to_string())?;
+    study.remarks().iter().for_each(|remark| output.remark(remark));
     let folder = study_path.parent().unwrap_or(Path::new(""));
     let robot = |name: &str| Ok::<String, Failure>(robot_of_study(name, folder)?.to_toml());
     let subjects = Subjects {

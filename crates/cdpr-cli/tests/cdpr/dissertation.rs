@@ -168,10 +168,8 @@ fn swept(name: &str, step: &str, values: &str) -> Vec<Value> {
     });
     let text = format!("{}\nvalues = {values}\n", lines.collect::<Vec<_>>().join("\n"));
     std::fs::write(folder.path().join("sweep.toml"), text).unwrap();
-    for command in ["plan sweep.toml --out out", "run out", "merge out"] {
-        let run = cdpr_in(folder.path(), &format!("sweep {command}"));
-        assert_eq!(run.exit_code, 0, "{command}: {}", run.stderr);
-    }
+    let run = cdpr_in(folder.path(), "sweep all sweep.toml --out out");
+    assert_eq!(run.exit_code, 0, "{name}: {}", run.stderr);
     let merged: Value = serde_json::from_slice(&std::fs::read(folder.path().join("out/result.json")).unwrap()).unwrap();
     merged["rows"].as_array().unwrap().clone()
 }
@@ -219,9 +217,8 @@ fn pulleys_that_the_controller_does_not_know_cost_reachable_workspace_and_force_
 fn assert_drawn(name: &str) {
     let folder = tempfile::tempdir().unwrap();
     let sweep = study(&format!("sweep-planar-{name}"));
-    for command in [format!("plan {sweep} --out out"), "run out".to_owned(), "merge out".to_owned()] {
-        assert_eq!(cdpr_in(folder.path(), &format!("sweep {command}")).exit_code, 0, "{command}");
-    }
+    let run = cdpr_in(folder.path(), &format!("sweep all {sweep} --out out"));
+    assert_eq!(run.exit_code, 0, "{name}: {}", run.stderr);
     let drawn = std::fs::read(folder.path().join("out/result.svg")).unwrap();
     assert!(drawn == figure(&format!("dissertation-{name}.svg")), "draw the chart of {name} again");
 }

@@ -80,9 +80,7 @@ fn a_box_outside_the_reach_is_named_as_the_reason() {
     let folder = sweep();
     let text = SWEEP.replace("[-6, 6, -1, 9]", "[20, 30, 20, 30]");
     std::fs::write(folder.path().join("sweep.toml"), text).unwrap();
-    assert_eq!(cdpr_in(folder.path(), "sweep plan sweep.toml --out out").exit_code, 0);
-    assert_eq!(cdpr_in(folder.path(), "sweep run out").exit_code, 0);
-    let run = cdpr_in(folder.path(), "sweep merge out");
+    let run = cdpr_in(folder.path(), "sweep all sweep.toml --out out");
     assert!(run.exit_code == 1 && run.stdout.contains("box 20, 30, 20, 30 lies outside"), "{}", run.stdout);
 }
 
@@ -125,6 +123,8 @@ fn shards_and_threads_do_not_change_a_sweep() {
     assert!(run("run parts").stdout.contains("0 computed, 3 already there"));
     run("merge parts");
     assert_eq!(result("whole"), result("parts"));
+    assert!(run("all sweep.toml --out once").stdout.contains("6000"));
+    assert_eq!(result("whole"), result("once"));
     let csv = std::fs::read_to_string(folder.path().join("whole/result.csv")).unwrap();
     assert_eq!(csv.lines().count(), 4, "{csv}");
     assert!(folder.path().join("whole/result.svg").exists());

@@ -75,7 +75,7 @@ fn the_machines_own_model_predicts_it_exactly() {
     let run = cdpr_in(folder.path(), "accuracy study.toml");
     assert_eq!(run.exit_code, 2, "{}", run.stdout);
     assert!(
-        run.stderr.contains("`stretchy` is not a model effect") && run.stderr.contains("study.toml:12:"),
+        run.stderr.contains("`stretchy` is not a model effect") && run.stderr.contains("study.toml:14:"),
         "{}",
         run.stderr
     );
@@ -104,8 +104,10 @@ fn poses_outside_the_reach_are_told() {
     let text = std::fs::read_to_string(study("planar-wide-grid")).unwrap();
     let text = text.replace("min = [-4, 0.5]", "min = [20, 20]").replace("max = [4, 6]", "max = [24, 26]");
     std::fs::write(folder.path().join("study.toml"), text).unwrap();
-    let run = cdpr_in(folder.path(), "accuracy study.toml");
-    assert!(run.stderr.contains("outside its reach"), "{}", run.stderr);
+    for command in ["accuracy study.toml", "study study.toml --out out"] {
+        let run = cdpr_in(folder.path(), command);
+        assert!(run.stderr.contains("outside its reach"), "{command}: {}", run.stderr);
+    }
     let text = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
     let text = text.replace("[poses.grid]", "[poses]\nonly = \"wrench-feasible\"\n[poses.grid]");
     std::fs::write(folder.path().join("study.toml"), text).unwrap();
@@ -154,7 +156,7 @@ fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_th
         (offset, "tensions_N = [0, 0, 0, 0, 0, 0, 0, 0]", "would have to push"),
         (offset, "tension_method = \"qp\"\ntensions_N = [1]", "exclude each other"),
         (offset, "tension_method = \"qp\"\n[limits]\ntension_max_N = 1200", "at the initial pose no tensions balance"),
-        (offset, "offset = \"none\"\n[limits]\ntension_min_N = 9\ntension_max_N = 8", "study.toml:14:"),
+        (offset, "offset = \"none\"\n[limits]\ntension_min_N = 9\ntension_max_N = 8", "study.toml:16:"),
         (offset, "offset = \"none\"\n[limits]\ntension_min_N = -9", "0 or more"),
         (
             "model = \"elastic\"",

@@ -39,13 +39,16 @@ impl Accuracy {
     /// What is odd about the numbers: the poses lie outside what the machine reaches.
     pub fn remark(&self) -> Option<String> {
         let settled = self.statuses.get(Status::Converged.name()).copied().unwrap_or(0);
-        (settled > 0 && self.outside_limits_share == Some(1.0)).then(|| {
-            format!(
-                "the tensions break their limits at each of the {settled} poses that the machine comes to rest at: they lie outside \
-                 its reach, which `cdpr reachable` shows"
-            )
-        })
+        (settled > 0 && self.outside_limits_share == Some(1.0)).then(|| outside_reach(settled))
     }
+}
+
+/// What to say where tensions break their limits at every pose.
+pub(super) fn outside_reach(poses: usize) -> String {
+    format!(
+        "the tensions break their limits at each of the {poses} poses that the machine comes to rest at: they lie outside its reach, \
+         which `cdpr reachable` shows"
+    )
 }
 
 /// What emerges at every pose, with the errors.

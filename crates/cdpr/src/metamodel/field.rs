@@ -6,10 +6,13 @@ mod tests;
 
 use serde::Serialize;
 
+use super::accuracy::outside_reach;
 use super::driving::Driving;
 use super::errors::PoseError;
 use super::operate::{Outcome, Status};
 use crate::geometry::{Pose, Twist};
+use crate::model::Model;
+use crate::tension::Limits;
 
 /// What a control model and a machine make of one commanded pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +75,17 @@ fn sample(driving: &Driving<'_>, commanded: &Pose) -> Sample {
     let exact = (outcome.status == Status::Converged).then(|| commanded.displacement_to(&outcome.pose));
     let linear = driving.with(|operation| linear::displacement(operation, commanded)).flatten();
     Sample { commanded: *commanded, outcome, exact, linear }
+}
+
+impl Field {
+    /// What is odd about the samples: they lie outside what the machine reaches.
+    pub fn remark(&self, machine: &Model) -> Option<String> {
+        let limits = Limits::of(machine.robot(), None, None).ok()?;
+        let settled = || self.samples.iter().filter(|sample| sample.exact.is_some());
+        let mut tensions = settled().filter_map(|sample| sample.outcome.tensions.as_deref()).peekable();
+        let is_outside = tensions.peek().is_some() && tensions.all(|row| !limits.contain(row, limits.tolerance()));
+        is_outside.then(|| outside_reach(settled().count()))
+    }
 }
 
 impl Summary {
