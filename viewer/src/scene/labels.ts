@@ -8,8 +8,21 @@ export interface Label {
   text: string;
   className?: string;
   /** Places on a surface, with its normals, of which the words take the one that faces the reader best; hidden without any. */
-  places?: { at: Vector3; normal: Vector3 }[];
+  places?: Place[];
 }
+
+interface Place {
+  at: Vector3;
+  normal: Vector3;
+}
+
+interface Pixel {
+  x: number;
+  y: number;
+}
+
+/** Places that are tried before words are left out. */
+const MOST_TRIED = 10;
 
 interface Shown extends Label {
   shown: HTMLElement;
@@ -33,23 +46,33 @@ export class Labels {
     this.layer.replaceChildren(...this.labels.map((label) => label.shown));
   }
 
-  /** Puts every label where the camera sees its point. */
+  /** Puts every label where the camera sees its point; those with a choice of places keep clear of the others. */
   place(camera: Camera, width: number, height: number): void {
-    for (const { at: fixed, shown, places } of this.labels) {
-      const at = places ? this.facing(places, camera) : fixed;
-      shown.hidden = !at;
-      if (!at) continue;
+    const pixel = (at: Vector3): Pixel | null => {
       const seen = at.clone().project(camera);
-      shown.hidden = Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
-      const beside = places ? "translate(-50%, -50%)" : "translate(6px, -120%)";
-      shown.style.transform = `translate(${((seen.x + 1) * width) / 2}px, ${((1 - seen.y) * height) / 2}px) ${beside}`;
+      const isOutside = Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
+      return isOutside ? null : { x: ((seen.x + 1) * width) / 2, y: ((1 - seen.y) * height) / 2 };
+    };
+    const taken: Pixel[] = [];
+    for (const { at, shown, places, text } of [...this.labels].sort((a, b) => Number(!!a.places) - Number(!!b.places))) {
+      const spot = places ? this.facing(places, camera, pixel, taken) : pixel(at);
+      shown.hidden = !spot;
+      if (!spot) continue;
+      // words beside a point reach to the right and upwards
+      taken.push(...(places ? [spot] : [0, 1, 2].map((part) => ({ x: spot.x + 6 + 3.5 * part * text.length, y: spot.y - 10 }))));
+      shown.style.transform = `translate(${spot.x}px, ${spot.y}px) ${places ? "translate(-50%, -50%)" : "translate(6px, -120%)"}`;
     }
   }
 
-  /** The place that faces the camera best and is not hidden; none where all turn away. */
-  private facing(places: { at: Vector3; normal: Vector3 }[], camera: Camera): Vector3 | null {
+  /** Where words may stand that have a choice: facing the camera, not hidden, and clear of others; null where no place is. */
+  private facing(places: Place[], camera: Camera, pixel: (at: Vector3) => Pixel | null, taken: Pixel[]): Pixel | null {
     const faced = places.map(({ at, normal }) => ({ at, facing: camera.position.clone().sub(at).normalize().dot(normal) }));
     const turned = faced.filter(({ facing }) => facing > 0.2).sort((a, b) => b.facing - a.facing);
-    return turned.slice(0, 6).find(({ at }) => !this.isHidden(at))?.at ?? null;
+    const isClear = ({ x, y }: Pixel) => taken.every((other) => Math.abs(other.x - x) > 24 || Math.abs(other.y - y) > 18);
+    for (const { at } of turned.slice(0, MOST_TRIED)) {
+      const spot = pixel(at);
+      if (spot && isClear(spot) && !this.isHidden(at)) return spot;
+    }
+    return null;
   }
 }
