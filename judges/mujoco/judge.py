@@ -164,6 +164,14 @@ def judge_equilibrium(case, errors):
     record("balance", "forces left", "N", judged.missing(wrench))
     record("balance", "tension", "N", judged.tensions(rest) - case["tensions"])
 
+    if "commanded" in case:  # what emerges is sought from the command, as the machine does
+        judged.place(case["commanded"], case["swivel_angles"])
+        newton(judged, wrench)
+        distance, angle = pose_error(judged.data, start, case["pose"])
+        record("commanded", "position", "m", distance)
+        record("commanded", "orientation", "rad", angle)
+        record("commanded", "tension", "N", judged.tensions(rest) - case["tensions"])
+        return
     generator = numpy.random.default_rng(1)
     for name, solve in (("newton", lambda: newton(judged, wrench)), ("settled", lambda: settle(judged, wrench))):
         judged.place(case["pose"], case["swivel_angles"])
@@ -183,7 +191,7 @@ def judge_equilibria(cases):
     for case in cases:
         judge_equilibrium(case, by_robot.setdefault(case["name"], {}))
     limits = {"m": POSITION_M, "rad": ANGLE_RAD, "N": TENSION_N}
-    words = {"balance": "at our pose, swivels free", "newton": "Newton on MuJoCo's forces", "settled": "MuJoCo's dynamics settled"}
+    words = {"commanded": "Newton from the commanded pose", "balance": "at our pose, swivels free", "newton": "Newton on MuJoCo's forces", "settled": "MuJoCo's dynamics settled"}
     for robot, errors in by_robot.items():
         for (name, quantity, unit), values in errors.items():
             remark = f"{words[name]}, {len(values)} equilibria"

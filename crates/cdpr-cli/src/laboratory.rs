@@ -10,7 +10,7 @@ use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
 use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
-use cdpr::metamodel::{Driving, Operation, Study, initial_tensions, winch_offsets};
+use cdpr::metamodel::{Driving, InputError, Operation, Study, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -134,6 +134,16 @@ impl Laboratory {
         Limits::of(self.machine.robot(), None, None).ok()
     }
 
+    /// Tension limits of the machine, or which key is missing.
+    pub(crate) fn known_limits(&self) -> Result<Limits, Failure> {
+        Limits::of(self.machine.robot(), None, None).map_err(|error| self.refused(&InputError::Limits(error)))
+    }
+
+    /// The model in use when the winches are set.
+    pub(crate) fn set_with(&self) -> &Model {
+        self.former.as_ref().unwrap_or(&self.control)
+    }
+
     /// The machine under its control model, to be asked from several threads.
     pub(crate) fn driving(&self) -> Result<Driving<'_>, Failure> {
         let driving =
@@ -149,7 +159,7 @@ impl Laboratory {
         let requirements = Requirements {
             tensions: self.limits().filter(|_| self.machine.composition().depends_on_tension()),
             position_error_max: self.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
-            rotation_error_max: None,
+            rotation_error_max: self.study.limits.as_ref().and_then(|limits| limits.rotation_error_max_rad),
         };
         Reachable::new(self.driving()?, requirements).map_err(|error| self.refused(&error))
     }

@@ -14,6 +14,7 @@ mod inputs;
 mod interruption;
 mod laboratory;
 mod measurements;
+mod meshes;
 mod number_format;
 mod numbers;
 mod options;

@@ -4,7 +4,9 @@
 
 use cdpr::equilibrium::elastostatics::{self, Settings, Status};
 use cdpr::geometry::{Pose, Twist};
-use cdpr::model::{Model, place_pulleys};
+use cdpr::metamodel::study::CommandedPose;
+use cdpr::metamodel::{self, Operation};
+use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{Robot, StiffnessBasis};
 use cdpr::statics::{Load, controlled_lengths};
@@ -17,6 +19,7 @@ type Failure = Box<dyn std::error::Error>;
 
 const POSES_PER_ROBOT: usize = 50;
 const EQUILIBRIA_PER_ROBOT: usize = 6;
+const COMMANDED_STATES: usize = 50;
 
 fn main() -> Result<(), Failure> {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
@@ -31,7 +34,8 @@ fn main() -> Result<(), Failure> {
             equilibria.push(equilibrium_of(name, &model, &mut rng)?);
         }
     }
-    assert_eq!((lengths.len(), equilibria.len()), (4, 3 * EQUILIBRIA_PER_ROBOT));
+    equilibria.extend(emerging_states(&mut rng)?);
+    assert_eq!((lengths.len(), equilibria.len()), (4, 3 * EQUILIBRIA_PER_ROBOT + COMMANDED_STATES));
     if let Some(file) = std::env::args_os().nth(1) {
         std::fs::write(file, json!({ "pulley_lengths": lengths, "equilibria": equilibria }).to_string())?;
     }
@@ -122,6 +126,31 @@ fn equilibrium_of(name: &str, model: &Model, rng: &mut ChaCha8Rng) -> Result<Val
         "mass": robot.platform.mass, "center_of_mass": robot.platform.center_of_mass.map(array),
         "gravity": robot.gravity.map(array), "wrench": wrench.as_slice(),
     }))
+}
+
+/// What emerges when the nominal kinematic controller commands random poses on the elastic simulator.
+fn emerging_states(rng: &mut ChaCha8Rng) -> Result<Vec<Value>, Failure> {
+    let (name, robot, effects) = elastic_robots()?.swap_remove(0);
+    let machine = Model::new(robot, effects.parse()?)?;
+    let control = Model::new(builtin("cablerobot-simulator-helicopter")?, Composition::STANDARD)?;
+    let mut operation = Operation::new(&control, &machine, &vec![0.0; machine.cable_count()])?;
+    let robot = machine.robot();
+    let wrench = robot.external_wrench.as_ref().map_or_else(Twist::zeros, |external| external.wrench);
+    let mut states = Vec::new();
+    while states.len() < COMMANDED_STATES {
+        let pose = random_pose(robot, 1.5, 0.2, rng);
+        let outcome = operation.answer(&CommandedPose::at(pose));
+        assert_eq!(outcome.status, metamodel::Status::Converged, "{:?}", outcome.reason);
+        let tensions = outcome.tensions.ok_or("an elastic machine has tensions")?;
+        states.push(json!({
+            "name": format!("{name}, commanded"), "cables": cables(robot, &vec![Vector3::x(); tensions.len()], false),
+            "commanded": written(&pose), "pose": written(&outcome.pose), "tensions": tensions,
+            "controlled_lengths": operation.controlled_lengths(&pose)?, "swivel_angles": vec![None::<f64>; tensions.len()],
+            "mass": robot.platform.mass, "center_of_mass": robot.platform.center_of_mass.map(array),
+            "gravity": robot.gravity.map(array), "wrench": wrench.as_slice(),
+        }));
+    }
+    Ok(states)
 }
 
 fn cables(robot: &Robot, references: &[Vector3<f64>], over_pulleys: bool) -> Vec<Value> {

@@ -42,6 +42,7 @@ commands! {
     accuracy: Accuracy,
     study: Study,
     reachable: Reachable,
+    initial_tension: InitialTension,
     sweep: Sweep,
     sensitivity: Sensitivity,
     simulate: Simulate,

@@ -1,21 +1,27 @@
 //! `cdpr reachable`: which part of its workspace a robot really reaches under its control model.
 
 mod answer;
+mod differential;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use answer::{Found, ReachableAnswer};
-use cdpr::metamodel::reachable::{Census, Reachable, emerging_size, image_of};
+use differential::{Differential, cause_named, differential};
+use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
+use cdpr::metamodel::sensitivity::Cause;
 use cdpr::model::Model;
 use cdpr::workspace::grid::{self, Grid};
-use cdpr::workspace::{Archetype, Bounds, Point, Region, components, hull};
+use cdpr::workspace::hull::Hull;
+use cdpr::workspace::mesh::Mesh;
+use cdpr::workspace::{Archetype, Bounds, Cells, Point, Region, components, hull};
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::pose_of;
 use crate::laboratory::Laboratory;
+use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
 
@@ -24,6 +30,8 @@ Examples:
   cdpr reachable studies/planar-wide-grid.toml
   cdpr reachable study.toml --method hull --rays 642
   cdpr reachable study.toml --accuracy 0.001,0.002,0.005,0.01
+  cdpr reachable study.toml --method hull --mesh reached.glb --emerging-mesh emerging.glb
+  cdpr reachable study.toml --method hull --vary \"machine frame-anchor[1].x\" --change 0.01
   cdpr reachable study.toml --bounds=-4,4,0,7 --step 0.05 --format json";
 
 /// Which part of its workspace a robot really reaches under its control model.
@@ -62,6 +70,24 @@ pub(crate) struct Arguments {
     /// Position errors to judge by in turn (m), beside that of the study; with --method grid.
     #[arg(long, value_name = "M,…", allow_hyphen_values = true)]
     accuracy: Option<NumberList>,
+
+    /// Writes the surface of what is reached, by commanded poses, with margin and limiting cable at its vertices: .stl, .glb, .ply,
+    /// .vtk or .csv.
+    #[arg(long, value_name = "FILE")]
+    mesh: Option<PathBuf>,
+
+    /// Writes the same surface where the platform comes to rest; with --method hull.
+    #[arg(long, value_name = "FILE")]
+    emerging_mesh: Option<PathBuf>,
+
+    /// Number of control model, machine or winches whose change moves the hull, by its name in `cdpr sensitivity`, as
+    /// "machine frame-anchor[1].x"; with --method hull.
+    #[arg(long, value_name = "NAME", requires = "change")]
+    vary: Option<String>,
+
+    /// How much it changes, in its unit; stiffness and length scale as a share.
+    #[arg(long, value_name = "AMOUNT", value_parser = finite_number, allow_hyphen_values = true, requires = "vary")]
+    change: Option<f64>,
 }
 
 /// Ways to find the workspaces.
@@ -77,6 +103,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let laboratory = Laboratory::read(&arguments.study)?;
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let thresholds = thresholds(&arguments)?;
+    check_options(&arguments)?;
+    let change = arguments.vary.as_ref().zip(arguments.change);
+    let cause = change.map(|(name, by)| cause_named(&laboratory, name).map(|cause| (cause, by))).transpose()?;
     let reachable = laboratory.reachable()?;
     let machine = &laboratory.machine;
     let center = match &arguments.center {
@@ -92,10 +121,25 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let region = Region::new(machine, &reachable, &archetype).map_err(|error| laboratory.refused(&error))?;
     let search = Search { laboratory: &laboratory, region: &region, bounds, center: region.point(&center.position) };
     let found = match arguments.method {
-        Method::Grid => search.by_grid(&reachable, arguments.step, &thresholds)?,
-        Method::Hull => search.by_hull(&reachable, arguments.rays)?,
+        Method::Grid => search.by_grid(&reachable, &arguments, &thresholds)?,
+        Method::Hull => search.by_hull(&reachable, &arguments, cause)?,
     };
     output.answer(&ReachableAnswer::new(&laboratory, &region, &bounds, found))
+}
+
+/// Options that need another method, and files that name no format.
+fn check_options(arguments: &Arguments) -> Result<(), Failure> {
+    for (option, path) in [("--mesh", &arguments.mesh), ("--emerging-mesh", &arguments.emerging_mesh)] {
+        path.as_ref().map_or(Ok(()), |path| check_mesh_file(option, path))?;
+    }
+    let of_hulls = [("--emerging-mesh", arguments.emerging_mesh.is_some()), ("--vary", arguments.vary.is_some())];
+    match of_hulls.iter().find(|(_, given)| *given && arguments.method == Method::Grid) {
+        Some((option, _)) => {
+            let message = format!("{option} needs the rays of a hull");
+            Err(Failure::usage("usage::value", message).with_help("add --method hull"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The errors that `--accuracy` asks for.
@@ -120,13 +164,16 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn by_grid(&self, reachable: &Reachable<'_>, step: Option<f64>, thresholds: &[f64]) -> Result<Found, Failure> {
-        let step = step.unwrap_or(self.bounds.usual_step());
+    fn by_grid(&self, reachable: &Reachable<'_>, arguments: &Arguments, thresholds: &[f64]) -> Result<Found, Failure> {
+        let step = arguments.step.unwrap_or(self.bounds.usual_step());
         let grid = Grid::new(&self.bounds, step).map_err(|error| Failure::refused("--step", &error))?;
         let progress = Progress::spinner("commanding the cells of the grid");
         let census = Census::take(reachable, self.region, &grid);
         let answers = census.reached(reachable.requirements().position_error_max);
         let reached = grid::outcome(&grid, &answers);
+        if let Some(path) = &arguments.mesh {
+            write_mesh(path, &self.surface(&grid, &answers)?)?;
+        }
         let parts = components(&grid, &answers);
         let cells = answers.iter().enumerate().filter(|(_, holds)| **holds);
         let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
@@ -149,19 +196,31 @@ impl Search<'_> {
             reaches_bounds: reached.reaches_bounds,
             parts: Some(parts.iter().map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
             by_accuracy,
+            outlines: None,
+            differential: None,
             reason: None,
         };
         drop(progress);
         Ok(self.explained(found))
     }
 
-    fn by_hull(&self, reachable: &Reachable<'_>, rays: Option<usize>) -> Result<Found, Failure> {
+    fn by_hull(
+        &self,
+        reachable: &Reachable<'_>,
+        arguments: &Arguments,
+        change: Option<(Cause, f64)>,
+    ) -> Result<Found, Failure> {
         let mut settings = hull::Settings::new(&self.bounds);
-        settings.rays = rays.unwrap_or(settings.rays);
+        settings.rays = arguments.rays.unwrap_or(settings.rays);
         let progress = Progress::spinner("following rays");
         let solve = |region: &Region<'_>| hull::solve(region, &self.bounds, &self.center, &settings);
         let found = solve(self.region).map_err(|error| Failure::refused("--method hull", &error))?;
         let measure = found.measure();
+        let image = image_of(reachable, self.region, &found);
+        self.write_hulls(&found, image.as_ref(), arguments)?;
+        let differential = change.map(|(cause, by)| {
+            differential(self.laboratory, reachable, self.region, (&found, &self.bounds, &settings), (&cause, by))
+        });
         let feasible = |model: &Model| -> Option<f64> {
             let criterion = self.laboratory.feasible(model)?;
             solve(&self.region.with_criterion(&criterion)).ok()?.measure().map(|measure| measure.size)
@@ -172,12 +231,14 @@ impl Search<'_> {
             error_bound: measure.map(|measure| measure.error_bound),
             physical: feasible(&self.laboratory.machine),
             model: feasible(&self.laboratory.control),
-            emerging: image_of(reachable, self.region, &found).map(|image| image.size),
+            emerging: image.as_ref().map(|image| image.size),
             points: found.points,
             feasible_points: found.feasible_points,
             reaches_bounds: found.rays_at_bounds > 0,
             parts: None,
             by_accuracy: Vec::new(),
+            outlines: (found.dimension() == 2).then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),
+            differential: differential.transpose()?,
             reason: (!found.is_star_shaped()).then(|| {
                 let rays = found.rays_again;
                 format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")
@@ -185,6 +246,31 @@ impl Search<'_> {
         };
         drop(progress);
         Ok(answer)
+    }
+
+    /// The boundary between cells that are reached and those that are not.
+    fn surface(&self, grid: &Grid, answers: &[bool]) -> Result<Mesh, Failure> {
+        let mut cells = Cells::new(grid).map_err(|error| Failure::refused("--step", &error))?;
+        let slabs = answers.chunks(grid.slab_points()).enumerate();
+        slabs.for_each(|(slab, answers)| cells.see(slab, answers));
+        Ok(cells.surface(self.region))
+    }
+
+    /// The files of a hull: where poses are commanded, and where the platform comes to rest.
+    fn write_hulls(&self, hull: &Hull, image: Option<&Image>, arguments: &Arguments) -> Result<(), Failure> {
+        let mesh = hull.mesh(self.region);
+        if let Some(path) = &arguments.mesh {
+            write_mesh(path, &mesh)?;
+        }
+        let Some(path) = &arguments.emerging_mesh else { return Ok(()) };
+        let Some(image) = image else {
+            let message = "--emerging-mesh: at a corner of the hull the platform comes to no rest";
+            return Err(Failure::input("workspace::mesh", message.to_owned(), "leave --emerging-mesh out"));
+        };
+        // the triangles of a planar hull meet in its centre, which is the last vertex
+        let points = image.vertices.iter().chain([&hull.center]);
+        let vertices = points.map(|point| self.region.position(point).into()).take(mesh.vertices.len()).collect();
+        write_mesh(path, &Mesh { vertices, ..mesh })
     }
 
     /// Says why nothing is reached, if nothing is.

@@ -6,14 +6,14 @@ mod orientations;
 mod page;
 mod question;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use answer::{by_grid, by_hull, by_octree};
 use cdpr::workspace::criterion::registry::{self, Wanted};
 use cdpr::workspace::grid::Grid;
 use cdpr::workspace::hull::Hull;
-use cdpr::workspace::mesh::{Format, Mesh};
+use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Cells, Region, hull, octree};
 use clap::{Args, ValueEnum};
 use orientations::OrientationArguments;
@@ -21,7 +21,7 @@ use question::Question;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::files;
+use crate::meshes::{check_mesh_file, write_mesh};
 use crate::inputs::ModelArguments;
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::progress::Progress;
@@ -234,12 +234,8 @@ fn find_hull(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>
 /// Options about files that the method would not write.
 fn check_files(arguments: &Arguments) -> Result<(), Failure> {
     let refused = |code, message: String, help: &str| Err(Failure::input(code, message, help));
+    arguments.mesh.as_ref().map_or(Ok(()), |path| check_mesh_file("--mesh", path))?;
     match (&arguments.mesh, &arguments.resume) {
-        (Some(path), _) if format_of(path).is_none() => {
-            let endings: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
-            let message = format!("--mesh {}: the ending names no format of meshes", path.display());
-            refused("workspace::mesh", message, &format!("let the name end in {}", endings.join(", ")))
-        }
         (Some(_), Some(_)) => {
             let message = "--mesh draws a surface from all cells, but the state of --resume keeps no more than their number".to_owned();
             refused("workspace::resume", message, "leave --resume or --mesh out, or use --method octree")
@@ -250,16 +246,4 @@ fn check_files(arguments: &Arguments) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
-}
-
-fn format_of(path: &Path) -> Option<Format> {
-    Format::of_extension(path.extension()?.to_str()?)
-}
-
-fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), Failure> {
-    let Some(format) = format_of(path) else { return Ok(()) };
-    let mut bytes = Vec::new();
-    let written = mesh.write(format, &mut bytes);
-    written.map_err(|error| Failure::io("write", &path.display().to_string(), &error))?;
-    files::write(path, &bytes)
 }

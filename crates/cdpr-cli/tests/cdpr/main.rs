@@ -15,6 +15,7 @@ mod explanations;
 mod export;
 mod faults;
 mod import;
+mod initial_tension;
 #[cfg(unix)]
 mod interruption;
 mod kinematics;

@@ -1,6 +1,6 @@
 """The meta-model as one writes it with SciPy: `python metamodel.py`, from this folder; needs NumPy and SciPy.
 
-A kinematic control model on a machine of elastic cables (q_off set once, Aᵀ f + w = 0, f_i = k_F (l_i - q_i)/q_i or slack), pose
+A kinematic control model on a machine of elastic cables (q_off set once, Aᵀ f + w = 0, f_i = k_F (l_i - q_i)/l_i or slack), pose
 by pose with scipy.optimize.root from the commanded pose. Rows as those of `cargo bench -p cdpr --bench metamodel` and `--bench tolerance`;
 where a row counts fewer poses than theirs, `seconds` are scaled up to the same number.
 """
@@ -40,14 +40,14 @@ def planar_map():
     u, lengths = directions(start)
     middle = np.full(4, 4500.0)
     initial = middle - np.linalg.pinv(u.T) @ (load + u.T @ middle)
-    offsets = -lengths * initial / (stiffness + initial)
+    offsets = -lengths * initial / stiffness
 
     def emerging(x):
         controlled = directions(x)[1] + offsets
 
         def balance(at):
             u, lengths = directions(at)
-            return u.T @ np.maximum(stiffness * (lengths - controlled) / controlled, 0.0) + load
+            return u.T @ np.maximum(stiffness * (lengths - controlled) / lengths, 0.0) + load
 
         return root(balance, x, tol=1e-10).x
 
@@ -77,7 +77,7 @@ class Twin:
         ways = frame - at[:3] - levers
         lengths = np.linalg.norm(ways, axis=1)
         u = ways / lengths[:, None]
-        f = np.maximum(stiffness * (lengths - controlled) / controlled, 0.0)
+        f = np.maximum(stiffness * (lengths - controlled) / lengths, 0.0)
         return np.concatenate([u.T @ f + self.force, np.cross(levers, u).T @ f + self.moment]), f
 
     def emerging(self, x, frame=None, platform=None, stiffness=None):

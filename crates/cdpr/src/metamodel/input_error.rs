@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
 use crate::equilibrium::elastostatics;
-use crate::model::{Model, WinchError};
+use crate::model::{Model, ModelError, WinchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
@@ -81,6 +81,17 @@ pub enum InputError {
         "the machine's cables remember (`hysteresis`), so its answer depends on the way and has no derivative: say model = \"polynomial\" or \"elastic\" in [machine]"
     )]
     Remembers,
+    /// One initial tension cannot change alone.
+    #[error("initial tensions balance the load, so that none of them changes alone: vary winch-offset instead")]
+    TensionsVaryTogether,
+    /// A deviation that leaves no model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// Tensions are asked of a machine that has none.
+    #[error(
+        "the machine's cables are rigid, so no tensions emerge: give [machine] an elastic model, e.g. model = \"elastic\""
+    )]
+    RigidMachine,
     /// More answers than memory should hold.
     #[error("{robots} robots at {poses} poses are more than {limit} answers: draw fewer robots or command fewer poses")]
     TooManyRobots {

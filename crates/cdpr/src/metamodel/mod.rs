@@ -7,6 +7,7 @@ mod driving;
 pub mod effects;
 pub mod errors;
 pub mod field;
+pub mod initial_tension;
 mod input_error;
 mod machine;
 mod operate;

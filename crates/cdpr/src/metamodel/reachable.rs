@@ -5,11 +5,13 @@
 //! how the winches were set: [`Reachable`] is a [`Criterion`], so that every method of [`crate::workspace`] finds it.
 
 mod census;
+mod differential;
 mod emerging;
 #[cfg(test)]
 mod tests;
 
 pub use census::{Cell, Census};
+pub use differential::{Varied, differential_hull};
 pub use emerging::{Image, emerging_size, image_of};
 
 use super::driving::Driving;

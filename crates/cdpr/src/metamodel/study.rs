@@ -129,6 +129,8 @@ pub struct Limits {
     pub tension_max_N: Option<f64>,
     /// Largest position error of the reachable workspace (m).
     pub position_error_max_m: Option<f64>,
+    /// Largest rotation error of the reachable workspace (rad).
+    pub rotation_error_max_rad: Option<f64>,
 }
 
 /// Poses to command.

@@ -90,6 +90,13 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
     }
 }
 
+/// The tensions within limits nearest to their middle, in balance with the load (N).
+pub(super) fn tensions_within(limits: &Limits, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
+    model.structure_matrix(pose)?;
+    let wrench = Load::of(model.robot())?.in_pattern(model, pose);
+    chosen_by(TensionMethod::Qp, limits, model, pose, wrench.as_slice())
+}
+
 /// What the initial tensions shall lie between: what the study says, or the limits of the robot's file.
 pub(super) fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
     Ok(match initial.tension_limits_N {

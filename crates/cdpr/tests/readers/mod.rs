@@ -104,6 +104,7 @@ offset_robot = \"planar-example\"
 tension_min_N = 100
 tension_max_N = 9e3
 position_error_max_m = 0.01
+rotation_error_max_rad = 0.02
 [poses.file]
 path = \"poses.csv\"
 set = \"train\"

@@ -4,6 +4,7 @@ use cdpr::workspace::{Bounds, Point, Region};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
+use super::Differential;
 use crate::answer::Answer;
 use crate::laboratory::Laboratory;
 use crate::number_format::significant;
@@ -24,6 +25,9 @@ pub(super) struct Found {
     pub(super) parts: Option<Vec<(f64, Point)>>,
     /// Largest error (m) and what is reached with it.
     pub(super) by_accuracy: Vec<(f64, f64)>,
+    /// Corners of the hull of a planar robot in order (m): where poses are commanded, where the platform comes to rest.
+    pub(super) outlines: Option<[Vec<Point>; 2]>,
+    pub(super) differential: Option<Differential>,
     pub(super) reason: Option<String>,
 }
 
@@ -47,6 +51,12 @@ pub(super) struct ReachableAnswer {
     parts: Option<Vec<Value>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     by_accuracy: Vec<Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outline_m: Option<Vec<[f64; 2]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    emerging_outline_m: Option<Vec<[f64; 2]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    differential: Option<Value>,
     winch_offsets_m: Vec<f64>,
     #[serde(skip)]
     found: Found,
@@ -71,6 +81,9 @@ impl ReachableAnswer {
         let at = |(most, size): &(f64, f64)| {
             json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) })
         };
+        let outline = |which: usize| -> Option<Vec<[f64; 2]>> {
+            Some(found.outlines.as_ref()?[which].iter().map(|&[x, y, _]| [x, y]).collect())
+        };
         let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
         Self {
             status: if found.reason.is_none() { "found" } else if found.feasible_points == 0 { "empty" } else { "not-star-shaped" },
@@ -88,6 +101,9 @@ impl ReachableAnswer {
             reaches_bounds: found.reaches_bounds,
             parts: found.parts.as_ref().map(|parts| parts.iter().map(part).collect()),
             by_accuracy: found.by_accuracy.iter().map(at).collect(),
+            outline_m: outline(0),
+            emerging_outline_m: outline(1),
+            differential: found.differential.as_ref().map(|found| json!(found)),
             winch_offsets_m: laboratory.offsets.clone(),
             unit: if is_planar { "m²" } else { "m³" },
             found,
@@ -124,6 +140,17 @@ impl Answer for ReachableAnswer {
         text.push_str(&format!("\n{}", table.text()));
         if let Some(bound) = self.error_bound {
             text.push_str(&format!("\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n", self.points, self.method));
+        }
+        if let Some(Differential { parameter, unit: of, change, size_rate, first_order_size, recomputed_size, .. }) =
+            &found.differential
+        {
+            let anew = recomputed_size.map_or_else(|| "has no hull".to_owned(), |size| format!("is {size:.3} {unit}"));
+            let of = if *of == "1" { String::new() } else { format!(" {of}") };
+            text.push_str(&format!(
+                "\nwith {parameter} changed by {change}{of} it is {first_order_size:.3} {unit} to first order ({size_rate:.3} {unit} per{}), found \
+                 anew it {anew}\n",
+                if of.is_empty() { " 1".to_owned() } else { of.clone() }
+            ));
         }
         if let Some(parts) = found.parts.as_ref().filter(|parts| parts.len() > 1) {
             let small: f64 = parts[1..].iter().map(|part| part.0).sum();

@@ -3,6 +3,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::metamodel::sensitivity::{Cause, Kind, Side};
 use crate::metamodel::study::Initial;
 use crate::metamodel::winch_offsets;
 use crate::model::{Composition, Model};
@@ -111,6 +112,45 @@ fn reasons_name_the_requirement_that_is_broken() {
     let verdict = planar.region(&planar.reachable(None)).judge(&[-4.5, 6.9, 0.0]);
     assert!(verdict.reason.as_ref().is_some_and(|reason| reason.contains("tension of")), "{verdict:?}");
     assert!(verdict.cable.is_some());
+}
+
+/// The rates of the planar example's hull by an anchor of the machine, by one of the control model, by a stiffness and by a winch offset
+/// against hulls found anew with a change that moves the boundary by about a millimetre: the second order is below a hundredth of that.
+#[test]
+fn the_differential_hull_is_that_of_small_changes() {
+    let planar = Planar::new();
+    let reachable = planar.reachable(None);
+    let region = planar.region(&reachable);
+    let bounds = box_of_the_example();
+    let settings = hull::Settings { rays: 60, tolerance: 1e-9, ..hull::Settings::new(&bounds) };
+    let center = [0.0, 5.2, 0.0];
+    let nominal = hull::solve(&region, &bounds, &center, &settings).unwrap();
+    for (side, kind, change) in [
+        (Side::Machine, Kind::FrameAnchor, 1e-4),
+        (Side::Control, Kind::FrameAnchor, 1e-4),
+        (Side::Machine, Kind::AxialStiffness, 1e-3),
+        (Side::Winches, Kind::WinchOffset, 1e-4),
+    ] {
+        let cause = Cause { side, kind, cable: 0, axis: 0 };
+        let moved = differential_hull(&reachable, &region, &nominal, &cause).unwrap();
+        let by = |change: f64| {
+            let varied = Varied::new(&reachable, &cause, change).unwrap();
+            let criterion = varied.reachable().unwrap();
+            hull::solve(&region.with_criterion(&criterion), &bounds, &center, &settings).unwrap().radii
+        };
+        let (less, more) = (by(-change), by(change));
+        let mut compared = 0;
+        for (ray, rate) in moved.rates.iter().enumerate().filter_map(|(ray, rate)| Some((ray, (*rate)?))) {
+            let slope = (more[ray] - less[ray]) / (2.0 * change);
+            // where another cable begins to limit within the change, the boundary has a corner
+            compared += usize::from((slope - rate).abs() < 0.01 * (1.0 + rate.abs()));
+        }
+        assert!(compared >= 57, "{side:?} {kind:?}: {compared}");
+        assert!(moved.rates.iter().flatten().any(|rate| rate.abs() > 0.01), "{side:?} {kind:?}");
+    }
+    let cause = Cause { side: Side::Winches, kind: Kind::InitialTension, cable: 0, axis: 0 };
+    let refused = differential_hull(&reachable, &region, &nominal, &cause);
+    assert_eq!(refused.err(), Some(InputError::TensionsVaryTogether));
 }
 
 /// The batches judge as the single poses do, in a box far beyond the frame, where most cables hang slack.

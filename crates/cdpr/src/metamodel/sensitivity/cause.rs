@@ -111,7 +111,7 @@ impl Kind {
 
     /// Deviation by which an exact model is moved to and fro where it has no analytic derivative: far above rounding, far below
     /// what bends.
-    pub(super) fn difference_step(self) -> f64 {
+    pub(in crate::metamodel) fn difference_step(self) -> f64 {
         match self.unit() {
             "m" => 1e-5,
             "1" => 1e-5,

@@ -82,7 +82,7 @@ fn measured(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) ->
         tensions: limits.clone().filter(|_| is_elastic),
         // what the thresholds ask is asked of the census
         position_error_max: (!is_elastic || limits.is_none()).then_some(f64::MAX),
-        rotation_error_max: None,
+        rotation_error_max: study.limits.as_ref().and_then(|limits| limits.rotation_error_max_rad),
     };
     let reachable = Reachable::new(driving, requirements).map_err(|error| words(&error))?;
     let archetype = Archetype::ConstantOrientation(start.rotation);

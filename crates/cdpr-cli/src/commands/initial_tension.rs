@@ -1,0 +1,136 @@
+//! `cdpr initial-tension`: how winches are set for a path, an area or a volume.
+
+mod answer;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::str::FromStr;
+
+use answer::{InitialTensionAnswer, State};
+use cdpr::geometry::Pose;
+use cdpr::metamodel::InputError;
+use cdpr::metamodel::initial_tension::{Task, approach, fit, optimum};
+use cdpr::metamodel::initial_tensions;
+use cdpr::metamodel::study::Initial;
+use cdpr::tension::Method;
+use cdpr::workspace::grid::{self, Grid};
+use cdpr::workspace::{Archetype, Bounds, Region, WorkspaceError};
+use clap::Args;
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::laboratory::Laboratory;
+use crate::numbers::NumberList;
+use crate::progress::Progress;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr initial-tension studies/planar-small-circle.toml
+  cdpr initial-tension study.toml --target minimum --stages 8
+  cdpr initial-tension study.toml --target 2500,2500,1500,1500 --format json";
+
+/// Initial tensions that suit the poses of a study (eq. 3.42), and how a real robot is brought to them.
+///
+/// Winches are set once, at the initial pose. Of all initial tensions that balance the load there and keep the limits, those are
+/// found with which the tensions that emerge at the poses of the study, a path, an area or a volume, come nearest to a target. The
+/// answer names the winch offsets, what is reached with them, and stage by stage what the force sensors read while the winches are
+/// turned from the least tensions to these. It is negative (exit code 1) when tensions break their limits at a pose of the study.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Study file (TOML); `cdpr schema study` describes it. Its [poses] are the path, area or volume.
+    #[arg(value_name = "STUDY")]
+    study: PathBuf,
+
+    /// Tensions wanted at every pose: closed-form (the middle of the limits, eq. 3.41) | minimum | another method of `cdpr tension`
+    /// | one tension per cable (N).
+    #[arg(long, value_name = "TARGET", default_value = "closed-form", allow_hyphen_values = true)]
+    target: TargetArgument,
+
+    /// Stages in which the winches are turned.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    stages: u16,
+
+    /// Seed of random poses.
+    #[arg(long, value_name = "SEED", default_value_t = 0)]
+    seed: u64,
+}
+
+/// Tensions, or how they are found.
+#[derive(Clone, Debug)]
+enum TargetArgument {
+    Method(Method),
+    Tensions(Vec<f64>),
+}
+
+impl FromStr for TargetArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) {
+            true => NumberList::from_str(text).map(|numbers| Self::Tensions(numbers.0)),
+            false => Method::from_str(text).map(Self::Method).map_err(|error| error.to_string()),
+        }
+    }
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let mut laboratory = Laboratory::read(&arguments.study)?;
+    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    let commands = laboratory.untested_poses(arguments.seed)?;
+    let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
+    let pose = laboratory.initial_pose()?;
+    let limits = laboratory.known_limits()?;
+    let progress = Progress::spinner("looking for initial tensions");
+    let found = {
+        let Laboratory { control, machine, study, .. } = &laboratory;
+        let set_with = laboratory.set_with();
+        let task = Task { control, machine, set_with, pose, limits: &limits, history: laboratory.history() };
+        let (method, tensions) = match &arguments.target {
+            TargetArgument::Method(method) => (Some(*method), None),
+            TargetArgument::Tensions(tensions) => (None, Some(tensions.clone())),
+        };
+        let range = study.initial.tension_limits_N;
+        let target = Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..bare() };
+        let refused = |error: InputError| laboratory.refused(&error);
+        let before = fit(&task, &laboratory.offsets, &target, &poses).map_err(refused)?;
+        let best = optimum(&task, &target, &poses).map_err(refused)?;
+        let slack = Initial { tension_method: Some(Method::Minimum), tension_limits_N: None, ..bare() };
+        let least = initial_tensions(&slack, machine, &pose).map_err(refused)?;
+        let way = approach(&task, &least, &best.tensions, arguments.stages.into()).map_err(refused)?;
+        (before, best, way)
+    };
+    let (before, best, way) = found;
+    let reached = size(&laboratory, &pose)?;
+    let former = State { offsets: std::mem::replace(&mut laboratory.offsets, best.offsets.clone()), fit: before, reached };
+    let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&laboratory, &pose)? };
+    drop(progress);
+    if !best.is_settled {
+        output.remark("the search did not come to rest: better initial tensions may exist");
+    }
+    output.answer(&InitialTensionAnswer::new(&laboratory, [former, latter], best, way, poses.len()))
+}
+
+/// An initial state that says nothing yet.
+fn bare() -> Initial {
+    Initial {
+        pose: Vec::new(),
+        tensions_N: None,
+        tension_method: None,
+        tension_limits_N: None,
+        offset: None,
+        offset_m: None,
+        offset_robot: None,
+    }
+}
+
+/// Area or volume of the reachable workspace in the orientation of the initial pose (m², m³), by a grid.
+fn size(laboratory: &Laboratory, pose: &Pose) -> Result<f64, Failure> {
+    let reachable = laboratory.reachable()?;
+    let archetype = Archetype::ConstantOrientation(pose.rotation);
+    let refused = |error: WorkspaceError| laboratory.refused(&error);
+    let region = Region::new(&laboratory.machine, &reachable, &archetype).map_err(refused)?;
+    let bounds = Bounds::around(&laboratory.machine).map_err(refused)?;
+    let grid = Grid::new(&bounds, bounds.usual_step()).map_err(refused)?;
+    Ok(grid::count(&region, &grid).outcome(&grid).size)
+}

@@ -1,0 +1,71 @@
+//! The differential hull: how what is reached changes with one number.
+
+use cdpr::metamodel::reachable::{Reachable, Varied, differential_hull};
+use cdpr::metamodel::sensitivity::{Cause, causes};
+use cdpr::workspace::hull::{self, Hull};
+use cdpr::workspace::{Bounds, Region};
+use serde::Serialize;
+
+use crate::failure::Failure;
+use crate::laboratory::Laboratory;
+
+/// A change of one number, and the hull with it.
+#[derive(Serialize)]
+pub(super) struct Differential {
+    /// Name of the number.
+    pub(super) parameter: String,
+    /// Its unit; `1` for a share.
+    pub(super) unit: &'static str,
+    /// How much it changes.
+    pub(super) change: f64,
+    /// How fast each ray's end moves (m per unit); null where the box cuts the ray.
+    rates_m_per_unit: Vec<Option<f64>>,
+    /// How fast the area or volume changes (m² or m³ per unit).
+    pub(super) size_rate: f64,
+    /// Area or volume after the change (m², m³), to first order.
+    pub(super) first_order_size: f64,
+    /// The same from a hull found anew; nothing where it has none.
+    pub(super) recomputed_size: Option<f64>,
+}
+
+/// The number of this name; near ones are told.
+pub(super) fn cause_named(laboratory: &Laboratory, name: &str) -> Result<Cause, Failure> {
+    let setting = laboratory.setting(cdpr::metamodel::sensitivity::Offsets::Kept)?;
+    let all = causes(&laboratory.control, &laboratory.machine, &setting);
+    let name_of = |cause: &Cause| cause.name(&laboratory.machine);
+    let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if let Some(found) = all.iter().find(|cause| name_of(cause) == plain(name)) {
+        return Ok(*found);
+    }
+    let names: Vec<String> = all.iter().map(name_of).collect();
+    let nearest = names.iter().max_by(|a, b| strsim::jaro(a, name).total_cmp(&strsim::jaro(b, name)));
+    let example = nearest.map_or_else(String::new, |nearest| format!("did you mean \"{nearest}\"? "));
+    let help = format!("{example}`cdpr sensitivity` with --csv names all of them");
+    Err(Failure::usage("usage::value", format!("--vary: control model, machine and winches have no \"{name}\"")).with_help(&help))
+}
+
+/// The hull of a changed robot, to first order and anew.
+pub(super) fn differential(
+    laboratory: &Laboratory,
+    reachable: &Reachable<'_>,
+    region: &Region<'_>,
+    (nominal, bounds, settings): (&Hull, &Bounds, &hull::Settings),
+    (cause, change): (&Cause, f64),
+) -> Result<Differential, Failure> {
+    let refused = |error: cdpr::metamodel::InputError| laboratory.refused(&error);
+    let motion = differential_hull(reachable, region, nominal, cause).map_err(refused)?;
+    let varied = Varied::new(reachable, cause, change).map_err(refused)?;
+    let criterion = varied.reachable().map_err(refused)?;
+    // a centre that is no longer reached has no hull
+    let anew = hull::solve(&region.with_criterion(&criterion), bounds, &nominal.center, settings).ok();
+    let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
+    Ok(Differential {
+        parameter: cause.name(&laboratory.machine),
+        unit: cause.kind.unit(),
+        change,
+        size_rate: motion.size_rate(nominal),
+        first_order_size: size(&motion.moved(nominal, change)).unwrap_or(0.0),
+        recomputed_size: anew.filter(Hull::is_star_shaped).as_ref().and_then(size),
+        rates_m_per_unit: motion.rates,
+    })
+}

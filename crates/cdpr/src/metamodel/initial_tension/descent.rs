@@ -1,0 +1,187 @@
+//! The search for initial tensions, by Gauss–Newton steps in the null space of the structure matrix at the initial pose.
+
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+
+use super::{Fit, Optimum, Target, Task, emerging, offsets_of, wanted};
+use crate::geometry::Pose;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::winches::tensions_within;
+use crate::tension::{Limits, quadratic};
+
+/// Steps at most; tensions follow f_ini almost linearly, so that few are needed.
+const STEPS: u32 = 30;
+/// Difference of initial tensions that derivatives are taken over, as a share of the range of the limits.
+const DIFFERENCE: f64 = 1e-4;
+/// A step below this share of the range is the last.
+const SETTLED: f64 = 1e-7;
+/// How much more the fit counts than the way from one step to the next, in squared tensions.
+const WEIGHT: f64 = 100.0;
+/// Part of the largest curvature that keeps what the poses do not determine where it is.
+const RIDGE: f64 = 1e-9;
+
+/// f_ini within the limits whose emerging tensions are nearest to the target over these poses (eq. 3.42).
+///
+/// Refuses rigid machines, targets that no pose has, and limits that no balanced tensions
+/// at the initial pose keep.
+pub fn optimum(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Optimum, InputError> {
+    let wanted = wanted(task, target, poses)?;
+    let search =
+        Search { task, poses, wanted: &wanted, basis: null_space(&task.machine.structure_matrix(&task.pose)?) };
+    let ranges = task.limits.minimum().iter().zip(task.limits.maximum()).map(|(least, largest)| largest - least);
+    let range = ranges.fold(1.0, f64::max);
+    let mut here = search.at(tensions_within(task.limits, task.machine, &task.pose)?)?;
+    let (mut iterations, mut is_settled) = (0, false);
+    while iterations < STEPS && !is_settled {
+        iterations += 1;
+        let (step, root) = search.step(&here, DIFFERENCE * range)?;
+        let goal = search.within(&here.tensions, &step, &root)?;
+        let way: Vec<f64> = goal.iter().zip(&here.tensions).map(|(goal, from)| goal - from).collect();
+        let mut share = 1.0;
+        loop {
+            let size = way.iter().fold(0.0_f64, |most, part| most.max((share * part).abs()));
+            if size <= SETTLED * range {
+                is_settled = true;
+                break;
+            }
+            let tensions = here.tensions.iter().zip(&way).map(|(from, part)| from + share * part).collect();
+            let there = search.at(tensions)?;
+            if there.cost() < here.cost() {
+                here = there;
+                break;
+            }
+            share *= 0.25;
+        }
+    }
+    let tolerance = 1e-6 * range;
+    let is_at = |&cable: &usize| {
+        let f = here.tensions[cable];
+        f <= task.limits.minimum()[cable] + tolerance || f >= task.limits.maximum()[cable] - tolerance
+    };
+    Ok(Optimum {
+        at_limits: (0..here.tensions.len()).filter(is_at).collect(),
+        fit: Fit::of(&here.emerging, &wanted, task.limits),
+        offsets: here.offsets,
+        tensions: here.tensions,
+        iterations,
+        is_settled,
+    })
+}
+
+struct Search<'a> {
+    task: &'a Task<'a>,
+    poses: &'a [Pose],
+    wanted: &'a [Option<Vec<f64>>],
+    /// H at the initial pose.
+    basis: DMatrix<f64>,
+}
+
+/// Initial tensions and what emerges with them.
+struct Trial {
+    tensions: Vec<f64>,
+    offsets: Vec<f64>,
+    emerging: Vec<Option<Vec<f64>>>,
+    /// f̂ − f_ref; zeros where one of them is unknown.
+    residual: DVector<f64>,
+    /// Poses that count.
+    counted: usize,
+}
+
+impl Trial {
+    /// Mean square over the poses that count; nothing is better where fewer poses have an answer.
+    fn cost(&self) -> f64 {
+        if self.counted == 0 { f64::INFINITY } else { self.residual.norm_squared() / self.counted as f64 }
+    }
+}
+
+impl Search<'_> {
+    fn at(&self, tensions: Vec<f64>) -> Result<Trial, InputError> {
+        let offsets = offsets_of(self.task, &tensions)?;
+        let emerging = emerging(self.task, &offsets, self.poses)?;
+        let cables = tensions.len();
+        let mut residual = DVector::zeros(cables * self.poses.len());
+        let mut counted = 0;
+        for (pose, (tensions, wanted)) in emerging.iter().zip(self.wanted).enumerate() {
+            let (Some(tensions), Some(wanted)) = (tensions, wanted) else { continue };
+            counted += 1;
+            for cable in 0..cables {
+                residual[pose * cables + cable] = tensions[cable] - wanted[cable];
+            }
+        }
+        Ok(Trial { tensions, offsets, emerging, residual, counted })
+    }
+
+    /// The step in λ to the least squares, and the root of their curvature per pose.
+    fn step(&self, here: &Trial, difference: f64) -> Result<(DVector<f64>, DMatrix<f64>), InputError> {
+        let dimension = self.basis.ncols();
+        let mut jacobian = DMatrix::zeros(here.residual.len(), dimension);
+        for (column, way) in self.basis.column_iter().enumerate() {
+            let tensions = here.tensions.iter().zip(way.iter()).map(|(f, part)| f + difference * part).collect();
+            let there = self.at(tensions)?;
+            let cables = here.tensions.len();
+            for pose in (0..self.poses.len()).filter(|&pose| there.emerging[pose].is_some()) {
+                for row in pose * cables..(pose + 1) * cables {
+                    jacobian[(row, column)] = (there.residual[row] - here.residual[row]) / difference;
+                }
+            }
+        }
+        let per_pose = 1.0 / here.counted.max(1) as f64;
+        let mut curvature = jacobian.transpose() * &jacobian * per_pose;
+        let ridge = RIDGE * curvature.diagonal().max().max(f64::MIN_POSITIVE);
+        for k in 0..dimension {
+            curvature[(k, k)] += ridge;
+        }
+        let slope = jacobian.transpose() * &here.residual * per_pose;
+        let root = Cholesky::new(curvature);
+        Ok(match root {
+            Some(root) => (-root.solve(&slope), root.l().transpose()),
+            // a curvature of rounding: nothing to gain
+            None => (DVector::zeros(dimension), DMatrix::identity(dimension, dimension)),
+        })
+    }
+
+    /// The tensions f + H λ after a step, or the best within the limits by the metric of the step's root.
+    ///
+    /// Unknowns are the difference from the step's end in that metric, and the tensions, which count less the larger `WEIGHT` is and
+    /// are drawn to where they come from: in the end, when the steps vanish, not at all.
+    fn within(&self, from: &[f64], step: &DVector<f64>, root: &DMatrix<f64>) -> Result<Vec<f64>, InputError> {
+        let end = DVector::from_column_slice(from) + &self.basis * step;
+        let limits = self.task.limits;
+        if limits.contain(end.as_slice(), limits.tolerance()) {
+            return Ok(end.as_slice().to_vec());
+        }
+        let (cables, dimension) = self.basis.shape();
+        let inverse = root.clone().try_inverse().unwrap_or_else(|| DMatrix::identity(dimension, dimension));
+        let mut matrix = DMatrix::zeros(cables, dimension + cables);
+        matrix.columns_mut(0, dimension).copy_from(&(&self.basis * inverse / WEIGHT.sqrt()));
+        for cable in 0..cables {
+            matrix[(cable, dimension + cable)] = -1.0;
+        }
+        // far beyond what the metric can make of tensions
+        let far = 1e4 * limits.maximum().iter().fold(1.0, |most: f64, limit| most.max(limit.abs()));
+        let joined = |end: f64, limits: &[f64]| [&vec![end; dimension], limits].concat();
+        let both = Limits::new(joined(-far, limits.minimum()), joined(far, limits.maximum()))?;
+        let reference = joined(0.0, from);
+        let found = quadratic::solve(&matrix, end.as_slice(), &both, Some(&reference))?;
+        match found.status {
+            quadratic::Status::Feasible => Ok(found.tensions[dimension..].to_vec()),
+            _ => Err(InputError::NotBalanced {
+                reason: "every balanced set of tensions breaks the limits of a cable".to_owned(),
+            }),
+        }
+    }
+}
+
+/// Orthonormal columns H with Aᵀ H = 0.
+fn null_space(structure_matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut rows = structure_matrix.clone();
+    for mut row in rows.row_iter_mut() {
+        let length = row.norm();
+        if length > 0.0 {
+            row /= length;
+        }
+    }
+    let curvature = SymmetricEigen::new(rows.transpose() * &rows);
+    let free: Vec<usize> =
+        (0..rows.ncols()).filter(|&k| curvature.eigenvalues[k] < 1e-12 * curvature.eigenvalues.max()).collect();
+    curvature.eigenvectors.select_columns(&free)
+}

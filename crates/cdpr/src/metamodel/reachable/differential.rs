@@ -1,0 +1,70 @@
+//! The differential hull of the reachable workspace: how its boundary moves with any number of control model, machine and winches.
+
+use super::{Reachable, Requirements};
+use crate::metamodel::driving::Driving;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::sensitivity::{Cause, Kind, Side};
+use crate::model::{Model, ModelError};
+use crate::workspace::Region;
+use crate::workspace::differential::{Differences, Motion, motion};
+use crate::workspace::hull::Hull;
+
+/// Control model, machine and winches with one number changed.
+pub struct Varied {
+    control: Model,
+    machine: Model,
+    offsets: Vec<f64>,
+    requirements: Requirements,
+}
+
+impl Varied {
+    /// Those of a reachable workspace, a cause deviating by this (its unit); winches keep what they were set to.
+    ///
+    /// Refuses initial tensions: they are no number of their own but come with all winch offsets at once.
+    pub fn new(reachable: &Reachable<'_>, cause: &Cause, by: f64) -> Result<Self, InputError> {
+        let driving = reachable.driving();
+        let mut offsets = driving.offsets().to_vec();
+        match cause.kind {
+            Kind::InitialTension => return Err(InputError::TensionsVaryTogether),
+            Kind::WinchOffset => offsets[cause.cable] += by,
+            _ => {}
+        }
+        let varied = |model: &Model, side: Side| -> Result<Model, ModelError> {
+            let mut robot = model.robot().clone();
+            if cause.side == side {
+                cause.deviate(model, &mut robot, by);
+            }
+            Model::new(robot, model.composition())
+        };
+        Ok(Self {
+            control: varied(driving.control(), Side::Control)?,
+            machine: varied(driving.machine(), Side::Machine)?,
+            offsets,
+            requirements: reachable.requirements().clone(),
+        })
+    }
+
+    /// What is reached with the change; machines with history come to every pose at once.
+    pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
+        let driving = Driving::new(&self.control, &self.machine, &self.offsets)?;
+        Reachable::new(driving, self.requirements.clone())
+    }
+}
+
+/// How fast the end of each ray of a hull moves with a number, to first order (m per its unit).
+///
+/// `hull` is that of `reachable` in `region`.
+pub fn differential_hull(
+    reachable: &Reachable<'_>,
+    region: &Region<'_>,
+    hull: &Hull,
+    cause: &Cause,
+) -> Result<Motion, InputError> {
+    let step = cause.kind.difference_step();
+    let [below, above] = [Varied::new(reachable, cause, -step)?, Varied::new(reachable, cause, step)?];
+    let [less, more] = [below.reachable()?, above.reachable()?];
+    let [below, above] = [region.with_criterion(&less), region.with_criterion(&more)];
+    // margins bend over decimetres; solutions are exact to 1e-11 m
+    let differences = Differences { parameter: step, radius: 1e-5 };
+    Ok(motion(hull, region, [&below, &above], differences))
+}
