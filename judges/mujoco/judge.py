@@ -110,8 +110,8 @@ def judge_lengths(robot):
 def newton(judged, wrench):
     """Newton's method on MuJoCo's forces, their derivatives by central differences; leaves the state in equilibrium."""
     count, step = judged.model.nv, 1e-6
-    for iteration in range(30):
-        missing = judged.missing(wrench)
+    for _ in range(60):
+        missing = judged.missing(wrench).copy()
         if numpy.abs(missing).max() < 1e-9:
             break
         state = judged.data.qpos.copy()
@@ -123,9 +123,14 @@ def newton(judged, wrench):
                 judged.moved(sign * step * numpy.eye(count)[column])
                 sides.append(judged.missing(wrench).copy())
             jacobian[:, column] = (sides[0] - sides[1]) / (2 * step)
-        judged.data.qpos[:] = state
         change = -numpy.linalg.solve(jacobian, missing)
-        judged.moved(change)
+        # far from equilibrium a whole step may lead away from it
+        for _ in range(8):
+            judged.data.qpos[:] = state
+            judged.moved(change)
+            if numpy.abs(judged.missing(wrench)).max() < numpy.abs(missing).max() or numpy.abs(change).max() < 1e-9:
+                break
+            change *= 0.5
         if numpy.abs(change).max() < 1e-14:
             break
     judged.missing(wrench)

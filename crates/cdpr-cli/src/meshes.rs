@@ -14,7 +14,7 @@ pub(crate) fn check_mesh_file(option: &str, path: &Path) -> Result<(), Failure> 
     }
     let endings: Vec<String> = Format::ALL.iter().map(|format| format!(".{}", format.extension())).collect();
     let message = format!("{option} {}: the ending names no format of meshes", path.display());
-    Err(Failure::input("workspace::mesh", message, &format!("let the name end in {}", endings.join(", "))))
+    Err(Failure::input("workspace::mesh", message, format!("let the name end in {}", endings.join(", "))))
 }
 
 /// Writes a mesh in the format that the ending names.
