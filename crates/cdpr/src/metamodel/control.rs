@@ -26,6 +26,11 @@ impl<'a> Controller<'a> {
         Ok(Self { model, distribution })
     }
 
+    /// The model, where its lengths do not depend on tensions.
+    pub(super) fn kinematic(&self) -> Option<&'a Model> {
+        self.distribution.is_none().then_some(self.model)
+    }
+
     /// Lengths for a pose in the units of the model's encoders (m), or why there are none.
     pub(super) fn lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
         match &mut self.distribution {

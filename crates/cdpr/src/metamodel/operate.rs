@@ -157,22 +157,45 @@ impl<'a> Operation<'a> {
         self.winding.to_machine(sent)
     }
 
+    /// [`Operation::controlled_lengths`] of many poses at once, with the same bits; nothing where drums or tensions come between, or
+    /// where one of the poses has no lengths.
+    fn kinematic_lengths(&self, poses: &PoseBatch) -> Option<LaneTable> {
+        let control = self.control.kinematic().filter(|_| self.winding.is_none())?;
+        let (machine, cables) = (self.machine.model(), control.cable_count());
+        let mut lengths = LaneTable::default();
+        control.batch_cable_lengths(poses, &mut lengths);
+        for (index, line) in lengths.lines_mut().iter_mut().enumerate() {
+            let cable = index % cables;
+            for length in &mut line.0 {
+                let sent = control.recorded_length(cable, *length) + self.offsets[cable];
+                *length = machine.controlled_length(cable, sent);
+            }
+        }
+        (0..cables).all(|cable| lengths.row(cable).all(f64::is_finite)).then_some(lengths)
+    }
+
     /// What emerges for many commands at once, of those for which the control model has lengths; with `only_taut` where every
     /// cable pulls. `None` for rigid machines, and for those that remember.
     pub(super) fn answer_all(&mut self, poses: &[Pose], only_taut: bool) -> Option<Emerged> {
         if self.way.is_some() || !self.machine.is_elastic() {
             return None;
         }
-        let (mut lengths, mut guesses) = (LaneTable::new(self.machine().cable_count()), PoseBatch::default());
-        let mut commanded = Vec::with_capacity(poses.len());
-        for (index, pose) in poses.iter().enumerate() {
-            if let Ok(controlled) = self.controlled_lengths(pose) {
-                lengths.resize(commanded.len() + 1);
-                lengths.write(commanded.len(), &controlled);
-                guesses.push(pose);
-                commanded.push(index);
+        let mut guesses = PoseBatch::default();
+        guesses.fill(poses);
+        let mut commanded: Vec<usize> = (0..poses.len()).collect();
+        let lengths = self.kinematic_lengths(&guesses).unwrap_or_else(|| {
+            let mut lengths = LaneTable::new(self.machine().cable_count());
+            (guesses, commanded) = (PoseBatch::default(), Vec::with_capacity(poses.len()));
+            for (index, pose) in poses.iter().enumerate() {
+                if let Ok(controlled) = self.controlled_lengths(pose) {
+                    lengths.resize(commanded.len() + 1);
+                    lengths.write(commanded.len(), &controlled);
+                    guesses.push(pose);
+                    commanded.push(index);
+                }
             }
-        }
+            lengths
+        });
         let mut solutions = Solutions::default();
         self.machine
             .answer_all(&lengths, &guesses, only_taut, &mut solutions)

@@ -42,6 +42,11 @@ impl<'a> Winding<'a> {
         Ok(Self { control, winches })
     }
 
+    /// True where lengths are lengths.
+    pub(super) fn is_none(&self) -> bool {
+        self.winches.is_empty()
+    }
+
     /// Lengths that the machine pays out when the control model sends these (m).
     pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
         self.convert(sent, |[control, machine], length| machine.controlled_length(control.motor_angle(length)?))
