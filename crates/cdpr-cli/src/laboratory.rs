@@ -6,6 +6,7 @@ use cdpr::geometry::Pose;
 use cdpr::identification::{Evaluation, evaluate};
 use cdpr::measurement::{Provenance, SensorSigmas, Sidecar, poses_from_csv};
 use cdpr::metamodel::accuracy::{Assessment, assess_operation};
+use cdpr::metamodel::branches::{Branches, branches};
 use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
@@ -111,6 +112,17 @@ impl Laboratory {
     pub(crate) fn history(&self) -> Option<History> {
         let remembers = self.machine.composition().stretch == StretchEffect::Hysteresis;
         remembers.then(|| self.study.history.unwrap_or_default())
+    }
+
+    /// How far apart branches lie at the poses, a hundred of them at the most; nothing without history.
+    pub(crate) fn branches(&self, seed: u64, stroke: f64) -> Result<Option<Branches>, Failure> {
+        let Some(history) = self.history() else { return Ok(None) };
+        let commands = self.untested_poses(seed)?;
+        let every = commands.len().div_ceil(100).max(1);
+        let poses: Vec<Pose> = commands.iter().step_by(every).map(|command| command.pose).collect();
+        let models = (&self.control, &self.machine);
+        let found = branches(models, &self.offsets, (&history, &self.initial_pose()?), &poses, stroke);
+        found.map(Some).map_err(|error| self.refused(&error))
     }
 
     /// The pose at which the winches were set.

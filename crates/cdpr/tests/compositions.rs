@@ -5,6 +5,7 @@ use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::evaluate;
 use cdpr::identification::fit::{Settings, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
+use cdpr::metamodel::branches::branches;
 use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};
 use cdpr::metamodel::{Operation, initial_tensions, operate, winch_offsets};
 use cdpr::model::{Composition, FreeParameters, Model};
@@ -231,4 +232,20 @@ fn machines_with_hysteresis_come_to_a_pose_on_a_way() {
     assert_eq!(in_order[0], anew[0], "the first pose is reached from the initial one");
     let apart = in_order[0].displacement_to(&in_order[2]).norm();
     assert!(apart > 1e-5 && apart < 0.05, "{apart} m between the way there and the way back");
+
+    // seven ways: straight, and from either side along x, y, z; without a memory all lead to the same end
+    let history = History { reach: Reach::FromInitial, sub_steps: 5 };
+    let spread = |machine: &Model, stroke: f64| {
+        let poses = [near, far];
+        let found = branches((&control, machine), &offsets, (&history, &start), &poses, stroke).expect("one robot");
+        assert_eq!((found.samples, found.ways), (2, 7));
+        found
+    };
+    let found = spread(&machine, 0.1);
+    let widest = found.position_spread_m.max;
+    assert!(widest > 1e-5 && widest < 0.05, "{found:?}");
+    assert!(found.tension_spread_N.max > 1.0, "{found:?}");
+    assert!(spread(&machine, 0.02).position_spread_m.mean < found.position_spread_m.mean, "a short way turns less far");
+    let elastic = Model::new(machine.robot().clone(), Composition::ELASTIC).expect("a model");
+    assert!(spread(&elastic, 0.1).position_spread_m.max < 1e-9);
 }

@@ -7,6 +7,7 @@ use cdpr::geometry::MotionPattern;
 use cdpr::identification::ErrorBlocks;
 use cdpr::metamodel::Status;
 use cdpr::metamodel::accuracy::{Accuracy, Assessment};
+use cdpr::metamodel::branches::Branches;
 use cdpr::metamodel::study::{History, Reach};
 use cdpr::model::Model;
 use clap::Args;
@@ -16,6 +17,7 @@ use crate::answer::{Answer, Output};
 use crate::error_table::{convergence_remark, error_table};
 use crate::failure::Failure;
 use crate::laboratory::Laboratory;
+use crate::numbers::number_from_zero;
 use crate::progress::Progress;
 use crate::table::{Table, cell};
 
@@ -41,6 +43,11 @@ pub(crate) struct Arguments {
     /// Seed of random poses.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
+
+    /// Machines with hysteresis: how far to either side the platform comes from along each translation, to tell how far branches
+    /// lie apart (m).
+    #[arg(long, value_name = "M", default_value_t = 0.1, value_parser = number_from_zero, allow_hyphen_values = true)]
+    stroke: f64,
 }
 
 #[derive(Serialize)]
@@ -58,6 +65,8 @@ struct Assessed {
     prediction: Option<Prediction>,
     #[serde(skip_serializing_if = "Option::is_none")]
     history: Option<History>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branches: Option<Branches>,
     seed: u64,
     #[serde(skip)]
     pattern: MotionPattern,
@@ -77,6 +86,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let progress = Progress::spinner("driving the machine");
     let assessment = laboratory.assess(arguments.seed)?;
     let prediction = laboratory.predict(arguments.seed)?;
+    let branches = laboratory.branches(arguments.seed, arguments.stroke)?;
     drop(progress);
     assessment.accuracy.remark().iter().for_each(|remark| output.remark(remark));
     let reason = reason(&assessment);
@@ -94,6 +104,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         accuracy: assessment.accuracy,
         prediction,
         history: laboratory.history(),
+        branches,
         initial_tensions: laboratory.initial_tensions()?,
         winch_offsets_m: laboratory.offsets,
         seed: arguments.seed,
@@ -141,6 +152,19 @@ impl Answer for Assessed {
                 Reach::InOrder => "the pose before",
             };
             text.push_str(&format!("each pose reached from {from} in {} steps\n", history.sub_steps));
+        }
+        if let Some(Branches { stroke_m, samples, ways, position_spread_m, rotation_spread_rad, tension_spread_N }) = &self.branches {
+            text.push_str(&format!(
+                "\nbranches: {ways} ways to each of {samples} poses, straight and from {:.0} mm to either side, end apart by\n{:.3} mm in the mean, \
+                 {:.3} mm at most; {:.4}° in the mean, {:.4}° at most; {:.1} N in the mean, {:.1} N at most\n",
+                1e3 * stroke_m,
+                1e3 * position_spread_m.mean,
+                1e3 * position_spread_m.max,
+                rotation_spread_rad.mean.to_degrees(),
+                rotation_spread_rad.max.to_degrees(),
+                tension_spread_N.mean,
+                tension_spread_N.max
+            ));
         }
         text
     }

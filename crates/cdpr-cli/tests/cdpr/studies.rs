@@ -227,3 +227,29 @@ fn a_study_leaves_its_errors_in_a_folder() {
     assert!(table.lines().all(|line| line.split(',').count() == 25), "{table}");
     assert!(folder.path().join("one/run.toml").exists());
 }
+
+/// The planar example on cables with hysteresis: a pose ends elsewhere after coming from another side, farther the longer the way was.
+#[test]
+fn accuracy_tells_how_far_the_branches_of_a_machine_with_hysteresis_lie_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = include_str!("../../../cdpr/robots/planar-example.toml");
+    let table = "axial_stiffness_EA_N = 200000.0\n\n[cable.hysteresis]\nstrain = [0.0, 0.02, 0.1]\nloading_N = [0.0, 4500.0, 22000.0]\n\
+                 unloading_N = [0.0, 3800.0, 22000.0]\ntransition_strain = [0.002]\n";
+    std::fs::write(folder.path().join("robot.toml"), robot.replace("axial_stiffness_EA_N = 200000.0\n", table))
+        .unwrap();
+    let study = "[control]\nrobot = \"robot.toml\"\n[machine]\nrobot = \"robot.toml\"\nmodel = \"hysteresis\"\n\
+                 [initial]\npose = [0, 5.2]\ntension_method = \"closed-form\"\n\
+                 [poses.grid]\nmin = [-1, 3]\nmax = [1, 5]\ncount = [2, 2]\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let spread = |stroke: &str| {
+        let run = cdpr_in(folder.path(), &format!("accuracy study.toml --stroke {stroke} --format json"));
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        let answer = run.json_with(&["history", "branches"]);
+        assert_eq!((&answer["branches"]["samples"], &answer["branches"]["ways"]), (&4.into(), &5.into()));
+        answer["branches"]["position_spread_m"]["mean"].as_f64().unwrap()
+    };
+    let (short, long) = (spread("0.02"), spread("0.2"));
+    assert!(1e-6 < short && short < long && long < 0.1, "{short} {long}");
+    let words = cdpr_in(folder.path(), "accuracy study.toml");
+    assert!(words.stdout.contains("branches: 5 ways to each of 4 poses"), "{}", words.stdout);
+}

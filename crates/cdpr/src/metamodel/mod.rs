@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod advice;
+pub mod branches;
 mod control;
 mod driving;
 pub mod effects;
