@@ -149,15 +149,7 @@ fn winches_of_a_sagging_machine_are_set_where_it_is_in_balance() {
     let pose = robot.home_or_middle();
     let load = Load::of(&robot).expect("the file states it");
     for method in [TensionMethod::Qp, TensionMethod::ClosedForm] {
-        let initial = Initial {
-            pose: vec![],
-            tensions_N: None,
-            tension_method: Some(method),
-            tension_limits_N: None,
-            offset: None,
-            offset_m: None,
-            offset_robot: None,
-        };
+        let initial = Initial { tension_method: Some(method), ..Initial::default() };
         let tensions = initial_tensions(&initial, &sagging, &pose).expect("tensions");
         let residual = statics::wrench_residual(&sagging, &pose, &tensions, &load).expect("taut cables");
         // settled to 1e-10 of 5000 N, at levers of 1 m
@@ -202,15 +194,7 @@ fn machines_with_hysteresis_come_to_a_pose_on_a_way() {
     let control = Model::new(robot.clone(), Composition::STANDARD).expect("a model");
     let machine = Model::new(robot.clone(), "hysteresis".parse().expect("a composition")).expect("a model");
     let start = robot.home_or_middle();
-    let initial = Initial {
-        pose: vec![],
-        tensions_N: Some(vec![5000.0; 8]),
-        tension_method: None,
-        tension_limits_N: None,
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
-    };
+    let initial = Initial { tensions_N: Some(vec![5000.0; 8]), ..Initial::default() };
     let offsets = winch_offsets(&initial, &control, &machine, &start).expect("balanced");
     let near = start.displaced(&Twist::new(0.2, 0.1, 0.1, 0.0, 0.0, 0.05));
     let far = start.displaced(&Twist::new(0.9, -0.6, 0.4, 0.1, 0.0, 0.1));

@@ -26,15 +26,7 @@ fn model(robot: &Robot, composition: Composition) -> Model {
 }
 
 fn initial() -> Initial {
-    Initial {
-        pose: Vec::new(),
-        tensions_N: None,
-        tension_method: None,
-        tension_limits_N: None,
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
-    }
+    Initial::default()
 }
 
 fn with_tensions(tensions: &[f64]) -> Initial {

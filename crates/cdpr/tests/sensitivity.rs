@@ -21,13 +21,10 @@ fn model(robot: &Robot, composition: &str) -> Model {
 
 fn initial(tensions: Option<&[f64]>, tension_method: Option<TensionMethod>) -> Initial {
     Initial {
-        pose: Vec::new(),
         tensions_N: tensions.map(<[f64]>::to_vec),
         tension_method,
         tension_limits_N: tension_method.map(|_| [1500.0, 7000.0]),
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
+        ..Initial::default()
     }
 }
 

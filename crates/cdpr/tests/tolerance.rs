@@ -25,15 +25,7 @@ struct Subject {
 }
 
 fn initial(tensions: Option<Vec<f64>>, tension_method: Option<TensionMethod>) -> Initial {
-    Initial {
-        pose: Vec::new(),
-        tensions_N: tensions,
-        tension_method,
-        tension_limits_N: None,
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
-    }
+    Initial { tensions_N: tensions, tension_method, ..Initial::default() }
 }
 
 impl Subject {

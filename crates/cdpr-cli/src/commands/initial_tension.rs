@@ -91,11 +91,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             TargetArgument::Tensions(tensions) => (None, Some(tensions.clone())),
         };
         let range = study.initial.tension_limits_N;
-        let target = Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..bare() };
+        let target = Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..Initial::default() };
         let refused = |error: InputError| laboratory.refused(&error);
         let before = fit(&task, &laboratory.offsets, &target, &poses).map_err(refused)?;
         let best = optimum(&task, &target, &poses).map_err(refused)?;
-        let slack = Initial { tension_method: Some(Method::Minimum), tension_limits_N: None, ..bare() };
+        let slack = Initial { tension_method: Some(Method::Minimum), ..Initial::default() };
         let least = initial_tensions(&slack, machine, &pose).map_err(refused)?;
         let way = approach(&task, &least, &best.tensions, arguments.stages.into()).map_err(refused)?;
         (before, best, way)
@@ -109,19 +109,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         output.remark("the search did not come to rest: better initial tensions may exist");
     }
     output.answer(&InitialTensionAnswer::new(&laboratory, [former, latter], best, way, poses.len()))
-}
-
-/// An initial state that says nothing yet.
-fn bare() -> Initial {
-    Initial {
-        pose: Vec::new(),
-        tensions_N: None,
-        tension_method: None,
-        tension_limits_N: None,
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
-    }
 }
 
 /// Area or volume of the reachable workspace in the orientation of the initial pose (m², m³), by a grid.

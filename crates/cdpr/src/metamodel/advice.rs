@@ -90,13 +90,9 @@ pub fn advise(machine: &Model, supported: &Supported, poses: &[Pose], accuracy: 
         return Err(AdviceError::NothingToChoose { missing: missing.collect::<Vec<_>>().join("; ") });
     }
     let initial = Initial {
-        pose: Vec::new(),
-        tensions_N: None,
         tension_method: Some(TensionMethod::Qp),
-        tension_limits_N: None,
         offset: (!full.depends_on_tension()).then(|| "none".to_owned()),
-        offset_m: None,
-        offset_robot: None,
+        ..Initial::default()
     };
     let limits = Limits::of(robot, None, None).ok();
     let outcomes = |control: &Model| -> Result<Vec<Outcome>, InputError> {

@@ -100,15 +100,7 @@ pub fn fit(task: &Task<'_>, offsets: &[f64], target: &Target, poses: &[Pose]) ->
 
 /// Initial tensions that are given, and nothing else.
 fn given(tensions: &[f64]) -> Initial {
-    Initial {
-        pose: Vec::new(),
-        tensions_N: Some(tensions.to_vec()),
-        tension_method: None,
-        tension_limits_N: None,
-        offset: None,
-        offset_m: None,
-        offset_robot: None,
-    }
+    Initial { tensions_N: Some(tensions.to_vec()), ..Initial::default() }
 }
 
 /// f_ref at each pose; nothing where the load cannot be balanced so. Refuses a target that no pose has.

@@ -96,7 +96,7 @@ fn standard() -> String {
 }
 
 /// The pose at which the winches are set, and how.
-#[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
 pub struct Initial {

@@ -25,6 +25,14 @@ pub(super) struct Affine {
 /// A cable whose row in the free basis is shorter than this keeps its tension.
 const FIXED: f64 = 1e-9;
 
+/// Orthonormal columns H of the null space of a structure matrix: Aᵀ H = 0.
+pub(crate) fn null_space(structure_matrix: &DMatrix<f64>) -> Result<DMatrix<f64>, InputError> {
+    let (dof, cable_count) = structure_matrix.shape();
+    let mut affine = Affine::new(cable_count, dof);
+    affine.load(structure_matrix, &vec![0.0; dof])?;
+    Ok(DMatrix::from_fn(cable_count, affine.dimension(), |cable, column| affine.column(column)[cable]))
+}
+
 impl Affine {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         let blocks = cable_count.div_ceil(LANES);

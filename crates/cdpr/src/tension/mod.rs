@@ -25,6 +25,7 @@ mod puncture;
 pub mod quadratic;
 mod solver;
 
+pub(crate) use affine::null_space;
 pub use answer::{Answer, Status};
 pub use error::InputError;
 pub use limits::{Limits, LimitsError};

@@ -1,12 +1,12 @@
 //! The search for initial tensions, by Gauss–Newton steps in the null space of the structure matrix at the initial pose.
 
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::{Fit, Optimum, Target, Task, emerging, offsets_of, wanted};
 use crate::geometry::Pose;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::winches::tensions_within;
-use crate::tension::{Limits, quadratic};
+use crate::tension::{Limits, null_space, quadratic};
 
 /// Steps at most; tensions follow f_ini almost linearly, so that few are needed.
 const STEPS: u32 = 30;
@@ -26,7 +26,7 @@ const RIDGE: f64 = 1e-9;
 pub fn optimum(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Optimum, InputError> {
     let wanted = wanted(task, target, poses)?;
     let search =
-        Search { task, poses, wanted: &wanted, basis: null_space(&task.machine.structure_matrix(&task.pose)?) };
+        Search { task, poses, wanted: &wanted, basis: null_space(&task.machine.structure_matrix(&task.pose)?)? };
     let ranges = task.limits.minimum().iter().zip(task.limits.maximum()).map(|(least, largest)| largest - least);
     let range = ranges.fold(1.0, f64::max);
     let mut here = search.at(tensions_within(task.limits, task.machine, &task.pose)?)?;
@@ -169,19 +169,4 @@ impl Search<'_> {
             }),
         }
     }
-}
-
-/// Orthonormal columns H with Aᵀ H = 0.
-fn null_space(structure_matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut rows = structure_matrix.clone();
-    for mut row in rows.row_iter_mut() {
-        let length = row.norm();
-        if length > 0.0 {
-            row /= length;
-        }
-    }
-    let curvature = SymmetricEigen::new(rows.transpose() * &rows);
-    let free: Vec<usize> =
-        (0..rows.ncols()).filter(|&k| curvature.eigenvalues[k] < 1e-12 * curvature.eigenvalues.max()).collect();
-    curvature.eigenvectors.select_columns(&free)
 }

@@ -64,18 +64,16 @@ impl Solid {
     /// The least overlap along any normal; not above 0 as soon as one is none.
     fn depth(&self, other: &Other) -> f64 {
         let mut least = f64::INFINITY;
-        for normal in self.normals(other) {
-            let ([low, high], [other_low, other_high]) = (self.shadow(&normal), other.shadow(&normal));
+        self.visit_normals(other, |normal| {
+            let ([low, high], [other_low, other_high]) = (self.shadow(normal), other.shadow(normal));
             least = least.min(high - other_low).min(other_high - low);
-            if !(least > 0.0) {
-                break;
-            }
-        }
+            least > 0.0
+        });
         if least.is_finite() { least } else { 0.0 }
     }
 
-    /// Unit normals that stand on two edges: across one of them the bodies part, if they can.
-    fn normals(&self, other: &Other) -> Vec<Vector3<f64>> {
+    /// Shows unit normals that stand on two edges, across one of which the bodies part, if they can, until one is answered with false.
+    fn visit_normals(&self, other: &Other, mut visit: impl FnMut(&Vector3<f64>) -> bool) {
         let mine = distinct(self.edges.iter().map(|[a, b]| self.points[*b] - self.points[*a]));
         let others = match other {
             Other::Box(solid) => {
@@ -85,12 +83,16 @@ impl Solid {
             Other::Strut(axis) => distinct([axis.to - axis.from].into_iter()),
         };
         let all: Vec<Vector3<f64>> = mine.into_iter().chain(others).collect();
-        let normals: Vec<Vector3<f64>> = match self.plane_normal {
-            // a plane has one normal on each edge
-            Some(normal) => all.iter().map(|edge| normal.cross(edge)).collect(),
-            None => all.iter().enumerate().flat_map(|(index, a)| all[..index].iter().map(|b| a.cross(b))).collect(),
-        };
-        normals.into_iter().filter(|normal| normal.norm() > ROUNDING).map(|normal| normal.normalize()).collect()
+        let mut goes_on = |normal: Vector3<f64>| !(normal.norm() > ROUNDING) || visit(&normal.normalize());
+        match self.plane_normal {
+            Some(normal) => {
+                // a plane has one normal on each edge
+                let _ = all.iter().all(|edge| goes_on(normal.cross(edge)));
+            }
+            None => {
+                let _ = all.iter().enumerate().all(|(index, a)| all[..index].iter().all(|b| goes_on(a.cross(b))));
+            }
+        }
     }
 
     /// Least and largest coordinate along a unit normal (m).
@@ -103,17 +105,19 @@ impl Solid {
     /// the overlap is linear.
     pub(crate) fn overlap_along(&self, other: &Other, direction: &Vector3<f64>) -> [f64; 2] {
         let mut overlap = [f64::NEG_INFINITY, f64::INFINITY];
-        for normal in self.normals(other) {
-            let ([low, high], [least, largest]) = (self.shadow(&normal), other.shadow(&normal));
+        self.visit_normals(other, |normal| {
+            let ([low, high], [least, largest]) = (self.shadow(normal), other.shadow(normal));
             let speed = normal.dot(direction);
             // high + ρ speed > least and low + ρ speed < largest
             let ends = match speed == 0.0 {
-                true if high > least && low < largest => continue,
-                true => return [0.0, 0.0],
+                true if high > least && low < largest => return true,
+                true => [f64::INFINITY, f64::NEG_INFINITY],
                 false => [(least - high) / speed, (largest - low) / speed],
             };
-            overlap = [overlap[0].max(ends[0].min(ends[1])), overlap[1].min(ends[0].max(ends[1]))];
-        }
+            let ends = if speed == 0.0 { ends } else { [ends[0].min(ends[1]), ends[0].max(ends[1])] };
+            overlap = [overlap[0].max(ends[0]), overlap[1].min(ends[1])];
+            overlap[0] < overlap[1]
+        });
         overlap
     }
 
