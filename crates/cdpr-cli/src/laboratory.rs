@@ -10,8 +10,8 @@ use cdpr::metamodel::branches::{Branches, branches};
 use cdpr::metamodel::reachable::{Reachable, Requirements};
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
-use cdpr::metamodel::study::{CommandedPose, History, RobotModel};
-use cdpr::metamodel::{Driving, InputError, Operation, Study, initial_tensions, winch_offsets};
+use cdpr::metamodel::study::{CommandedPose, History, RobotModel, TensionMethod};
+use cdpr::metamodel::{Control, Driving, InputError, Operation, Study, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -57,7 +57,7 @@ impl Laboratory {
 
     /// A study whose robots a caller provides.
     pub(crate) fn new(study: Study, name: &str, folder: &Path, robots: RobotSource<'_>) -> Result<Self, Failure> {
-        let control = model_of(&study, &study.control, robots)?;
+        let control = model_of(&study, &study.control.robot_model(), robots)?;
         let machine = model_of(&study, &study.machine, robots)?;
         let prediction = study.prediction.as_ref().map(|side| model_of(&study, side, robots)).transpose()?;
         let pose = study.initial_pose(machine.robot()).map_err(|error| Failure::refused(name, &error))?;
@@ -71,6 +71,17 @@ impl Laboratory {
             .map_err(|error| Failure::refused(name, &error))?;
         let (name, folder) = (name.to_owned(), folder.to_owned());
         Ok(Self { study, control, machine, prediction, former, offsets, name, folder })
+    }
+
+    /// The study with another way to choose tensions, where one is given.
+    pub(crate) fn with_tension_method(mut self, method: Option<TensionMethod>) -> Self {
+        self.study.control.tension_method = method.or(self.study.control.tension_method);
+        self
+    }
+
+    /// The control model with its way to choose tensions.
+    pub(crate) fn controller(&self) -> Control<'_> {
+        Control { model: &self.control, tension_method: self.study.control.tension_method.unwrap_or_default() }
     }
 
     /// Virtual measurements of all poses and tension tests.
@@ -120,7 +131,7 @@ impl Laboratory {
         let commands = self.untested_poses(seed)?;
         let every = commands.len().div_ceil(100).max(1);
         let poses: Vec<Pose> = commands.iter().step_by(every).map(|command| command.pose).collect();
-        let models = (&self.control, &self.machine);
+        let models = (self.controller(), &self.machine);
         let found = branches(models, &self.offsets, (&history, &self.initial_pose()?), &poses, stroke);
         found.map(Some).map_err(|error| self.refused(&error))
     }
@@ -159,7 +170,7 @@ impl Laboratory {
     /// The machine under its control model, to be asked from several threads.
     pub(crate) fn driving(&self) -> Result<Driving<'_>, Failure> {
         let driving =
-            Driving::new(&self.control, &self.machine, &self.offsets).map_err(|error| self.refused(&error))?;
+            Driving::new(self.controller(), &self.machine, &self.offsets).map_err(|error| self.refused(&error))?;
         Ok(match self.history() {
             Some(history) => driving.with_history(&history, &self.initial_pose()?),
             None => driving,
@@ -183,7 +194,7 @@ impl Laboratory {
     }
 
     fn operation(&self) -> Result<Operation<'_>, Failure> {
-        let operation = Operation::new(&self.control, &self.machine, &self.offsets);
+        let operation = Operation::new(self.controller(), &self.machine, &self.offsets);
         let operation = operation.map_err(|error| self.refused(&error))?;
         let start = self.initial_pose()?;
         Ok(match self.history() {

@@ -44,6 +44,16 @@ pub(crate) struct MethodArguments {
     moment_length: Option<f64>,
 }
 
+/// `--tension-method`: how the control model chooses the tensions that it commands.
+#[derive(Debug, Args)]
+pub(crate) struct TensionMethodArgument {
+    /// How a control model that commands tensions chooses them, within its limits: qp (default) | closed-form |
+    /// improved-closed-form | puncture | dykstra | centroid | minimum | maximum | barrier | nearest-wrench; in place of
+    /// tension_method in [control] of the study.
+    #[arg(long, value_name = "METHOD")]
+    pub(crate) tension_method: Option<Method>,
+}
+
 /// `--reference`.
 #[derive(Clone, Debug)]
 enum ReferenceArgument {

@@ -20,6 +20,7 @@ use crate::laboratory::Laboratory;
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
 use crate::table::{Table, cell};
+use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,6 +44,9 @@ pub(crate) struct Arguments {
     /// Seed of random poses.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
+
+    #[command(flatten)]
+    choice: TensionMethodArgument,
 
     /// Machines with hysteresis: how far to either side the platform comes from along each translation, to tell how far branches
     /// lie apart (m).
@@ -81,7 +85,7 @@ struct Prediction {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?;
+    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let progress = Progress::spinner("driving the machine");
     let assessment = laboratory.assess(arguments.seed)?;

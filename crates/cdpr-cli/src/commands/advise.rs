@@ -8,8 +8,9 @@ use cdpr::geometry::Pose;
 use cdpr::metamodel::advice::{Advice, Candidate, advise};
 use cdpr::metamodel::effects;
 use cdpr::metamodel::errors::PoseError;
-use cdpr::metamodel::Operation;
+use cdpr::metamodel::{Control, Operation};
 use cdpr::model::{Composition, Model};
+use cdpr::tension::Method;
 use cdpr::workspace::Bounds;
 use clap::Args;
 use serde::Serialize;
@@ -21,6 +22,7 @@ use crate::number_format::significant;
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
 use crate::table::{Table, cell};
+use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -48,6 +50,9 @@ pub(crate) struct Arguments {
     /// Largest position error (m).
     #[arg(long, value_name = "M", value_parser = finite_number, allow_hyphen_values = true)]
     accuracy: f64,
+
+    #[command(flatten)]
+    choice: TensionMethodArgument,
 
     /// Poses along each side of the box.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(2..=100))]
@@ -117,9 +122,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let machine = Model::new(robot, supported.richest).map_err(|error| refused(&error))?;
     let task = task(&arguments.task, &machine)?;
     let poses = poses(&task, &machine, arguments.count as usize);
+    let tension_method = arguments.choice.tension_method.unwrap_or_default();
     let progress = Progress::spinner("driving the machine with every control model");
-    let advice = advise(&machine, &supported, &poses, arguments.accuracy).map_err(|error| refused(&error))?;
-    let command_ns = advice.candidates.iter().map(|candidate| command_time(&machine, candidate, &poses)).collect();
+    let advice = advise(&machine, &supported, &poses, arguments.accuracy, tension_method).map_err(|error| refused(&error))?;
+    let command_ns = advice.candidates.iter().map(|candidate| command_time(&machine, candidate, tension_method, &poses)).collect();
     drop(progress);
     let missing = supported.missing.iter().map(|(effect, reason)| format!("{effect}: {reason}")).collect();
     let timing = Timing { command_ns };
@@ -156,10 +162,10 @@ fn poses(task: &Bounds, machine: &Model, count: usize) -> Vec<Pose> {
 }
 
 /// Mean time of the control model for one pose (ns).
-fn command_time(machine: &Model, candidate: &Candidate, poses: &[Pose]) -> f64 {
+fn command_time(machine: &Model, candidate: &Candidate, tension_method: Method, poses: &[Pose]) -> f64 {
     let Ok(control) = Model::new(machine.robot().clone(), candidate.control) else { return f64::NAN };
     let offsets = vec![0.0; machine.cable_count()];
-    let Ok(mut operation) = Operation::new(&control, machine, &offsets) else { return f64::NAN };
+    let Ok(mut operation) = Operation::new(Control { model: &control, tension_method }, machine, &offsets) else { return f64::NAN };
     let start = Instant::now();
     let rounds = (2000 / poses.len()).clamp(1, 200);
     for _ in 0..rounds {

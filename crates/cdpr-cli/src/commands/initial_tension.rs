@@ -83,7 +83,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let limits = laboratory.known_limits()?;
     let progress = Progress::spinner("looking for initial tensions");
     let found = {
-        let Laboratory { control, machine, study, .. } = &laboratory;
+        let Laboratory { machine, study, .. } = &laboratory;
+        let control = laboratory.controller();
         let set_with = laboratory.set_with();
         let task = Task { control, machine, set_with, pose, limits: &limits, history: laboratory.history() };
         let (method, tensions) = match &arguments.target {

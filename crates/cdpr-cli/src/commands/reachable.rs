@@ -24,6 +24,7 @@ use crate::laboratory::Laboratory;
 use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
+use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,6 +51,9 @@ pub(crate) struct Arguments {
     /// How the workspaces are found.
     #[arg(long, value_enum, default_value_t = Method::Grid, value_name = "grid|hull", hide_possible_values = true)]
     method: Method,
+
+    #[command(flatten)]
+    choice: TensionMethodArgument,
 
     /// Box to look in, ends along each translation x0,x1,y0,y1(,z0,z1) (m); a box around the robot when left out.
     #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
@@ -100,7 +104,7 @@ pub(crate) enum Method {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?;
+    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let thresholds = thresholds(&arguments)?;
     check_options(&arguments)?;

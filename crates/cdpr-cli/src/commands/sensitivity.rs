@@ -13,6 +13,7 @@ use crate::files;
 use crate::laboratory::Laboratory;
 use crate::progress::Progress;
 use crate::sensitivities::{Asked, Found, tables};
+use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -32,6 +33,9 @@ pub(crate) struct Arguments {
     /// Study file (TOML); `cdpr schema study` describes it.
     #[arg(value_name = "STUDY")]
     study: PathBuf,
+
+    #[command(flatten)]
+    choice: TensionMethodArgument,
 
     /// What deviations do to the winch offsets [default: that of the study, else kept].
     #[arg(long, value_name = "RULE")]
@@ -92,7 +96,7 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?;
+    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let tolerances = laboratory.study.tolerances.clone().unwrap_or_default();
     let offsets = match arguments.offsets {

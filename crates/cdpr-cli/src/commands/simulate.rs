@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::laboratory::Laboratory;
 use crate::progress::Progress;
+use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -39,6 +40,9 @@ pub(crate) struct Arguments {
     #[arg(long)]
     motor_angles: bool,
 
+    #[command(flatten)]
+    choice: TensionMethodArgument,
+
     /// Seed of random poses and noise.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
@@ -56,7 +60,7 @@ struct Simulated {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?;
+    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let progress = Progress::spinner("measuring");
     let Simulation { mut samples, left_out, .. } = laboratory.record(arguments.seed)?;

@@ -45,13 +45,14 @@ pub(crate) struct Found {
 impl Found {
     pub(crate) fn of(laboratory: &Laboratory, tolerances: &Tolerances, asked: &Asked) -> Result<Self, Failure> {
         let refused = |error: InputError| laboratory.refused(&error);
-        let (control, machine) = (&laboratory.control, &laboratory.machine);
+        let machine = &laboratory.machine;
         let setting = laboratory.setting(asked.offsets)?;
         let commanded = laboratory.untested_poses(asked.seed)?;
         if commanded.is_empty() {
             return Err(refused(InputError::NoPoses));
         }
-        let mut sensitivity = Sensitivity::new(control, machine, &laboratory.offsets, &setting).map_err(refused)?;
+        let mut sensitivity =
+            Sensitivity::new(laboratory.controller(), machine, &laboratory.offsets, &setting).map_err(refused)?;
         let causes = sensitivity.causes().to_vec();
         let poses: Vec<PoseSensitivity> =
             commanded.iter().map(|command| sensitivity.at(command)).collect::<Result<_, _>>().map_err(refused)?;
@@ -75,7 +76,7 @@ impl Found {
         let drawn = match is_given && asked.robots > 0 {
             true => Some(
                 monte_carlo(
-                    (control, machine),
+                    (laboratory.controller(), machine),
                     (&setting, &laboratory.offsets),
                     &causes,
                     (&commanded, &poses),

@@ -131,6 +131,31 @@ fn shards_and_threads_do_not_change_a_sweep() {
 }
 
 #[test]
+fn a_sweep_chooses_the_tensions_of_its_control_model() {
+    let rows = |in_study: &str, in_sweep: &str| {
+        let folder = sweep();
+        let path = folder.path().join("study.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let (head, tail) = text.split_once("[machine]").unwrap();
+        assert!(head.contains("[control]"), "{head}");
+        let control = format!("[control]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n{in_study}\n");
+        std::fs::write(&path, format!("{control}[machine]{tail}")).unwrap();
+        let text = SWEEP.replace("values = [5000, 6000, 8000]", "values = [6000]");
+        std::fs::write(folder.path().join("sweep.toml"), format!("{in_sweep}\n{text}")).unwrap();
+        let run = cdpr_in(folder.path(), "sweep all sweep.toml --out out --format json");
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        run.json()["rows"][0]["reachable"].as_f64().unwrap()
+    };
+    let method = "tension_method = \"improved-closed-form\"";
+    let (nearest, improved) = (rows("", ""), rows("", method));
+    // a method that misses tensions commands less of the workspace
+    assert!(nearest > 0.0 && improved > 0.0 && improved <= nearest, "{nearest} {improved}");
+    assert!(rows("", "tension_method = \"closed-form\"") < nearest);
+    assert_eq!(rows(method, ""), improved);
+    assert_eq!(rows("tension_method = \"closed-form\"", method), improved);
+}
+
+#[test]
 fn a_plan_that_changed_between_shards_is_refused() {
     let folder = sweep();
     let cdpr = |arguments: &str| cdpr_in(folder.path(), &format!("sweep {arguments}"));

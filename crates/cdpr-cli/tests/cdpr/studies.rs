@@ -145,6 +145,51 @@ fn measurements_of_an_elastic_machine_have_tensions_and_repeat_to_the_byte() {
     assert!(sidecar.contains("tension_N = 50"), "{sidecar}");
 }
 
+/// The planar example under force control; `choice` is a line of `[control]`.
+fn force_control(choice: &str, model: &str) -> String {
+    format!(
+        "[control]\nrobot = \"planar-example\"\nmodel = \"{model}\"\n{choice}\n[machine]\nrobot = \"planar-example-calibrated\"\n\
+         model = \"elastic\"\n[initial]\npose = [0, 5.2]\noffset = \"none\"\n[limits]\ntension_min_N = 1000\ntension_max_N = 8000\n\
+         [poses.grid]\nmin = [-1, 4]\nmax = [1, 6]\ncount = [3, 3]\n"
+    )
+}
+
+#[test]
+fn the_control_model_chooses_its_tensions_by_the_method_of_the_study_or_of_the_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: String| std::fs::write(folder.path().join(name), text).unwrap();
+    write("plain.toml", force_control("", "elastic"));
+    write("least.toml", force_control("tension_method = \"minimum\"", "elastic"));
+    let answer = |arguments: &str| {
+        let run = cdpr_in(folder.path(), &format!("accuracy {arguments} --format json"));
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        run.json()
+    };
+    let (plain, least) = (answer("plain.toml"), answer("least.toml"));
+    // the least tensions leave some cables near to their least
+    assert!(least["tension_max_N"].as_f64().unwrap() < plain["tension_max_N"].as_f64().unwrap() - 500.0);
+    assert_eq!(answer("plain.toml --tension-method minimum"), least);
+    assert_eq!(answer("least.toml --tension-method qp"), plain);
+    for command in [
+        "simulate least.toml --out samples.csv --tension-method",
+        "reachable plain.toml --step 1 --tension-method",
+        "sensitivity plain.toml --tension-method",
+    ] {
+        let run = cdpr_in(folder.path(), &format!("{command} centroid --format json"));
+        assert_eq!(run.exit_code, 0, "{command}: {}", run.stderr);
+    }
+    let run = cdpr_in(folder.path(), "accuracy plain.toml --tension-method centre");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("there is no method `centre`"), "{}", run.stderr);
+    write("wrong.toml", force_control("tension_method = \"middle\"", "elastic"));
+    let run = cdpr_in(folder.path(), "accuracy wrong.toml");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("wrong.toml:4") && run.stderr.contains("middle"), "{}", run.stderr);
+    write("idle.toml", force_control("tension_method = \"minimum\"", "standard"));
+    let run = cdpr_in(folder.path(), "accuracy idle.toml");
+    assert!(run.stderr.contains("[control] tension_method without effect"), "{}", run.stderr);
+}
+
 #[test]
 fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_the_key() {
     let offset = "offset = \"none\"";

@@ -12,7 +12,7 @@ use crate::cable::law::HoldError;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError, held};
-use crate::tension::{InputError, Limits, quadratic};
+use crate::tension::{self, InputError, Limits, Method as TensionMethod, Options};
 
 /// Distributions tried before giving up.
 const MAX_ITERATIONS: u32 = 50;
@@ -76,26 +76,32 @@ pub struct Solver<'a> {
     model: &'a Model,
     load: Load,
     limits: Limits,
-    programme: quadratic::Solver,
+    chooser: tension::Solver,
 }
 
 impl<'a> Solver<'a> {
     /// A solver for this model, load and limits.
     pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Self {
-        let programme = quadratic::Solver::new(model.cable_count(), model.dof());
-        Self { model, load: *load, limits: limits.clone(), programme }
+        Self::by(TensionMethod::Qp, model, load, limits)
     }
 
-    /// The tensions nearest to the middle of the limits that keep them and balance the load at a pose.
+    /// One that chooses by another method than the nearest to the middle of the limits.
+    pub fn by(method: TensionMethod, model: &'a Model, load: &Load, limits: &Limits) -> Self {
+        let chooser = tension::Solver::new(method, model.cable_count(), model.dof());
+        Self { model, load: *load, limits: limits.clone(), chooser }
+    }
+
+    /// The tensions that keep the limits and balance the load at a pose: the nearest to the middle of the limits, or those of the
+    /// method.
     pub fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
         let wrench = self.load.in_pattern(self.model, pose);
-        let (programme, limits) = (&mut self.programme, &self.limits);
+        let (chooser, limits) = (&mut self.chooser, &self.limits);
         let mut found = (Vec::new(), None);
         let balance = balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
             // a pose is answered to the same bits whatever was asked before
-            programme.forget();
-            let distribution = programme.solve(matrix, wrench, limits, None)?;
-            found = (distribution.tensions.clone(), distribution.reason());
+            chooser.forget();
+            let answer = chooser.solve(matrix, wrench, limits, &Options::default())?;
+            found = (answer.tensions.clone(), answer.reason());
             Ok(found.1.is_none().then(|| found.0.clone()))
         })?;
         let (tensions, infeasible) = found;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::control::Control;
 use super::errors::{LengthError, PoseError};
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
@@ -61,9 +62,9 @@ pub struct Assessment {
 }
 
 /// Sends poses through the control model to the machine and compares what emerges with what was commanded.
-pub fn assess(
-    control: &Model,
-    machine: &Model,
+pub fn assess<'a>(
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
     offsets: &[f64],
     poses: &[CommandedPose],
 ) -> Result<Assessment, InputError> {

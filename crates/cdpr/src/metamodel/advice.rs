@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::control::Control;
 use super::driving::Driving;
 use super::effects;
 use super::errors::PoseError;
@@ -77,8 +78,15 @@ pub enum AdviceError {
 /// Compares control models on the machine with the richest composition that the robot's file supports.
 ///
 /// Winches are set at the home pose with the tensions nearest to the middle of the limits, with each control model in its turn:
-/// all have the same robot, so that what differs is what they leave out. `accuracy` is the largest position error (m).
-pub fn advise(machine: &Model, supported: &Supported, poses: &[Pose], accuracy: f64) -> Result<Advice, AdviceError> {
+/// all have the same robot, so that what differs is what they leave out. `accuracy` is the largest position error (m); those
+/// that command tensions choose them by `tension_method`.
+pub fn advise(
+    machine: &Model,
+    supported: &Supported,
+    poses: &[Pose],
+    accuracy: f64,
+    tension_method: TensionMethod,
+) -> Result<Advice, AdviceError> {
     if poses.is_empty() {
         return Err(AdviceError::NoPoses);
     }
@@ -97,7 +105,7 @@ pub fn advise(machine: &Model, supported: &Supported, poses: &[Pose], accuracy: 
     let limits = Limits::of(robot, None, None).ok();
     let outcomes = |control: &Model| -> Result<Vec<Outcome>, InputError> {
         let offsets = winch_offsets(&initial, control, machine, &home)?;
-        Ok(Driving::new(control, machine, &offsets)?.outcomes(poses))
+        Ok(Driving::new(Control { model: control, tension_method }, machine, &offsets)?.outcomes(poses))
     };
     let reference = outcomes(machine)?;
     let task = Task { poses, accuracy, limits: limits.as_ref(), reference: &reference };

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::control::Control;
 use super::errors::PoseError;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
@@ -31,13 +32,14 @@ pub struct Branches {
 /// either side along each translation of the pattern, always by cables that were never loaded before.
 ///
 /// A machine without history has no spread but rounding.
-pub fn branches(
-    (control, machine): (&Model, &Model),
+pub fn branches<'a>(
+    (control, machine): (impl Into<Control<'a>>, &'a Model),
     offsets: &[f64],
     (history, start): (&History, &Pose),
     poses: &[Pose],
     stroke: f64,
 ) -> Result<Branches, InputError> {
+    let control = control.into();
     let history = History { reach: Reach::InOrder, ..*history };
     let detours = detours(machine, stroke);
     let (mut position, mut rotation, mut tension) = (Vec::new(), Vec::new(), Vec::new());

@@ -1,11 +1,39 @@
 //! A control model as a controller uses it: lengths for poses.
 
 use super::input_error::InputError;
+use super::study::TensionMethod;
 use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{self, Load};
 use crate::tension::Limits;
+
+/// A control model with its way to choose tensions. A model alone chooses those nearest to the middle of the limits.
+///
+/// ```
+/// use cdpr::metamodel::Control;
+/// use cdpr::metamodel::study::TensionMethod;
+/// # use cdpr::model::{Composition, Model};
+/// # let robot = cdpr::robot::builtin::load("planar-example")?;
+/// let model = Model::new(robot, "elastic".parse::<Composition>()?)?;
+/// let low = Control { tension_method: TensionMethod::Minimum, ..Control::from(&model) };
+/// assert_eq!(Control::from(&model).tension_method, TensionMethod::Qp);
+/// # let _ = low;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Control<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// How it chooses the tensions that it commands; without effect where its lengths depend on none.
+    pub tension_method: TensionMethod,
+}
+
+impl<'a> From<&'a Model> for Control<'a> {
+    fn from(model: &'a Model) -> Self {
+        Self { model, tension_method: TensionMethod::default() }
+    }
+}
 
 /// A control model that commands a machine.
 pub(super) struct Controller<'a> {
@@ -15,11 +43,12 @@ pub(super) struct Controller<'a> {
 }
 
 impl<'a> Controller<'a> {
-    pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
+    pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
+        let Control { model, tension_method } = control;
         let distribution = match model.composition().depends_on_tension() {
             true => {
                 let limits = Limits::of(model.robot(), None, None)?;
-                Some(distribution::Solver::new(model, &Load::of(model.robot())?, &limits))
+                Some(distribution::Solver::by(tension_method, model, &Load::of(model.robot())?, &limits))
             }
             false => None,
         };

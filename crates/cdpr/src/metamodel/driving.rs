@@ -2,6 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use super::control::Control;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::{CommandedPose, History, Reach};
@@ -13,7 +14,7 @@ use crate::model::Model;
 /// Every pose is answered for itself: machines with history come to each one from the initial pose, for in an order of their
 /// own the points of a map would say more of the order than of the machine.
 pub struct Driving<'a> {
-    control: &'a Model,
+    control: Control<'a>,
     machine: &'a Model,
     offsets: Vec<f64>,
     history: Option<(History, Pose)>,
@@ -27,7 +28,8 @@ const SHARE: usize = 64;
 
 impl<'a> Driving<'a> {
     /// Refuses what [`Operation::new`] refuses; `offsets` are those of [`super::winch_offsets`] (m).
-    pub fn new(control: &'a Model, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+    pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+        let control = control.into();
         let operation = Operation::new(control, machine, offsets)?;
         let idle = Mutex::new(vec![operation]);
         Ok(Self { control, machine, offsets: offsets.to_vec(), history: None, restarts: true, idle })
@@ -50,7 +52,7 @@ impl<'a> Driving<'a> {
     }
 
     /// The control model.
-    pub fn control(&self) -> &'a Model {
+    pub fn control(&self) -> Control<'a> {
         self.control
     }
 

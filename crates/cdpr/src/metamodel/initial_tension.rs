@@ -13,6 +13,7 @@ mod tests;
 pub use approach::{Approach, Move, Stage, approach};
 pub use descent::optimum;
 
+use super::control::Control;
 use super::driving::Driving;
 use super::input_error::InputError;
 use super::operate::Status;
@@ -26,7 +27,7 @@ use crate::tension::Limits;
 #[derive(Clone, Debug)]
 pub struct Task<'a> {
     /// What sends the lengths.
-    pub control: &'a Model,
+    pub control: Control<'a>,
     /// What answers; its cables are elastic.
     pub machine: &'a Model,
     /// The model in use when the winches are set: the control model, unless it is calibrated afterwards.

@@ -22,6 +22,7 @@ pub mod tolerance;
 mod winches;
 mod winding;
 
+pub use control::Control;
 pub use driving::Driving;
 pub use input_error::InputError;
 pub use operate::{Operation, Outcome, Status, operate};

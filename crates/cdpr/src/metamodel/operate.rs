@@ -1,6 +1,6 @@
 //! What emerges when a control model drives a machine: (x̂, f̂) = υ̂(φ(x) + q_off).
 
-use super::control::Controller;
+use super::control::{Control, Controller};
 use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
 use super::study::{CommandedPose, History, Reach};
@@ -73,14 +73,14 @@ impl Status {
 ///
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
-/// distribution of `cdpr tension`). Both send them in the units of their own encoders, length_scale · q_θ + length_offset.
+/// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own encoders, length_scale · q_θ + length_offset.
 /// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
 /// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
 /// its own encoders away and answers by its forward problem: elastic cables pull or are slack, rigid ones fit best.
-pub fn operate(
-    control: &Model,
-    machine: &Model,
+pub fn operate<'a>(
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
     offsets: &[f64],
     poses: &[CommandedPose],
 ) -> Result<Vec<Outcome>, InputError> {
@@ -107,13 +107,14 @@ struct Way {
 
 impl<'a> Operation<'a> {
     /// Refuses different robots, and elastic ones whose load or limits are unknown.
-    pub fn new(control: &'a Model, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
-        check_same_robot(control, machine)?;
+    pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+        let control = control.into();
+        check_same_robot(control.model, machine)?;
         let (expected, found) = (machine.cable_count(), offsets.len());
         if expected != found {
             return Err(InputError::Count { key: "offset_m", expected, found });
         }
-        let winding = Winding::new(control, machine)?;
+        let winding = Winding::new(control.model, machine)?;
         let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
         Ok(Self { control, machine, winding, offsets: offsets.to_vec(), way: None })
     }

@@ -5,6 +5,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::control::Control;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::CommandedPose;
@@ -33,9 +34,9 @@ pub struct Simulation {
 /// of freedom cannot hold lengths that contradict each other: the platform goes to the least-squares pose, the winches take
 /// up what is slack, and the encoders record the machine's lengths there. Recorded tensions are tension_scale · f +
 /// tension_offset.
-pub fn simulate(
-    control: &Model,
-    machine: &Model,
+pub fn simulate<'a>(
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
     offsets: &[f64],
     poses: &[CommandedPose],
     noise: &SensorSigmas,

@@ -25,7 +25,7 @@ use crate::workspace::criterion::{Criterion, WrenchFeasible};
 #[serde(deny_unknown_fields)]
 pub struct Study {
     /// The model that computes the controlled lengths.
-    pub control: RobotModel,
+    pub control: ControlModel,
     /// What answers: same or higher complexity, own parameters.
     pub machine: RobotModel,
     /// A model that is asked what emerges: it predicts pose and tensions from the lengths that were sent, as `cdpr evaluate` does
@@ -71,6 +71,27 @@ pub enum Reach {
     FromInitial,
     /// From the pose before, in the order of the poses; the first one from the initial pose.
     InOrder,
+}
+
+/// The model that computes the controlled lengths.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ControlModel {
+    /// Path (relative to the study) or built-in name.
+    pub robot: String,
+    /// Composition; `standard` when missing.
+    #[serde(default = "standard")]
+    pub model: String,
+    /// How an elastic model chooses the tensions that it commands, within their limits; `qp` when missing: the nearest to the middle
+    /// of the limits.
+    pub tension_method: Option<TensionMethod>,
+}
+
+impl ControlModel {
+    /// Without the choice of tensions.
+    pub fn robot_model(&self) -> RobotModel {
+        RobotModel { robot: self.robot.clone(), model: self.model.clone() }
+    }
 }
 
 /// A robot file or built-in robot with a composition of effects.
@@ -221,19 +242,28 @@ impl Study {
 
     /// True when a side of the study knows tensions.
     fn is_elastic(&self) -> bool {
-        [&self.control, &self.machine]
+        [&self.control.robot_model(), &self.machine]
             .iter()
             .any(|side| side.composition().is_some_and(|effects| effects.depends_on_tension()))
     }
 
     /// What is odd about the study: a machine poorer than its control model, and what it states without effect.
     pub fn remarks(&self) -> Vec<String> {
-        let poorer = self.control.composition().zip(self.machine.composition());
+        let poorer = self.control.robot_model().composition().zip(self.machine.composition());
         poorer
             .and_then(|(control, machine)| remark_on_poorer(control, machine))
             .into_iter()
             .chain(self.idle())
+            .chain(self.idle_method())
             .collect()
+    }
+
+    /// A way to choose tensions where none are commanded.
+    fn idle_method(&self) -> Option<String> {
+        let commands = self.control.robot_model().composition().is_some_and(|effects| effects.depends_on_tension());
+        let model = &self.control.model;
+        (self.control.tension_method.is_some() && !commands)
+            .then(|| format!("a `{model}` control model commands no tensions: [control] tension_method without effect"))
     }
 
     /// What the study states without effect.

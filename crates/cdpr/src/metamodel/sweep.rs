@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 pub use key::{Key, KeyError};
 pub use point::{Row, Subjects, row};
 
+use super::study::TensionMethod;
 use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
 
 /// A sweep as its file states it.
@@ -25,6 +26,9 @@ pub struct Sweep {
     pub bounds_m: Option<Vec<f64>>,
     /// Largest side of a cell (m); a hundredth of the longest side of the box in a plane, a fiftieth in space, when missing.
     pub step_m: Option<f64>,
+    /// How a control model that commands tensions chooses them, in place of `[control] tension_method` of the study.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension_method: Option<TensionMethod>,
     /// What changes: one table a parameter; every value meets every value of the others.
     pub parameter: Vec<Parameter>,
 }

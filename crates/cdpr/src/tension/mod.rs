@@ -23,6 +23,7 @@ mod options;
 mod polytope;
 mod puncture;
 pub mod quadratic;
+mod response;
 mod solver;
 
 pub(crate) use affine::null_space;
@@ -31,4 +32,5 @@ pub use error::InputError;
 pub use limits::{Limits, LimitsError};
 pub use method::{Method, UnknownMethod};
 pub use options::{Options, Reference};
+pub use response::{NotSmooth, Response};
 pub use solver::{Solver, solve};

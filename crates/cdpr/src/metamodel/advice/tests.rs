@@ -19,7 +19,7 @@ fn advice(name: &str, half: f64, accuracy: f64) -> Advice {
     let supported = Composition::supported(&robot).unwrap();
     let poses = task(&robot, half, 5);
     let machine = Model::new(robot, supported.richest).unwrap();
-    advise(&machine, &supported, &poses, accuracy).unwrap()
+    advise(&machine, &supported, &poses, accuracy, TensionMethod::Qp).unwrap()
 }
 
 /// The control model like the machine makes no error; the simplest that is good enough is taken, and only that.
@@ -56,6 +56,6 @@ fn a_file_without_effects_leaves_nothing_to_choose() {
     let supported = Composition::supported(&robot).unwrap();
     let poses = task(&robot, 0.5, 2);
     let machine = Model::new(robot, supported.richest).unwrap();
-    let error = advise(&machine, &supported, &poses, 0.01).unwrap_err();
+    let error = advise(&machine, &supported, &poses, 0.01, TensionMethod::Qp).unwrap_err();
     assert!(matches!(error, AdviceError::NothingToChoose { .. }), "{error}");
 }

@@ -22,7 +22,7 @@ impl Planar {
     fn task(&self) -> Task<'_> {
         let pose = self.at(0.0, 5.2);
         let (control, machine) = (&self.control, &self.machine);
-        Task { control, machine, set_with: control, pose, limits: &self.limits, history: None }
+        Task { control: control.into(), machine, set_with: control, pose, limits: &self.limits, history: None }
     }
 
     fn at(&self, x: f64, y: f64) -> Pose {

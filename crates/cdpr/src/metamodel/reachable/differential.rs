@@ -1,9 +1,11 @@
 //! The differential hull of the reachable workspace: how its boundary moves with any number of control model, machine and winches.
 
 use super::{Reachable, Requirements};
+use crate::metamodel::control::Control;
 use crate::metamodel::driving::Driving;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::sensitivity::{Cause, Kind, Side};
+use crate::metamodel::study::TensionMethod;
 use crate::model::{Model, ModelError};
 use crate::workspace::Region;
 use crate::workspace::differential::{Differences, Motion, motion};
@@ -12,6 +14,7 @@ use crate::workspace::hull::Hull;
 /// Control model, machine and winches with one number changed.
 pub struct Varied {
     control: Model,
+    tension_method: TensionMethod,
     machine: Model,
     offsets: Vec<f64>,
     requirements: Requirements,
@@ -37,7 +40,8 @@ impl Varied {
             Model::new(robot, model.composition())
         };
         Ok(Self {
-            control: varied(driving.control(), Side::Control)?,
+            control: varied(driving.control().model, Side::Control)?,
+            tension_method: driving.control().tension_method,
             machine: varied(driving.machine(), Side::Machine)?,
             offsets,
             requirements: reachable.requirements().clone(),
@@ -46,7 +50,8 @@ impl Varied {
 
     /// What is reached with the change; machines with history come to every pose at once.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
-        let driving = Driving::new(&self.control, &self.machine, &self.offsets)?;
+        let control = Control { model: &self.control, tension_method: self.tension_method };
+        let driving = Driving::new(control, &self.machine, &self.offsets)?;
         Reachable::new(driving, self.requirements.clone())
     }
 }

@@ -7,7 +7,7 @@ use super::cause::Cause;
 use super::choice::Choice;
 use crate::equilibrium::distribution;
 use crate::geometry::Pose;
-use crate::metamodel::control::Controller;
+use crate::metamodel::control::{Control, Controller};
 use crate::metamodel::input_error::InputError;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError};
@@ -15,43 +15,43 @@ use crate::tension::Limits;
 
 /// A control model with what its derivatives need.
 pub(super) struct Command<'a> {
-    model: &'a Model,
+    control: Control<'a>,
     /// How tensions are chosen, where lengths depend on them.
-    force_control: Option<(distribution::Solver<'a>, Limits)>,
+    force_control: Option<(distribution::Solver<'a>, Load, Limits)>,
 }
 
 impl<'a> Command<'a> {
-    pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
+    pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
+        let Control { model, tension_method } = control;
         let force_control = match model.composition().depends_on_tension() {
             true => {
                 let limits = Limits::of(model.robot(), None, None)?;
-                Some((distribution::Solver::new(model, &Load::of(model.robot())?, &limits), limits))
+                let load = Load::of(model.robot())?;
+                Some((distribution::Solver::by(tension_method, model, &load, &limits), load, limits))
             }
             false => None,
         };
-        Ok(Self { model, force_control })
+        Ok(Self { control, force_control })
     }
 
     /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
     pub(super) fn by_causes(&mut self, pose: &Pose, causes: &[Cause]) -> Result<Vec<DVector<f64>>, String> {
         let words = |error: &dyn std::error::Error| error.to_string();
-        let (model, m) = (self.model, self.model.cable_count());
-        let Some((solver, limits)) = &mut self.force_control else {
+        let Control { model, tension_method } = self.control;
+        let m = model.cable_count();
+        let Some((solver, load, limits)) = &mut self.force_control else {
             return causes.iter().map(|cause| at_tensions(model, pose, &vec![0.0; m], cause)).collect();
         };
         if model.composition().is_sagging() {
-            return causes.iter().map(|cause| by_differences(model, pose, cause)).collect();
+            return causes.iter().map(|cause| by_differences(self.control, pose, cause)).collect();
         }
         let found = solver.solve(pose).map_err(|error| words(&error))?;
         if let Some(reason) = found.reason {
             return Err(format!("the control model finds no tensions: {}", reason.words()));
         }
-        let middle: Vec<f64> = (0..m).map(|cable| limits.middle(cable)).collect();
-        let choice = Choice::nearest(model, pose, &found.tensions, &middle, Some(limits))
+        let choice = Choice::by(tension_method, (model, pose), load, limits, &found.tensions)
             .map_err(|error| words(&error))?
-            .ok_or(
-                "so many tensions of the control model are on their limits that the others cannot follow a change",
-            )?;
+            .map_err(|reason| format!("the tensions of the control model have no derivative: {reason}"))?;
         let stretch = by_tensions(model, pose, &found.tensions)?;
         let one = |cause: &Cause| {
             let fixed = at_tensions(model, pose, &found.tensions, cause)?;
@@ -81,13 +81,15 @@ pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Resul
 
 /// Central differences for sagging control models, whose pulls turn with their tensions: the derivative of that choice has no
 /// closed form here.
-fn by_differences(model: &Model, pose: &Pose, cause: &Cause) -> Result<DVector<f64>, String> {
+fn by_differences(control: Control<'_>, pose: &Pose, cause: &Cause) -> Result<DVector<f64>, String> {
+    let Control { model, tension_method } = control;
     let step = cause.kind.difference_step();
     let lengths = |by: f64| {
         let mut robot = model.robot().clone();
         cause.deviate(model, &mut robot, by);
         let deviating = Model::new(robot, model.composition()).map_err(|error| error.to_string())?;
-        let mut controller = Controller::new(&deviating).map_err(|error| error.to_string())?;
+        let control = Control { model: &deviating, tension_method };
+        let mut controller = Controller::new(control).map_err(|error| error.to_string())?;
         controller.lengths(pose).map(DVector::from_vec)
     };
     Ok((lengths(step)? - lengths(-step)?) / (2.0 * step))

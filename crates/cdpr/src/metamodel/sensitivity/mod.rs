@@ -20,6 +20,7 @@ pub use cause::{Cause, Kind, Side, causes_of};
 pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
 pub use setting::{Offsets, Setting};
 
+use super::control::Control;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::CommandedPose;
@@ -77,22 +78,24 @@ impl<'a> Sensitivity<'a> {
     ///
     /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
     pub fn new(
-        control: &'a Model,
+        control: impl Into<Control<'a>>,
         machine: &'a Model,
         offsets: &[f64],
         setting: &Setting<'a>,
     ) -> Result<Self, InputError> {
+        let commander = control.into();
+        let control = commander.model;
         if machine.composition().stretch == StretchEffect::Hysteresis {
             return Err(InputError::Remembers);
         }
-        let operation = Operation::new(control, machine, offsets)?;
+        let operation = Operation::new(commander, machine, offsets)?;
         let load = match machine.composition().depends_on_tension() {
             true => Some(Load::of(machine.robot())?),
             false => None,
         };
         let causes = causes(control, machine, setting);
         let offsets = setting.by_causes(control, machine, &causes)?;
-        Ok(Self { control, machine, operation, command: Command::new(control)?, load, causes, offsets })
+        Ok(Self { control, machine, operation, command: Command::new(commander)?, load, causes, offsets })
     }
 
     /// All that may deviate, in the order of the columns of all derivatives: control model, machine, winches.

@@ -13,6 +13,7 @@ use crate::metamodel::input_error::InputError;
 use crate::metamodel::study::{Initial, TensionMethod};
 use crate::metamodel::winches::{aim, initial_tensions, winch_offsets};
 use crate::model::Model;
+use crate::statics::Load;
 
 /// What deviations do to the winch offsets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -83,7 +84,7 @@ struct AtInitial<'a> {
     windings: Windings<'a>,
     /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
     as_they_are: Option<Choice<'a>>,
-    /// The same with the multipliers of the study's method, where that has a closed form.
+    /// The same by the study's method; nothing for sagging cables, and where the method has no derivative.
     chosen: Option<Choice<'a>>,
     /// Metres per newton of machine and model in use.
     stretch: [DVector<f64>; 2],
@@ -104,10 +105,8 @@ impl<'a> AtInitial<'a> {
             Windings::at(set_with, machine, &wanted)?.map_err(|reason| InputError::NotBalanced { reason })?;
         let (mut as_they_are, mut chosen) = (None, None);
         if let Some(elastic) = elastic {
-            as_they_are = Choice::as_they_are(elastic, pose, &tensions)?;
-            if let Some(reference) = reference(setting.initial, elastic)? {
-                chosen = Choice::nearest(elastic, pose, &tensions, &reference, None)?;
-            }
+            as_they_are = Choice::nearest(elastic, pose, &tensions, &tensions)?.ok();
+            chosen = choice(setting.initial, elastic, pose, &tensions)?;
         }
         let stretch = |model| by_tensions(model, pose, &tensions).map_err(|reason| InputError::NotBalanced { reason });
         let stretch = [stretch(machine)?, stretch(set_with)?];
@@ -156,7 +155,7 @@ impl<'a> AtInitial<'a> {
         Ok(change + self.windings.sent(&machine))
     }
 
-    /// Central differences for tensions by methods whose derivative has no closed form here, and for sagging cables.
+    /// Central differences, for sagging cables and tensions from which no derivative leads away.
     fn by_differences(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
         let step = cause.kind.difference_step();
         let offsets = |by: f64| {
@@ -178,17 +177,27 @@ impl<'a> AtInitial<'a> {
     }
 }
 
-/// The reference of methods that take the nearest tensions whatever the limits; `None` for others and sagging cables.
-fn reference(initial: &Initial, model: &Model) -> Result<Option<Vec<f64>>, InputError> {
+/// How the tensions that a study asks for follow the model; nothing for sagging cables, and where there is no derivative.
+fn choice<'a>(
+    initial: &Initial,
+    model: &'a Model,
+    pose: &Pose,
+    tensions: &[f64],
+) -> Result<Option<Choice<'a>>, InputError> {
     if model.composition().is_sagging() {
         return Ok(None);
     }
-    Ok(match (&initial.tensions_N, initial.tension_method) {
-        (Some(tensions), _) => Some(tensions.clone()),
+    let found = match (&initial.tensions_N, initial.tension_method) {
+        (Some(reference), _) => Choice::nearest(model, pose, tensions, reference)?,
+        (None, None) => return Ok(None),
         (None, Some(TensionMethod::ClosedForm)) => {
             let limits = aim(initial, model)?;
-            Some((0..model.cable_count()).map(|cable| limits.middle(cable)).collect())
+            let middle: Vec<f64> = (0..model.cable_count()).map(|cable| limits.middle(cable)).collect();
+            Choice::nearest(model, pose, tensions, &middle)?
         }
-        _ => None,
-    })
+        (None, Some(method)) => {
+            Choice::by(method, (model, pose), &Load::of(model.robot())?, &aim(initial, model)?, tensions)?
+        }
+    };
+    Ok(found.ok())
 }

@@ -39,7 +39,9 @@ impl Place<'_> {
 
 fn check_models(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
     let prediction = study.prediction.as_ref().map(|side| ("prediction", side));
-    for (section, side) in [("control", &study.control), ("machine", &study.machine)].into_iter().chain(prediction) {
+    for (section, side) in
+        [("control", &study.control.robot_model()), ("machine", &study.machine)].into_iter().chain(prediction)
+    {
         if let Err(reason) = side.model.parse::<Composition>() {
             return Err(place.error(&[section, "model"], reason.to_string()));
         }

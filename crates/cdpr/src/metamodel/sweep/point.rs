@@ -7,7 +7,7 @@ use toml::Table;
 use super::key::Place;
 use super::{Key, Sweep};
 use crate::metamodel::reachable::{Census, Reachable, Requirements};
-use crate::metamodel::{Driving, Study, winch_offsets};
+use crate::metamodel::{Control, Driving, Study, winch_offsets};
 use crate::model::{Composition, Model, place_pulleys};
 use crate::robot::{Cable, Robot};
 use crate::statics::Load;
@@ -72,7 +72,9 @@ fn measured(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) ->
     let start = study.initial_pose(machine.robot()).map_err(|error| error.to_string())?;
     let set_with = offset_model.as_ref().unwrap_or(control);
     let offsets = winch_offsets(&study.initial, set_with, machine, &start).map_err(|error| words(&error))?;
-    let mut driving = Driving::new(control, machine, &offsets).map_err(|error| words(&error))?;
+    let tension_method = sweep.tension_method.or(study.control.tension_method).unwrap_or_default();
+    let mut driving =
+        Driving::new(Control { model: control, tension_method }, machine, &offsets).map_err(|error| words(&error))?;
     if let Some(history) = &study.history {
         driving = driving.with_history(history, &start);
     }

@@ -5,11 +5,12 @@ use serde::Serialize;
 use super::batch::{Batch, Room};
 use super::robots::{Made, Makers, draw};
 use crate::geometry::{Pose, Twist};
+use crate::metamodel::control::Control;
 use crate::metamodel::errors::quantile;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::{Operation, Status};
 use crate::metamodel::sensitivity::{Cause, PoseSensitivity, Setting, Side};
-use crate::metamodel::study::{CommandedPose, Distribution, History};
+use crate::metamodel::study::{CommandedPose, Distribution, History, TensionMethod};
 use crate::model::Model;
 
 /// Most answers kept at a time.
@@ -92,8 +93,8 @@ type Answer = [f64; 3];
 ///
 /// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose; `causes` belong to them. Parameters
 /// stay within what they may be: radii not below 0, stiffness above 0.
-pub fn monte_carlo(
-    models: (&Model, &Model),
+pub fn monte_carlo<'a>(
+    (control, machine): (impl Into<Control<'a>>, &'a Model),
     (setting, offsets): (&Setting<'_>, &[f64]),
     causes: &[Cause],
     (poses, nominal): (&[CommandedPose], &[PoseSensitivity]),
@@ -106,8 +107,11 @@ pub fn monte_carlo(
     let own: Vec<Cause> = active.iter().map(|&cause| causes[cause]).collect();
     let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
     let deviates = own.iter().any(|cause| cause.side == Side::Control);
+    let control = control.into();
+    let models = (control.model, machine);
     let run = Run {
         models,
+        tension_method: control.tension_method,
         makers: Makers::new(models, setting, offsets, &own)?,
         poses,
         batch: Batch::new(models, (poses, nominal), offsets, deviates),
@@ -122,6 +126,7 @@ pub fn monte_carlo(
 /// Everything that the robots share.
 struct Run<'a> {
     models: (&'a Model, &'a Model),
+    tension_method: TensionMethod,
     makers: Makers<'a>,
     poses: &'a [CommandedPose],
     batch: Option<Batch>,
@@ -183,6 +188,7 @@ impl Run<'_> {
     fn one_by_one(&self, made: &Made) -> Result<Row, InputError> {
         let control = made.control.as_ref().unwrap_or(self.models.0);
         let machine = made.machine.as_ref().unwrap_or(self.models.1);
+        let control = Control { model: control, tension_method: self.tension_method };
         let mut operation = Operation::new(control, machine, &made.offsets)?;
         if let Some(history) = &self.settings.history {
             operation = operation.with_history(history, &self.makers.setting.pose);
