@@ -263,7 +263,6 @@ impl ErrorCode for metamodel::InputError {
             Self::Distribution(error) => error.code(),
             Self::Winch(error) => error.code(),
             Self::NoDrum => "study::no-drum",
-            Self::Remembers => "study::remembers",
             Self::RigidMachine => "study::rigid-machine",
             Self::TensionsVaryTogether => "study::initial-tensions",
             Self::Model(error) => error.code(),

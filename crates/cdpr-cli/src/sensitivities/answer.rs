@@ -20,6 +20,11 @@ pub(crate) struct Told {
     pub(super) samples: usize,
     pub(super) unanswered_poses: usize,
     pub(super) offsets: Offsets,
+    /// `analytic`, or `central-differences` of the exact forward problem.
+    pub(super) derivatives: &'static str,
+    /// Of differences, what they may be off by, as a share of the largest derivative of the unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) difference_error: Option<f64>,
     pub(super) kinds: Vec<ToldKind>,
     pub(super) parameters: Vec<ToldParameter>,
     pub(super) tolerance: Option<ToldTolerance>,
@@ -121,6 +126,7 @@ impl Found {
         let pattern = machine.robot().motion_pattern;
         let known: Vec<_> = self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
         let (status, reason) = self.status(asked);
+        let difference_error = self.difference_error();
         let parameters = rank(&self.causes, &known, pattern.translations());
         Told {
             status,
@@ -130,6 +136,8 @@ impl Found {
             samples: self.poses.len(),
             unanswered_poses: self.poses.len() - known.len(),
             offsets: asked.offsets,
+            derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
+            difference_error,
             kinds: rank_kinds(&self.causes, &known, pattern.translations())
                 .into_iter()
                 .map(|kind| ToldKind {

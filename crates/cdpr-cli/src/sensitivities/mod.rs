@@ -53,9 +53,12 @@ impl Found {
         }
         let mut sensitivity =
             Sensitivity::new(laboratory.controller(), machine, &laboratory.offsets, &setting).map_err(refused)?;
+        let history = laboratory.history();
+        if let Some(history) = &history {
+            sensitivity = sensitivity.with_history(history, &setting.pose);
+        }
         let causes = sensitivity.causes().to_vec();
-        let poses: Vec<PoseSensitivity> =
-            commanded.iter().map(|command| sensitivity.at(command)).collect::<Result<_, _>>().map_err(refused)?;
+        let poses = sensitivity.along(&commanded).map_err(refused)?;
         let error = |(at, command): (&PoseSensitivity, &CommandedPose)| match at.outcome.status {
             Status::Converged => (at.outcome.pose.position - command.pose.position).norm(),
             _ => f64::NAN,
@@ -71,7 +74,7 @@ impl Found {
             robots: asked.robots,
             seed: asked.seed,
             engine: asked.engine,
-            history: None,
+            history,
         };
         let drawn = match is_given && asked.robots > 0 {
             true => Some(
@@ -98,6 +101,22 @@ impl Found {
             .accuracy
             .map(|accuracy| allowed(&causes, &poses, &counted, (accuracy, tolerances.sigmas), &named, translations));
         Ok(Self { causes, commanded, poses, errors, spread, drawn, allowed })
+    }
+
+    /// Of derivatives by differences, the largest error that is estimated, as a share of the largest derivative by a number of the same
+    /// unit at the same pose; nothing for analytic ones.
+    pub(crate) fn difference_error(&self) -> Option<f64> {
+        let mut worst = None;
+        for derivatives in self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()) {
+            let Some(errors) = &derivatives.errors else { continue };
+            for (column, cause) in self.causes.iter().enumerate() {
+                let same = (0..self.causes.len()).filter(|&other| self.causes[other].kind.unit() == cause.kind.unit());
+                let largest = same.map(|other| derivatives.pose.column(other).amax()).fold(0.0, f64::max);
+                let share = if largest > 0.0 { errors[column] / largest } else { 0.0 };
+                worst = Some(f64::max(worst.unwrap_or(0.0), share));
+            }
+        }
+        worst
     }
 
     /// Standard deviations of what neither side has.

@@ -48,6 +48,12 @@ impl Answer for Told {
             "{} drives {} to {} poses; winch offsets are {offsets} when something deviates\n",
             self.control, self.machine, self.samples
         );
+        if let Some(error) = self.difference_error {
+            text.push_str(&format!(
+                "the machine remembers: derivatives are central differences along its path, good to {} of the largest\n",
+                significant(error, 1)
+            ));
+        }
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n"));
         }

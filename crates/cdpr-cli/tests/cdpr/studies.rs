@@ -295,6 +295,14 @@ fn accuracy_tells_how_far_the_branches_of_a_machine_with_hysteresis_lie_apart() 
     };
     let (short, long) = (spread("0.02"), spread("0.2"));
     assert!(1e-6 < short && short < long && long < 0.1, "{short} {long}");
+    // a newton more of an initial tension, a millimetre of an anchor: along the path, by differences that tell their error
+    let run = cdpr_in(folder.path(), "sensitivity study.toml --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json_with(&["derivatives", "difference_error", "kinds"]);
+    assert_eq!(answer["derivatives"], "central-differences");
+    assert!((0.0..1e-3).contains(&answer["difference_error"].as_f64().unwrap()), "{answer}");
+    let words = cdpr_in(folder.path(), "sensitivity study.toml");
+    assert!(words.stdout.contains("the machine remembers"), "{}", words.stdout);
     let words = cdpr_in(folder.path(), "accuracy study.toml");
     assert!(words.stdout.contains("branches: 5 ways to each of 4 poses"), "{}", words.stdout);
 }

@@ -22,8 +22,7 @@ pub struct Driving<'a> {
     idle: Mutex<Vec<Operation<'a>>>,
 }
 
-/// Poses that a thread answers before it looks for more.
-#[cfg(feature = "parallel")]
+/// Poses that a thread answers before it looks for more: the same on any number of threads, as batches are answered together.
 const SHARE: usize = 64;
 
 impl<'a> Driving<'a> {
@@ -101,6 +100,21 @@ impl<'a> Driving<'a> {
     /// What emerges for each of many poses; threads share them with the feature `parallel`, with the same answers.
     pub fn outcomes(&self, poses: &[Pose]) -> Vec<Outcome> {
         self.each(poses, |pose| self.outcome(pose))
+    }
+
+    /// Something of each of many items, which threads take in shares of their own.
+    pub(super) fn each_share<I: Sync, T: Send>(
+        &self,
+        items: &[I],
+        of: impl Fn(&[I]) -> Vec<T> + Send + Sync,
+    ) -> Vec<T> {
+        #[cfg(feature = "parallel")]
+        {
+            use rayon::prelude::*;
+            items.par_chunks(SHARE).flat_map_iter(of).collect()
+        }
+        #[cfg(not(feature = "parallel"))]
+        items.chunks(SHARE).flat_map(of).collect()
     }
 
     /// Something of each of many items, in their order.

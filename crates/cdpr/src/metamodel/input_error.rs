@@ -76,11 +76,6 @@ pub enum InputError {
         /// Whether the machine has tensions that limits could judge.
         is_elastic: bool,
     },
-    /// Derivatives are asked of a machine whose answer depends on the way.
-    #[error(
-        "the machine's cables remember (`hysteresis`), so its answer depends on the way and has no derivative: say model = \"polynomial\" or \"elastic\" in [machine]"
-    )]
-    Remembers,
     /// One initial tension cannot change alone.
     #[error("initial tensions balance the load, so that none of them changes alone: vary winch-offset instead")]
     TensionsVaryTogether,

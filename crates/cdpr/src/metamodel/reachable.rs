@@ -240,9 +240,39 @@ impl Reachable<'_> {
         }
     }
 
-    /// Where the platform comes to rest, as a point of a region; nothing where the machine has no answer.
-    pub fn emerging_position(&self, region: &Region<'_>, commanded: &Pose) -> Option<Point> {
-        let outcome = self.driving.outcome(commanded);
-        (outcome.status == Status::Converged).then(|| region.point(&outcome.pose.position))
+    /// Something of what emerges – the pose and its tensions – for each of many commands, in batches where the machine has them;
+    /// nothing where the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as long, may
+    /// be left out.
+    fn of_emerging<T>(
+        &self,
+        poses: &[Pose],
+        only_taut: bool,
+        of: impl Fn(&Pose, &Pose, Option<&[f64]>) -> T,
+    ) -> Vec<Option<T>> {
+        let mut found: Vec<Option<T>> = poses.iter().map(|_| None).collect();
+        let mut tensions = vec![0.0; self.driving.machine().cable_count()];
+        self.driving.with(|operation| match operation.answer_all(poses, only_taut) {
+            Some(Emerged { commanded, solutions }) => {
+                let settled = |item: &usize| solutions.status(*item) == elastostatics::Status::Converged;
+                for item in (0..commanded.len()).filter(settled) {
+                    tensions.iter_mut().enumerate().for_each(|(cable, f)| *f = solutions.tension(cable, item));
+                    let index = commanded[item];
+                    found[index] = Some(of(&poses[index], &solutions.pose(item), Some(&tensions)));
+                }
+            }
+            None => {
+                for (pose, found) in poses.iter().zip(&mut found) {
+                    let outcome = operation.answer(&CommandedPose::at(*pose));
+                    let is_settled = outcome.status == Status::Converged;
+                    *found = is_settled.then(|| of(pose, &outcome.pose, outcome.tensions.as_deref()));
+                }
+            }
+        });
+        found
+    }
+
+    /// Where the platform comes to rest, as points of a region; nothing where the machine has no answer.
+    pub fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
+        self.of_emerging(commanded, false, |_, emerging, _| region.point(&emerging.position))
     }
 }

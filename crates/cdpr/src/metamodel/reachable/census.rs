@@ -2,14 +2,14 @@
 
 use super::{Reachable, tension_margin};
 use crate::geometry::Pose;
-use crate::metamodel::operate::Status;
 use crate::workspace::grid::Grid;
 use crate::workspace::{Point, Region};
 
 /// What emerged at the middle of one cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Distance between commanded and emerging position (m); infinite where the platform comes to no rest.
+    /// Distance between commanded and emerging position (m); infinite where the platform comes to no rest, and where one in which a
+    /// slack cable breaks its limits was not looked for.
     pub position_error: f64,
     /// Angle between commanded and emerging orientation (rad); infinite likewise.
     pub rotation_error: f64,
@@ -34,7 +34,15 @@ impl Census {
         let pose = |point: Point| Pose { position: region.position(&point), rotation };
         let poses: Vec<Pose> = (0..grid.slabs()).flat_map(slab).map(pose).collect();
         let rotation_error_max = reachable.requirements().rotation_error_max;
-        Self { rotation_error_max, cells: reachable.driving().each(&poses, |pose| Cell::of(reachable, pose)) }
+        // a slack cable breaks its limit: nothing else counts then
+        let only_taut = reachable.needs_all_taut();
+        let cells = reachable.driving().each_share(&poses, |poses| {
+            let cells = reachable.of_emerging(poses, only_taut, |commanded, emerging, tensions| {
+                Cell::of(reachable, commanded, emerging, tensions)
+            });
+            cells.into_iter().map(|cell| cell.unwrap_or(Cell::NOWHERE)).collect()
+        });
+        Self { rotation_error_max, cells }
     }
 
     /// Which cells are reached as required, with a position error of at most this (m) in place of the required one.
@@ -48,16 +56,15 @@ impl Census {
 }
 
 impl Cell {
-    fn of(reachable: &Reachable<'_>, commanded: &Pose) -> Self {
-        let outcome = reachable.driving().outcome(commanded);
-        if outcome.status != Status::Converged {
-            let none = f64::INFINITY;
-            return Self { position_error: none, rotation_error: none, tension_margin: none };
-        }
-        let limits = reachable.requirements().tensions.as_ref().zip(outcome.tensions.as_ref());
+    /// Where the platform comes to no rest that could count.
+    const NOWHERE: Self =
+        Self { position_error: f64::INFINITY, rotation_error: f64::INFINITY, tension_margin: f64::INFINITY };
+
+    fn of(reachable: &Reachable<'_>, commanded: &Pose, emerging: &Pose, tensions: Option<&[f64]>) -> Self {
+        let limits = reachable.requirements().tensions.as_ref().zip(tensions);
         Self {
-            position_error: (outcome.pose.position - commanded.position).norm(),
-            rotation_error: outcome.pose.angle_to(commanded),
+            position_error: (emerging.position - commanded.position).norm(),
+            rotation_error: emerging.angle_to(commanded),
             tension_margin: limits.map_or(f64::INFINITY, |(limits, tensions)| tension_margin(limits, tensions).0),
         }
     }

@@ -182,6 +182,38 @@ fn many_poses_are_reached_where_each_is() {
     }
 }
 
+/// Batches against poses that are commanded one by one: the same cells, and errors to the pose tolerance of the forward problem.
+#[test]
+fn a_census_says_of_every_cell_what_its_pose_says_alone() {
+    let nominal = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let elastic = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let control = Model::new(nominal, Composition::STANDARD).unwrap();
+    let machine = Model::new(elastic, Composition::ELASTIC).unwrap();
+    let limits = Limits::of(machine.robot(), None, None).unwrap();
+    let grid = Grid::new(&Bounds::new(3, &[-6.0, 6.0, -6.0, 6.0, 0.0, 6.0]).unwrap(), 1.0).unwrap();
+    for tensions in [None, Some(limits)] {
+        let requirements = Requirements { tensions, position_error_max: Some(0.06), rotation_error_max: None };
+        let driving = Driving::new(&control, &machine, &[0.0; 8]).unwrap();
+        let reachable = Reachable::new(driving, requirements).unwrap();
+        let level = Archetype::ConstantOrientation(nalgebra::UnitQuaternion::identity());
+        let region = Region::new(&machine, &reachable, &level).unwrap();
+        let census = Census::take(&reachable, &region, &grid);
+        let mut reached = 0;
+        for (cell, is_reached) in census.reached(Some(0.06)).into_iter().enumerate() {
+            let point = grid.point(cell / grid.slab_points(), cell % grid.slab_points());
+            let pose = Pose { position: region.position(&point), ..Pose::identity() };
+            assert_eq!(reachable.judge(&pose).holds(), is_reached, "{point:?}");
+            reached += usize::from(is_reached);
+            let outcome = reachable.driving().outcome(&pose);
+            let (error, found) = ((outcome.pose.position - pose.position).norm(), census.cells[cell].position_error);
+            let is_skipped = reachable.needs_all_taut() && found.is_infinite() && !is_reached;
+            let is_lost = outcome.status != Status::Converged && found.is_infinite();
+            assert!(is_lost || is_skipped || (found - error).abs() < 1e-9, "{point:?}: {found} {error}");
+        }
+        assert!((5..800).contains(&reached), "{reached}");
+    }
+}
+
 #[test]
 fn requirements_that_ask_for_nothing_are_refused() {
     let planar = Planar::new();

@@ -48,6 +48,14 @@ impl<'a> CableState<'a> {
         Ok(Self::Straight(Box::new(state), model))
     }
 
+    /// What it pulls (world).
+    pub(super) fn wrench(&self) -> Wrench {
+        match self {
+            Self::Straight(cable, _) => cable.column() * cable.tension,
+            Self::General(cable) => cable.wrench(),
+        }
+    }
+
     /// ∂(wrench)/∂\[δr; δφ\] at fixed tension.
     pub(super) fn wrench_by_pose(&self) -> Matrix6<f64> {
         match self {

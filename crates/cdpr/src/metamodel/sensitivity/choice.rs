@@ -1,7 +1,15 @@
 //! How chosen tensions follow the model, by any method of tension distribution.
 //!
 //! A method takes structure matrix and load to tensions; how these follow is told by [`Response`]. A deviation changes the
-//! column of its cable and the load.
+//! column of its cable and the load. The pulls W(f, p) of sagging cables turn with their tensions: the method is given
+//! ∂W/∂f as matrix and w + W − ∂W/∂f f as load, and its tensions are those at which both were taken. Differentiated, a deviation changes the
+//! column by ∂²W/∂f∂p and the load by ∂W/∂p − ∂²W/∂f∂p f, a tension its own column by ∂²W/∂f² and the load by −∂²W/∂f² f, so that with
+//! the response R
+//!
+//! df = R(dp) + K df,  K's column of cable i = R(∂²Wᵢ/∂fᵢ², −∂²Wᵢ/∂fᵢ² fᵢ),  df = (I − K)⁻¹ R(dp).
+//!
+//! ∂W/∂f and ∂W/∂p are those of the cable's own equations; their slopes along the tension are differences of fourth order of these
+//! derivatives, of one cable at a time.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,19 +18,25 @@ use super::cause::Cause;
 use super::equilibrium::load_change;
 use crate::geometry::{Pose, Wrench};
 use crate::metamodel::study::TensionMethod;
-use crate::model::Model;
+use crate::model::{Model, Parameter};
 use crate::statics::{Load, StaticsError, StraightCable};
 use crate::tension::{Limits, NotSmooth, Response};
+
+/// Share of a tension over which slopes of derivatives are taken: h⁴ and rounding over h are both below 1e-9 of what they belong to.
+const STEP: f64 = 1e-3;
 
 /// Chosen tensions of a model at a pose.
 pub(super) struct Choice<'a> {
     model: &'a Model,
     pose: Pose,
+    tensions: Vec<f64>,
     response: Response,
+    /// (I − K)⁻¹ of sagging cables.
+    turning: Option<DMatrix<f64>>,
 }
 
 impl<'a> Choice<'a> {
-    /// Tensions of straight cables that a method has chosen within limits, or why they do not follow changes.
+    /// Tensions that a method has chosen within limits, or why they do not follow changes.
     pub(super) fn by(
         method: TensionMethod,
         (model, pose): (&'a Model, &Pose),
@@ -30,14 +44,19 @@ impl<'a> Choice<'a> {
         limits: &Limits,
         tensions: &[f64],
     ) -> Result<Result<Self, NotSmooth>, StaticsError> {
-        let wrench = load.in_pattern(model, pose);
         let matrix = by_tensions(model, pose, tensions)?;
+        let mut wrench = load.in_pattern(model, pose);
+        if model.composition().is_sagging() {
+            for (cable, &tension) in tensions.iter().enumerate() {
+                let pull = in_pattern(model, &CableState::at_measured(model, cable, pose, tension)?.wrench());
+                wrench += pull - matrix.column(cable) * tension;
+            }
+        }
         let response = Response::of(method, &matrix, wrench.as_slice(), limits, tensions);
-        Ok(response.map(|response| Self { model, pose: *pose, response }))
+        Self::new(model, pose, tensions, response)
     }
 
-    /// The balanced tensions nearest to a reference (N), whatever the limits; cables of any law where the tensions are their own
-    /// reference.
+    /// The balanced tensions nearest to a reference (N), whatever the limits.
     pub(super) fn nearest(
         model: &'a Model,
         pose: &Pose,
@@ -46,27 +65,88 @@ impl<'a> Choice<'a> {
     ) -> Result<Result<Self, NotSmooth>, StaticsError> {
         let matrix = by_tensions(model, pose, tensions)?;
         let response = Response::of_nearest(&matrix, tensions, reference);
-        Ok(response.map(|response| Self { model, pose: *pose, response }))
+        Self::new(model, pose, tensions, response)
+    }
+
+    fn new(
+        model: &'a Model,
+        pose: &Pose,
+        tensions: &[f64],
+        response: Result<Response, NotSmooth>,
+    ) -> Result<Result<Self, NotSmooth>, StaticsError> {
+        let response = match response {
+            Ok(response) => response,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let mut choice = Self { model, pose: *pose, tensions: tensions.to_vec(), response, turning: None };
+        if model.composition().is_sagging() {
+            let mut matrix = DMatrix::identity(tensions.len(), tensions.len());
+            for (cable, &tension) in tensions.iter().enumerate() {
+                let slope = choice.slope_by_tension(cable, |state| state.by_tension().0)?;
+                let change = choice.response.change(cable, slope.as_slice(), (-&slope * tension).as_slice());
+                let mut column = matrix.column_mut(cable);
+                column -= change;
+            }
+            choice.turning = matrix.try_inverse();
+        }
+        Ok(Ok(choice))
     }
 
     /// Change of all tensions per unit of a deviation of the model (N).
-    pub(super) fn by_cause(&self, cause: &Cause) -> DVector<f64> {
-        let column = in_pattern(self.model, &self.column_change(cause));
-        let wrench = in_pattern(self.model, &load_change(cause, self.model, &self.pose));
-        self.response.change(cause.cable, column.as_slice(), wrench.as_slice())
+    pub(super) fn by_cause(&self, cause: &Cause) -> Result<DVector<f64>, StaticsError> {
+        let mut wrench = in_pattern(self.model, &load_change(cause, self.model, &self.pose));
+        let mut column = DVector::zeros(wrench.len());
+        if let Some(parameter) = cause.parameter() {
+            let unit = cause.parameter_change(self.model);
+            let rotation = self.pose.rotation_matrix();
+            if self.turning.is_some() {
+                let state = self.state(cause.cable, self.tensions[cause.cable])?;
+                column = self.slope_by_tension(cause.cable, |state| state.by(&parameter, &rotation).0)? * unit;
+                wrench += in_pattern(self.model, &state.by(&parameter, &rotation).0) * unit;
+                wrench -= &column * self.tensions[cause.cable];
+            } else {
+                column = in_pattern(self.model, &self.column_change(cause.cable, &parameter)) * unit;
+            }
+        }
+        Ok(self.turned(self.response.change(cause.cable, column.as_slice(), wrench.as_slice())))
     }
 
     /// Change of all tensions per newton of one cable's reference (N).
     pub(super) fn by_reference(&self, cable: usize) -> DVector<f64> {
-        self.response.change_by_reference(cable)
+        self.turned(self.response.change_by_reference(cable))
     }
 
-    /// Change of the cause's column of the structure matrix (world).
-    fn column_change(&self, cause: &Cause) -> Wrench {
-        let Some(parameter) = cause.parameter() else { return Wrench::zeros() };
+    /// With what the turning of sagging cables adds.
+    fn turned(&self, change: DVector<f64>) -> DVector<f64> {
+        match &self.turning {
+            Some(turning) => turning * change,
+            None => change,
+        }
+    }
+
+    /// Change of a straight cable's column of the structure matrix by a parameter (world).
+    fn column_change(&self, cable: usize, parameter: &Parameter) -> Wrench {
         let (position, rows) = (self.pose.position.into(), self.pose.rotation_rows());
-        let cable = StraightCable::at(self.model, cause.cable, position, &rows, 1.0);
-        cable.by(&parameter, self.model, &self.pose.rotation_matrix()).0
+        let straight = StraightCable::at(self.model, cable, position, &rows, 1.0);
+        straight.by(parameter, self.model, &self.pose.rotation_matrix()).0
+    }
+
+    fn state(&self, cable: usize, tension: f64) -> Result<CableState<'a>, StaticsError> {
+        CableState::at_measured(self.model, cable, &self.pose, tension)
+    }
+
+    /// How a wrench of one cable grows with its tension, in the pattern's rows.
+    fn slope_by_tension(
+        &self,
+        cable: usize,
+        wrench: impl Fn(&CableState<'_>) -> Wrench,
+    ) -> Result<DVector<f64>, StaticsError> {
+        let tension = self.tensions[cable];
+        let at = |steps: f64| -> Result<DVector<f64>, StaticsError> {
+            Ok(in_pattern(self.model, &wrench(&self.state(cable, tension * (1.0 + steps * STEP))?)))
+        };
+        let (near, far) = (at(1.0)? - at(-1.0)?, at(2.0)? - at(-2.0)?);
+        Ok((near * 8.0 - far) / (12.0 * STEP * tension))
     }
 }
 

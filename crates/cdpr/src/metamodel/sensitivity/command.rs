@@ -7,7 +7,7 @@ use super::cause::Cause;
 use super::choice::Choice;
 use crate::equilibrium::distribution;
 use crate::geometry::Pose;
-use crate::metamodel::control::{Control, Controller};
+use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError};
@@ -42,9 +42,6 @@ impl<'a> Command<'a> {
         let Some((solver, load, limits)) = &mut self.force_control else {
             return causes.iter().map(|cause| at_tensions(model, pose, &vec![0.0; m], cause)).collect();
         };
-        if model.composition().is_sagging() {
-            return causes.iter().map(|cause| by_differences(self.control, pose, cause)).collect();
-        }
         let found = solver.solve(pose).map_err(|error| words(&error))?;
         if let Some(reason) = found.reason {
             return Err(format!("the control model finds no tensions: {}", reason.words()));
@@ -55,7 +52,8 @@ impl<'a> Command<'a> {
         let stretch = by_tensions(model, pose, &found.tensions)?;
         let one = |cause: &Cause| {
             let fixed = at_tensions(model, pose, &found.tensions, cause)?;
-            Ok(fixed + stretch.component_mul(&choice.by_cause(cause)))
+            let chosen = choice.by_cause(cause).map_err(|error| words(&error))?;
+            Ok(fixed + stretch.component_mul(&chosen))
         };
         causes.iter().map(one).collect()
     }
@@ -77,20 +75,4 @@ pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Resul
     let slope = |(cable, &tension)| Ok(CableState::at_measured(model, cable, pose, tension)?.by_tension().1);
     let slopes: Result<Vec<f64>, StaticsError> = tensions.iter().enumerate().map(slope).collect();
     Ok(DVector::from_vec(slopes.map_err(|error| error.to_string())?))
-}
-
-/// Central differences for sagging control models, whose pulls turn with their tensions: the derivative of that choice has no
-/// closed form here.
-fn by_differences(control: Control<'_>, pose: &Pose, cause: &Cause) -> Result<DVector<f64>, String> {
-    let Control { model, tension_method } = control;
-    let step = cause.kind.difference_step();
-    let lengths = |by: f64| {
-        let mut robot = model.robot().clone();
-        cause.deviate(model, &mut robot, by);
-        let deviating = Model::new(robot, model.composition()).map_err(|error| error.to_string())?;
-        let control = Control { model: &deviating, tension_method };
-        let mut controller = Controller::new(control).map_err(|error| error.to_string())?;
-        controller.lengths(pose).map(DVector::from_vec)
-    };
-    Ok((lengths(step)? - lengths(-step)?) / (2.0 * step))
 }

@@ -3,7 +3,8 @@
 //!
 //! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes what is sent (its control model, its winch offsets) or what
 //! answers (its machine); the rest is the implicit function theorem at the emerging state, dx̂ = K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p).
-//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells.
+//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember are
+//! moved to and fro along their path (`remembering`).
 
 mod cable;
 mod cause;
@@ -11,6 +12,7 @@ mod choice;
 mod command;
 mod equilibrium;
 mod ranking;
+mod remembering;
 mod setting;
 mod windings;
 
@@ -23,7 +25,8 @@ pub use setting::{Offsets, Setting};
 use super::control::Control;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
-use super::study::CommandedPose;
+use super::study::{CommandedPose, History};
+use crate::geometry::Pose;
 use crate::model::{Model, StretchEffect};
 use crate::statics::Load;
 use command::Command;
@@ -47,6 +50,9 @@ pub struct Derivatives {
     pub pose: DMatrix<f64>,
     /// Change of the tensions (N); `None` for a rigid machine.
     pub tensions: Option<DMatrix<f64>>,
+    /// Of derivatives by differences, what the columns of `pose` may be off by (its units, the largest component); `None` for analytic
+    /// ones.
+    pub errors: Option<DVector<f64>>,
 }
 
 impl Derivatives {
@@ -63,8 +69,11 @@ impl Derivatives {
 
 /// A control model on a machine whose winches are set, with all that may deviate.
 pub struct Sensitivity<'a> {
-    control: &'a Model,
+    control: Control<'a>,
     machine: &'a Model,
+    /// How a machine that remembers comes to the poses, and from where.
+    history: Option<(History, Pose)>,
+    winch_offsets: Vec<f64>,
     operation: Operation<'a>,
     command: Command<'a>,
     load: Option<Load>,
@@ -74,7 +83,7 @@ pub struct Sensitivity<'a> {
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Refuses what [`Operation::new`] does, and machines whose cables remember: their answer depends on the way.
+    /// Refuses what [`Operation::new`] does.
     ///
     /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
     pub fn new(
@@ -83,19 +92,25 @@ impl<'a> Sensitivity<'a> {
         offsets: &[f64],
         setting: &Setting<'a>,
     ) -> Result<Self, InputError> {
-        let commander = control.into();
-        let control = commander.model;
-        if machine.composition().stretch == StretchEffect::Hysteresis {
-            return Err(InputError::Remembers);
-        }
-        let operation = Operation::new(commander, machine, offsets)?;
+        let control = control.into();
+        let operation = Operation::new(control, machine, offsets)?;
         let load = match machine.composition().depends_on_tension() {
             true => Some(Load::of(machine.robot())?),
             false => None,
         };
-        let causes = causes(control, machine, setting);
-        let offsets = setting.by_causes(control, machine, &causes)?;
-        Ok(Self { control, machine, operation, command: Command::new(commander)?, load, causes, offsets })
+        let causes = causes(control.model, machine, setting);
+        let winch_offsets = offsets.to_vec();
+        let offsets = setting.by_causes(control.model, machine, &causes)?;
+        let command = Command::new(control)?;
+        Ok(Self { control, machine, history: None, winch_offsets, operation, command, load, causes, offsets })
+    }
+
+    /// A machine whose cables remember comes to the poses on this way from a start, as [`Operation::with_history`] says. Without it
+    /// every pose is reached at once by cables that were never loaded.
+    #[must_use]
+    pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
+        self.history = Some((*history, *start));
+        self
     }
 
     /// All that may deviate, in the order of the columns of all derivatives: control model, machine, winches.
@@ -103,8 +118,22 @@ impl<'a> Sensitivity<'a> {
         &self.causes
     }
 
-    /// The derivatives at a commanded pose.
+    /// The derivatives at poses that are commanded one after the other.
+    ///
+    /// Machines whose cables remember have them by differences, with an estimate of their error.
+    pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
+        match self.machine.composition().stretch {
+            StretchEffect::Hysteresis => remembering::along(self, commands),
+            _ => commands.iter().map(|command| self.at(command)).collect(),
+        }
+    }
+
+    /// The derivatives at a commanded pose, the first of its path for machines whose cables remember.
     pub fn at(&mut self, command: &CommandedPose) -> Result<PoseSensitivity, InputError> {
+        if self.machine.composition().stretch == StretchEffect::Hysteresis {
+            let mut alone = remembering::along(self, std::slice::from_ref(command))?;
+            return alone.pop().ok_or(InputError::NoPoses);
+        }
         let outcome = self.operation.answer(command);
         let derivatives = match (outcome.status, &outcome.reason) {
             (Status::Converged, _) => self.derivatives(command, &outcome)?,
@@ -119,7 +148,7 @@ impl<'a> Sensitivity<'a> {
         command: &CommandedPose,
         outcome: &Outcome,
     ) -> Result<Result<Derivatives, String>, InputError> {
-        let windings = match Windings::at(self.control, self.machine, &outcome.sent)? {
+        let windings = match Windings::at(self.control.model, self.machine, &outcome.sent)? {
             Ok(windings) => windings,
             Err(reason) => return Ok(Err(reason)),
         };
@@ -145,7 +174,8 @@ impl<'a> Sensitivity<'a> {
             pose.set_column(column, &answer.pose);
             tensions.set_column(column, &answer.tensions);
         }
-        Ok(Ok(Derivatives { pose, tensions: outcome.tensions.is_some().then_some(tensions) }))
+        let tensions = outcome.tensions.is_some().then_some(tensions);
+        Ok(Ok(Derivatives { pose, tensions, errors: None }))
     }
 
     fn equilibrium(&self, outcome: &Outcome) -> Result<Option<Equilibrium<'a>>, InputError> {

@@ -84,7 +84,7 @@ struct AtInitial<'a> {
     windings: Windings<'a>,
     /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
     as_they_are: Option<Choice<'a>>,
-    /// The same by the study's method; nothing for sagging cables, and where the method has no derivative.
+    /// The same by the study's method; nothing where it has no derivative.
     chosen: Option<Choice<'a>>,
     /// Metres per newton of machine and model in use.
     stretch: [DVector<f64>; 2],
@@ -140,7 +140,7 @@ impl<'a> AtInitial<'a> {
         let is_elastic = [self.machine, self.set_with].iter().any(|model| model.composition().depends_on_tension());
         let tensions = match (is_elastic && cause.side == carries, &self.chosen) {
             (false, _) => DVector::zeros(self.tensions.len()),
-            (true, Some(choice)) => choice.by_cause(cause),
+            (true, Some(choice)) => choice.by_cause(cause)?,
             (true, None) => return self.by_differences(cause),
         };
         let refused = |reason| InputError::NotBalanced { reason };
@@ -155,7 +155,7 @@ impl<'a> AtInitial<'a> {
         Ok(change + self.windings.sent(&machine))
     }
 
-    /// Central differences, for sagging cables and tensions from which no derivative leads away.
+    /// Central differences, for tensions from which no derivative leads away.
     fn by_differences(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
         let step = cause.kind.difference_step();
         let offsets = |by: f64| {
@@ -177,16 +177,13 @@ impl<'a> AtInitial<'a> {
     }
 }
 
-/// How the tensions that a study asks for follow the model; nothing for sagging cables, and where there is no derivative.
+/// How the tensions that a study asks for follow the model; nothing where there is no derivative.
 fn choice<'a>(
     initial: &Initial,
     model: &'a Model,
     pose: &Pose,
     tensions: &[f64],
 ) -> Result<Option<Choice<'a>>, InputError> {
-    if model.composition().is_sagging() {
-        return Ok(None);
-    }
     let found = match (&initial.tensions_N, initial.tension_method) {
         (Some(reference), _) => Choice::nearest(model, pose, tensions, reference)?,
         (None, None) => return Ok(None),

@@ -1,0 +1,129 @@
+//! Machines whose cables remember: derivatives along the path, at the branch on which it ends.
+//!
+//! What a cable remembers follows every deviation from the first step on: its strains and where its stops stand. So the machine drives the whole path with
+//! a deviation of ±h and of ±h/2 and without one, by its exact forward problem, and each pose has the central differences D(h) and D(h/2).
+//! (4 D(h/2) − D(h))/3 is exact to h⁴, and |D(h/2) − D(h)|/3 is what D(h/2) is off by: rounding of the solves and what bends. The law is
+//! smooth in pieces; where a deviation of h changes the branch of a cable – its motion turns in between, or a stop begins to slide – the
+//! estimate tells.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::cause::{Cause, Side};
+use super::{Derivatives, PoseSensitivity, Sensitivity};
+use crate::metamodel::control::Control;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::operate::{Operation, Outcome, Status};
+use crate::metamodel::study::CommandedPose;
+use crate::model::Model;
+
+/// Outcomes of the path at −h, h, −h/2, h/2.
+type Shifted = [Vec<Outcome>; 4];
+
+/// The derivatives at each pose of a path.
+pub(super) fn along(
+    sensitivity: &Sensitivity<'_>,
+    commands: &[CommandedPose],
+) -> Result<Vec<PoseSensitivity>, InputError> {
+    let path = Path { sensitivity, commands };
+    let nominal = path.drive(sensitivity.control.model, sensitivity.machine, &sensitivity.winch_offsets)?;
+    let columns = 0..sensitivity.causes.len();
+    #[cfg(feature = "parallel")]
+    let shifted: Vec<Shifted> = {
+        use rayon::prelude::*;
+        columns.into_par_iter().map(|column| path.shifted(column)).collect::<Result<_, _>>()?
+    };
+    #[cfg(not(feature = "parallel"))]
+    let shifted: Vec<Shifted> = columns.map(|column| path.shifted(column)).collect::<Result<_, _>>()?;
+    let at = |(place, outcome): (usize, Outcome)| PoseSensitivity {
+        derivatives: path.derivatives(place, &outcome, &shifted),
+        outcome,
+    };
+    Ok(nominal.into_iter().enumerate().map(at).collect())
+}
+
+struct Path<'a> {
+    sensitivity: &'a Sensitivity<'a>,
+    commands: &'a [CommandedPose],
+}
+
+impl Path<'_> {
+    fn drive(&self, control: &Model, machine: &Model, offsets: &[f64]) -> Result<Vec<Outcome>, InputError> {
+        let control = Control { model: control, tension_method: self.sensitivity.control.tension_method };
+        let mut operation = Operation::new(control, machine, offsets)?;
+        if let Some((history, start)) = &self.sensitivity.history {
+            operation = operation.with_history(history, start);
+        }
+        Ok(self.commands.iter().map(|command| operation.answer(command)).collect())
+    }
+
+    fn shifted(&self, column: usize) -> Result<Shifted, InputError> {
+        let step = step(&self.sensitivity.causes[column]);
+        let drive = |by: f64| self.deviating(column, by);
+        Ok([drive(-step)?, drive(step)?, drive(-0.5 * step)?, drive(0.5 * step)?])
+    }
+
+    /// The path of a machine with one number changed.
+    fn deviating(&self, column: usize, by: f64) -> Result<Vec<Outcome>, InputError> {
+        let Sensitivity { control, machine, winch_offsets, causes, offsets, .. } = self.sensitivity;
+        let cause = &causes[column];
+        let changed = |model: &Model, side: Side| -> Result<Option<Model>, InputError> {
+            if cause.side != side {
+                return Ok(None);
+            }
+            let mut robot = model.robot().clone();
+            cause.deviate(model, &mut robot, by);
+            Ok(Some(Model::new(robot, model.composition())?))
+        };
+        let (own_control, own_machine) = (changed(control.model, Side::Control)?, changed(machine, Side::Machine)?);
+        let offsets: Vec<f64> =
+            winch_offsets.iter().zip(&offsets[column]).map(|(offset, change)| offset + by * change).collect();
+        self.drive(own_control.as_ref().unwrap_or(control.model), own_machine.as_ref().unwrap_or(machine), &offsets)
+    }
+
+    fn derivatives(&self, place: usize, outcome: &Outcome, shifted: &[Shifted]) -> Result<Derivatives, String> {
+        let reason = |outcome: &Outcome| outcome.reason.clone().unwrap_or_else(|| outcome.status.name().to_owned());
+        if outcome.status != Status::Converged {
+            return Err(reason(outcome));
+        }
+        let Sensitivity { machine, causes, .. } = self.sensitivity;
+        let (n, m, count) = (machine.dof(), machine.cable_count(), causes.len());
+        let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
+        let mut errors = DVector::zeros(count);
+        for (column, (cause, paths)) in causes.iter().zip(shifted).enumerate() {
+            let [below, above, near_below, near_above] = paths.each_ref().map(|path| &path[place]);
+            if let Some(lost) =
+                [below, above, near_below, near_above].into_iter().find(|end| end.status != Status::Converged)
+            {
+                return Err(format!("{} deviating: {}", cause.name(machine), reason(lost)));
+            }
+            let step = step(cause);
+            let basis = machine.twist_basis();
+            let moved = |from: &Outcome, to: &Outcome, by: f64| {
+                let twist = from.pose.displacement_to(&to.pose) / by;
+                DVector::from_iterator(n, basis.iter().map(|direction| direction.dot(&twist)))
+            };
+            let (far, near) = (moved(below, above, 2.0 * step), moved(near_below, near_above, step));
+            errors[column] = (&near - &far).amax() / 3.0;
+            pose.set_column(column, &((near * 4.0 - far) / 3.0));
+            let (far, near) = (pulled(below, above, 2.0 * step), pulled(near_below, near_above, step));
+            tensions.set_column(column, &((near * 4.0 - far) / 3.0));
+        }
+        Ok(Derivatives { pose, tensions: Some(tensions), errors: Some(errors) })
+    }
+}
+
+/// Change of the tensions from one outcome to another, by so much.
+fn pulled(from: &Outcome, to: &Outcome, by: f64) -> DVector<f64> {
+    let (from, to) = (from.tensions.as_deref().unwrap_or_default(), to.tensions.as_deref().unwrap_or_default());
+    DVector::from_iterator(to.len(), to.iter().zip(from).map(|(to, from)| (to - from) / by))
+}
+
+/// h: forward problems end within some 1e-11 m, so that differences over it are good to 1e-5 and better, and few cables have the end of
+/// a branch so near.
+fn step(cause: &Cause) -> f64 {
+    match cause.kind.unit() {
+        "m" | "1" => 1e-5,
+        "kg" => 0.1,
+        _ => 0.5,
+    }
+}
