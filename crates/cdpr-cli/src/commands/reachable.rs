@@ -2,12 +2,14 @@
 
 mod answer;
 mod differential;
+mod picture;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use answer::{Found, ReachableAnswer};
 use differential::{Differential, cause_named, differential};
+use picture::Picture;
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
 use cdpr::metamodel::sensitivity::Cause;
 use cdpr::model::Model;
@@ -33,6 +35,7 @@ Examples:
   cdpr reachable study.toml --accuracy 0.001,0.002,0.005,0.01
   cdpr reachable study.toml --method hull --mesh reached.glb --emerging-mesh emerging.glb
   cdpr reachable study.toml --method hull --vary \"machine frame-anchor[1].x\" --change 0.01
+  cdpr reachable studies/planar-wide-grid.toml --method hull --center 0,3 --svg outlines.svg
   cdpr reachable study.toml --bounds=-4,4,0,7 --step 0.05 --format json";
 
 /// Which part of its workspace a robot really reaches under its control model.
@@ -83,6 +86,11 @@ pub(crate) struct Arguments {
     /// Writes the same surface where the platform comes to rest; with --method hull.
     #[arg(long, value_name = "FILE")]
     emerging_mesh: Option<PathBuf>,
+
+    /// Draws the outlines: of a planar robot what is physically possible and what is reached, by commanded and by emerging poses; of a
+    /// spatial one level with the centre; with --vary how they move. With --method hull.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
 
     /// Number of control model, machine or winches whose change moves the hull, by its name in `cdpr sensitivity`, as
     /// "machine frame-anchor[1].x"; with --method hull.
@@ -136,7 +144,11 @@ fn check_options(arguments: &Arguments) -> Result<(), Failure> {
     for (option, path) in [("--mesh", &arguments.mesh), ("--emerging-mesh", &arguments.emerging_mesh)] {
         path.as_ref().map_or(Ok(()), |path| check_mesh_file(option, path))?;
     }
-    let of_hulls = [("--emerging-mesh", arguments.emerging_mesh.is_some()), ("--vary", arguments.vary.is_some())];
+    let of_hulls = [
+        ("--emerging-mesh", arguments.emerging_mesh.is_some()),
+        ("--svg", arguments.svg.is_some()),
+        ("--vary", arguments.vary.is_some()),
+    ];
     match of_hulls.iter().find(|(_, given)| *given && arguments.method == Method::Grid) {
         Some((option, _)) => {
             let message = format!("{option} needs the rays of a hull");
@@ -225,16 +237,29 @@ impl Search<'_> {
         let differential = change.map(|(cause, by)| {
             differential(self.laboratory, reachable, self.region, (&found, &self.bounds, &settings), (&cause, by))
         });
-        let feasible = |model: &Model| -> Option<f64> {
+        let differential = differential.transpose()?;
+        let feasible = |model: &Model| -> Option<Hull> {
             let criterion = self.laboratory.feasible(model)?;
-            solve(&self.region.with_criterion(&criterion)).ok()?.measure().map(|measure| measure.size)
+            solve(&self.region.with_criterion(&criterion)).ok()
         };
+        let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
+        let physical = feasible(&self.laboratory.machine);
+        if let Some(path) = &arguments.svg {
+            let picture = Picture {
+                laboratory: self.laboratory,
+                physical: physical.as_ref(),
+                hull: &found,
+                image: image.as_ref(),
+                differential: differential.as_ref(),
+            };
+            picture.write(path)?;
+        }
         let answer = Found {
             method: "hull",
             reached: measure.filter(|_| found.is_star_shaped()).map(|measure| measure.size),
             error_bound: measure.map(|measure| measure.error_bound),
-            physical: feasible(&self.laboratory.machine),
-            model: feasible(&self.laboratory.control),
+            physical: physical.as_ref().and_then(size),
+            model: feasible(&self.laboratory.control).as_ref().and_then(size),
             emerging: image.as_ref().map(|image| image.size),
             points: found.points,
             feasible_points: found.feasible_points,
@@ -242,7 +267,7 @@ impl Search<'_> {
             parts: None,
             by_accuracy: Vec::new(),
             outlines: (found.dimension() == 2).then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),
-            differential: differential.transpose()?,
+            differential,
             reason: (!found.is_star_shaped()).then(|| {
                 let rays = found.rays_again;
                 format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
-use super::{colour, finite_range};
+use super::{Frame, colour, finite_range};
 
 /// One sample.
 pub(crate) struct MapPoint {
@@ -28,8 +28,6 @@ const LEFT: f64 = 78.0;
 const TOP: f64 = 14.0;
 /// Largest width and height of the plot.
 const SIZE: (f64, f64) = (560.0, 380.0);
-/// Least width and height, so that labels have room.
-const LEAST: (f64, f64) = (150.0, 120.0);
 /// More discs than this are thinned out.
 const MOST_POINTS: usize = 1500;
 
@@ -39,23 +37,8 @@ impl Map {
         let points = thinned(&self.points);
         let ranges = [0, 1].map(|axis| finite_range(points.iter().map(|point| point.at[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
-        let [horizontal, vertical] = [horizontal, vertical].map(|(low, high)| {
-            let margin = 0.04 * (high - low).max(1e-3);
-            (low - margin, high + margin)
-        });
-        let spans = (horizontal.1 - horizontal.0, vertical.1 - vertical.0);
-        let scale = (SIZE.0 / spans.0).min(SIZE.1 / spans.1);
-        let size = ((spans.0 * scale).max(LEAST.0), (spans.1 * scale).max(LEAST.1));
-        // what lacks room is widened to both sides, so that a metre is as long across as up
-        let grown = |range: (f64, f64), pixels: f64| {
-            let (middle, half) = (0.5 * (range.0 + range.1), 0.5 * pixels / scale);
-            (middle - half, middle + half)
-        };
-        let (horizontal, vertical) = (grown(horizontal, size.0), grown(vertical, size.1));
-        let (right, bottom) = (LEFT + size.0, TOP + size.1);
+        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, TOP), SIZE);
         let mut drawing = Drawing::new(right + 130.0, bottom + 46.0, &self.colour_label);
-        let x = Axis::exact(horizontal.0, horizontal.1, (LEFT, right), (size.0 / 70.0) as usize);
-        let y = Axis::exact(vertical.0, vertical.1, (bottom, TOP), (size.1 / 26.0) as usize);
         x.draw_below(&mut drawing, TOP, bottom, &format!("{} in m", self.axes[0]));
         y.draw_left(&mut drawing, LEFT, right, &format!("{} in m", self.axes[1]));
         self.draw_points(&mut drawing, &points, &x, &y);

@@ -8,16 +8,21 @@ mod colour;
 mod convergence;
 mod correlations;
 mod drawing;
+mod frame;
 mod ladder;
 mod map;
+mod outlines;
 mod residuals;
 mod shares;
 mod spectrum;
+
+use frame::Frame;
 
 pub(crate) use convergence::convergence;
 pub(crate) use correlations::correlations;
 pub(crate) use ladder::{Ladder, Rung};
 pub(crate) use map::{Map, MapPoint};
+pub(crate) use outlines::{Look, Outline, Outlines};
 pub(crate) use residuals::residuals;
 pub(crate) use shares::{ShareCurve, Shares};
 pub(crate) use spectrum::spectrum;

@@ -238,3 +238,44 @@ fn the_differential_hull_tells_what_a_change_does_and_surfaces_are_written() {
     let (code, _, stderr) = vary("winches initial-tension[1]", "--method hull");
     assert!(code == 2 && stderr.contains("winch-offset"), "{stderr}");
 }
+
+/// Fig. 3.9 of the dissertation: the outline of what is reached, where the change of an anchor moves it to first order, and the one
+/// found anew. The first order misses the change by less than the change itself.
+#[test]
+fn the_differential_hull_is_drawn_with_its_sizes_and_a_spatial_one_as_a_section() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |study: &str, more: &str| {
+        let mut command = assert_cmd::Command::cargo_bin("cdpr").unwrap();
+        command.current_dir(folder.path()).args(["reachable", study, "--svg", "hull.svg"]);
+        let output = command.args(more.split(' ').map(|word| word.replace('_', " "))).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let svg = || std::fs::read_to_string(folder.path().join("hull.svg")).unwrap();
+    let vary = "--method hull --vary control_frame-anchor[1].x --change 0.05";
+    let (code, stderr) = draw(&study("planar-wide-grid"), &format!("{vary} --rays 180 --center 0,3"));
+    assert_eq!(code, 0, "{stderr}");
+    let planar = svg();
+    for words in [
+        "control frame-anchor[1].x changed by 0.05 m",
+        "reached: 51.77 m²",
+        "changed, to first order: 48.65 m²",
+        "changed, found anew: 47.03 m²",
+        "physical: 71.10 m²",
+        ">x in m<",
+        "center of the rays, (0, 3) m",
+    ] {
+        assert!(planar.contains(words), "{words}: {planar}");
+    }
+    assert!(planar.matches("arrow-head").count() > 40, "{planar}");
+
+    let (code, stderr) = draw(&study("twin-nominal"), &format!("{} --rays 162", vary.replace("0.05", "0.01")));
+    assert_eq!(code, 0, "{stderr}");
+    let spatial = svg();
+    assert!(spatial.contains("section at z = 1.5 m of the surface of 162 rays"), "{spatial}");
+    assert!(spatial.contains(" m³") && !spatial.contains("m²"), "{spatial}");
+
+    let (code, _) = draw(&study("planar-wide-grid"), "--method hull --rays 36");
+    assert!(code == 0 && svg().contains("by emerging poses: 49.61 m²"), "{}", svg());
+    let (code, stderr) = draw(&study("planar-wide-grid"), "--method grid");
+    assert!(code == 2 && stderr.contains("--svg needs the rays of a hull"), "{stderr}");
+}

@@ -26,6 +26,12 @@ pub(super) struct Differential {
     pub(super) first_order_size: f64,
     /// The same from a hull found anew; nothing where it has none.
     pub(super) recomputed_size: Option<f64>,
+    /// The hull after the change, to first order.
+    #[serde(skip)]
+    pub(super) moved: Hull,
+    /// The hull found anew.
+    #[serde(skip)]
+    pub(super) anew: Option<Hull>,
 }
 
 /// The number of this name; near ones are told.
@@ -58,14 +64,18 @@ pub(super) fn differential(
     let criterion = varied.reachable().map_err(refused)?;
     // a centre that is no longer reached has no hull
     let anew = hull::solve(&region.with_criterion(&criterion), bounds, &nominal.center, settings).ok();
+    let anew = anew.filter(Hull::is_star_shaped);
+    let moved = motion.moved(nominal, change);
     let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
     Ok(Differential {
         parameter: cause.name(&laboratory.machine),
         unit: cause.kind.unit(),
         change,
         size_rate: motion.size_rate(nominal),
-        first_order_size: size(&motion.moved(nominal, change)).unwrap_or(0.0),
-        recomputed_size: anew.filter(Hull::is_star_shaped).as_ref().and_then(size),
+        first_order_size: size(&moved).unwrap_or(0.0),
+        recomputed_size: anew.as_ref().and_then(size),
         rates_m_per_unit: motion.rates,
+        moved,
+        anew,
     })
 }

@@ -8,6 +8,7 @@ mod measure;
 pub use center::find_center;
 pub use measure::Measure;
 mod search;
+mod section;
 mod sphere;
 mod surface;
 
