@@ -11,6 +11,7 @@ export async function checkStudy(page, layout) {
   await check("drawing", drawings);
   if (data.robot.planar) await check("layers", planeLayers);
   else await check("layers", spaceLayers);
+  if (!data.robot.planar && data.regions.length > 0) await check("slices", slices);
   await check("pointer", pointer);
   await check("keyboard", keyboard);
   await check("magnification", magnification);
@@ -20,6 +21,9 @@ export async function checkStudy(page, layout) {
 }
 
 const CHART = 'figure[data-chart="study"] .chart';
+
+/** The figure that every robot has. */
+const study = (page) => page.locator('figure[data-chart="study"]');
 
 async function drawings(page, data) {
   const broken = await page.locator(`${CHART} svg`).evaluateAll((all) => all.filter((svg) => /NaN|undefined|Infinity/.test(svg.outerHTML)).length);
@@ -32,7 +36,7 @@ async function drawings(page, data) {
 
 /** Ticks a box off and on again; what it stands for goes and comes back. */
 async function switched(page, label, description) {
-  const box = page.getByLabel(label, { exact: true });
+  const box = study(page).getByLabel(label, { exact: true });
   const marks = page.locator(`${CHART} [aria-description="${description}"]`);
   await box.check();
   const before = await marks.count();
@@ -60,16 +64,43 @@ async function planeLayers(page, data) {
   if (data.regions[0].reachable) layers.push(["reachable workspace", "reachable workspace"]);
   const found = [];
   for (const [label, description] of layers) found.push(...(await switched(page, label, description)));
-  const values = await page.locator("text.contour-value").allTextContents();
+  const values = await study(page).locator("text.contour-value").allTextContents();
   if (!values.some((text) => / mm$/.test(text)) || values.some((text) => !/^−?[\d.]+ ?(mm|°|N)$/.test(text))) found.push(`contours bear the values ${values}`);
   found.push(...(await looks(page)));
-  for (const [label] of layers.filter(([label]) => /linear|difference|tension/.test(label))) await page.getByLabel(label, { exact: true }).uncheck();
+  for (const [label] of layers.filter(([label]) => /linear|difference|tension/.test(label))) await study(page).getByLabel(label, { exact: true }).uncheck();
+  return found;
+}
+
+/** Every slice has contours of its own, the poses that lie on it, and a pointer that reads the computed values. */
+async function slices(page, data) {
+  const figure = page.locator('figure[data-chart="slices"]');
+  const found = [];
+  const drawn = new Set();
+  for (const [index, region] of data.regions.entries()) {
+    await figure.getByLabel("Slice").selectOption({ index });
+    const contours = figure.locator('[aria-description="contours of the exact error"]');
+    drawn.add(await contours.evaluate((one) => one.innerHTML));
+    const axis = [0, 1, 2].find((one) => !region.plane.includes(one));
+    const expected = data.samples.commanded.filter((pose) => Math.abs(pose[axis] - region.level_m) < 1e-3).length;
+    const poses = await figure.locator('[aria-description="commanded poses"] > *').count();
+    if (poses !== expected) found.push(`${region.name}: ${poses} poses are drawn, not ${expected}`);
+    const drawing = figure.locator(".chart svg").last();
+    await drawing.evaluate((element) => element.scrollIntoView({ block: "center" }));
+    const box = await drawing.boundingBox();
+    await page.mouse.move(box.x + 0.53 * box.width, box.y + 0.47 * box.height);
+    await page.waitForTimeout(100);
+    const text = (await figure.locator('[aria-label="tip"]').textContent()).replaceAll("\u200b", "");
+    await page.mouse.move(2, 2);
+    if (!text.includes(`${data.robot.axes[axis]} ${region.level_m.toFixed(4).replace("-", "−")}`) || !/position error [\d.]+ mm/.test(text)) found.push(`${region.name}: the tip reads "${text}"`);
+  }
+  if (drawn.size !== data.regions.length) found.push("slices look the same");
+  await figure.getByLabel("Slice").selectOption({ index: 0 });
   return found;
 }
 
 /** Entries of the legend differ in more than their colour. */
 async function looks(page) {
-  const pictures = await page.locator(".layers label svg").evaluateAll((all) => all.map((svg) => svg.innerHTML.replace(/(stroke|fill)="[^"]*"/g, "")));
+  const pictures = await study(page).locator(".layers label svg").evaluateAll((all) => all.map((svg) => svg.innerHTML.replace(/(stroke|fill)="[^"]*"/g, "")));
   return new Set(pictures).size === pictures.length ? [] : ["two entries of the legend differ in colour alone"];
 }
 
@@ -78,7 +109,7 @@ async function spaceLayers(page) {
   for (const [label, description] of [["commanded poses", "commanded poses"], ["emerging poses", "emerging poses"], ["exact vectors", "exact error vectors"], ["vectors by one linear step", "error vectors of the linear step"]]) {
     found.push(...(await switched(page, label, description)));
   }
-  for (const label of ["emerging poses", "vectors by one linear step"]) await page.getByLabel(label, { exact: true }).uncheck();
+  for (const label of ["emerging poses", "vectors by one linear step"]) await study(page).getByLabel(label, { exact: true }).uncheck();
   return found;
 }
 
@@ -132,11 +163,11 @@ async function keyboard(page, data) {
 
 /** What the drawing says is what was chosen, and arrows grow with it. */
 async function magnification(page) {
-  const select = page.getByLabel("Vectors magnified");
+  const select = study(page).getByLabel("Vectors magnified");
   const length = () => page.locator(`${CHART} [aria-description="exact error vectors"] path`).first().evaluate((path) => path.getBBox().width + path.getBBox().height);
   await select.selectOption({ label: "5 ×" });
   const five = await length();
-  const words = await page.locator(".drawing-words").textContent();
+  const words = await study(page).locator(".drawing-words").textContent();
   await select.selectOption({ label: "20 ×" });
   const twenty = await length();
   await select.selectOption({ index: 0 });
@@ -147,7 +178,7 @@ async function magnification(page) {
 
 async function downloaded(page, name) {
   const waiting = page.waitForEvent("download", { timeout: 10_000 });
-  await page.getByRole("button", { name }).first().click();
+  await study(page).getByRole("button", { name }).first().click();
   return readFileSync(await (await waiting).path());
 }
 

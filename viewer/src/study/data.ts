@@ -29,10 +29,14 @@ export interface Nodes {
   count: number;
 }
 
-/** A regular grid in the plane of a planar robot, the first axis running fastest. */
+/** A regular grid in the plane of a planar robot or on a slice through space, the first axis running fastest. */
 export interface StudyRegion extends Points {
   name: string;
   axes: [Nodes, Nodes];
+  /** Axes of the robot that these run along. */
+  plane: [number, number];
+  /** Where a slice lies along the third axis; null in a plane. */
+  level_m: number | null;
   /** Margins: where they are zero a workspace ends. Null for −∞. */
   physical: (number | null)[] | null;
   reachable: (number | null)[] | null;
@@ -43,6 +47,6 @@ export interface StudyData {
   name: string;
   robot: { name: string; axes: string[]; planar: boolean; cables: { name: string; frame_anchor_m: number[] }[] };
   samples: Samples;
-  /** The whole workspace first; none of a spatial robot. */
+  /** The whole workspace first; slices of a spatial robot. */
   regions: StudyRegion[];
 }

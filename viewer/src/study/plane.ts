@@ -1,4 +1,4 @@
-// The errors of a planar robot over its plane: contours, vectors, poses, workspaces and anchors, each a layer of its own.
+// The errors of a planar robot over its plane, of a spatial one over slices: contours, vectors, poses, workspaces and anchors, each a layer of its own.
 import * as Plot from "@observablehq/plot";
 import { BAD, INK, LINE, PAPER, SECOND, STEPS, frame } from "../charts/style";
 import { choice } from "../controls";
@@ -19,10 +19,13 @@ const LARGE: Look = { stroke: "var(--region-1)", width: 1.8, dashes: "12 3 2 3" 
 const SMALL: Look = { stroke: "var(--region-1)", width: 1.6, dashes: "4 2 1 2 1 2" };
 const PHYSICAL: Look = { stroke: INK, width: 3, dashes: "none" };
 const REACHABLE: Look = { stroke: "var(--region-3)", width: 3.5, dashes: "10 5" };
-const INTO_PLANE = [0, 1];
 
 /** More poses than this are drawn small, and vectors begin at grid points, which are fewer. */
 const MANY = 300;
+/** Poses nearer to a slice than this (m) lie on it. */
+const NEAR_SLICE = 1e-3;
+/** Vectors at the poses of a slice are kept shorter: they point in all directions, over the edge too. */
+const IN_SPACE = 0.6;
 /** Columns of vectors over a region. */
 const VECTOR_COLUMNS = 17;
 
@@ -42,17 +45,18 @@ export function plane(data: StudyData, figure: Figure, tell: (words: string) => 
   if (data.regions.length === 0) return null;
   const layers = layersOf(data);
   const errors = errorsOf(data);
-  const region = choice(figure.controls, "Region", data.regions.map((value) => ({ label: value.name, value })), figure.redraw);
+  const region = choice(figure.controls, data.robot.planar ? "Region" : "Slice", data.regions.map((value) => ({ label: value.name, value })), figure.redraw);
   const error = choice(figure.controls, "Error", errors.map((value) => ({ label: value.words, value })), figure.redraw);
   const places = [{ label: "the poses", value: false }, { label: "grid points", value: true }];
-  const isMany = data.samples.number.length > MANY;
+  const isMany = data.samples.number.length > MANY || data.regions.some((one) => posesOn(data, one).length === 0);
   const at = choice(figure.controls, "Vectors at", isMany ? places.reverse() : places, figure.redraw);
   const magnified = choice(figure.controls, "Vectors magnified", MAGNIFICATIONS, figure.redraw);
   offerLayers(figure.controls, groups(data, layers), figure.redraw);
   return (width) => {
-    const [shown, all] = [region(), poses(data)];
+    const shown = region();
+    const all = posesOn(data, shown);
     const vectors = at() ? thinned(data, shown) : all;
-    const magnification = magnified() ?? fitting(vectors, at() ? spacing(shown) : apart(all, 2));
+    const magnification = magnified() ?? fitting(vectors, at() ? spacing(shown) : (data.robot.planar ? 1 : IN_SPACE) * apart(all, data.robot.axes.length));
     tell(layers.exact.shown || layers.linear.shown ? magnificationWords(magnification) : "");
     return draw(data, { layers, region: shown, error: error(), poses: all, vectors, magnification, width });
   };
@@ -75,7 +79,7 @@ function layersOf(data: StudyData): PlaneLayers {
     linear: layer("vectors by one linear step", false, pin(SECOND)),
     commanded: layer("commanded poses", true, mark("ring")),
     emerging: layer("emerging poses", true, mark("point")),
-    anchors: layer("frame anchors", true, mark("square")),
+    anchors: layer("frame anchors", data.robot.planar, mark("square")),
     physical: layer("physical workspace", true, line(PHYSICAL)),
     reachable: layer("reachable workspace", true, line(REACHABLE)),
   };
@@ -86,7 +90,7 @@ function groups(data: StudyData, layers: PlaneLayers): [string, Layer[]][] {
   return [
     ["Contours", layers.contours.map(({ layer }) => layer)],
     ["Error vectors", [layers.exact, layers.linear]],
-    ["Poses and robot", [layers.commanded, layers.emerging, layers.anchors]],
+    ["Poses and robot", [layers.commanded, layers.emerging, ...(data.robot.planar ? [layers.anchors] : [])]],
     ["Boundaries", [...(has("physical") ? [layers.physical] : []), ...(has("reachable") ? [layers.reachable] : [])]],
   ];
 }
@@ -104,27 +108,30 @@ interface Scene {
 function draw(data: StudyData, scene: Scene): Node {
   const { layers, region, error, width } = scene;
   const [[left, right], [bottom, top]] = region.axes.map(ends) as [[number, number], [number, number]];
-  const isWhole = region === data.regions[0];
+  const [first, second] = region.plane;
+  const isWhole = data.robot.planar && region === data.regions[0];
   const anchors = isWhole && layers.anchors.shown ? data.robot.cables.map((cable) => cable.frame_anchor_m) : [];
   const contours = layers.contours.filter(({ layer }) => layer.shown).map((one) => {
     const quantity = one.of(error);
     const raster = rasterOf(region, quantity);
     // both errors by the same levels, or they could not be compared
-    const scale = quantity === error.linear ? rasterOf(region, error.exact) : raster;
-    return { ...one, quantity, raster, levels: levelsOf(within(region, scale.values), STEPS.length - 1) };
+    const scale = quantity === error.linear ? error.exact : quantity;
+    // and all slices
+    const compared = data.robot.planar ? [region] : data.regions;
+    return { ...one, quantity, raster, levels: levelsOf(compared.flatMap((other) => within(other, rasterOf(other, scale).values)), STEPS.length - 1) };
   });
   const bands = contours.find(({ look, levels }) => look === EXACT && levels.length > 0);
   const outlines = [{ one: layers.physical, look: PHYSICAL, margins: region.physical, name: "physical workspace" }, { one: layers.reachable, look: REACHABLE, margins: region.reachable, name: "reachable workspace" }];
-  const isInside = (position: number[]) => [[left, right], [bottom, top]].every(([low, high], k) => (position[k] ?? 0) >= (low as number) && (position[k] ?? 0) <= (high as number));
+  const isInside = (position: number[]) => [[left, right], [bottom, top]].every(([low, high], k) => (position[region.plane[k] as number] ?? 0) >= (low as number) && (position[region.plane[k] as number] ?? 0) <= (high as number));
   const visible = scene.poses.filter(({ commanded }) => isInside(commanded));
   const tipped = [...visible, ...gridPlaces(region)];
   const size = visible.length > MANY ? 0.5 : 1;
   const whole = Plot.plot(
-    frame(Math.min(width, 1000), {
+    frame(Math.min(width, data.robot.planar ? 1000 : 760), {
       aspectRatio: 1,
       marginTop: 26,
-      x: { label: `${data.robot.axes[0]}, m`, labelAnchor: "center", labelArrow: "none", inset: 12, domain: extent([left, right, ...anchors.map((anchor) => anchor[0] as number)]) },
-      y: { label: `${data.robot.axes[1]}, m`, labelArrow: "none", inset: 12, domain: extent([bottom, top, ...anchors.map((anchor) => anchor[1] as number)]) },
+      x: { label: `${data.robot.axes[first]}, m`, labelAnchor: "center", labelArrow: "none", ticks: 10, inset: 12, domain: extent([left, right, ...anchors.map((anchor) => anchor[0] as number)]) },
+      y: { label: `${data.robot.axes[second]}, m`, labelArrow: "none", ticks: 12, inset: 12, domain: extent([bottom, top, ...anchors.map((anchor) => anchor[1] as number)]) },
       ...(bands ? { color: { type: "threshold", domain: bands.levels, range: STEPS.slice(0, bands.levels.length + 1), legend: true, ...{ width: Math.min(width, 420) }, label: `${bands.quantity.words}, ${bands.quantity.unit}`, tickFormat: tick } } : {}),
       marks: [
         bands ? contourBands(bands.raster, bands.levels) : null,
@@ -133,14 +140,14 @@ function draw(data: StudyData, scene: Scene): Node {
         ...contours.map(({ raster, levels, look, name }) => contourLines(raster, levels, look, name)),
         layers.physical.shown && region.physical ? veil(marginsOf(region, region.physical)) : null,
         ...outlines.map(({ one, look, margins, name }) => (one.shown && margins ? contourLines(marginsOf(region, margins), [0], look, name) : null)),
-        ...anchorMarks(data, INTO_PLANE, isWhole && layers.anchors.shown),
-        ...(layers.exact.shown ? exactVectors(scene.vectors, scene.magnification, INTO_PLANE) : []),
-        ...(layers.linear.shown ? linearVectors(scene.vectors, scene.magnification, INTO_PLANE) : []),
-        layers.emerging.shown ? Plot.dot(visible.filter((place) => place.emerging), { x: (place: Place) => place.emerging?.[0], y: (place: Place) => place.emerging?.[1], r: 2.6 * size, fill: BAD, ariaDescription: "emerging poses" }) : null,
-        layers.commanded.shown ? Plot.dot(visible, { x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], r: 3.5 * size, stroke: INK, strokeWidth: 1.3 * size, fill: PAPER, fillOpacity: 0.35, ariaDescription: "commanded poses" }) : null,
+        ...anchorMarks(data, region.plane, isWhole && layers.anchors.shown),
+        ...(layers.exact.shown ? exactVectors(scene.vectors, scene.magnification, region.plane) : []),
+        ...(layers.linear.shown ? linearVectors(scene.vectors, scene.magnification, region.plane) : []),
+        layers.emerging.shown ? Plot.dot(visible.filter((place) => place.emerging), { x: (place: Place) => place.emerging?.[first], y: (place: Place) => place.emerging?.[second], r: 2.6 * size, fill: BAD, ariaDescription: "emerging poses" }) : null,
+        layers.commanded.shown ? Plot.dot(visible, { x: (place: Place) => place.commanded[first], y: (place: Place) => place.commanded[second], r: 3.5 * size, stroke: INK, strokeWidth: 1.3 * size, fill: PAPER, fillOpacity: 0.35, ariaDescription: "commanded poses" }) : null,
         // the keyboard goes through these
-        Plot.dot(visible, { x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], r: 1, fill: "none", stroke: "none" }),
-        Plot.tip(tipped, Plot.pointer({ x: (place: Place) => place.commanded[0], y: (place: Place) => place.commanded[1], title: (place: Place) => words(data, place), maxRadius: 60, lineWidth: 34, fontSize: 12 })),
+        Plot.dot(visible, { x: (place: Place) => place.commanded[first], y: (place: Place) => place.commanded[second], r: 1, fill: "none", stroke: "none" }),
+        Plot.tip(tipped, Plot.pointer({ x: (place: Place) => place.commanded[first], y: (place: Place) => place.commanded[second], title: (place: Place) => words(data, place), maxRadius: 60, lineWidth: 34, fontSize: 12 })),
       ],
     }),
   );
@@ -189,12 +196,26 @@ function gridPlaces(region: StudyRegion): Place[] {
   const [across, up] = region.axes;
   return region.error_m.map((_, at) => ({
     title: "grid point",
-    commanded: [across.start_m + (at % across.count) * across.step_m, up.start_m + Math.floor(at / across.count) * up.step_m],
+    commanded: positionOn(region, across.start_m + (at % across.count) * across.step_m, up.start_m + Math.floor(at / across.count) * up.step_m),
     emerging: null,
     points: region,
     at,
     reason: null,
   }));
+}
+
+/** Coordinates of a point of the plane, or of the slice. */
+function positionOn({ plane: [first, second], level_m }: StudyRegion, across: number, up: number): number[] {
+  const position: number[] = level_m === null ? [] : [level_m, level_m, level_m];
+  position[first] = across;
+  position[second] = up;
+  return position;
+}
+
+/** The poses that lie on a slice, or all in a plane. */
+function posesOn(data: StudyData, { plane, level_m }: StudyRegion): Place[] {
+  const axis = [0, 1, 2].find((one) => !plane.includes(one)) as number;
+  return poses(data).filter(({ commanded }) => level_m === null || Math.abs((commanded[axis] as number) - level_m) < NEAR_SLICE);
 }
 
 /** Grid points for vectors: evenly spaced, inside the physical workspace where it is known. */

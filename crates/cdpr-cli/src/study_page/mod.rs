@@ -1,4 +1,4 @@
-//! The page of a study: one HTML file with the errors of its poses and, of a planar robot, of regions around them.
+//! The page of a study: one HTML file with the errors of its poses and of regions around them.
 //!
 //! Everything the page shows was computed here: its program draws, and subtracts vectors that it shows side by side.
 

@@ -74,7 +74,11 @@ struct PointData {
 /// A regular grid, the first axis running fastest.
 #[derive(Serialize)]
 struct RegionData {
-    name: &'static str,
+    name: String,
+    /// Axes of the robot that the two of the grid run along, from 0.
+    plane: [usize; 2],
+    /// Where a slice through space lies (m); null in the plane of a planar robot.
+    level_m: Option<f64>,
     axes: Vec<AxisData>,
     #[serde(flatten)]
     points: PointData,
@@ -152,7 +156,9 @@ fn region_data(robot: &Robot, region: &Region) -> RegionData {
         margins.iter().map(|margin| margin.is_finite().then(|| digits(*margin, 4))).collect::<Vec<_>>()
     };
     RegionData {
-        name: region.name,
+        name: region.name.clone(),
+        plane: region.slice.map_or([0, 1], |slice| slice.along()),
+        level_m: region.slice.map(|slice| slice.level),
         axes: region.axes.iter().map(axis).collect(),
         points: points(robot, &region.samples.iter().collect::<Vec<_>>(), 4),
         physical: region.physical.as_ref().map(margins),

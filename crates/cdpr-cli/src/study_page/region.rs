@@ -1,4 +1,5 @@
-//! Regions of the plane of a planar robot with errors on a regular grid, which the page draws contours through.
+//! Regions with errors on a regular grid, which the page draws contours through: of the plane of a planar robot, and slices through
+//! the poses of a spatial one.
 
 use cdpr::geometry::Pose;
 use cdpr::metamodel::field::{Field, Sample, field};
@@ -7,7 +8,7 @@ use cdpr::workspace::{Bounds, Criterion};
 use crate::failure::Failure;
 use crate::html_page::counts;
 use crate::laboratory::Laboratory;
-use crate::number_format::significant;
+use crate::number_format::{short, significant};
 
 /// Numbers that a page may hold for one region (about 9 bytes each).
 const MOST_NUMBERS: usize = 30_000;
@@ -16,10 +17,17 @@ const MOST_NODES: usize = 3_000;
 /// The region around the poses reaches further than their box by this share of its longer side.
 const AROUND: f64 = 0.1;
 
-/// A part of the plane.
+/// Slices of a spatial robot at most; where its poses have more levels, as many evenly spaced ones.
+const MOST_SLICES: usize = 5;
+/// Levels nearer to each other than this are one (m).
+const SAME_LEVEL: f64 = 1e-6;
+
+/// A part of a plane.
 pub(super) struct Region {
     /// What it is a region of.
-    pub(super) name: &'static str,
+    pub(super) name: String,
+    /// The plane that it lies in, of a spatial robot.
+    pub(super) slice: Option<Slice>,
     /// Nodes along the two axes.
     pub(super) axes: [Nodes; 2],
     /// What a control model and a machine make of every node, the first axis running fastest.
@@ -28,6 +36,22 @@ pub(super) struct Region {
     pub(super) physical: Option<Vec<f64>>,
     /// Margin of what counts as reached at every node; `None` where nothing is asked for.
     pub(super) reachable: Option<Vec<f64>>,
+}
+
+/// A plane across an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slice {
+    /// The axis across, from 0.
+    pub(super) axis: usize,
+    /// Where it is cut (m).
+    pub(super) level: f64,
+}
+
+impl Slice {
+    /// The two axes that it runs along.
+    pub(super) fn along(&self) -> [usize; 2] {
+        [[1, 2], [0, 2], [0, 1]][self.axis]
+    }
 }
 
 /// Evenly spaced nodes along an axis (m).
@@ -59,19 +83,60 @@ impl Region {
     }
 }
 
-/// The surroundings of the poses and the whole workspace; none of a spatial robot.
+/// The surroundings of the poses and the whole workspace; of a spatial robot slices through the surroundings of the poses.
 pub(super) fn regions(laboratory: &Laboratory, found: &Field) -> Result<Vec<Region>, Failure> {
     let robot = laboratory.machine.robot();
+    let angle = angle(laboratory, found)?;
     if !robot.motion_pattern.is_planar() {
-        return Ok(Vec::new());
+        return slices(laboratory, found, angle);
     }
-    let plane = Plane { laboratory, angle: angle(laboratory, found)? };
+    let plane = Plane { laboratory, slice: None, angle, most_numbers: MOST_NUMBERS };
     let poses: Vec<[f64; 2]> =
         found.samples.iter().map(|sample| robot.plane.components(&sample.commanded.position)).collect();
     let around_poses = widened(box_of(&poses));
     let mut boxes = vec![("the whole workspace", plane.whole(box_of(&poses))?)];
     boxes.extend(around_poses.map(|ends| ("the surroundings of the poses", ends)));
-    boxes.into_iter().map(|(name, ends)| plane.region(name, ends)).collect()
+    boxes.into_iter().map(|(name, ends)| plane.region(name.to_owned(), ends)).collect()
+}
+
+/// Level slices at the heights of the poses; upright ones where the poses lie in an upright plane; none along a line.
+fn slices(laboratory: &Laboratory, found: &Field, angle: Vec<f64>) -> Result<Vec<Region>, Failure> {
+    let along = |axis: usize| found.samples.iter().map(move |sample| sample.commanded.position[axis]);
+    let extent =
+        |axis: usize| along(axis).fold(f64::NEG_INFINITY, f64::max) - along(axis).fold(f64::INFINITY, f64::min);
+    let Some(axis) =
+        [2, 1, 0].into_iter().find(|&axis| (0..3).all(|other| other == axis || extent(other) > SAME_LEVEL))
+    else {
+        return Ok(Vec::new());
+    };
+    let levels = levels(along(axis).collect());
+    let names = crate::pose_answer::axis_names(laboratory.machine.robot());
+    let slice = |level: &f64| {
+        let slice = Slice { axis, level: *level };
+        let [first, second] = slice.along();
+        let poses: Vec<[f64; 2]> = along(first).zip(along(second)).map(|(a, b)| [a, b]).collect();
+        let name = format!("{}–{} at {} = {} m", names[first], names[second], names[axis], short(*level));
+        let plane = Plane {
+            laboratory,
+            slice: Some(slice),
+            angle: angle.clone(),
+            most_numbers: 2 * MOST_NUMBERS / levels.len(),
+        };
+        widened(box_of(&poses)).map(|ends| plane.region(name, ends))
+    };
+    levels.iter().filter_map(slice).collect()
+}
+
+/// Those that differ, in order; evenly spaced ones where there are too many.
+fn levels(mut all: Vec<f64>) -> Vec<f64> {
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|a, b| (*a - *b).abs() < SAME_LEVEL);
+    match all[..] {
+        [low, .., high] if all.len() > MOST_SLICES => {
+            (0..MOST_SLICES).map(|k| low + (high - low) * k as f64 / (MOST_SLICES - 1) as f64).collect()
+        }
+        _ => all,
+    }
 }
 
 /// The orientation that all poses share, else the one at which the winches were set, as the pattern's components beyond the
@@ -84,7 +149,8 @@ fn angle(laboratory: &Laboratory, found: &Field) -> Result<Vec<f64>, Failure> {
         Some(pose) => pose,
         None => laboratory.initial_pose()?,
     };
-    Ok(robot.motion_pattern.pose_to_components(robot.plane, &pose)[2..].to_vec())
+    let pattern = robot.motion_pattern;
+    Ok(pattern.pose_to_components(robot.plane, &pose)[pattern.translations()..].to_vec())
 }
 
 /// Least and largest component along both axes.
@@ -106,8 +172,11 @@ fn widened(ends: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
 /// Where a pose has two components to choose.
 struct Plane<'a> {
     laboratory: &'a Laboratory,
+    slice: Option<Slice>,
     /// Components of the pose beyond its position (rad).
     angle: Vec<f64>,
+    /// Numbers that the page may hold for a region.
+    most_numbers: usize,
 }
 
 impl Plane<'_> {
@@ -135,10 +204,10 @@ impl Plane<'_> {
         Ok([with_poses(0), with_poses(1)])
     }
 
-    fn region(&self, name: &'static str, ends: [[f64; 2]; 2]) -> Result<Region, Failure> {
+    fn region(&self, name: String, ends: [[f64; 2]; 2]) -> Result<Region, Failure> {
         let laboratory = self.laboratory;
-        let numbers_per_node = 2 * (2 + self.angle.len()) + laboratory.machine.cable_count() + 2;
-        let axes = nodes(ends, (MOST_NUMBERS / numbers_per_node).min(MOST_NODES));
+        let numbers_per_node = 2 * laboratory.machine.dof() + laboratory.machine.cable_count() + 2;
+        let axes = nodes(ends, (self.most_numbers / numbers_per_node).min(MOST_NODES));
         let places = self.places(&axes);
         let poses = self.poses(&places)?;
         let samples = field(&laboratory.driving()?, &poses).samples;
@@ -146,7 +215,7 @@ impl Plane<'_> {
         let reachable = reachable.map(|reachable| {
             samples.iter().map(|sample| reachable.verdict(&sample.commanded, &sample.outcome).margin).collect()
         });
-        Ok(Region { name, axes, samples, physical: self.physical(&places)?, reachable })
+        Ok(Region { name, slice: self.slice, axes, samples, physical: self.physical(&places)?, reachable })
     }
 
     fn physical(&self, places: &[[f64; 2]]) -> Result<Option<Vec<f64>>, Failure> {
@@ -163,7 +232,13 @@ impl Plane<'_> {
 
     fn poses(&self, places: &[[f64; 2]]) -> Result<Vec<Pose>, Failure> {
         let robot = self.laboratory.machine.robot();
-        let pose = |at: &[f64; 2]| robot.motion_pattern.pose(robot.plane, &[&at[..], &self.angle].concat());
+        let pose = |at: &[f64; 2]| {
+            let mut position = at.to_vec();
+            if let Some(Slice { axis, level }) = self.slice {
+                position.insert(axis, level);
+            }
+            robot.motion_pattern.pose(robot.plane, &[position, self.angle.clone()].concat())
+        };
         let poses: Result<Vec<Pose>, _> = places.iter().map(pose).collect();
         poses.map_err(|error| self.laboratory.refused(&error))
     }

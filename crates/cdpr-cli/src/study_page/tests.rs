@@ -133,3 +133,46 @@ fn a_study_of_one_pose_has_a_page_and_its_region_is_the_whole_workspace() {
     assert_eq!(data["samples"]["total"], 1);
     assert_eq!(data["regions"].as_array().unwrap().len(), 1);
 }
+
+/// Slices lie at the three heights of the grid; every 37th node of each is asked again, in the orientation of all poses.
+#[test]
+fn the_slices_of_a_spatial_study_hold_what_the_library_computes() {
+    let laboratory = laboratory("twin-nominal.toml");
+    let data = data(&page(&laboratory, &found(&laboratory)));
+    let regions = data["regions"].as_array().unwrap();
+    let heights: Vec<f64> = regions.iter().map(|region| region["level_m"].as_f64().unwrap()).collect();
+    assert_eq!(heights, [1.25, 1.625, 2.0]);
+    let driving = laboratory.driving().unwrap();
+    for (region, height) in regions.iter().zip(heights) {
+        assert_eq!(region["plane"], serde_json::json!([0, 1]));
+        let axis = |k: usize| &region["axes"][k];
+        let columns = axis(0)["count"].as_u64().unwrap();
+        let place = |k: usize, index: u64| {
+            axis(k)["start_m"].as_f64().unwrap() + index as f64 * axis(k)["step_m"].as_f64().unwrap()
+        };
+        let errors = region["error_m"].as_array().unwrap();
+        assert!(errors.len() > 400, "{}", errors.len());
+        for node in (0..errors.len() as u64).step_by(37) {
+            let mut pose = Pose::identity();
+            pose.position = [place(0, node % columns), place(1, node / columns), height].into();
+            let error = field(&driving, &[pose]).samples[0].exact.unwrap();
+            assert!(agree(&numbers(&errors[node as usize]), &error.as_slice()[..3], 6), "node {node} at {height} m");
+        }
+    }
+}
+
+#[test]
+fn poses_on_a_line_have_no_slice_and_those_in_an_upright_plane_an_upright_one() {
+    let mut laboratory = laboratory("twin-nominal.toml");
+    let mut planes = |count: [usize; 6]| {
+        laboratory.study.poses.as_mut().unwrap().grid.as_mut().unwrap().count = count.to_vec();
+        let data = data(&page(&laboratory, &found(&laboratory)));
+        let regions = data["regions"].as_array().unwrap();
+        regions.iter().map(|region| (region["plane"].clone(), region["level_m"].as_f64())).collect::<Vec<_>>()
+    };
+    assert!(planes([5, 1, 1, 1, 1, 1]).is_empty());
+    assert_eq!(planes([3, 1, 3, 1, 1, 1]), [(serde_json::json!([0, 2]), Some(0.0))]);
+    assert_eq!(planes([1, 3, 3, 1, 1, 1]), [(serde_json::json!([1, 2]), Some(0.0))]);
+    // more heights than slices
+    assert_eq!(planes([2, 2, 9, 1, 1, 1]).len(), 5);
+}

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 
 use cdpr::geometry::Twist;
-use cdpr::metamodel::field::Field;
+use cdpr::metamodel::field::{Field, Sample};
 use cdpr::model::Model;
 
 use crate::figures::{Map, MapPoint};
+use crate::number_format::short;
 use crate::selecting::NamedFile;
 
 /// One row per commanded pose; empty cells where there is no answer.
@@ -34,7 +35,8 @@ pub(super) fn errors(found: &Field) -> String {
     text
 }
 
-/// Position errors over the plane of a planar robot; of a spatial one seen along each axis.
+/// Position errors over the plane of a planar robot; of a spatial one seen along each axis, from above height by height where
+/// the poses have few heights.
 pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
     let names = ["x", "y", "z"];
     let axes: Vec<usize> = machine.axes().iter().map(|axis| axis.iamax()).collect();
@@ -43,19 +45,40 @@ pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
         _ => vec![[0, 1], [0, 2], [1, 2]],
     };
     let top = 1e3 * found.summary.position_error_m.max;
-    let drawn = |[first, second]: [usize; 2]| {
-        let point = |sample: &cdpr::metamodel::field::Sample| {
+    let drawn = |[first, second]: [usize; 2], height: Option<f64>| {
+        let point = |sample: &Sample| {
             let error = sample.exact?.fixed_rows::<3>(0).norm();
             let position = sample.commanded.position;
-            Some(MapPoint { at: [position[first], position[second]], error: 1e3 * error })
+            let is_there = height.is_none_or(|height| (position.z - height).abs() < SAME_HEIGHT);
+            is_there.then(|| MapPoint { at: [position[first], position[second]], error: 1e3 * error })
         };
+        let (at, of) = height.map_or_else(Default::default, |height| {
+            let height = short(height);
+            (format!("-at-z-{}", height.replace('−', "-")), format!(" at z = {height} m"))
+        });
         let map = Map {
             points: found.samples.iter().filter_map(point).collect(),
             axes: [names[first], names[second]].map(str::to_owned),
             top,
-            colour_label: "position error in mm".to_owned(),
+            colour_label: format!("position error in mm{of}"),
         };
-        Some(NamedFile::new(format!("error-map-{}{}.svg", names[first], names[second]), map.svg()?))
+        Some(NamedFile::new(format!("error-map-{}{}{at}.svg", names[first], names[second]), map.svg()?))
     };
-    views.into_iter().filter_map(drawn).collect()
+    let heights = if axes.len() > 2 { heights(found) } else { Vec::new() };
+    let views = views.into_iter().map(|view| (view, None));
+    views.chain(heights.into_iter().map(|height| ([0, 1], Some(height)))).filter_map(|(view, at)| drawn(view, at)).collect()
+}
+
+/// Heights nearer to each other than this are one (m).
+const SAME_HEIGHT: f64 = 1e-6;
+/// More heights than this are no levels but a cloud.
+const MOST_HEIGHTS: usize = 7;
+
+/// The heights of the poses; none where all have the same, or nearly each its own.
+fn heights(found: &Field) -> Vec<f64> {
+    let mut heights: Vec<f64> = found.samples.iter().map(|sample| sample.commanded.position.z).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup_by(|a, b| (*a - *b).abs() < SAME_HEIGHT);
+    let are_levels = (2..=MOST_HEIGHTS).contains(&heights.len()) && found.samples.len() >= 4 * heights.len();
+    if are_levels { heights } else { Vec::new() }
 }
