@@ -20,9 +20,26 @@ export async function checkWorkspace(page, layout) {
     await check("clip plane", clipPlane);
     await check("colours of surfaces", colouring);
   }
+  if (data.grid.cable.some((cable) => cable >= 0)) await check("colours of the plane", planeColouring);
   await check("downloads", downloads);
   found.push(...(await layout(page)));
   await backToStart(page, data);
+  return found;
+}
+
+/** Cells in the colours of cables, each patch with its name, and a legend that names every colour; back to the margin. */
+async function planeColouring(page, data) {
+  const select = page.getByLabel("Colours of the plane").first();
+  await select.selectOption({ label: "limiting cable" });
+  const cells = await page.locator('[aria-description="limiting cables"] > *').count();
+  const names = await page.locator('[aria-description="names of limiting cables"] text').allTextContents();
+  const colours = await page.locator('[aria-description="limiting cables"] > *').evaluateAll((all) => new Set(all.map((one) => one.getAttribute("fill"))).size);
+  const legend = await page.getByText(/^limited by cable /).count();
+  await select.selectOption({ label: "margin" });
+  const found = cells > 100 ? [] : [`${cells} cells are drawn`];
+  if (names.length === 0 || names.some((name) => !data.robot.cables.some((cable) => cable.name === name))) found.push(`patches bear the names ${names}`);
+  if (legend === 0 || legend > colours) found.push(`${legend} cables in the legend, ${colours} colours`);
+  if ((await page.locator('[aria-description="limiting cables"]').count()) > 0) found.push("the margin does not come back");
   return found;
 }
 

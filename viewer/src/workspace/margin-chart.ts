@@ -1,9 +1,13 @@
-// The margin in a plane of the grid as contours, with the areas that were found: the drawing that the platform moves on.
+// The margin in a plane of the grid as contours, or the cable that limits, with the areas that were found: the drawing that the platform
+// moves on.
 import * as Plot from "@observablehq/plot";
 import { INK, LINE, MUTED, frame } from "../charts/style";
 import { significant } from "../number";
+import { cableColour } from "./colouring";
 import type { Grid, WorkspaceData } from "./data";
 import { marginOf } from "./field";
+import { patchesOfPlane } from "./patches";
+import { cableName } from "./platform";
 import type { ShownRegion } from "./regions";
 import { drawn } from "./svg";
 
@@ -14,6 +18,9 @@ export interface Plane {
   /** Node along each axis; only that of the third counts. */
   layer: number[];
 }
+
+/** What the colours of a plane stand for. */
+export type PlaneColouring = "margin" | "cable";
 
 /** A chart and its scales. */
 export interface MarginChart {
@@ -27,8 +34,12 @@ export interface MarginChart {
 /** Colours of the bands between seven levels. */
 export const SHADES = ["n4", "n3", "n2", "n1", "1", "2", "3", "4"].map((name) => `var(--diverging-${name})`);
 
-/** Contours of the margin; where it fails there is a hatch too, and the limit is a thick line. `also` must be seen as well. */
-export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownRegion[], also: [number, number][], width: number): MarginChart {
+/** Patches smaller than this share of the plane bear no name. */
+const NAMED_PATCH = 0.015;
+
+/** Contours of the margin, or cells in the colour of the cable that limits; where the margin fails there is a hatch too, and the limit is a
+ * thick line. `also` must be seen as well. */
+export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownRegion[], also: [number, number][], width: number, colouring: PlaneColouring): MarginChart {
   const { grid, criterion } = data;
   const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
   const values = layerOf(grid, plane);
@@ -45,13 +56,14 @@ export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownReg
       marginTop: 22,
       x: { label: `${across.name}, m`, labelAnchor: "center", labelArrow: "none", inset: 12, domain: extent([box.left, box.right, ...also.map((point) => point[0])]) },
       y: { label: `${up.name}, m`, labelArrow: "none", inset: 12, domain: extent([box.bottom, box.top, ...also.map((point) => point[1])]) },
-      color: { type: "threshold", domain: levels, range: SHADES, legend: true, ...{ width: Math.min(width, 380) }, label: `margin of ${criterion.name}${criterion.unit ? `, ${criterion.unit}` : ""}`, tickFormat: (value: number) => significant(value, 2) },
+      color: colouring === "cable" ? cableLegend(data, plane) : { type: "threshold", domain: levels, range: SHADES, legend: true, ...{ width: Math.min(width, 380) }, label: `margin of ${criterion.name}${criterion.unit ? `, ${criterion.unit}` : ""}`, tickFormat: (value: number) => significant(value, 2) },
       marks: [
-        Plot.contour(values, { ...size, fill: Plot.identity as never, thresholds: [lowest, ...levels] as never, stroke: "none" }),
+        ...(colouring === "cable" ? cableCells(data, plane) : [Plot.contour(values, { ...size, fill: Plot.identity as never, thresholds: [lowest, ...levels] as never, stroke: "none" })]),
         Plot.contour(values.map((value) => -value), { ...size, thresholds: [1e-12] as never, fill: `url(#${hatch})`, stroke: "none" }),
         Plot.contour(values, { ...size, thresholds: [0] as never, fill: "none", stroke: INK, strokeWidth: 2 }),
         Plot.gridX({ stroke: LINE, strokeOpacity: 0.5 }),
         Plot.gridY({ stroke: LINE, strokeOpacity: 0.5 }),
+        ...(colouring === "cable" ? cableNames(data, plane) : []),
         ...outlines.map(({ one, points }) => Plot.line(points, { stroke: `var(--${one.colour})`, strokeWidth: 3, strokeDasharray: one.dashes, clip: true })),
       ],
     }),
@@ -61,6 +73,43 @@ export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownReg
   drawing.prepend(definitions(hatch, { x: x.apply(box.left), y: y.apply(box.top), width: x.apply(box.right) - x.apply(box.left), height: y.apply(box.bottom) - y.apply(box.top) }));
   for (const contours of drawing.querySelectorAll('[aria-label="contour"]')) contours.setAttribute("clip-path", `url(#${hatch}-box)`);
   return { whole, drawing, x, y };
+}
+
+/** True where some node of the grid has a cable that limits it. */
+export function knowsCables({ grid }: WorkspaceData): boolean {
+  return grid.cable.some((cable) => cable >= 0);
+}
+
+/** The cables that limit nodes of a plane, with their names and colours. */
+function cableLegend(data: WorkspaceData, plane: Plane): Plot.ScaleOptions & { legend: boolean } {
+  const numbers = [...new Set(nodesOf(data.grid, plane).map((node) => data.grid.cable[node] as number))].sort((a, b) => a - b);
+  return { type: "ordinal", domain: numbers, range: numbers.map((cable) => cableColour(cable + 1)), legend: true, label: "limiting cable", tickFormat: (cable: number) => (cable < 0 ? "none" : `limited by cable ${cableName(data, cable)}`) };
+}
+
+/** The nodes of a plane as cells in the colour of their cable. */
+function cableCells({ grid }: WorkspaceData, plane: Plane): Plot.Markish[] {
+  const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
+  const edges = (axis: Grid["axes"][number], index: number) => [Math.max(index - 0.5, 0), Math.min(index + 0.5, axis.count - 1)].map((place) => axis.start_m + place * axis.step_m) as [number, number];
+  const cells = nodesOf(grid, plane).map((node, at) => ({ cable: grid.cable[node] as number, x: edges(across, at % across.count), y: edges(up, Math.floor(at / across.count)) }));
+  return [Plot.rect(cells, { x1: (cell) => cell.x[0], x2: (cell) => cell.x[1], y1: (cell) => cell.y[0], y2: (cell) => cell.y[1], fill: (cell) => cell.cable, fillOpacity: 0.6, shapeRendering: "crispEdges", ariaDescription: "limiting cables" })];
+}
+
+/** The name of its cable upon each patch that is large enough. */
+function cableNames(data: WorkspaceData, plane: Plane): Plot.Markish[] {
+  const { grid } = data;
+  const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
+  const cables = nodesOf(grid, plane).map((node) => grid.cable[node] as number);
+  const named = patchesOfPlane(cables, across.count).filter(({ cable, cells }) => cable >= 0 && cells.length > NAMED_PATCH * cables.length);
+  return [Plot.text(named, { x: ({ middle }) => across.start_m + (middle % across.count) * across.step_m, y: ({ middle }) => up.start_m + Math.floor(middle / across.count) * up.step_m, text: ({ cable }) => cableName(data, cable), fontSize: 16, fontWeight: 600, fill: INK, stroke: "var(--paper)", strokeWidth: 4, ariaDescription: "names of limiting cables" })];
+}
+
+/** The nodes of a plane, row by row from below. */
+function nodesOf(grid: Grid, plane: Plane): number[] {
+  const strides = grid.axes.map((_, k) => grid.axes.slice(0, k).reduce((product, axis) => product * axis.count, 1));
+  const fixed = grid.axes.reduce((node, _, k) => (k === plane.across || k === plane.up ? node : node + (plane.layer[k] ?? 0) * (strides[k] as number)), 0);
+  const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
+  const place = (at: number) => fixed + (at % across.count) * (strides[plane.across] as number) + Math.floor(at / across.count) * (strides[plane.up] as number);
+  return Array.from({ length: across.count * up.count }, (_, at) => place(at));
 }
 
 function endOf(axis: Grid["axes"][number]): number {
@@ -77,15 +126,14 @@ function axisOf(grid: Grid, k: number): Grid["axes"][number] {
 
 /** The margins of the plane, row by row from below, those of the edge twice; −∞ as the worst of the others, which contours can be drawn between. */
 function layerOf(grid: Grid, plane: Plane): number[] {
-  const strides = grid.axes.map((_, k) => grid.axes.slice(0, k).reduce((product, axis) => product * axis.count, 1));
-  const fixed = grid.axes.reduce((node, _, k) => (k === plane.across || k === plane.up ? node : node + (plane.layer[k] ?? 0) * (strides[k] as number)), 0);
+  const nodes = nodesOf(grid, plane);
   const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
   const values: number[] = [];
   const within = (index: number, count: number) => Math.max(0, Math.min(count - 1, index));
   for (let line = -1; line <= up.count; line++) {
     for (let place = -1; place <= across.count; place++) {
       const [row, column] = [within(line, up.count), within(place, across.count)];
-      values.push(marginOf(grid, fixed + column * (strides[plane.across] as number) + row * (strides[plane.up] as number)));
+      values.push(marginOf(grid, nodes[row * across.count + column] as number));
     }
   }
   const worst = values.filter(Number.isFinite).reduce((a, b) => Math.min(a, b), -1);

@@ -5,7 +5,7 @@ import { onThemeChange } from "../theme";
 import type { WorkspaceData } from "./data";
 import { png, stl } from "./download";
 import { tensionLegend } from "./legend";
-import { type MarginChart, type Plane, marginChart } from "./margin-chart";
+import { type MarginChart, type Plane, type PlaneColouring, knowsCables, marginChart } from "./margin-chart";
 import { placePlatform } from "./plane-robot";
 import { Platform } from "./platform";
 import { offerPosition } from "./position-controls";
@@ -33,7 +33,8 @@ export function showWorkspace(data: WorkspaceData): void {
 function showPlanar(canvas: HTMLElement, controls: HTMLElement, platform: Platform, regions: ShownRegion[], scale: TensionScale): () => void {
   const plane: Plane = { across: 0, up: 1, layer: [] };
   const anchors = platform.frame.map((anchor) => platform.coordinatesOf(anchor) as [number, number]);
-  const chart = followed(canvas, platform, scale, (width) => ({ plane, chart: marginChart(platform.data, plane, regions, anchors, width) }));
+  const colouring = offerColouring(controls, platform.data, () => chart.redraw());
+  const chart = followed(canvas, platform, scale, (width) => ({ plane, chart: marginChart(platform.data, plane, regions, anchors, width, colouring()) }));
   button(controls, "Save as SVG", () => save(chart.now() && svg((chart.now() as MarginChart).drawing), `${platform.data.robot.name}-workspace.svg`));
   return chart.redraw;
 }
@@ -65,6 +66,7 @@ function showSlices(platform: Platform, regions: ShownRegion[]): void {
   const { axes } = platform.data.grid;
   const pairs: [number, number][] = [[0, 2], [1, 2], [0, 1]];
   const pair = choice(controls, "Slice", pairs.map((value) => ({ label: value.map((k) => axes[k]?.name).join("–"), value })), () => chart.redraw());
+  const colouring = offerColouring(controls, platform.data, () => chart.redraw());
   const words = element("output", "", "pose-words");
   controls.append(words);
   const planeNow = (): Plane => {
@@ -79,12 +81,19 @@ function showSlices(platform: Platform, regions: ShownRegion[]): void {
     drawn = plane.layer[third()] as number;
     const axis = axes[third()] as (typeof axes)[number];
     words.textContent = `at the grid's layer ${axis.name} = ${(axis.start_m + drawn * axis.step_m).toFixed(2)} m, the nearest to the platform`;
-    return { plane, chart: marginChart(platform.data, plane, regions.map((one) => ({ ...one, shown: false })), [], Math.min(width, 640)) };
+    return { plane, chart: marginChart(platform.data, plane, regions.map((one) => ({ ...one, shown: false })), [], Math.min(width, 640), colouring()) };
   });
   platform.onMove(() => {
     if (planeNow().layer[third()] !== drawn) chart.redraw();
   });
   button(controls, "Save as SVG", () => save(chart.now() && svg((chart.now() as MarginChart).drawing), `${platform.data.robot.name}-slice.svg`));
+}
+
+/** What colours tell, where the page knows more than the margin. */
+function offerColouring(controls: HTMLElement, data: WorkspaceData, changed: () => void): () => PlaneColouring {
+  if (!knowsCables(data)) return () => "margin";
+  const options: { label: string; value: PlaneColouring }[] = [{ label: "margin", value: "margin" }, { label: "limiting cable", value: "cable" }];
+  return choice(controls, "Colours of the plane", options, changed);
 }
 
 /** A margin chart that keeps to the width of its place and shows the platform where it is. */

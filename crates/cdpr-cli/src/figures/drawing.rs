@@ -39,12 +39,19 @@ pub(super) struct Drawing {
     height: f64,
     /// What it shows, for those who cannot see it.
     label: String,
+    /// Looks that only this kind of picture has.
+    own_style: &'static str,
 }
 
 impl Drawing {
     /// An empty picture.
     pub(super) fn new(width: f64, height: f64, label: &str) -> Self {
-        Self { body: String::new(), width, height, label: label.to_owned() }
+        Self { body: String::new(), width, height, label: label.to_owned(), own_style: "" }
+    }
+
+    /// The same with looks of its own (CSS) beside those of all pictures.
+    pub(super) fn with_style(self, own_style: &'static str) -> Self {
+        Self { own_style, ..self }
     }
 
     /// A straight line.
@@ -130,7 +137,7 @@ impl Drawing {
 
     /// The file.
     pub(super) fn finish(self) -> String {
-        let Self { body, width, height, label } = self;
+        let Self { body, width, height, label, own_style } = self;
         let label = escape(&label);
         // as wide as the text of a page of A4 unless that would blow it up
         let millimetres = (width * MILLIMETRES_PER_PIXEL).min(PAGE_WIDTH);
@@ -138,7 +145,7 @@ impl Drawing {
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
              viewBox=\"0 0 {width} {height}\" width=\"{}mm\" height=\"{tall}mm\">\n<title>{label}</title>\n\
-             <style>\n{STYLE}</style>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
+             <style>\n{STYLE}{own_style}</style>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
             coordinate(millimetres)
         )
     }

@@ -4,6 +4,8 @@ use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
 use super::{Frame, finite_range};
 
+const STYLE: &str = include_str!("outlines.css");
+
 /// Which line an outline is drawn with.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Look {
@@ -80,7 +82,8 @@ impl Outlines {
         let legend = top + LINE * (self.outlines.len() + 3) as f64;
         let widest = self.title.iter().map(|line| LEFT + LETTER * line.chars().count() as f64).fold(0.0, f64::max);
         let size = ((right + LEGEND.0 + LEGEND.1).max(widest), (bottom + 46.0).max(legend));
-        let mut drawing = Drawing::new(size.0, size.1, self.title.first().map_or("", |title| title));
+        let label = self.title.first().map_or("", |title| title);
+        let mut drawing = Drawing::new(size.0, size.1, label).with_style(STYLE);
         for (line, text) in self.title.iter().enumerate() {
             let class = if line == 0 { "panel" } else { "tick" };
             drawing.text(class, Anchor::Start, (LEFT, 16.0 + LINE * line as f64), text);

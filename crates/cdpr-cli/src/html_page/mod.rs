@@ -10,7 +10,7 @@ mod text;
 
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 
-pub(crate) use nodes::counts;
+pub(crate) use nodes::{Nodes, nodes};
 pub(crate) use text::{breakable, plain, prose};
 
 const FRAME: &str = include_str!("frame.html");

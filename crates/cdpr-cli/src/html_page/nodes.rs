@@ -1,7 +1,37 @@
-//! How many nodes a grid in a page has along each of its axes.
+//! The nodes of a grid in a page along each of its axes.
+
+use serde::Serialize;
+
+/// Evenly spaced nodes along an axis (m).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct Nodes {
+    #[serde(rename = "start_m")]
+    pub(crate) start: f64,
+    #[serde(rename = "step_m")]
+    pub(crate) step: f64,
+    pub(crate) count: usize,
+}
+
+impl Nodes {
+    /// Coordinate of a node, or of a share of a step beyond it (m).
+    pub(crate) fn at(&self, index: f64) -> f64 {
+        self.start + index * self.step
+    }
+}
+
+/// Nodes that fill a box (m), `most` together at most.
+pub(crate) fn nodes(ends: &[[f64; 2]], most: usize) -> Vec<Nodes> {
+    let extents: Vec<f64> = ends.iter().map(|[low, high]| high - low).collect();
+    let along = |(extent, (&[start, _], count)): (&f64, (&[f64; 2], usize))| Nodes {
+        start,
+        step: extent / (count - 1).max(1) as f64,
+        count,
+    };
+    extents.iter().zip(ends.iter().zip(counts(&extents, most))).map(along).collect()
+}
 
 /// Nodes along axes of these lengths, `most` together at most: cells as near to cubes as that allows.
-pub(crate) fn counts(extents: &[f64], most: usize) -> Vec<usize> {
+fn counts(extents: &[f64], most: usize) -> Vec<usize> {
     let longest = extents.iter().copied().fold(0.0, f64::max);
     // a box without extent along an axis has one layer there
     let for_longest = |count: usize| -> Vec<usize> {

@@ -23,3 +23,19 @@ pub(crate) fn data(page: &str) -> serde_json::Value {
     let block = document.descendants().find(|node| node.attribute("id") == Some("cdpr-data")).unwrap();
     serde_json::from_str(block.text().unwrap()).unwrap()
 }
+
+/// Asserts that a page is well-formed, that its links lead somewhere within it, and that it asks nothing of the network.
+pub(crate) fn assert_stands_alone(page: &str) {
+    let markup = markup(page);
+    let document = parsed(&markup);
+    for node in document.descendants() {
+        for attribute in ["src", "href"] {
+            let value = node.attribute(attribute).unwrap_or_default();
+            assert!(value.is_empty() || value.starts_with('#'), "{attribute}={value}");
+        }
+    }
+    for link in document.descendants().filter_map(|node| node.attribute("href")?.strip_prefix('#')) {
+        assert!(document.descendants().any(|node| node.attribute("id") == Some(link)), "#{link} leads nowhere");
+    }
+    assert!(page.len() < 2_000_000, "{} bytes", page.len());
+}

@@ -9,8 +9,8 @@ use cdpr::robot::Robot;
 use serde::Serialize;
 
 use super::StudyPage;
-use super::region::{Nodes, Region};
-use crate::html_page::{digits, inside_script, plain};
+use super::region::Region;
+use crate::html_page::{Nodes, digits, inside_script, plain};
 use crate::pose_answer::{axis_names, components};
 
 /// Numbers that a page may hold for its poses (about 9 bytes each).
@@ -79,19 +79,12 @@ struct RegionData {
     plane: [usize; 2],
     /// Where a slice through space lies (m); null in the plane of a planar robot.
     level_m: Option<f64>,
-    axes: Vec<AxisData>,
+    axes: Vec<Nodes>,
     #[serde(flatten)]
     points: PointData,
     /// Margins: where they are zero a workspace ends. Null for −∞.
     physical: Option<Vec<Option<f64>>>,
     reachable: Option<Vec<Option<f64>>>,
-}
-
-#[derive(Serialize)]
-struct AxisData {
-    start_m: f64,
-    step_m: f64,
-    count: usize,
 }
 
 /// The block as text that may stand inside a `script` element.
@@ -151,7 +144,6 @@ fn samples(page: &StudyPage<'_>) -> SampleData {
 }
 
 fn region_data(robot: &Robot, region: &Region) -> RegionData {
-    let axis = |nodes: &Nodes| AxisData { start_m: nodes.start, step_m: nodes.step, count: nodes.count };
     let margins = |margins: &Vec<f64>| {
         margins.iter().map(|margin| margin.is_finite().then(|| digits(*margin, 4))).collect::<Vec<_>>()
     };
@@ -159,7 +151,7 @@ fn region_data(robot: &Robot, region: &Region) -> RegionData {
         name: region.name.clone(),
         plane: region.slice.map_or([0, 1], |slice| slice.along()),
         level_m: region.slice.map(|slice| slice.level),
-        axes: region.axes.iter().map(axis).collect(),
+        axes: region.axes.clone(),
         points: points(robot, &region.samples.iter().collect::<Vec<_>>(), 4),
         physical: region.physical.as_ref().map(margins),
         reachable: region.reachable.as_ref().map(margins),

@@ -6,7 +6,7 @@ use cdpr::metamodel::field::{Field, Sample, field};
 use cdpr::workspace::{Bounds, Criterion};
 
 use crate::failure::Failure;
-use crate::html_page::counts;
+use crate::html_page::{Nodes, nodes};
 use crate::laboratory::Laboratory;
 use crate::number_format::{short, significant};
 
@@ -29,7 +29,7 @@ pub(super) struct Region {
     /// The plane that it lies in, of a spatial robot.
     pub(super) slice: Option<Slice>,
     /// Nodes along the two axes.
-    pub(super) axes: [Nodes; 2],
+    pub(super) axes: Vec<Nodes>,
     /// What a control model and a machine make of every node, the first axis running fastest.
     pub(super) samples: Vec<Sample>,
     /// Margin of the machine's wrench feasibility at every node; `None` where its limits are unknown.
@@ -54,24 +54,10 @@ impl Slice {
     }
 }
 
-/// Evenly spaced nodes along an axis (m).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Nodes {
-    pub(super) start: f64,
-    pub(super) step: f64,
-    pub(super) count: usize,
-}
-
-impl Nodes {
-    fn at(&self, index: usize) -> f64 {
-        self.start + index as f64 * self.step
-    }
-}
-
 impl Region {
     /// What it is, for readers.
     pub(super) fn statement(&self) -> String {
-        let [first, second] = self.axes;
+        let [first, second] = [self.axes[0], self.axes[1]];
         format!(
             "{}: {} × {} grid points, {} m × {} m apart",
             self.name,
@@ -185,7 +171,7 @@ impl Plane<'_> {
     fn whole(&self, poses: [[f64; 2]; 2]) -> Result<[[f64; 2]; 2], Failure> {
         let around = Bounds::around(&self.laboratory.machine).map_err(|error| self.laboratory.refused(&error))?;
         let ends: Vec<[f64; 2]> = around.ends().as_chunks::<2>().0.to_vec();
-        let axes = nodes([ends[0], ends[1]], MOST_NODES);
+        let axes = nodes(&[ends[0], ends[1]], MOST_NODES);
         let places = self.places(&axes);
         let held: Vec<[f64; 2]> = match self.physical(&places)? {
             Some(margins) => {
@@ -207,7 +193,7 @@ impl Plane<'_> {
     fn region(&self, name: String, ends: [[f64; 2]; 2]) -> Result<Region, Failure> {
         let laboratory = self.laboratory;
         let numbers_per_node = 2 * laboratory.machine.dof() + laboratory.machine.cable_count() + 2;
-        let axes = nodes(ends, (self.most_numbers / numbers_per_node).min(MOST_NODES));
+        let axes = nodes(&ends, (self.most_numbers / numbers_per_node).min(MOST_NODES));
         let places = self.places(&axes);
         let poses = self.poses(&places)?;
         let samples = field(&laboratory.driving()?, &poses).samples;
@@ -225,8 +211,9 @@ impl Plane<'_> {
     }
 
     /// The nodes, the first axis running fastest.
-    fn places(&self, [first, second]: &[Nodes; 2]) -> Vec<[f64; 2]> {
-        let row = |up: usize| (0..first.count).map(move |across| [first.at(across), second.at(up)]);
+    fn places(&self, axes: &[Nodes]) -> Vec<[f64; 2]> {
+        let [first, second] = [axes[0], axes[1]];
+        let row = |up: usize| (0..first.count).map(move |across| [first.at(across as f64), second.at(up as f64)]);
         (0..second.count).flat_map(row).collect()
     }
 
@@ -242,13 +229,4 @@ impl Plane<'_> {
         let poses: Result<Vec<Pose>, _> = places.iter().map(pose).collect();
         poses.map_err(|error| self.laboratory.refused(&error))
     }
-}
-
-fn nodes(ends: [[f64; 2]; 2], most: usize) -> [Nodes; 2] {
-    let counts = counts(&ends.map(|[low, high]| high - low), most);
-    let along = |axis: usize| {
-        let ([low, high], count) = (ends[axis], counts[axis]);
-        Nodes { start: low, step: (high - low) / (count - 1).max(1) as f64, count }
-    };
-    [along(0), along(1)]
 }

@@ -7,7 +7,7 @@ use cdpr::workspace::Verdict;
 use rayon::prelude::*;
 
 use super::WorkspacePage;
-use crate::html_page::counts;
+use crate::html_page::{Nodes, nodes};
 use crate::number_format::significant;
 use crate::pose_answer::axis_names;
 
@@ -22,11 +22,7 @@ pub(super) struct Axis {
     pub(super) name: String,
     /// World, of length one.
     pub(super) direction: Vector3<f64>,
-    /// Coordinate of the first node (m).
-    pub(super) start: f64,
-    /// From node to node (m).
-    pub(super) step: f64,
-    pub(super) count: usize,
+    pub(super) nodes: Nodes,
 }
 
 /// What was found at a node.
@@ -62,7 +58,7 @@ impl Grid {
         let along: Vector3<f64> =
             axes.iter().map(|axis| axis.direction * axis.direction.dot(&page.start.position)).sum();
         let mut grid = Self { axes, base: page.start.position - along, nodes: Vec::new(), interpolation: None };
-        let count = grid.axes.iter().map(|axis| axis.count).product::<usize>();
+        let count = grid.axes.iter().map(|axis| axis.nodes.count).product::<usize>();
         let at = |node: usize| grid.pose(page, &grid.coordinates(node, 0.0));
         let node = |pose: Pose| Node { verdict: (page.judge)(&pose), tensions: tensions(page, &pose) };
         grid.nodes = (0..count).into_par_iter().map(|index| node(at(index))).collect();
@@ -74,9 +70,9 @@ impl Grid {
     fn coordinates(&self, node: usize, share: f64) -> Vec<f64> {
         let mut rest = node;
         let along = |axis: &Axis| {
-            let index = rest % axis.count;
-            rest /= axis.count;
-            axis.start + (index as f64 + share) * axis.step
+            let index = rest % axis.nodes.count;
+            rest /= axis.nodes.count;
+            axis.nodes.at(index as f64 + share)
         };
         self.axes.iter().map(along).collect()
     }
@@ -92,14 +88,14 @@ impl Grid {
         let (mut rest, mut stride) = (node, 1);
         let mut corners = vec![node];
         for axis in &self.axes {
-            if axis.count > 1 {
-                if rest % axis.count + 1 == axis.count {
+            if axis.nodes.count > 1 {
+                if rest % axis.nodes.count + 1 == axis.nodes.count {
                     return None;
                 }
                 corners.extend(corners.clone().into_iter().map(|corner| corner + stride));
             }
-            rest /= axis.count;
-            stride *= axis.count;
+            rest /= axis.nodes.count;
+            stride *= axis.nodes.count;
         }
         Some(corners)
     }
@@ -124,8 +120,8 @@ impl Grid {
     /// What the grid is, for readers.
     pub(super) fn statement(&self) -> String {
         let joined = |of: &dyn Fn(&Axis) -> String| self.axes.iter().map(of).collect::<Vec<_>>().join(" × ");
-        let counts = joined(&|axis| axis.count.to_string());
-        let steps = joined(&|axis| significant(axis.step, 3));
+        let counts = joined(&|axis| axis.nodes.count.to_string());
+        let steps = joined(&|axis| significant(axis.nodes.step, 3));
         let held = self.nodes.iter().filter(|node| node.verdict.holds()).count();
         format!("{counts} = {} grid points, {steps} m apart; the criterion holds at {held} of them", self.nodes.len())
     }
@@ -151,19 +147,9 @@ fn axes(page: &WorkspacePage<'_>) -> Vec<Axis> {
     };
     let numbers_per_node = robot.cable_count() + 4;
     let most = (MOST_NUMBERS / numbers_per_node).min(MOST_NODES);
-    let extents: Vec<f64> = page.bounds.iter().map(|[low, high]| high - low).collect();
-    let counts = counts(&extents, most);
     let named = axis_names(robot).into_iter().zip(directions);
-    let along = named.zip(page.bounds.iter().zip(counts));
-    along
-        .map(|((name, direction), ([start, end], count))| Axis {
-            name,
-            direction,
-            start: *start,
-            step: (end - start) / (count - 1).max(1) as f64,
-            count,
-        })
-        .collect()
+    let along = named.zip(nodes(page.bounds, most));
+    along.map(|((name, direction), nodes)| Axis { name, direction, nodes }).collect()
 }
 
 fn tensions(page: &WorkspacePage<'_>, pose: &Pose) -> Option<Vec<f64>> {

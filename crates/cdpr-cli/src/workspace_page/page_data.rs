@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::grid::Grid;
 use super::sentences::Sentences;
 use super::{Finding, Shape, WorkspacePage};
-use crate::html_page::{digits, inside_script, plain};
+use crate::html_page::{Nodes, digits, inside_script, plain};
 
 /// The whole block.
 #[derive(Serialize)]
@@ -58,9 +58,8 @@ struct StartData {
 struct AxisData {
     name: String,
     direction: [f64; 3],
-    start_m: f64,
-    step_m: f64,
-    count: usize,
+    #[serde(flatten)]
+    nodes: Nodes,
 }
 
 /// Lists have an entry per node, the first axis running fastest.
@@ -187,13 +186,7 @@ fn grid_data(grid: &Grid) -> GridData {
 }
 
 fn axis_data(axis: &super::grid::Axis) -> AxisData {
-    AxisData {
-        name: axis.name.clone(),
-        direction: axis.direction.into(),
-        start_m: axis.start,
-        step_m: axis.step,
-        count: axis.count,
-    }
+    AxisData { name: axis.name.clone(), direction: axis.direction.into(), nodes: axis.nodes }
 }
 
 /// Four digits; a margin that holds by less than they show still holds.

@@ -338,6 +338,9 @@ fn calibrating_the_controller_of_the_twin_changes_its_tensions_little() {
     };
     let (nominal, calibrated) = (tensions("twin-nominal"), tensions("twin-kinematic-calibrated"));
     assert_eq!((nominal.len(), calibrated.len()), (600, 600));
+    let squares: f64 =
+        nominal.iter().zip(&calibrated).map(|(nominal, calibrated)| (nominal - calibrated).powi(2)).sum();
+    assert!(((squares / 600.0).sqrt() - 400.0).abs() < 1.0, "{}", (squares / 600.0).sqrt());
     let sum: f64 = nominal.iter().zip(&calibrated).map(|(nominal, calibrated)| (nominal - calibrated).abs()).sum();
     assert!((sum / 600.0 - 298.0).abs() < 1.0, "{}", sum / 600.0);
 }

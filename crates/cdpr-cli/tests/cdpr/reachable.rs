@@ -267,6 +267,8 @@ fn the_differential_hull_is_drawn_with_its_sizes_and_a_spatial_one_as_a_section(
         assert!(planar.contains(words), "{words}: {planar}");
     }
     assert!(planar.matches("arrow-head").count() > 40, "{planar}");
+    let figure = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/book/src/figures/dissertation-differential-hull.svg");
+    assert!(planar == std::fs::read_to_string(figure).unwrap(), "draw the figure of the chapter again");
 
     let (code, stderr) = draw(&study("twin-nominal"), &format!("{} --rays 162", vary.replace("0.05", "0.01")));
     assert_eq!(code, 0, "{stderr}");
