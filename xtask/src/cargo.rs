@@ -13,6 +13,8 @@ pub(crate) fn command(root: &Path, arguments: &[&str]) -> Command {
     if std::env::var("CI").as_deref() == Ok("true") {
         // what helps to compile again is of no use where everything is compiled once, and takes half of the space
         command.env("CARGO_INCREMENTAL", "0");
+        // a fifth of the compiler's time; panics name their line without it
+        command.env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_RELEASE_DEBUG", "0");
     }
     command
 }

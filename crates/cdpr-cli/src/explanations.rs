@@ -103,7 +103,9 @@ mod tests {
     #[test]
     fn every_error_type_of_the_library_has_codes() {
         let sources = sources();
-        let (_, codes) = sources.iter().find(|(path, _)| path.ends_with("cdpr/src/error_code.rs")).unwrap();
+        let is_of_codes = |path: &Path| path.iter().any(|part| part == "error_code" || part == "error_code.rs");
+        let codes: String =
+            sources.iter().filter(|(path, _)| is_of_codes(path)).map(|(_, text)| text.as_str()).collect();
         let given = |name: &str| {
             codes.lines().any(|line| {
                 line.strip_prefix("impl ErrorCode for ")
@@ -120,7 +122,7 @@ mod tests {
                 let declaration =
                     rest.lines().find(|line| line.starts_with("pub enum ") || line.starts_with("pub struct "));
                 let Some(name) = declaration.and_then(|line| line.split([' ', '(', '<']).nth(2)) else { continue };
-                assert!(given(name), "{}: {name} has no codes in error_code.rs", path.display());
+                assert!(given(name), "{}: {name} has no codes in error_code", path.display());
                 inputs += usize::from(name == "InputError");
             }
         }

@@ -3,16 +3,14 @@
 //! A code is `area::mistake` in words. One mistake has one code, whichever function met it: an error that only carries
 //! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
 
+mod identification;
+
 use crate::cable::DegenerateCourse;
 use crate::cable::law::HoldError;
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
 use crate::equilibrium::{distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
-use crate::identification::candidate::CandidateError;
-use crate::identification::selection::RequirementError;
-use crate::identification::{EvaluationError, fit, selection, test_bench};
-use crate::measurement::{DataError, SplitError};
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
 use crate::reading::ReadError;
@@ -289,100 +287,6 @@ impl ErrorCode for metamodel::advice::AdviceError {
             Self::NoPoses => "study::no-poses",
             Self::NoHome => "advice::no-home",
             Self::NothingToChoose { .. } => "advice::nothing-to-choose",
-        }
-    }
-}
-
-impl ErrorCode for DataError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::AllEqual { .. } => "data::all-equal",
-            Self::DifferentCables { .. } => "data::cable-count",
-        }
-    }
-}
-
-impl ErrorCode for SplitError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Syntax { .. } => "split::syntax",
-            Self::NoColumn | Self::SetName { .. } | Self::EmptySide { .. } => "split::column",
-            Self::TooManyFolds { .. } => "split::too-many-folds",
-        }
-    }
-}
-
-impl ErrorCode for EvaluationError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Load(error) => error.code(),
-            Self::Forward(error) => error.code(),
-            Self::Winch(error) => error.code(),
-            Self::CableCount { .. } => "data::cable-count",
-        }
-    }
-}
-
-impl ErrorCode for fit::InputError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Parameters(error) => error.code(),
-            Self::Model(error) => error.code(),
-            Self::Winch(error) => error.code(),
-            Self::NoSamples => "data::no-samples",
-            Self::CableCount { .. } => "data::cable-count",
-            Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
-            Self::Degenerate { reason, .. } => reason.code(),
-            Self::PriorSyntax { .. } => "prior::syntax",
-            Self::NoMotorAngles { .. } => "data::no-motor-angles",
-            Self::NoTensions => "data::no-tensions",
-            Self::Hold { reason, .. } => reason.code(),
-            Self::NegativeTension { .. } => "data::negative-tensions",
-            Self::Load(error) => error.code(),
-            Self::NotFinite => "numerical::overflow",
-            Self::Setting { .. } => "setting::value",
-        }
-    }
-}
-
-impl ErrorCode for test_bench::InputError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::NoRange { .. } => "record::no-range",
-            Self::TooFewCycles { .. } => "record::too-few-cycles",
-            Self::TooFewRows { .. } => "record::too-few-rows",
-            Self::NotRising { .. } => "record::not-rising",
-            Self::BranchesCross { .. } => "record::branches-cross",
-            Self::NoLaw(reason) => reason.code(),
-        }
-    }
-}
-
-impl ErrorCode for CandidateError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Composition { reason, .. } => reason.code(),
-            Self::Parameters { reason, .. } => reason.code(),
-            Self::Empty { .. } => "candidate::none",
-        }
-    }
-}
-
-impl ErrorCode for RequirementError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Syntax { .. } => "requirement::syntax",
-            Self::UnknownMetric { .. } => "requirement::unknown-figure",
-        }
-    }
-}
-
-impl ErrorCode for selection::InputError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::NoCandidates => "candidate::none",
-            Self::NoValidation => "data::no-validation",
-            Self::AllFailed { .. } => "candidate::all-failed",
         }
     }
 }

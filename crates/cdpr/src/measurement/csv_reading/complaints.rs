@@ -1,0 +1,118 @@
+//! What is wrong with a measurement file, where, and how to mend it.
+
+use super::{Columns, CsvFile, Row};
+use crate::geometry::MotionPattern;
+use crate::measurement::columns::{Quantity, meaning};
+use crate::measurement::header_mistakes;
+use crate::reading::{Place, ReadError};
+
+impl CsvFile<'_> {
+    pub(super) fn error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
+        ReadError::new(self.file_name, code, message)
+    }
+
+    pub(super) fn first_line(&self) -> &str {
+        self.text.lines().next().unwrap_or_default()
+    }
+
+    pub(super) fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
+        let first = self.first_line();
+        self.error(code, message).at(Place::on_line(first, 1, 1, first.chars().count().max(1)))
+    }
+
+    /// An error at a field: the column counts characters of the line, as an editor does.
+    pub(super) fn at(&self, row: &Row<'_>, index: usize, code: &'static str, message: impl Into<String>) -> ReadError {
+        let source = self.text.lines().nth(row.line.saturating_sub(1)).unwrap_or_default();
+        // fields without quotes stand as they are read; with quotes the place is the best guess
+        let width_of = |field: &[u8]| String::from_utf8_lossy(field).chars().count();
+        let before: usize = row.record.iter().take(index).map(|field| width_of(field) + 1).sum();
+        let width = row.record.get(index).map_or(1, width_of).max(1);
+        self.error(code, message).at(Place::on_line(source, row.line, before + 1, width))
+    }
+
+    /// An error about the numbers of a column, at its name.
+    pub(super) fn column_error(&self, columns: &Columns, quantity: Quantity, message: String) -> ReadError {
+        let index = columns.get(&quantity).map_or(0, |column| column.0);
+        let fields: Vec<&str> = self.first_line().split(',').collect();
+        let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
+        let width = fields.get(index).map_or(1, |field| field.chars().count()).max(1);
+        self.error("csv::magnitude", message).at(Place::on_line(self.first_line(), 1, column, width))
+    }
+
+    /// The error for a column that is not there, at the column that was probably meant to be it.
+    pub(super) fn missing_column(&self, name: &str) -> ReadError {
+        let code = "csv::missing-column";
+        let fields: Vec<&str> = self.first_line().split(',').collect();
+        let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
+        let unclaimed: Vec<&str> = names.iter().copied().filter(|name| matches!(meaning(name), Ok(None))).collect();
+        if let Some(meant) = header_mistakes::probably_meant(name, &unclaimed) {
+            let index = names.iter().position(|name| *name == meant).unwrap_or_default();
+            let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
+            let place = Place::on_line(self.first_line(), 1, column, fields[index].chars().count().max(1));
+            return self
+                .error(code, format!("the column `{name}` is missing; is it this one, `{meant}`?"))
+                .at(place)
+                .with_help(format!(
+                    "name it `{name}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN)"
+                ));
+        }
+        let robot = self.robot;
+        let (pattern, cables) = (robot.motion_pattern.name(), robot.cable_count());
+        self.header_error(code, format!("the column `{name}` is missing")).with_help(format!(
+            "robot \"{}\" has motion pattern {pattern} and {cables} cables: its data have the columns {}",
+            robot.name,
+            self.needed_columns()
+        ))
+    }
+
+    /// The columns that data of this robot must have, for people.
+    fn needed_columns(&self) -> String {
+        let pattern = self.robot.motion_pattern;
+        let rotation = match pattern {
+            MotionPattern::Planar => ", angle_rad",
+            MotionPattern::Spatial => ", qx, qy, qz, qw (or rx_rad, ry_rad, rz_rad)",
+            _ => "",
+        };
+        let positions = ["x_m", "y_m", "z_m"][..pattern.translations()].join(", ");
+        format!("{positions}{rotation}, cable_length_m_1 … cable_length_m_{}", self.robot.cable_count())
+    }
+
+    pub(super) fn ragged(&self, row: &Row<'_>) -> ReadError {
+        let (found, expected) = (row.record.len(), row.header.len());
+        let message = format!("this row has {found} fields, the header names {expected} columns");
+        let is_empty = |field: &[u8]| field.trim_ascii().is_empty();
+        let help = match () {
+            () if found > expected && row.record.iter().skip(expected).all(is_empty) => {
+                "remove the comma at the end of the row, or name the column"
+            }
+            () if found == 2 * expected => "are these decimal commas? numbers are written with a decimal point",
+            () => "is a comma missing, or one too many, or a decimal comma?",
+        };
+        self.at(row, found.min(expected).saturating_sub(1), "csv::ragged-row", message).with_help(help)
+    }
+
+    pub(super) fn unreadable(&self, error: &csv::Error) -> ReadError {
+        let place = error.position().map(|position| {
+            let line = position.line() as usize;
+            Place::on_line(self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), line, 1, 1)
+        });
+        let error = self.error("csv::unreadable", error.to_string());
+        place.map_or(error.clone(), |place| error.at(place))
+    }
+}
+
+/// How to mend a field that is not a number.
+pub(super) fn help_for_text(written: &str, row: &Row<'_>) -> &'static str {
+    let is_text = |field: &[u8]| !field.iter().any(u8::is_ascii_digit);
+    if row.line == 2 && row.record.iter().all(is_text) {
+        return "is the second line one of units? remove it: the unit is part of the column's name";
+    }
+    match written.trim().replacen(',', ".", 1).parse::<f64>() {
+        Ok(_) => "numbers are written with a decimal point, not with a comma",
+        Err(_) => "numbers are written with a decimal point, without unit",
+    }
+}
+
+pub(super) fn shortened(text: &str) -> String {
+    text.trim().chars().take(40).collect()
+}

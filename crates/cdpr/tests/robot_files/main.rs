@@ -1,0 +1,231 @@
+//! Robot files: all of the shared collection load and come back, and every mistake is told with its place.
+
+mod mistakes;
+
+use std::path::{Path, PathBuf};
+
+use cdpr::geometry::MotionPattern;
+use cdpr::reading::ReadError;
+use cdpr::robot::{DrumSide, Robot, StiffnessBasis, WrapSide, builtin};
+
+/// The collection beside the project; `None`, said aloud, when it is absent outside CI.
+fn shared_robots() -> Option<Vec<PathBuf>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/robots");
+    let Ok(entries) = std::fs::read_dir(&folder) else {
+        assert!(std::env::var_os("CI").is_none_or(|ci| ci != "true"), "{} is absent", folder.display());
+        eprintln_skip(&folder);
+        return None;
+    };
+    let files = entries.map(|entry| entry.expect("the folder is readable").path());
+    Some(files.filter(|path| path.extension().is_some_and(|extension| extension == "toml")).collect())
+}
+
+#[expect(clippy::print_stderr, reason = "a skipped test says so")]
+fn eprintln_skip(folder: &Path) {
+    eprintln!("skipped: {} is absent", folder.display());
+}
+
+#[test]
+fn every_file_of_the_collection_loads_and_comes_back_unchanged() {
+    let Some(files) = shared_robots() else { return };
+    assert_eq!(files.len(), 36);
+    for path in files {
+        let (text, name) = (std::fs::read_to_string(&path).unwrap(), path.display().to_string());
+        let robot = Robot::from_toml(&text, &name).unwrap_or_else(|error| panic!("{error}"));
+        let written = robot.to_toml();
+        let again = Robot::from_toml(&written, &name).unwrap_or_else(|error| panic!("{error}\n{written}"));
+        assert_eq!(robot, again, "{name}");
+        assert_eq!(written, again.to_toml(), "{name}");
+    }
+}
+
+/// The original differs from what is written by comments and by the width of notes only.
+#[test]
+fn a_written_file_has_the_lines_of_the_original() {
+    for name in builtin::names() {
+        let original = builtin::find(name).unwrap();
+        let without_comment = |line: &str| line.split("   #").next().unwrap_or_default().to_owned();
+        let is_data = |line: &&str| !line.starts_with('#') && !line.starts_with("  ") && !line.starts_with("title");
+        let lines = |text: &str| text.lines().filter(is_data).map(without_comment).collect::<Vec<_>>();
+        assert_eq!(lines(&Robot::builtin(name).unwrap().to_toml()), lines(original), "{name}");
+    }
+}
+
+const PLANAR: &str = r#"layout_version = 1
+name = "frame"
+motion_pattern = "1R2T"
+cable_count = 2
+axes = "xz"
+gravity_m_s2 = [0.0, -9.81]
+
+[platform]
+mass_kg = 1.0
+inertia_about_center_of_mass_kg_m2 = 0.1
+
+[home_pose]
+position_m = [1.0, 1.0]
+angle_rad = 0.3
+
+[external_wrench]
+force_N = [1.0, 2.0]
+moment_Nm = 3.0
+
+[workspace]
+position_min_m = [0.0, 0.0]
+position_max_m = [2.0, 2.0]
+
+[[cable]]
+name = "left"
+frame_anchor_m = [0.0, 2.0]
+platform_anchor_m = [-0.1, 0.0]
+pulley_radius_m = 0.05
+pulley_swivel_axis = [0.0, 1.0]
+pulley_wrap_side = "right"
+tension_min_N = 1.0
+tension_max_N = 10.0
+
+[[cable]]
+name = "right"
+frame_anchor_m = [2.0, 2.0]
+platform_anchor_m = [0.1, 0.0]
+axial_compliance_per_N = 0.0
+hidden_length_m = 1.5
+series_compliance_m_per_N = 1e-7
+stiffness_by = "unstrained"
+length_scale = 1.001
+length_offset_m = -0.02
+tension_scale = 0.98
+tension_offset_N = 3.0
+tension_of_strain_N = [1e5, 2e6]
+
+[cable.hysteresis]
+strain = [0.0, 0.01, 0.02]
+loading_N = [0.0, 1100.0, 5000.0]
+unloading_N = [0.0, 900.0, 4500.0]
+transition_strain = [0.001, 0.003]
+transition_share = [0.75, 0.25]
+"#;
+
+const SPATIAL: &str = r#"layout_version = 1
+name = "box"
+motion_pattern = "3R3T"
+[platform]
+inertia_about_center_of_mass_kg_m2 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+[home_pose]
+position_m = [0.0, 0.0, 1.0]
+rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+[external_wrench]
+force_N = [0.0, 0.0, -10.0]
+moment_Nm = [0.0, 0.0, 0.0]
+[[cable]]
+name = "1"
+frame_anchor_m = [0.0, 2.0, 3.0]
+platform_anchor_m = [-0.1, 0.0, 0.0]
+pulley_swivel_axis = [0.0, 0.0, 1.0]
+"#;
+
+#[test]
+fn every_calibrated_key_is_read_and_written() {
+    let robot = Robot::from_toml(PLANAR, "frame.toml").unwrap();
+    let cable = &robot.cables[1];
+    assert_eq!(robot.motion_pattern, MotionPattern::Planar);
+    assert_eq!((cable.axial_compliance, cable.hidden_length), (Some(0.0), Some(1.5)));
+    assert_eq!((cable.series_compliance, cable.stiffness_by), (Some(1e-7), Some(StiffnessBasis::Unstrained)));
+    assert_eq!((cable.length_scale, cable.length_offset), (Some(1.001), Some(-0.02)));
+    assert_eq!((cable.tension_scale, cable.tension_offset), (Some(0.98), Some(3.0)));
+    assert_eq!(robot.cables[0].pulley_wrap_side, Some(WrapSide::Right));
+    // in the xz plane a cable that comes up turns right towards +x
+    assert_eq!(robot.pulley_side(&robot.cables[0]), Some(cdpr::nalgebra::Vector3::x()));
+    assert_eq!(cable.tension_of_strain, Some(vec![1e5, 2e6]));
+    assert_eq!(cable.hysteresis.as_ref().unwrap().unloading_N, [0.0, 900.0, 4500.0]);
+    // in the xz plane the moment is about −y
+    assert_eq!(robot.external_wrench.as_ref().unwrap().wrench.as_slice(), [1.0, 0.0, 2.0, 0.0, -3.0, 0.0]);
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+    assert!(Robot::from_toml(SPATIAL, "box.toml").is_ok());
+}
+
+const SURROUNDED: &str = r#"diameter_m = 0.006
+length_min_m = 0.5
+length_max_m = 12.0
+pulley_wrap_min_rad = 0.1
+pulley_wrap_max_rad = 3.0
+[[obstacle]]
+name = "crate"
+position_min_m = [1.0, 1.0, 0.0]
+position_max_m = [2.0, 2.0, 1.5]
+[[obstacle]]
+name = "beam"
+from_m = [-4.0, 5.0, 6.0]
+to_m = [4.0, 5.0, 6.0]
+radius_m = 0.1
+"#;
+
+/// The spatial robot with a body and everything that its cables may touch.
+fn surrounded() -> String {
+    let hull = "[platform]\nhull_m = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n";
+    SPATIAL.replace("[platform]\n", hull) + SURROUNDED
+}
+
+#[test]
+fn bodies_obstacles_and_limits_of_cables_are_read_and_written() {
+    let robot = Robot::from_toml(&surrounded(), "box.toml").unwrap();
+    let cable = &robot.cables[0];
+    assert_eq!((cable.diameter, cable.length_min, cable.length_max), (Some(0.006), Some(0.5), Some(12.0)));
+    assert_eq!((cable.pulley_wrap_min, cable.pulley_wrap_max), (Some(0.1), Some(3.0)));
+    assert_eq!(robot.platform.hull.as_ref().map(Vec::len), Some(4));
+    assert_eq!((robot.obstacles[0].name.as_str(), robot.obstacles.len()), ("crate", 2));
+    assert!(matches!(robot.obstacles[1].shape, cdpr::robot::ObstacleShape::Strut { radius: 0.1, .. }));
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "box.toml").unwrap(), robot);
+}
+
+/// A planar robot whose drums stand across its plane, with every winch key.
+fn with_drum() -> String {
+    PLANAR.replacen(
+        "platform_anchor_m = ",
+        "drum_radius_m = 0.1\ndrum_pitch_m = 0.008\ndrum_axis = [0.0, 1.0, 0.0]\ndrum_position_m = [-1.0, -0.5, 0.2]\n\
+         drum_side = \"right\"\ndrum_guided = false\ndrum_pulley_m = [-1.0, 2.5]\ndrum_start_angle_rad = 0.3\n\
+         drum_start_length_m = 1.5\ndrum_groove_length_m = 0.2\ndrum_layer_height_m = 0.007\ngear_ratio = -12.0\n\
+         encoder_counts_per_turn = 4096.0\nplatform_anchor_m = ",
+        1,
+    )
+}
+
+#[test]
+fn every_winch_key_is_read_and_written() {
+    let robot = Robot::from_toml(&with_drum(), "frame.toml").unwrap();
+    let cable = &robot.cables[0];
+    assert_eq!((cable.drum_radius, cable.drum_pitch, cable.drum_guided), (Some(0.1), Some(0.008), Some(false)));
+    assert_eq!(cable.drum_axis.unwrap().as_slice(), [0.0, 1.0, 0.0]);
+    assert_eq!(cable.drum_position.unwrap().as_slice(), [-1.0, -0.5, 0.2]);
+    assert_eq!(cable.drum_pulley.unwrap().as_slice(), [-1.0, 0.0, 2.5]);
+    assert_eq!((cable.drum_side, cable.gear_ratio), (Some(DrumSide::Right), Some(-12.0)));
+    assert_eq!((cable.drum_start_angle, cable.drum_start_length), (Some(0.3), Some(1.5)));
+    assert_eq!((cable.drum_groove_length, cable.drum_layer_height), (Some(0.2), Some(0.007)));
+    assert_eq!(cable.encoder_counts_per_turn, Some(4096.0));
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+}
+
+#[test]
+fn the_schema_describes_every_key_of_the_files() {
+    let schema = serde_json::to_value(cdpr::robot::schema()).unwrap();
+    let described = |properties: &serde_json::Value, key: &str| {
+        assert!(properties[key]["description"].is_string(), "{key} has no description: {}", properties[key]);
+    };
+    for key in ["layout_version", "motion_pattern", "axes", "gravity_m_s2", "home_pose", "cable", "reference_check"] {
+        described(&schema["properties"], key);
+    }
+    let cable = &schema["$defs"]["CableSection"];
+    for key in [
+        "name",
+        "frame_anchor_m",
+        "pulley_swivel_axis",
+        "axial_compliance_per_N",
+        "tension_offset_N",
+        "stiffness_by",
+        "tension_of_strain_N",
+        "hysteresis",
+    ] {
+        described(&cable["properties"], key);
+    }
+    assert_eq!(cable["additionalProperties"], false);
+}
