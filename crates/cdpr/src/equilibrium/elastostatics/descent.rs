@@ -37,6 +37,8 @@ pub(super) enum Stop {
     IterationLimit,
     /// The start itself has no valid lengths.
     Degenerate,
+    /// Bars are in balance, one of them pushes, and nobody asks for what cables would do there.
+    Pushes,
 }
 
 impl Tensions {

@@ -173,6 +173,8 @@ pub struct Solver<'a> {
     /// Lengths of one item of a batch.
     lengths: Vec<f64>,
     solution: Solution,
+    /// Set while a batch asks for taut cables only.
+    only_taut: bool,
 }
 
 /// The load in plain arrays, for the kernel.
@@ -210,6 +212,8 @@ struct Problem<'a> {
     stiffness_scale: f64,
     mean_length: f64,
     platform_radius: f64,
+    /// An equilibrium with slack cables is none.
+    only_taut: bool,
 }
 
 impl<'a> Solver<'a> {
@@ -234,6 +238,7 @@ impl<'a> Solver<'a> {
             springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
             tensions: Tensions::new(groups),
             composed,
+            only_taut: false,
             lengths: vec![f64::NAN; cables],
             solution: Solution {
                 pose: Pose::identity(),

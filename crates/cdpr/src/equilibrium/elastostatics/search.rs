@@ -74,6 +74,9 @@ impl Problem<'_> {
                 if tensions.accepted.as_flattened().iter().all(|&tension| tension >= 0.0) {
                     return self.attempt(end, iterations);
                 }
+                if self.only_taut {
+                    return self.attempt(End { stop: Stop::Pushes, ..end }, iterations);
+                }
                 from = end.pose;
             }
         }
@@ -111,6 +114,7 @@ impl Solver<'_> {
             stiffness_scale,
             mean_length,
             platform_radius: self.platform_radius,
+            only_taut: self.only_taut,
         };
         let rigid = Rigid { lengths, is_rigid };
         let mut attempt = |start: &Pose, tensions: &mut Tensions| match rigid.any() {
@@ -120,7 +124,7 @@ impl Solver<'_> {
         let mut best = attempt(guess, tensions);
         solution.take_tensions(tensions);
         (solution.iterations, solution.restarts) = (best.end.iterations, 0);
-        if !best.is_good(&base) {
+        if !best.is_good(&base) && best.end.stop != Stop::Pushes {
             let escapes = stability::escapes(&base, &best);
             let starts = escapes.into_iter().flatten().chain(restart_poses(model, guess));
             for start in starts.take(settings.max_restarts as usize) {

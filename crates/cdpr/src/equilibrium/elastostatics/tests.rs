@@ -37,6 +37,7 @@ fn the_descent_gives_the_same_bits_on_every_unit() {
         stiffness_scale: 1.6e6,
         mean_length: 9.0,
         platform_radius: model.platform_radius(),
+        only_taut: false,
     };
     let start = Pose::from_xyz_angles(pose.position.add_scalar(0.06), [0.04, -0.05, 0.03]);
     let on = |unit| {

@@ -115,23 +115,19 @@ impl Solver<'_> {
         only_taut: bool,
     ) -> Result<(), InputError> {
         check(self.model, controlled_lengths, guesses)?;
+        self.only_taut = only_taut;
         let rows = TENSIONS + self.model.cable_count();
         solutions.table.reshape(rows, guesses.len());
         over_parts(solutions.table.lines_mut(), rows, self, |solver, first, lines| {
             for (group, solutions) in (first / LANES..).zip(lines.chunks_exact_mut(rows)) {
-                solver.solve_group((controlled_lengths, guesses), group, solutions, only_taut);
+                solver.solve_group((controlled_lengths, guesses), group, solutions);
             }
         });
+        self.only_taut = false;
         Ok(())
     }
 
-    fn solve_group(
-        &mut self,
-        (lengths, guesses): (&LaneTable, &PoseBatch),
-        group: usize,
-        solutions: &mut [Line],
-        only_taut: bool,
-    ) {
+    fn solve_group(&mut self, (lengths, guesses): (&LaneTable, &PoseBatch), group: usize, solutions: &mut [Line]) {
         let count = LANES.min(guesses.len() - group * LANES);
         let model = self.model;
         let is_plain = self.composed.is_none() && !self.is_rigid.contains(&true);
@@ -151,7 +147,7 @@ impl Solver<'_> {
         for (lane, ending) in endings.into_iter().enumerate().take(count) {
             match ending {
                 Ending::Solved => {}
-                Ending::Pushes if only_taut => solutions[STATUS].0[lane] = code_of(Status::NotConverged),
+                Ending::Pushes if self.only_taut => solutions[STATUS].0[lane] = code_of(Status::NotConverged),
                 _ => self.solve_one(lengths, guesses, group * LANES + lane, solutions),
             }
         }
