@@ -198,6 +198,15 @@ impl ErrorCode for tension::InputError {
     }
 }
 
+impl ErrorCode for tension::NotSmooth {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Pinned | Self::Thin { .. } => "tensions::not-smooth",
+            Self::Input(error) => error.code(),
+        }
+    }
+}
+
 impl ErrorCode for WrenchSetError {
     fn code(&self) -> &'static str {
         match self {
