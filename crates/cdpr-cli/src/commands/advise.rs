@@ -1,27 +1,25 @@
 //! `cdpr advise`: which control model is good enough for a robot and a task.
 
+mod answer;
+
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use cdpr::geometry::Pose;
-use cdpr::metamodel::advice::{Advice, Candidate, advise};
-use cdpr::metamodel::effects;
-use cdpr::metamodel::errors::PoseError;
+use cdpr::metamodel::advice::{Candidate, advise};
 use cdpr::metamodel::{Control, Operation};
 use cdpr::model::{Composition, Model};
 use cdpr::tension::Method;
 use cdpr::workspace::Bounds;
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use answer::{Advised, Timing};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::RobotArgument;
-use crate::number_format::significant;
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
-use crate::table::{Table, cell};
 use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
@@ -57,58 +55,6 @@ pub(crate) struct Arguments {
     /// Poses along each side of the box.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(2..=100))]
     count: u32,
-}
-
-#[derive(Serialize)]
-struct Advised {
-    status: &'static str,
-    reason: Option<String>,
-    robot: String,
-    machine: String,
-    task_m: Vec<f64>,
-    poses: usize,
-    accuracy_m: f64,
-    recommended: Option<String>,
-    must_be_modelled: Vec<EffectAnswer>,
-    may_be_left_out: Vec<EffectAnswer>,
-    candidates: Vec<CandidateAnswer>,
-    missing: Vec<String>,
-    timing: Timing,
-}
-
-/// What differs from run to run.
-#[derive(Serialize)]
-struct Timing {
-    /// Mean time of one command of each candidate (ns), in their order.
-    command_ns: Vec<f64>,
-}
-
-/// One effect, left out of the machine's model on its own.
-#[derive(Serialize)]
-struct EffectAnswer {
-    effect: &'static str,
-    position_error_mean_m: f64,
-    position_error_max_m: f64,
-    rotation_error_max_rad: f64,
-    #[serde(rename = "tension_error_N")]
-    tension_error: Option<f64>,
-    reached_share: f64,
-    parameter_count: usize,
-    cost: &'static str,
-}
-
-#[derive(Serialize)]
-struct CandidateAnswer {
-    model: String,
-    left_out: Vec<&'static str>,
-    position_error_m: PoseError,
-    rotation_error_rad: PoseError,
-    #[serde(rename = "tension_error_N")]
-    tension_error: Option<f64>,
-    reached_share: f64,
-    share_within_tension_limits: f64,
-    parameter_count: usize,
-    reason: Option<String>,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -174,145 +120,4 @@ fn command_time(machine: &Model, candidate: &Candidate, tension_method: Method, 
         }
     }
     start.elapsed().as_secs_f64() * 1e9 / (rounds * poses.len()) as f64
-}
-
-impl Advised {
-    fn new(
-        machine: &Model,
-        advice: &Advice,
-        task: &Bounds,
-        poses: usize,
-        accuracy: f64,
-        missing: Vec<String>,
-        timing: Timing,
-    ) -> Self {
-        let full = advice.candidates.last();
-        let best = full.map_or(0.0, |full| full.reached_share);
-        let recommended = advice.recommended.map(|index| advice.candidates[index].control.to_string());
-        let mut effects = [Vec::new(), Vec::new()];
-        for effect in advice.machine.words() {
-            let without = advice.machine.without(effect);
-            let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else { continue };
-            let answer = EffectAnswer::new(effect, candidate, machine.cable_count());
-            effects[usize::from(candidate.reached_share >= best)].push(answer);
-        }
-        let [must_be_modelled, may_be_left_out] = effects;
-        let reason = (best < 1.0).then(|| {
-            let why = full.and_then(|full| full.reason.clone()).map_or_else(String::new, |why| format!(": {why}"));
-            format!("even a control model like the machine reaches only {:.1} % of the task{why}", 100.0 * best)
-        });
-        Self {
-            status: if reason.is_none() { "advised" } else { "out-of-reach" },
-            reason,
-            robot: machine.robot().name.clone(),
-            machine: advice.machine.to_string(),
-            task_m: task.ends(),
-            poses,
-            accuracy_m: accuracy,
-            recommended,
-            must_be_modelled,
-            may_be_left_out,
-            candidates: advice.candidates.iter().map(CandidateAnswer::new).collect(),
-            missing,
-            timing,
-        }
-    }
-}
-
-impl EffectAnswer {
-    fn new(effect: &'static str, without: &Candidate, cables: usize) -> Self {
-        let (per_cable, cost) = effects::cost(effect);
-        Self {
-            effect,
-            position_error_mean_m: without.position_error.mean,
-            position_error_max_m: without.position_error.max,
-            rotation_error_max_rad: without.rotation_error.max,
-            tension_error: without.tension_error,
-            reached_share: without.reached_share,
-            parameter_count: per_cable * cables,
-            cost,
-        }
-    }
-
-    fn sentence(&self) -> String {
-        let turn = self.rotation_error_max_rad.to_degrees();
-        let turn = if turn > 1e-6 { format!(", {}°", significant(turn, 2)) } else { String::new() };
-        let tension = self.tension_error.map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
-        let parameters = match self.parameter_count {
-            0 => String::new(),
-            count => format!("{count} parameters, "),
-        };
-        format!(
-            "  {}: left out it costs up to {} mm{turn}{tension} and leaves {:.0} % of the task; with it: {parameters}{}\n",
-            self.effect,
-            significant(1e3 * self.position_error_max_m, 3),
-            100.0 * self.reached_share,
-            self.cost
-        )
-    }
-}
-
-impl CandidateAnswer {
-    fn new(candidate: &Candidate) -> Self {
-        Self {
-            model: candidate.control.to_string(),
-            left_out: candidate.left_out.clone(),
-            position_error_m: candidate.position_error,
-            rotation_error_rad: candidate.rotation_error,
-            tension_error: candidate.tension_error,
-            reached_share: candidate.reached_share,
-            share_within_tension_limits: candidate.commanded_share,
-            parameter_count: candidate.parameter_count,
-            reason: candidate.reason.clone(),
-        }
-    }
-}
-
-impl Answer for Advised {
-    fn is_negative(&self) -> bool {
-        self.reason.is_some()
-    }
-
-    fn words(&self) -> String {
-        let mut text = format!(
-            "{}: control models against the machine {}, {} poses of the task, {} mm required\n\n",
-            self.robot,
-            self.machine,
-            self.poses,
-            significant(1e3 * self.accuracy_m, 3)
-        );
-        let mut table =
-            Table::new(["control model", "mean mm", "max mm", "max °", "tension N", "reached", "parameters", "ns"]);
-        for (candidate, time) in self.candidates.iter().zip(&self.timing.command_ns) {
-            let finite = |number: f64| Some(number).filter(|number| number.is_finite());
-            let mark = if self.recommended.as_ref() == Some(&candidate.model) { " ←" } else { "" };
-            table.row(vec![
-                format!("{}{mark}", candidate.model),
-                cell(finite(1e3 * candidate.position_error_m.mean), 3),
-                cell(finite(1e3 * candidate.position_error_m.max), 3),
-                cell(finite(candidate.rotation_error_rad.max.to_degrees()), 4),
-                cell(candidate.tension_error, 1),
-                format!("{:.0} %", 100.0 * candidate.reached_share),
-                candidate.parameter_count.to_string(),
-                cell(finite(*time), 0),
-            ]);
-        }
-        text.push_str(&table.text());
-        if let Some(reason) = &self.reason {
-            text.push_str(&format!("\n{reason}\n"));
-        }
-        if let Some(recommended) = &self.recommended {
-            text.push_str(&format!("\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine\n"));
-        }
-        for (title, effects) in [("must be modelled", &self.must_be_modelled), ("may be left out", &self.may_be_left_out)] {
-            if !effects.is_empty() {
-                text.push_str(&format!("\n{title}\n"));
-                effects.iter().for_each(|effect| text.push_str(&effect.sentence()));
-            }
-        }
-        if !self.missing.is_empty() {
-            text.push_str(&format!("\nnot judged, since the robot file lacks their keys\n  {}\n", self.missing.join("\n  ")));
-        }
-        text
-    }
 }
