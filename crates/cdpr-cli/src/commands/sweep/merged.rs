@@ -10,7 +10,7 @@ use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::figures::{Shares, ShareCurve};
 use crate::files;
-use crate::number_format::significant;
+use crate::number_format::{short, significant};
 use crate::table::Table;
 
 #[derive(Serialize)]
@@ -110,11 +110,24 @@ impl Merged {
         };
         let mut curves = vec![ShareCurve { name: "any error".to_owned(), points: points(&|row| row.share) }];
         for (index, most) in self.position_error_max_m.iter().enumerate() {
-            let name = format!("{} mm", significant(1e3 * most, 3));
+            let name = format!("{} mm", short(1e3 * most));
             curves.push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
         }
-        Shares { parameter: key.clone(), curves }.svg()
+        Shares { parameter: axis_label(key), curves }.svg()
     }
+}
+
+/// A key as the label of an axis: its last word with its unit, and whose it is.
+fn axis_label(key: &str) -> String {
+    let (owner, name) = key.rsplit_once('.').map_or(("", key), |(owner, name)| (owner, name));
+    let (name, entry) = name.split_once('[').map_or((name, String::new()), |(name, entry)| (name, format!("[{entry}")));
+    let (words, unit) = match name.rsplit_once('_') {
+        Some((words, unit @ ("m" | "N" | "rad" | "kg"))) => (words, format!(" in {unit}")),
+        Some((words, "Nm")) => (words, " in N·m".to_owned()),
+        _ => (name, String::new()),
+    };
+    let owner = if owner.is_empty() { String::new() } else { format!(" ({owner})") };
+    format!("{}{entry}{unit}{owner}", words.replace('_', " "))
 }
 
 impl Answer for Merged {
@@ -141,5 +154,18 @@ impl Answer for Merged {
         }
         text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::axis_label;
+
+    #[test]
+    fn axes_of_sweeps_name_their_unit_and_whose_number_it_is() {
+        assert_eq!(axis_label("both.cable[*].axial_stiffness_EA_N"), "axial stiffness EA in N (both.cable[*])");
+        assert_eq!(axis_label("study.initial.tension_limits_N[2]"), "tension limits[2] in N (study.initial)");
+        assert_eq!(axis_label("placed_pulley_radius_m"), "placed pulley radius in m");
+        assert_eq!(axis_label("machine.platform.mass"), "mass (machine.platform)");
     }
 }
