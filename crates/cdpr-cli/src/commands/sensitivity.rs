@@ -12,13 +12,14 @@ use crate::failure::Failure;
 use crate::files;
 use crate::laboratory::Laboratory;
 use crate::progress::Progress;
-use crate::sensitivities::{Asked, Found, tables};
+use crate::sensitivities::{self, Asked, Found, tables};
 use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr sensitivity study.toml
   cdpr sensitivity study.toml --accuracy 0.005 --csv maps.csv
+  cdpr sensitivity study.toml --robots 0 --map \"machine frame-anchor[1].x\" --svg anchor.svg
   cdpr sensitivity studies/planar-tolerances.toml --engine linear --format json";
 
 /// Tell how the emerging pose and its tensions follow every number of the control model, of the machine, and of how the
@@ -60,6 +61,14 @@ pub(crate) struct Arguments {
     /// Write the derivatives at every pose, a row per pose and parameter (CSV).
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+
+    /// Draw how this number moves the platform at every pose, named as in the table: "machine frame-anchor[1].x"; needs --svg.
+    #[arg(long, value_name = "NAME", requires = "svg")]
+    map: Option<String>,
+
+    /// Write the picture of --map (SVG).
+    #[arg(long, value_name = "FILE", requires = "map")]
+    svg: Option<PathBuf>,
 
     /// Write error, spread and quantiles at every pose, a row per pose (CSV).
     #[arg(long, value_name = "FILE")]
@@ -122,8 +131,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     found.without_effect(&tolerances).iter().for_each(|remark| output.remark(remark));
     let maps = arguments.csv.as_ref().map(|path| (path, tables::derivatives(&found, &laboratory)));
     let poses = arguments.poses_csv.as_ref().map(|path| (path, tables::poses(&found)));
+    let picture = match arguments.svg.as_ref().zip(arguments.map.as_ref()) {
+        Some((path, name)) => Some((path, sensitivities::map(&found, &laboratory, name)?)),
+        None => None,
+    };
     let written: Vec<_> =
-        maps.iter().chain(&poses).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
+        maps.iter().chain(&poses).chain(&picture).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
     files::write_all(&written)?;
     output.answer(&found.answer(&laboratory, &tolerances, &asked))
 }

@@ -1,5 +1,6 @@
-//! Errors over the workspace: discs at the measured positions, coloured by size.
+//! Errors and sensitivities over the workspace: discs at the positions, coloured by size, and arrows.
 
+use super::arrow;
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
 use super::{Frame, colour, finite_range};
@@ -14,8 +15,12 @@ pub(crate) struct MapPoint {
 
 /// The chart.
 pub(crate) struct Map {
+    /// Lines of text above the plot; the first is the title.
+    pub(crate) title: Vec<String>,
     /// The samples.
     pub(crate) points: Vec<MapPoint>,
+    /// From a point to another (m).
+    pub(crate) arrows: Vec<[[f64; 2]; 2]>,
     /// Names of the two axes, e.g. x and y.
     pub(crate) axes: [String; 2],
     /// Error of the last colour; larger ones share it.
@@ -24,8 +29,13 @@ pub(crate) struct Map {
     pub(crate) colour_label: String,
 }
 
+const STYLE: &str = include_str!("map.css");
+
 const LEFT: f64 = 78.0;
 const TOP: f64 = 14.0;
+/// Height of a line of the title, and the width of a letter in it, on average.
+const LINE: f64 = 18.0;
+const LETTER: f64 = 7.2;
 /// Largest width and height of the plot.
 const SIZE: (f64, f64) = (560.0, 380.0);
 /// More discs than this are thinned out.
@@ -37,12 +47,25 @@ impl Map {
         let points = thinned(&self.points);
         let ranges = [0, 1].map(|axis| finite_range(points.iter().map(|point| point.at[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
-        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, TOP), SIZE);
-        let mut drawing = Drawing::new(right + 130.0, bottom + 46.0, &self.colour_label);
-        x.draw_below(&mut drawing, TOP, bottom, &format!("{} in m", self.axes[0]));
+        let top = TOP + LINE * self.title.len() as f64;
+        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
+        let widest = self.title.iter().map(|line| LEFT + LETTER * line.chars().count() as f64).fold(0.0, f64::max);
+        let mut drawing = Drawing::new((right + 130.0).max(widest), bottom + 46.0, &self.colour_label);
+        if !self.arrows.is_empty() {
+            drawing = drawing.with_style(STYLE);
+        }
+        for (line, text) in self.title.iter().enumerate() {
+            let class = if line == 0 { "panel" } else { "tick" };
+            drawing.text(class, Anchor::Start, (LEFT, 16.0 + LINE * line as f64), text);
+        }
+        x.draw_below(&mut drawing, top, bottom, &format!("{} in m", self.axes[0]));
         y.draw_left(&mut drawing, LEFT, right, &format!("{} in m", self.axes[1]));
         self.draw_points(&mut drawing, &points, &x, &y);
-        self.draw_bar(&mut drawing, right + 28.0, bottom);
+        let place = |point: &[f64; 2]| (x.place(point[0]), y.place(point[1]));
+        for [from, to] in arrow::some_of(&self.arrows) {
+            arrow::draw(&mut drawing, place(from), place(to));
+        }
+        self.draw_bar(&mut drawing, right + 28.0, (top, bottom));
         Some(drawing.finish())
     }
 
@@ -58,19 +81,19 @@ impl Map {
         }
     }
 
-    fn draw_bar(&self, drawing: &mut Drawing, left: f64, bottom: f64) {
-        let height = (bottom - TOP) / colour::STEPS as f64;
+    fn draw_bar(&self, drawing: &mut Drawing, left: f64, (top, bottom): (f64, f64)) {
+        let height = (bottom - top) / colour::STEPS as f64;
         for step in 0..colour::STEPS {
             let upper = bottom - height * (step + 1) as f64;
             drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(&colour::of_step(step)));
         }
-        let ticks = if bottom - TOP < 200.0 { 2 } else { 4 };
+        let ticks = if bottom - top < 200.0 { 2 } else { 4 };
         for tick in 0..=ticks {
             let share = f64::from(tick) / f64::from(ticks);
             let text = crate::number_format::significant(share * self.top, 3);
-            drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - TOP) + 4.0), &text);
+            drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - top) + 4.0), &text);
         }
-        drawing.upright_text((left + 84.0, 0.5 * (bottom + TOP)), &self.colour_label);
+        drawing.upright_text((left + 84.0, 0.5 * (bottom + top)), &self.colour_label);
     }
 }
 

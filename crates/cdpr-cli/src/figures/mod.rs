@@ -3,6 +3,7 @@
 //! Our own writer of lines, discs and texts: a plotting crate would bring more code than these figures are, and another
 //! look than the report.
 
+mod arrow;
 mod axis;
 mod colour;
 mod convergence;

@@ -1,5 +1,6 @@
 //! Outlines of regions over one another, and how one of them moves.
 
+use super::arrow;
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
 use super::{Frame, finite_range};
@@ -65,10 +66,6 @@ const LETTER: f64 = 7.2;
 const LEGEND: (f64, f64) = (26.0, 300.0);
 /// Length of a sample line in the legend.
 const SAMPLE: f64 = 26.0;
-/// More arrows than this hide each other.
-const MOST_ARROWS: usize = 120;
-/// Half the width and the length of the head of an arrow.
-const HEAD: (f64, f64) = (2.4, 6.0);
 
 impl Outlines {
     /// The chart as SVG, both axes to the same scale; `None` where no outline has a finite point.
@@ -95,9 +92,8 @@ impl Outlines {
             let corners: Vec<(f64, f64)> = outline.points.iter().map(place).collect();
             drawing.polyline(outline.look.class(), &corners, true);
         }
-        let stride = self.arrows.1.len().div_ceil(MOST_ARROWS).max(1);
-        for [from, to] in self.arrows.1.iter().step_by(stride) {
-            arrow(&mut drawing, place(from), place(to));
+        for [from, to] in arrow::some_of(&self.arrows.1) {
+            arrow::draw(&mut drawing, place(from), place(to));
         }
         self.draw_points(&mut drawing, (&x, &y), right);
         cross(&mut drawing, place(&self.center.1));
@@ -133,26 +129,11 @@ impl Outlines {
         let (name, arrows) = &self.arrows;
         if !arrows.is_empty() {
             let y = next(drawing, name);
-            arrow(drawing, (left, y), (left + SAMPLE, y));
+            arrow::draw(drawing, (left, y), (left + SAMPLE, y));
         }
         let y = next(drawing, &self.center.0);
         cross(drawing, (left + 0.5 * SAMPLE, y));
     }
-}
-
-/// A line with a head, which shrinks with short arrows.
-fn arrow(drawing: &mut Drawing, from: (f64, f64), to: (f64, f64)) {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let length = dx.hypot(dy);
-    // what is shorter than a pixel shows no direction
-    if length < 1.0 {
-        return;
-    }
-    drawing.line("arrow", from, to);
-    let shrunk = (length / (1.5 * HEAD.1)).min(1.0);
-    let (along, across) = (HEAD.1 * shrunk / length, HEAD.0 * shrunk / length);
-    let corner = |side: f64| (to.0 - along * dx - side * across * dy, to.1 - along * dy + side * across * dx);
-    drawing.polyline("arrow-head", &[to, corner(1.0), corner(-1.0)], true);
 }
 
 fn cross(drawing: &mut Drawing, (x, y): (f64, f64)) {

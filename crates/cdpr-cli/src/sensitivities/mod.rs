@@ -1,6 +1,8 @@
 //! Sensitivities and tolerances of a study: what `cdpr sensitivity` computes, tells and writes.
 
 mod answer;
+mod map;
+mod names;
 pub(crate) mod tables;
 mod words;
 
@@ -8,6 +10,9 @@ use cdpr::metamodel::sensitivity::{Cause, Offsets, PoseSensitivity, Sensitivity}
 use cdpr::metamodel::study::{AccuracyOf, CommandedPose, Tolerances};
 use cdpr::metamodel::tolerance::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
 use cdpr::metamodel::{InputError, Status};
+
+pub(crate) use map::map;
+pub(crate) use names::place_of;
 
 use crate::failure::Failure;
 use crate::laboratory::Laboratory;

@@ -38,7 +38,7 @@ pub(crate) fn derivatives(found: &Found, laboratory: &Laboratory) -> String {
     text
 }
 
-fn in_world(model: &Model, entries: impl Iterator<Item = f64>) -> Twist {
+pub(super) fn in_world(model: &Model, entries: impl Iterator<Item = f64>) -> Twist {
     model.twist_basis().iter().zip(entries).map(|(direction, entry)| direction * entry).sum()
 }
 

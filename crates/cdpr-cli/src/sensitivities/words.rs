@@ -10,7 +10,7 @@ use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
 /// A step that people think in: what it is in the unit of the kind, and its words.
-fn step(kind: Kind) -> (f64, &'static str) {
+pub(super) fn step(kind: Kind) -> (f64, &'static str) {
     match (kind, kind.unit()) {
         (Kind::LengthScale, _) => (1e-4, "0.01 %"),
         (_, "m") => (1e-3, "1 mm"),

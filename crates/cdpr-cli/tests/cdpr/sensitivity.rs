@@ -77,6 +77,37 @@ fn numbers_are_ranked_drawn_and_allowed() {
     }
 }
 
+/// Fig. 3.9 of the dissertation: how the planar example moves with an anchor of its controller. The largest number of the map
+/// is that of the table.
+#[test]
+fn a_map_shows_how_one_number_moves_the_platform() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let draw = |study: &str, name: &str| {
+        let mut command = assert_cmd::Command::cargo_bin("cdpr").unwrap();
+        command.current_dir(folder.path()).arg("sensitivity").arg(root.join(format!("studies/{study}.toml")));
+        let output = command.args(["--robots", "0", "--map", name, "--svg", "map.svg"]).output().unwrap();
+        (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let svg = || std::fs::read_to_string(folder.path().join("map.svg")).unwrap();
+    let (code, stderr) = draw("planar-validation", "control frame-anchor[1].x");
+    assert!(code < 2, "{stderr}");
+    let planar = svg();
+    for words in ["control frame-anchor[1].x changed by 1 mm", ">longest arrow 0.833 mm<", ">mm by 1 mm<", ">x in m<"] {
+        assert!(planar.contains(words), "{words}");
+    }
+    assert!(planar.matches("arrow-head").count() > 60);
+    let figure = root.join("docs/book/src/figures/dissertation-sensitivity.svg");
+    assert!(planar == std::fs::read_to_string(figure).unwrap(), "draw the figure of the chapter again");
+
+    let (code, stderr) = draw("twin-nominal", "machine frame-anchor[1].x");
+    assert!(code < 2 && svg().contains(">y in m<"), "{stderr}");
+    let (code, stderr) = draw("planar-validation", "control frame-anchor[1].z");
+    assert!(code == 2 && stderr.contains("--map: ") && stderr.contains("did you mean"), "{stderr}");
+    let run = cdpr_in(root, "sensitivity studies/planar-validation.toml --svg alone.svg");
+    assert!(run.exit_code == 2 && run.stderr.contains("--map"), "{}", run.stderr);
+}
+
 #[test]
 fn the_answer_is_the_same_on_any_number_of_threads() {
     let folder = changed("", "");

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::laboratory::Laboratory;
+use crate::sensitivities::place_of;
 
 /// A change of one number, and the hull with it.
 #[derive(Serialize)]
@@ -38,16 +39,7 @@ pub(super) struct Differential {
 pub(super) fn cause_named(laboratory: &Laboratory, name: &str) -> Result<Cause, Failure> {
     let setting = laboratory.setting(cdpr::metamodel::sensitivity::Offsets::Kept)?;
     let all = causes(&laboratory.control, &laboratory.machine, &setting);
-    let name_of = |cause: &Cause| cause.name(&laboratory.machine);
-    let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-    if let Some(found) = all.iter().find(|cause| name_of(cause) == plain(name)) {
-        return Ok(*found);
-    }
-    let names: Vec<String> = all.iter().map(name_of).collect();
-    let nearest = names.iter().max_by(|a, b| strsim::jaro(a, name).total_cmp(&strsim::jaro(b, name)));
-    let example = nearest.map_or_else(String::new, |nearest| format!("did you mean \"{nearest}\"? "));
-    let help = format!("{example}`cdpr sensitivity` with --csv names all of them");
-    Err(Failure::usage("usage::value", format!("--vary: control model, machine and winches have no \"{name}\"")).with_help(&help))
+    place_of(&all, &laboratory.machine, name, "--vary").map(|place| all[place])
 }
 
 /// The hull of a changed robot, to first order and anew.

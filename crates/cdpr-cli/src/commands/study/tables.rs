@@ -57,6 +57,8 @@ pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
             (format!("-at-z-{}", height.replace('−', "-")), format!(" at z = {height} m"))
         });
         let map = Map {
+            title: Vec::new(),
+            arrows: Vec::new(),
             points: found.samples.iter().filter_map(point).collect(),
             axes: [names[first], names[second]].map(str::to_owned),
             top,
