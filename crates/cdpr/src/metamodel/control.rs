@@ -14,7 +14,7 @@ use crate::tension::Limits;
 /// use cdpr::metamodel::Control;
 /// use cdpr::metamodel::study::TensionMethod;
 /// # use cdpr::model::{Composition, Model};
-/// # let robot = cdpr::robot::builtin::load("planar-example")?;
+/// # let robot = cdpr::robot::Robot::builtin("planar-example").ok_or("unknown robot")?;
 /// let model = Model::new(robot, "elastic".parse::<Composition>()?)?;
 /// let low = Control { tension_method: TensionMethod::Minimum, ..Control::from(&model) };
 /// assert_eq!(Control::from(&model).tension_method, TensionMethod::Qp);
