@@ -73,7 +73,8 @@ impl Status {
 ///
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
-/// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own encoders, length_scale · q_θ + length_offset.
+/// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own
+/// encoders, length_scale · q_θ + length_offset.
 /// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
 /// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of

@@ -200,15 +200,10 @@ impl Criterion for Reachable<'_> {
     }
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
-        answers.fill(false);
-        self.driving.with(|operation| match operation.answer_all(poses, self.needs_all_taut()) {
-            Some(emerged) => self.read(poses, &emerged, answers),
-            None => {
-                for (pose, answer) in poses.iter().zip(&mut *answers) {
-                    *answer = self.is_kept(pose, &operation.answer(&CommandedPose::at(*pose)));
-                }
-            }
+        let kept = self.of_emerging(poses, self.needs_all_taut(), |commanded, emerging, tensions| {
+            self.keeps(commanded, emerging, tensions)
         });
+        answers.iter_mut().zip(kept).for_each(|(answer, kept)| *answer = kept == Some(true));
     }
 }
 
@@ -226,18 +221,6 @@ impl Reachable<'_> {
     /// True where a slack cable breaks a limit, whatever else emerges.
     fn needs_all_taut(&self) -> bool {
         self.requirements.tensions.as_ref().is_some_and(|limits| limits.minimum().iter().all(|&least| least > 0.0))
-    }
-
-    /// The answers to what emerged for many poses.
-    fn read(&self, poses: &[Pose], emerged: &Emerged, answers: &mut [bool]) {
-        let mut tensions = vec![0.0; self.driving.machine().cable_count()];
-        let solutions = &emerged.solutions;
-        for (item, &index) in emerged.commanded.iter().enumerate() {
-            if solutions.status(item) == elastostatics::Status::Converged {
-                tensions.iter_mut().enumerate().for_each(|(cable, f)| *f = solutions.tension(cable, item));
-                answers[index] = self.keeps(&poses[index], &solutions.pose(item), Some(&tensions));
-            }
-        }
     }
 
     /// Something of what emerges – the pose and its tensions – for each of many commands, in batches where the machine has them;
