@@ -255,3 +255,8 @@ fn model_of(study: &Study, side: &RobotModel, robots: RobotSource<'_>) -> Result
     let composition: Composition = side.model.parse().map_err(|error: CompositionError| refused(&error))?;
     Model::new(robot, composition).map_err(|error| refused(&error))
 }
+
+/// A robot with its model, as answers and figures name it.
+pub(crate) fn title(model: &Model) -> String {
+    format!("{} ({})", model.robot().name, model.composition())
+}

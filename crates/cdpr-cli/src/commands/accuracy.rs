@@ -9,14 +9,13 @@ use cdpr::metamodel::Status;
 use cdpr::metamodel::accuracy::{Accuracy, Assessment};
 use cdpr::metamodel::branches::Branches;
 use cdpr::metamodel::study::{History, Reach};
-use cdpr::model::Model;
 use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
 use crate::error_table::{convergence_remark, error_table};
 use crate::failure::Failure;
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
 use crate::table::{Table, cell};
@@ -94,7 +93,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     assessment.accuracy.remark().iter().for_each(|remark| output.remark(remark));
     let reason = reason(&assessment);
-    let title = |model: &Model| format!("{} ({})", model.robot().name, model.composition());
     let prediction = prediction.zip(laboratory.prediction.as_ref());
     let prediction = prediction.map(|(found, model)| Prediction { model: title(model), blocks: found.blocks() });
     let unsettled = prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));

@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 use crate::number_format::significant;
 use crate::progress::Progress;
 use crate::selecting::NamedFile;
@@ -91,7 +91,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let reason = reason(&found);
     let page = page(&laboratory, &arguments, &found, remarks.into_iter().chain(reason.clone()).collect())?;
     drop(progress);
-    let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
     let mut made = tables::maps(&found, &laboratory.machine);
     made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
     made.insert(0, NamedFile::new("report.html", page));

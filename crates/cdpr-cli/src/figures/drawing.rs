@@ -11,6 +11,16 @@ const MILLIMETRES_PER_PIXEL: f64 = 0.21;
 /// Colours that stay apart in grey and for the colour-blind.
 const STYLE: &str = include_str!("figures.css");
 
+/// Height of a line of a title or legend (pixels).
+pub(super) const LINE: f64 = 18.0;
+/// Width of a bold letter, on average (pixels).
+const LETTER: f64 = 7.2;
+
+/// How wide the longest line of a title is (pixels).
+pub(super) fn title_width(lines: &[String]) -> f64 {
+    lines.iter().map(|line| LETTER * line.chars().count() as f64).fold(0.0, f64::max)
+}
+
 /// Where a text stands relative to its point.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
@@ -103,6 +113,14 @@ impl Drawing {
     pub(super) fn text(&mut self, class: &str, anchor: Anchor, at: (f64, f64), text: &str) {
         let (x, y, text, anchor) = (coordinate(at.0), coordinate(at.1), escape(text), anchor.word());
         self.push(format_args!(r#"<text class="{class}" text-anchor="{anchor}" x="{x}" y="{y}">{text}</text>"#));
+    }
+
+    /// Lines of text from the upper edge down, the first one in bold.
+    pub(super) fn title(&mut self, left: f64, lines: &[String]) {
+        for (line, text) in lines.iter().enumerate() {
+            let class = if line == 0 { "panel" } else { "tick" };
+            self.text(class, Anchor::Start, (left, 16.0 + LINE * line as f64), text);
+        }
     }
 
     /// A text turned to run upwards, centred on a point.

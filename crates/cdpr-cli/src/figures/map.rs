@@ -2,7 +2,7 @@
 
 use super::arrow;
 use super::axis::Axis;
-use super::drawing::{Anchor, Drawing};
+use super::drawing::{Anchor, Drawing, LINE, title_width};
 use super::{Frame, colour, finite_range};
 
 /// One sample.
@@ -33,9 +33,6 @@ const STYLE: &str = include_str!("map.css");
 
 const LEFT: f64 = 78.0;
 const TOP: f64 = 14.0;
-/// Height of a line of the title, and the width of a letter in it, on average.
-const LINE: f64 = 18.0;
-const LETTER: f64 = 7.2;
 /// Largest width and height of the plot.
 const SIZE: (f64, f64) = (560.0, 380.0);
 /// More discs than this are thinned out.
@@ -49,15 +46,12 @@ impl Map {
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
         let top = TOP + LINE * self.title.len() as f64;
         let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
-        let widest = self.title.iter().map(|line| LEFT + LETTER * line.chars().count() as f64).fold(0.0, f64::max);
+        let widest = LEFT + title_width(&self.title);
         let mut drawing = Drawing::new((right + 130.0).max(widest), bottom + 46.0, &self.colour_label);
         if !self.arrows.is_empty() {
             drawing = drawing.with_style(STYLE);
         }
-        for (line, text) in self.title.iter().enumerate() {
-            let class = if line == 0 { "panel" } else { "tick" };
-            drawing.text(class, Anchor::Start, (LEFT, 16.0 + LINE * line as f64), text);
-        }
+        drawing.title(LEFT, &self.title);
         x.draw_below(&mut drawing, top, bottom, &format!("{} in m", self.axes[0]));
         y.draw_left(&mut drawing, LEFT, right, &format!("{} in m", self.axes[1]));
         self.draw_points(&mut drawing, &points, &x, &y);

@@ -2,7 +2,7 @@
 
 use super::arrow;
 use super::axis::Axis;
-use super::drawing::{Anchor, Drawing};
+use super::drawing::{Anchor, Drawing, LINE, title_width};
 use super::{Frame, finite_range};
 
 const STYLE: &str = include_str!("outlines.css");
@@ -59,9 +59,6 @@ pub(crate) struct Outlines {
 /// Largest width and height of the plot.
 const SIZE: (f64, f64) = (520.0, 480.0);
 const LEFT: f64 = 64.0;
-const LINE: f64 = 18.0;
-/// Width of a bold letter, on average.
-const LETTER: f64 = 7.2;
 /// Distance and width of the legend.
 const LEGEND: (f64, f64) = (26.0, 300.0);
 /// Length of a sample line in the legend.
@@ -77,14 +74,11 @@ impl Outlines {
         let top = 14.0 + LINE * self.title.len() as f64;
         let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
         let legend = top + LINE * (self.outlines.len() + 3) as f64;
-        let widest = self.title.iter().map(|line| LEFT + LETTER * line.chars().count() as f64).fold(0.0, f64::max);
+        let widest = LEFT + title_width(&self.title);
         let size = ((right + LEGEND.0 + LEGEND.1).max(widest), (bottom + 46.0).max(legend));
         let label = self.title.first().map_or("", |title| title);
         let mut drawing = Drawing::new(size.0, size.1, label).with_style(STYLE);
-        for (line, text) in self.title.iter().enumerate() {
-            let class = if line == 0 { "panel" } else { "tick" };
-            drawing.text(class, Anchor::Start, (LEFT, 16.0 + LINE * line as f64), text);
-        }
+        drawing.title(LEFT, &self.title);
         x.draw_below(&mut drawing, top, bottom, &format!("{} in m", self.axes[0]));
         y.draw_left(&mut drawing, LEFT, right, &format!("{} in m", self.axes[1]));
         let place = |point: &[f64; 2]| (x.place(point[0]), y.place(point[1]));

@@ -3,11 +3,10 @@
 use cdpr::metamodel::sensitivity::{Kind, Offsets, Side, rank, rank_kinds};
 use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr::metamodel::tolerance::{Engine, Quantiles};
-use cdpr::model::Model;
 use serde::Serialize;
 
 use super::{Asked, Found};
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 
 /// All that is told.
 #[derive(Serialize)]
@@ -122,7 +121,6 @@ impl Found {
     /// The answer with its status.
     pub(crate) fn answer(&self, laboratory: &Laboratory, tolerances: &Tolerances, asked: &Asked) -> Told {
         let (control, machine) = (&laboratory.control, &laboratory.machine);
-        let title = |model: &Model| format!("{} ({})", model.robot().name, model.composition());
         let pattern = machine.robot().motion_pattern;
         let known: Vec<_> = self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
         let (status, reason) = self.status(asked);

@@ -1,6 +1,7 @@
 //! How one number moves the platform over the poses, as a picture.
 
 use cdpr::geometry::Pose;
+use cdpr::model::Model;
 use cdpr::nalgebra::Vector3;
 
 use super::tables::in_world;
@@ -8,7 +9,7 @@ use super::words::step;
 use super::{Found, place_of};
 use crate::failure::Failure;
 use crate::figures::{Map, MapPoint};
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 use crate::number_format::significant;
 use crate::pose_answer::axis_names;
 
@@ -20,30 +21,17 @@ pub(crate) fn map(found: &Found, laboratory: &Laboratory, name: &str) -> Result<
     let machine = &laboratory.machine;
     let cause = place_of(&found.causes, machine, name, "--map")?;
     let (by, words) = step(found.causes[cause].kind);
-    let moves: Vec<(&Pose, Vector3<f64>)> = found
-        .commanded
-        .iter()
-        .zip(&found.poses)
-        .filter_map(|(command, at)| {
-            let column = at.derivatives.as_ref().ok()?.pose.column(cause);
-            let twist = in_world(machine, column.iter().copied());
-            Some((&command.pose, twist.fixed_rows::<3>(0) * (1e3 * by)))
-        })
-        .collect();
+    let moves = moves(found, machine, cause, 1e3 * by);
     let axes: Vec<usize> = machine.axes().iter().take(2).map(|axis| axis.iamax()).collect();
     let &[across, up] = axes.as_slice() else { return Err(nothing(name)) };
     let largest = moves.iter().map(|(_, by)| by.norm()).fold(0.0, f64::max);
     let seen = |vector: &Vector3<f64>| [vector[across], vector[up]];
-    let span = [across, up].map(|axis| {
-        let range = moves
-            .iter()
-            .map(|(pose, _)| pose.position[axis])
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)]);
-        range[1] - range[0]
-    });
-    let scale = if largest > 0.0 { LONGEST * span[0].max(span[1]) / largest } else { 0.0 };
+    let span = |axis: usize| {
+        let along = || moves.iter().map(|(pose, _)| pose.position[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    let scale = if largest > 0.0 { LONGEST * span(across).max(span(up)) / largest } else { 0.0 };
     let arrow = |(pose, by): &(&Pose, Vector3<f64>)| [seen(&pose.position), seen(&(pose.position + by * scale))];
-    let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
     let names = axis_names(machine.robot());
     let map = Map {
         title: vec![
@@ -59,6 +47,16 @@ pub(crate) fn map(found: &Found, laboratory: &Laboratory, name: &str) -> Result<
         colour_label: format!("mm by {words}"),
     };
     map.svg().ok_or_else(|| nothing(name))
+}
+
+/// The commanded poses, and ∂r/∂p there times a factor.
+fn moves<'a>(found: &'a Found, machine: &Model, cause: usize, by: f64) -> Vec<(&'a Pose, Vector3<f64>)> {
+    let both = found.commanded.iter().zip(&found.poses);
+    both.filter_map(|(command, at)| {
+        let column = at.derivatives.as_ref().ok()?.pose.column(cause);
+        Some((&command.pose, in_world(machine, column.iter().copied()).fixed_rows::<3>(0) * by))
+    })
+    .collect()
 }
 
 fn nothing(name: &str) -> Failure {

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::Differential;
 use crate::answer::Answer;
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 use crate::number_format::significant;
 use crate::table::{Table, cell};
 
@@ -84,7 +84,6 @@ impl ReachableAnswer {
         let outline = |which: usize| -> Option<Vec<[f64; 2]>> {
             Some(found.outlines.as_ref()?[which].iter().map(|&[x, y, _]| [x, y]).collect())
         };
-        let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
         Self {
             status: if found.reason.is_none() { "found" } else if found.feasible_points == 0 { "empty" } else { "not-star-shaped" },
             reason: found.reason.clone(),

@@ -10,7 +10,7 @@ use super::Differential;
 use crate::failure::Failure;
 use crate::figures::{Look, Outline, Outlines};
 use crate::files;
-use crate::laboratory::Laboratory;
+use crate::laboratory::{Laboratory, title};
 use crate::number_format::{fixed, short};
 use crate::pose_answer::{axis_names, components};
 
@@ -61,7 +61,6 @@ impl Picture<'_> {
     }
 
     fn title(&self, names: &[String]) -> Vec<String> {
-        let title = |model: &cdpr::model::Model| format!("{} ({})", model.robot().name, model.composition());
         let changed = self.differential.map(|change| {
             let unit = if change.unit == "1" { String::new() } else { format!(" {}", change.unit) };
             format!("What is reached, and how it moves with {} changed by {}{unit}", change.parameter, change.change)
