@@ -6,6 +6,7 @@ mod browser;
 mod cargo;
 mod documents;
 mod examples;
+mod format;
 mod generated;
 mod instruction_counts;
 mod instructions;

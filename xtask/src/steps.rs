@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{book, browser, cargo, documents, examples, generated, instructions, judge, layers};
+use crate::{book, browser, cargo, documents, examples, format, generated, instructions, judge, layers};
 
 /// One step of the entrance.
 struct Step {
@@ -28,7 +28,11 @@ enum Action {
 /// Cheap steps first. Benches compile in `clippy`, which takes all targets.
 const STEPS: &[Step] = &[
     Step { name: "tools", action: Action::Own(cargo::tools), remedy: "install what is missing, as the message says" },
-    Step { name: "format", action: Action::Cargo(&["fmt", "--all", "--check"]), remedy: "run `cargo fmt --all`" },
+    Step {
+        name: "format",
+        action: Action::Own(format::check),
+        remedy: "run `cargo fmt --all`; a module that a macro declares is not found by it",
+    },
     Step {
         name: "layers",
         action: Action::Own(layers::check),

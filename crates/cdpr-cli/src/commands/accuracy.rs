@@ -140,8 +140,7 @@ impl Answer for Assessed {
             let table = error_table(self.pattern, &[("value", blocks)]);
             text.push_str(&format!("\n{model} predicts from the lengths sent what emerges, with errors of\n\n{table}"));
         }
-        let offsets: Vec<String> =
-            self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
+        let offsets: Vec<String> = self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
         text.push_str(&format!("\nwinch offsets  {} mm", offsets.join(", ")));
         if let Some(tensions) = &self.initial_tensions {
             let tensions: Vec<String> = tensions.iter().map(|tension| format!("{tension:.0}")).collect();
@@ -155,7 +154,9 @@ impl Answer for Assessed {
             };
             text.push_str(&format!("each pose reached from {from} in {} steps\n", history.sub_steps));
         }
-        if let Some(Branches { stroke_m, samples, ways, position_spread_m, rotation_spread_rad, tension_spread_N }) = &self.branches {
+        if let Some(Branches { stroke_m, samples, ways, position_spread_m, rotation_spread_rad, tension_spread_N }) =
+            &self.branches
+        {
             text.push_str(&format!(
                 "\nbranches: {ways} ways to each of {samples} poses, straight and from {:.0} mm to either side, end apart by\n{:.3} mm in the mean, \
                  {:.3} mm at most; {:.4}° in the mean, {:.4}° at most; {:.1} N in the mean, {:.1} N at most\n",

@@ -14,13 +14,13 @@ use cdpr::tension::Method;
 use cdpr::workspace::Bounds;
 use clap::Args;
 
-use answer::{Advised, Timing};
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::RobotArgument;
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
 use crate::tension_method::TensionMethodArgument;
+use answer::{Advised, Timing};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -61,7 +61,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let robot = arguments.robot.read()?;
     if !(arguments.accuracy > 0.0) {
         let message = format!("--accuracy: {} m is no largest error", arguments.accuracy);
-        return Err(Failure::usage("usage::value", message).with_help("give a positive number in metres, 0.005 for 5 mm"));
+        return Err(
+            Failure::usage("usage::value", message).with_help("give a positive number in metres, 0.005 for 5 mm")
+        );
     }
     let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("ROBOT", error);
     let supported = Composition::supported(&robot).map_err(|error| refused(&error))?;
@@ -70,8 +72,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let poses = poses(&task, &machine, arguments.count as usize);
     let tension_method = arguments.choice.tension_method.unwrap_or_default();
     let progress = Progress::spinner("driving the machine with every control model");
-    let advice = advise(&machine, &supported, &poses, arguments.accuracy, tension_method).map_err(|error| refused(&error))?;
-    let command_ns = advice.candidates.iter().map(|candidate| command_time(&machine, candidate, tension_method, &poses)).collect();
+    let advice =
+        advise(&machine, &supported, &poses, arguments.accuracy, tension_method).map_err(|error| refused(&error))?;
+    let command_ns =
+        advice.candidates.iter().map(|candidate| command_time(&machine, candidate, tension_method, &poses)).collect();
     drop(progress);
     let missing = supported.missing.iter().map(|(effect, reason)| format!("{effect}: {reason}")).collect();
     let timing = Timing { command_ns };
@@ -80,7 +84,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 /// The box of the task.
 fn task(text: &str, machine: &Model) -> Result<Bounds, Failure> {
-    let refused = |message: String| Failure::input("advice::task", message, "give the ends of a box in metres, as --task=-1,1,-1,1,0.5,2");
+    let refused = |message: String| {
+        Failure::input("advice::task", message, "give the ends of a box in metres, as --task=-1,1,-1,1,0.5,2")
+    };
     let ends = match (text, &machine.robot().travel) {
         ("box", Some(travel)) => {
             machine.axes().iter().flat_map(|axis| [axis.dot(&travel.min), axis.dot(&travel.max)]).collect()
@@ -111,7 +117,9 @@ fn poses(task: &Bounds, machine: &Model, count: usize) -> Vec<Pose> {
 fn command_time(machine: &Model, candidate: &Candidate, tension_method: Method, poses: &[Pose]) -> f64 {
     let Ok(control) = Model::new(machine.robot().clone(), candidate.control) else { return f64::NAN };
     let offsets = vec![0.0; machine.cable_count()];
-    let Ok(mut operation) = Operation::new(Control { model: &control, tension_method }, machine, &offsets) else { return f64::NAN };
+    let Ok(mut operation) = Operation::new(Control { model: &control, tension_method }, machine, &offsets) else {
+        return f64::NAN;
+    };
     let start = Instant::now();
     let rounds = (2000 / poses.len()).clamp(1, 200);
     for _ in 0..rounds {

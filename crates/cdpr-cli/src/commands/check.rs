@@ -78,13 +78,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         motion_pattern: robot.motion_pattern.name(),
         degrees_of_freedom: model.dof(),
         cable_count: model.cable_count(),
-        home: Home {
-            pose: PoseAnswer::new(robot, &pose),
-            rank,
-            condition,
-            feasible,
-            feasible_note,
-        },
+        home: Home { pose: PoseAnswer::new(robot, &pose), rank, condition, feasible, feasible_note },
         warnings,
     })
 }
@@ -187,7 +181,9 @@ fn warnings_about_size(robot: &Robot) -> Vec<String> {
     let platform = robot.cables.iter().map(|cable| cable.platform_anchor.norm()).fold(0.0, f64::max);
     let mut warnings = Vec::new();
     if frame > LARGEST_FRAME {
-        warnings.push(format!("the frame anchors are up to {frame:.0} m apart: are they millimetres? Their key ends in _m"));
+        warnings.push(format!(
+            "the frame anchors are up to {frame:.0} m apart: are they millimetres? Their key ends in _m"
+        ));
     }
     if frame > 0.0 && platform > frame {
         warnings.push(format!(

@@ -77,7 +77,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         data_name: "training.csv (virtual measurements of the CableRobot Simulator)".to_owned(),
         validation_name: words,
         command: format!("cdpr select robot.toml training.csv --validation validation.csv{options} --out ."),
-        warnings: vec!["these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned()],
+        warnings: vec![
+            "these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned(),
+        ],
         inputs,
     })?;
     let mut answer = Selected::with_timing(&compared);

@@ -62,8 +62,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let model = arguments.model.read()?;
     let samples = arguments.data.read(&model, output)?;
     let progress = Progress::spinner("predicting poses");
-    let evaluation =
-        evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
+    let evaluation = evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
     drop(progress);
     if let Some(path) = &arguments.out_errors {
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;

@@ -70,9 +70,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 /// The explanation of a code, or of the only code with this last part.
 fn find(wanted: &str) -> Result<Explanation, Failure> {
-    let is_wanted = |explanation: &Explanation| {
-        explanation.code == wanted || explanation.code.rsplit("::").next() == Some(wanted)
-    };
+    let is_wanted =
+        |explanation: &Explanation| explanation.code == wanted || explanation.code.rsplit("::").next() == Some(wanted);
     let found: Vec<Explanation> = explanations::all().filter(is_wanted).collect();
     if let [only] = found.as_slice() {
         return Ok(*only);

@@ -112,8 +112,7 @@ impl Arguments {
             return Ok(ForwardAnswer::of_equilibrium(model, solution));
         }
         let settings = forward_kinematics::Settings::default();
-        let solution =
-            forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
+        let solution = forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
         let mut answer = ForwardAnswer::of_lengths(model, solution);
         if let (true, Err(error)) = (underactuated, own_load) {
             answer.remark(&error.to_string());

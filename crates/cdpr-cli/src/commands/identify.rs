@@ -196,7 +196,13 @@ impl Task<'_> {
 
     fn settings(&self) -> fit::Settings {
         let Arguments { hold, prior, starts, seed, .. } = self.arguments;
-        fit::Settings { hold: hold.clone(), priors: prior.clone(), starts: *starts, seed: *seed, ..fit::Settings::default() }
+        fit::Settings {
+            hold: hold.clone(),
+            priors: prior.clone(),
+            starts: *starts,
+            seed: *seed,
+            ..fit::Settings::default()
+        }
     }
 
     /// Descents of this many fits.
@@ -219,7 +225,9 @@ impl Task<'_> {
     /// Errors of the model as given; none where a file that a free wrench completes says nothing of the load.
     fn evaluate_given(&self, samples: &Samples) -> Result<Evaluation, Failure> {
         match evaluate(self.model, samples) {
-            Err(EvaluationError::Load(_)) if self.arguments.free.names(ParameterKind::Wrench) => Ok(Evaluation::default()),
+            Err(EvaluationError::Load(_)) if self.arguments.free.names(ParameterKind::Wrench) => {
+                Ok(Evaluation::default())
+            }
             other => other.map_err(|error| Failure::refused(&self.model.robot().name, &error)),
         }
     }

@@ -200,7 +200,8 @@ impl InverseKinematics {
 
     /// What the motors are told.
     fn wind(&mut self, model: &Model) -> Result<(), Failure> {
-        let angle = |(cable, length): (usize, &Option<f64>)| length.map(|length| model.motor_angle(cable, length)).transpose();
+        let angle =
+            |(cable, length): (usize, &Option<f64>)| length.map(|length| model.motor_angle(cable, length)).transpose();
         let angles: Vec<Option<f64>> = self
             .controlled_lengths_m
             .iter()

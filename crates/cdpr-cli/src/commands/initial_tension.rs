@@ -92,7 +92,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             TargetArgument::Tensions(tensions) => (None, Some(tensions.clone())),
         };
         let range = study.initial.tension_limits_N;
-        let target = Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..Initial::default() };
+        let target =
+            Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..Initial::default() };
         let refused = |error: InputError| laboratory.refused(&error);
         let before = fit(&task, &laboratory.offsets, &target, &poses).map_err(refused)?;
         let best = optimum(&task, &target, &poses).map_err(refused)?;
@@ -103,7 +104,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let (before, best, way) = found;
     let reached = size(&laboratory, &pose)?;
-    let former = State { offsets: std::mem::replace(&mut laboratory.offsets, best.offsets.clone()), fit: before, reached };
+    let former =
+        State { offsets: std::mem::replace(&mut laboratory.offsets, best.offsets.clone()), fit: before, reached };
     let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&laboratory, &pose)? };
     drop(progress);
     if !best.is_settled {

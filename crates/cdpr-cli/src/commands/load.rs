@@ -181,8 +181,7 @@ impl Answer for LoadEstimate {
         if let Some(reason) = &self.reason {
             text.push_str(&format!("singular: {reason}\n"));
         }
-        let Statics { wrench, internal: Some(internal), external: Some(external), .. } = &self.statics
-        else {
+        let Statics { wrench, internal: Some(internal), external: Some(external), .. } = &self.statics else {
             return text;
         };
         let mut heading = vec!["wrench on the platform".to_owned()];

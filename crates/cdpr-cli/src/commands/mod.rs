@@ -5,11 +5,40 @@ use std::process::ExitCode;
 use crate::answer::Output;
 use crate::failure::Failure;
 
+// Declared outside the macro, so that `cargo fmt` finds them.
+mod accuracy;
+mod advise;
+mod check;
+mod completions;
+mod demo;
+mod evaluate;
+mod explain;
+mod export;
+mod fk;
+mod identify;
+mod ik;
+mod import;
+mod initial_tension;
+mod load;
+mod man;
+mod model;
+mod place_pulleys;
+mod reachable;
+mod robots;
+mod schema;
+mod select;
+mod sensitivity;
+mod simulate;
+mod stiffness;
+mod study;
+mod sweep;
+mod tension;
+mod test_bench;
+mod workspace;
+
 /// One line per subcommand: its file and its name; the arguments and the help are in the file.
 macro_rules! commands {
     ($($module:ident: $name:ident,)*) => {
-        $(mod $module;)*
-
         #[derive(Debug, clap::Subcommand)]
         pub(crate) enum Command {
             $($name($module::Arguments),)*

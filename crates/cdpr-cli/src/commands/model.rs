@@ -127,8 +127,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let load = load(&model, &pose, &arguments)?;
     let state = State { pose, load, tensions };
-    let found =
-        contributions(&model, &supported, &state).map_err(|error| Failure::refused("ROBOT", &error))?;
+    let found = contributions(&model, &supported, &state).map_err(|error| Failure::refused("ROBOT", &error))?;
     answer.effects = found.iter().map(|contribution| EffectAnswer::new(contribution, model.cable_count())).collect();
     answer.tensions = state.tensions;
     output.answer(&answer)
@@ -265,7 +264,8 @@ impl Answer for ModelAnswer {
     }
 
     fn words(&self) -> String {
-        let mut text = format!("{} at {}\neffects that the file supports: {}\n", self.robot, self.pose.words(), self.model);
+        let mut text =
+            format!("{} at {}\neffects that the file supports: {}\n", self.robot, self.pose.words(), self.model);
         self.reason.iter().for_each(|reason| text.push_str(&format!("{}: {reason}\n", self.status)));
         if !self.effects.is_empty() {
             let mut table = Table::new([
@@ -287,7 +287,9 @@ impl Answer for ModelAnswer {
         }
         if !self.missing.is_empty() {
             text.push_str("\nnot supported\n");
-            self.missing.iter().for_each(|missing| text.push_str(&format!("  {}: {}\n", missing.effect, missing.reason)));
+            self.missing
+                .iter()
+                .for_each(|missing| text.push_str(&format!("  {}: {}\n", missing.effect, missing.reason)));
         }
         text
     }
@@ -299,8 +301,11 @@ impl ModelAnswer {
         let mut text = String::new();
         let mut told: Vec<&str> = Vec::new();
         for effect in &self.effects {
-            for (platform, when) in [(&effect.platform, ""), (&effect.platform_beyond_home, ", with offsets set at home")] {
-                if let Some(count) = platform.as_ref().map(|platform| platform.slack_cables).filter(|&count| count > 0) {
+            for (platform, when) in
+                [(&effect.platform, ""), (&effect.platform_beyond_home, ", with offsets set at home")]
+            {
+                if let Some(count) = platform.as_ref().map(|platform| platform.slack_cables).filter(|&count| count > 0)
+                {
                     let cables = if count == 1 { "cable goes" } else { "cables go" };
                     text.push_str(&format!("without {}{when}, {count} {cables} slack\n", effect.title()));
                 }

@@ -75,12 +75,16 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let radius = |(index, cable): (usize, &cdpr::robot::Cable)| {
         arguments.radius.or(cable.pulley_radius).map(|radius| (radius, axis)).ok_or_else(|| {
             let message = format!("cable {} (\"{}\") has no pulley_radius_m", index + 1, cable.name);
-            Failure::input("model::missing-key", message, "add the key to the robot file, or give one radius for all with --radius")
+            Failure::input(
+                "model::missing-key",
+                message,
+                "add the key to the robot file, or give one radius for all with --radius",
+            )
         })
     };
     let pulleys = robot.cables.iter().enumerate().map(radius).collect::<Result<Vec<_>, _>>()?;
-    let placed =
-        place_pulleys(&robot, &pulleys, &pose).map_err(|error| Failure::refused("the pulleys have no place", &error))?;
+    let placed = place_pulleys(&robot, &pulleys, &pose)
+        .map_err(|error| Failure::refused("the pulleys have no place", &error))?;
     files::write(&arguments.out, placed.to_toml().as_bytes())?;
     let cables = placed.cables.iter().zip(&robot.cables).map(|(cable, before)| PlacedCable {
         name: cable.name.clone(),
@@ -105,11 +109,19 @@ fn swivel_axis(robot: &Robot, numbers: &NumberList) -> Result<Vector3<f64>, Fail
         (planar, found) => {
             let expected = if planar { "2 components in the robot's plane, or 3" } else { "3 components" };
             let message = format!("--axis: {expected} expected, found {}", found.len());
-            return Err(Failure::input("pulley::radius-or-axis", message, "upwards is --axis 0,0,1, of a planar robot mostly --axis 0,1"));
+            return Err(Failure::input(
+                "pulley::radius-or-axis",
+                message,
+                "upwards is --axis 0,0,1, of a planar robot mostly --axis 0,1",
+            ));
         }
     };
     axis.try_normalize(0.0).filter(|axis| axis.norm().is_finite()).ok_or_else(|| {
-        Failure::input("pulley::radius-or-axis", "--axis: a vector of length 0 has no direction", "upwards is --axis 0,0,1")
+        Failure::input(
+            "pulley::radius-or-axis",
+            "--axis: a vector of length 0 has no direction",
+            "upwards is --axis 0,0,1",
+        )
     })
 }
 

@@ -8,8 +8,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use answer::{Found, ReachableAnswer};
-use differential::{Differential, cause_named, differential};
-use picture::Picture;
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
 use cdpr::metamodel::sensitivity::Cause;
 use cdpr::model::Model;
@@ -18,6 +16,8 @@ use cdpr::workspace::hull::Hull;
 use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Archetype, Bounds, Cells, Point, Region, components, hull};
 use clap::{Args, ValueEnum};
+use differential::{Differential, cause_named, differential};
+use picture::Picture;
 
 use crate::answer::Output;
 use crate::failure::Failure;

@@ -56,7 +56,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         FileFormat::Measurement => cdpr::measurement::schema(),
     };
     let schema = schema.to_value();
-    let words = serde_json::to_string_pretty(&schema)
-        .map_err(|error| Failure::unwritable("the schema", &error))?;
+    let words = serde_json::to_string_pretty(&schema).map_err(|error| Failure::unwritable("the schema", &error))?;
     output.answer(&Schema { schema, words })
 }

@@ -14,7 +14,9 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
 use crate::measurements::DataArguments;
-use crate::selecting::{Comparison, NamedFile, Parted, Selected, SelectionArguments, one_file, two_files, write_folder};
+use crate::selecting::{
+    Comparison, NamedFile, Parted, Selected, SelectionArguments, one_file, two_files, write_folder,
+};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -68,7 +68,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
         let message = format!("{}: no pose gave a sample: {reason}", arguments.study.display());
-        return Err(Failure::input("study::no-samples", message, "`cdpr accuracy STUDY` counts what happens at the poses"));
+        return Err(Failure::input(
+            "study::no-samples",
+            message,
+            "`cdpr accuracy STUDY` counts what happens at the poses",
+        ));
     }
     if arguments.motor_angles {
         samples = with_motor_angles(&laboratory.control, &laboratory.machine, &samples)
@@ -90,7 +94,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 impl Answer for Simulated {
     fn words(&self) -> String {
-        let mut text = format!("{} samples written to {}, sensor accuracies to {}\n", self.samples, self.out, self.sidecar);
+        let mut text =
+            format!("{} samples written to {}, sensor accuracies to {}\n", self.samples, self.out, self.sidecar);
         if self.left_out > 0 {
             text.push_str(&format!("{} commands gave no sample:\n", self.left_out));
             self.reasons.iter().take(10).for_each(|reason| text.push_str(&format!("  {reason}\n")));

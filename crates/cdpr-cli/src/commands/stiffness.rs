@@ -176,7 +176,9 @@ impl StiffnessAnswer {
         tensions: &[f64],
     ) -> Result<(), Failure> {
         if !stiffness.system.iter().all(|x| x.is_finite()) {
-            return Err(Failure::numerical("the stiffness overflows; check the units of tensions, stiffness and lengths"));
+            return Err(Failure::numerical(
+                "the stiffness overflows; check the units of tensions, stiffness and lengths",
+            ));
         }
         (self.status, self.reason) = verdict(model, stiffness, tensions);
         let compliance = stiffness.compliance();
@@ -198,10 +200,8 @@ impl StiffnessAnswer {
 
     /// What makes the matrices other than one might think.
     fn warn(&mut self, residual: &[f64], tensions: &[f64]) {
-        let slack: Vec<String> = (0..tensions.len())
-            .filter(|&cable| tensions[cable] == 0.0)
-            .map(|cable| (cable + 1).to_string())
-            .collect();
+        let slack: Vec<String> =
+            (0..tensions.len()).filter(|&cable| tensions[cable] == 0.0).map(|cable| (cable + 1).to_string()).collect();
         if !slack.is_empty() {
             self.warnings.push(format!("without tension, and so taken as slack: cable {}", slack.join(", ")));
         }
@@ -237,7 +237,8 @@ impl Answer for StiffnessAnswer {
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
         text.push('\n');
         self.warnings.iter().for_each(|warning| text.push_str(&format!("warning: {warning}\n")));
-        let Matrices { stiffness: Some(stiffness), geometric: Some(geometric), cable: Some(cable), .. } = &self.matrices
+        let Matrices { stiffness: Some(stiffness), geometric: Some(geometric), cable: Some(cable), .. } =
+            &self.matrices
         else {
             return text;
         };
@@ -246,7 +247,8 @@ impl Answer for StiffnessAnswer {
         text.push_str(&format!("\nof cable stretch\n{}", self.matrix("K_C", cable, 1.0)));
         text.push_str(&format!("\nof turning cables\n{}", self.matrix("K_G", geometric, 1.0)));
         let gravity = self.matrices.gravity.iter().filter(|rows| rows.iter().flatten().any(|&x| x != 0.0));
-        gravity.for_each(|rows| text.push_str(&format!("\nof the turning weight\n{}", self.matrix("∂w/∂x", rows, 1.0))));
+        gravity
+            .for_each(|rows| text.push_str(&format!("\nof the turning weight\n{}", self.matrix("∂w/∂x", rows, 1.0))));
         if let Some(compliance) = &self.matrices.compliance {
             let units = "µm, µrad; columns per N, per N·m";
             text.push_str(&format!("\ncompliance ({units})\n{}", self.matrix("1/K", compliance, 1e6)));
@@ -258,7 +260,8 @@ impl Answer for StiffnessAnswer {
         for (index, name) in self.cable_names.iter().enumerate() {
             let of = |list: &Option<Vec<f64>>| list.as_ref().map(|list| list[index]);
             let Matrices { cable_stiffness, controlled_lengths_m, .. } = &self.matrices;
-            let numbers = [cell(of(&self.tensions), 3), cell(of(cable_stiffness), 1), cell(of(controlled_lengths_m), 6)];
+            let numbers =
+                [cell(of(&self.tensions), 3), cell(of(cable_stiffness), 1), cell(of(controlled_lengths_m), 6)];
             table.row([vec![name.clone()], numbers.to_vec()].concat());
         }
         text + &table.text()

@@ -176,7 +176,10 @@ impl Answer for Studied {
         text.push_str(&format!("\n{}", table.text()));
         if let Some(relative) = self.summary.relative_position_error {
             let diameter = significant(self.summary.diameter_m, 3);
-            text.push_str(&format!("\nmean error: {} % of the {diameter} m across the poses\n", significant(100.0 * relative, 3)));
+            text.push_str(&format!(
+                "\nmean error: {} % of the {diameter} m across the poses\n",
+                significant(100.0 * relative, 3)
+            ));
         }
         let share = 100.0 * self.summary.linear_trusted_share;
         text.push_str(&format!("the linear step is within a tenth of the error at {share:.0} % of the poses\n"));

@@ -148,7 +148,10 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
         points,
         computed: 0,
         already_there: 0,
-        words: format!("planned {points} points\nnext: cdpr sweep run {0}; then: cdpr sweep merge {0}\n", out.display()),
+        words: format!(
+            "planned {points} points\nnext: cdpr sweep run {0}; then: cdpr sweep merge {0}\n",
+            out.display()
+        ),
     })
 }
 

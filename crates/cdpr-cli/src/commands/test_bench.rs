@@ -164,7 +164,8 @@ impl Answer for TestBenchAnswer {
     fn words(&self) -> String {
         let mut table = Table::new(["law", "effect", "rms N", "max N", "rms % of range"]).left_column(1);
         let mut row = |law: &str, effect: &str, error: &ErrorAnswer| {
-            let numbers = [cell(Some(error.rms), 1), cell(Some(error.max), 1), cell(Some(error.rms_percent_of_range), 2)];
+            let numbers =
+                [cell(Some(error.rms), 1), cell(Some(error.max), 1), cell(Some(error.rms_percent_of_range), 2)];
             table.row([vec![law.to_owned(), effect.to_owned()], numbers.to_vec()].concat());
         };
         row("straight line", "elastic", &self.linear_error);

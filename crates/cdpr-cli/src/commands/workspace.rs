@@ -21,8 +21,8 @@ use question::Question;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::meshes::{check_mesh_file, write_mesh};
 use crate::inputs::ModelArguments;
+use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::progress::Progress;
 
@@ -127,8 +127,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     check_files(&arguments)?;
     let earlier = page::earlier(&arguments)?;
     let wanted = arguments.criterion.iter().map(|text| text.parse::<Wanted>());
-    let wanted =
-        wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
+    let wanted = wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
     let model = arguments.model.read()?;
     let question = Question::new(&arguments, &model)?;
     let criterion = question.criterion(&wanted)?;
@@ -237,7 +236,9 @@ fn check_files(arguments: &Arguments) -> Result<(), Failure> {
     arguments.mesh.as_ref().map_or(Ok(()), |path| check_mesh_file("--mesh", path))?;
     match (&arguments.mesh, &arguments.resume) {
         (Some(_), Some(_)) => {
-            let message = "--mesh draws a surface from all cells, but the state of --resume keeps no more than their number".to_owned();
+            let message =
+                "--mesh draws a surface from all cells, but the state of --resume keeps no more than their number"
+                    .to_owned();
             refused("workspace::resume", message, "leave --resume or --mesh out, or use --method octree")
         }
         (_, Some(_)) if arguments.method != Method::Grid => {

@@ -79,7 +79,9 @@ impl Advised {
         let mut effects = [Vec::new(), Vec::new()];
         for effect in advice.machine.words() {
             let without = advice.machine.without(effect);
-            let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else { continue };
+            let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else {
+                continue;
+            };
             let answer = EffectAnswer::new(effect, candidate, machine.cable_count());
             effects[usize::from(candidate.reached_share >= best)].push(answer);
         }
@@ -124,7 +126,8 @@ impl EffectAnswer {
     fn sentence(&self) -> String {
         let turn = self.rotation_error_max_rad.to_degrees();
         let turn = if turn > 1e-6 { format!(", {}°", significant(turn, 2)) } else { String::new() };
-        let tension = self.tension_error.map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
+        let tension =
+            self.tension_error.map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
         let parameters = match self.parameter_count {
             0 => String::new(),
             count => format!("{count} parameters, "),
@@ -189,16 +192,23 @@ impl Answer for Advised {
             text.push_str(&format!("\n{reason}\n"));
         }
         if let Some(recommended) = &self.recommended {
-            text.push_str(&format!("\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine\n"));
+            text.push_str(&format!(
+                "\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine\n"
+            ));
         }
-        for (title, effects) in [("must be modelled", &self.must_be_modelled), ("may be left out", &self.may_be_left_out)] {
+        for (title, effects) in
+            [("must be modelled", &self.must_be_modelled), ("may be left out", &self.may_be_left_out)]
+        {
             if !effects.is_empty() {
                 text.push_str(&format!("\n{title}\n"));
                 effects.iter().for_each(|effect| text.push_str(&effect.sentence()));
             }
         }
         if !self.missing.is_empty() {
-            text.push_str(&format!("\nnot judged, since the robot file lacks their keys\n  {}\n", self.missing.join("\n  ")));
+            text.push_str(&format!(
+                "\nnot judged, since the robot file lacks their keys\n  {}\n",
+                self.missing.join("\n  ")
+            ));
         }
         text
     }

@@ -70,7 +70,15 @@ fn maps(data: &ResultData, in_folder: &'static str) -> Vec<Figure> {
         };
         let axes = axes.map(|axis| ["x", "y", "z"][axis].to_owned());
         let points = data.samples.iter().map(point).collect();
-        Map { title: Vec::new(), points, arrows: Vec::new(), axes, top, colour_label: "position error in mm".to_owned() }.svg()
+        Map {
+            title: Vec::new(),
+            points,
+            arrows: Vec::new(),
+            axes,
+            top,
+            colour_label: "position error in mm".to_owned(),
+        }
+        .svg()
     };
     chosen.into_iter().map(|(name, axes)| Figure { name, content: map(axes), why_not: in_folder }).collect()
 }

@@ -124,13 +124,14 @@ impl ForwardAnswer {
     }
 
     fn table(&self) -> Table {
-        let columns = [
-            ("tension N", &self.tensions_N, 1.0, 3),
-            ("residual mm", &self.residuals_m, 1e3, 6),
-        ];
-        let columns: Vec<_> =
-            columns.iter().filter_map(|(name, numbers, scale, digits)| Some((*name, numbers.as_ref()?, *scale, *digits))).collect();
-        let mut table = Table::with_heading(["cable"].into_iter().chain(columns.iter().map(|column| column.0)).map(str::to_owned).collect());
+        let columns = [("tension N", &self.tensions_N, 1.0, 3), ("residual mm", &self.residuals_m, 1e3, 6)];
+        let columns: Vec<_> = columns
+            .iter()
+            .filter_map(|(name, numbers, scale, digits)| Some((*name, numbers.as_ref()?, *scale, *digits)))
+            .collect();
+        let mut table = Table::with_heading(
+            ["cable"].into_iter().chain(columns.iter().map(|column| column.0)).map(str::to_owned).collect(),
+        );
         for (cable, name) in self.cable_names.iter().enumerate() {
             let cells = columns.iter().map(|(_, numbers, scale, digits)| cell(Some(scale * numbers[cable]), *digits));
             table.row([name.clone()].into_iter().chain(cells).collect());

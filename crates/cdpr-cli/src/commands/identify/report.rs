@@ -1,8 +1,8 @@
 //! The report of an identification: that of a comparison with the model as given.
 
 use cdpr::identification::Candidate;
-use cdpr::identification::selection::{Criterion, Settings, select};
 use cdpr::identification::fit;
+use cdpr::identification::selection::{Criterion, Settings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::FreeParameters;
 
@@ -13,7 +13,11 @@ use crate::report::{Purpose, Report, render};
 use crate::selecting::two_files;
 
 /// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
-pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, reason: &str) -> Result<String, Failure> {
+pub(super) fn page(
+    task: &Task<'_>,
+    other: Option<&cdpr::measurement::Samples>,
+    reason: &str,
+) -> Result<String, Failure> {
     let arguments = task.arguments;
     let name = arguments.data.name();
     let all: Vec<usize> = (0..task.samples.len()).collect();
@@ -23,7 +27,8 @@ pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, 
             (parted.samples, parted.folds)
         }
         (None, Some(split)) => {
-            let folds = split.folds(task.samples, arguments.seed).map_err(|error| Failure::refused("--split", &error))?;
+            let folds =
+                split.folds(task.samples, arguments.seed).map_err(|error| Failure::refused("--split", &error))?;
             (task.samples.clone(), folds)
         }
         (None, None) => {
@@ -34,7 +39,8 @@ pub(super) fn page(task: &Task<'_>, other: Option<&cdpr::measurement::Samples>, 
     let composition = task.model.composition();
     let free = |free: FreeParameters| Candidate { composition, free };
     let candidates = [free(FreeParameters::default()), free(arguments.free.clone())];
-    let fit = fit::Settings { hold: arguments.hold.clone(), priors: arguments.prior.clone(), ..fit::Settings::default() };
+    let fit =
+        fit::Settings { hold: arguments.hold.clone(), priors: arguments.prior.clone(), ..fit::Settings::default() };
     let settings = Settings { fit, seed: arguments.seed, ..Settings::default() };
     let mut selection = select(task.model.robot(), &candidates, &samples, &folds, &settings, &|| ())
         .map_err(|error| Failure::refused(&name, &error))?;

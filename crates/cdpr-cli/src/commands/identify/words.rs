@@ -42,7 +42,8 @@ pub(super) fn of(answer: &Identified) -> String {
 }
 
 fn parameters(answer: &Identified) -> String {
-    let mut table = Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
+    let mut table =
+        Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
     for estimate in &answer.parameters {
         // compliances per newton have more zeros than anybody wants to count
         let (unit, factor, decimals) = match estimate.unit {
@@ -77,7 +78,9 @@ fn identifiability(answer: &Identified) -> String {
     let correlations = analysis.correlations.len();
     if correlations > 0 {
         let pairs = if correlations == 1 { "pair" } else { "pairs" };
-        text.push_str(&format!("{correlations} {pairs} of parameters with a correlation above 0.95 (see --format json)\n"));
+        text.push_str(&format!(
+            "{correlations} {pairs} of parameters with a correlation above 0.95 (see --format json)\n"
+        ));
     }
     text
 }

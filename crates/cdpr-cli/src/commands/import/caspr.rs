@@ -83,15 +83,18 @@ struct Taken {
 pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let (bodies_name, cables_name) = (arguments.bodies.display().to_string(), arguments.cables.display().to_string());
     let (bodies, cables) = (files::read(&arguments.bodies)?, files::read(&arguments.cables)?);
-    let model =
-        Files { bodies: &bodies, bodies_name: &bodies_name, cables: &cables, cables_name: &cables_name };
+    let model = Files { bodies: &bodies, bodies_name: &bodies_name, cables: &cables, cables_name: &cables_name };
     let options = Options { cable_set: arguments.cable_set.as_deref(), name: arguments.name.as_deref() };
     let import = import(&model, &options)?;
     let acts = |finding: &&Finding| finding.loss != Loss::Ignored;
     if let Some(first) = import.findings.iter().find(acts).filter(|_| arguments.strict) {
         let count = import.findings.iter().filter(acts).count();
         let message = format!("--strict: {count} elements cannot be imported wholly, the first is {first}");
-        return Err(Failure::input("caspr::not-wholly", message, "without --strict they are left out or simplified, and listed"));
+        return Err(Failure::input(
+            "caspr::not-wholly",
+            message,
+            "without --strict they are left out or simplified, and listed",
+        ));
     }
     files::write(&arguments.out, import.robot.to_toml().as_bytes())?;
     import.findings.iter().filter(acts).for_each(|finding| output.remark(&finding.to_string()));

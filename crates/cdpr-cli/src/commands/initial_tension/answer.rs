@@ -41,13 +41,7 @@ pub(super) struct InitialTensionAnswer {
 }
 
 impl InitialTensionAnswer {
-    pub(super) fn new(
-        laboratory: &Laboratory,
-        states: [State; 2],
-        best: Optimum,
-        way: Approach,
-        poses: usize,
-    ) -> Self {
+    pub(super) fn new(laboratory: &Laboratory, states: [State; 2], best: Optimum, way: Approach, poses: usize) -> Self {
         let names: Vec<String> = laboratory.machine.robot().cables.iter().map(|cable| cable.name.clone()).collect();
         let is_planar = laboratory.machine.axes().len() == 2;
         let size = if is_planar { "reachable_area_m2" } else { "reachable_volume_m3" };
@@ -59,7 +53,8 @@ impl InitialTensionAnswer {
         };
         let stage = |stage: &cdpr::metamodel::initial_tension::Stage| {
             let moves = stage.moves.iter();
-            let moves = moves.map(|each| json!({ "cable": each.cable + 1, "by_m": each.by, "tensions_N": each.tensions }));
+            let moves =
+                moves.map(|each| json!({ "cable": each.cable + 1, "by_m": each.by, "tensions_N": each.tensions }));
             json!({ "winch_offsets_m": stage.offsets, "tensions_N": stage.tensions, "moves": moves.collect::<Vec<_>>() })
         };
         let [least, most] = way.tensions;
@@ -138,9 +133,18 @@ impl Answer for InitialTensionAnswer {
             ]);
         }
         text.push_str(&format!("\n{}", table.text()));
-        text.push_str(&format!("\nTo get there: command the initial pose, stage 0 first; in each stage turn the winches {}, one by one.\n", self.order()));
-        text.push_str(&format!("\nwinch offsets (mm; below zero: wound in)\n{}", self.stages(|stage, cable| cell(Some(1e3 * stage.offsets[cable]), 3))));
-        text.push_str(&format!("\nwhat the force sensors read after each stage (N)\n{}", self.stages(|stage, cable| cell(Some(stage.tensions[cable]), 0))));
+        text.push_str(&format!(
+            "\nTo get there: command the initial pose, stage 0 first; in each stage turn the winches {}, one by one.\n",
+            self.order()
+        ));
+        text.push_str(&format!(
+            "\nwinch offsets (mm; below zero: wound in)\n{}",
+            self.stages(|stage, cable| cell(Some(1e3 * stage.offsets[cable]), 3))
+        ));
+        text.push_str(&format!(
+            "\nwhat the force sensors read after each stage (N)\n{}",
+            self.stages(|stage, cable| cell(Some(stage.tensions[cable]), 0))
+        ));
         let [least, most] = self.way.tensions;
         text.push_str(&format!(
             "\nmeanwhile tensions lie between {least:.0} N and {most:.0} N, and the platform moves by {:.2} mm at most\n",

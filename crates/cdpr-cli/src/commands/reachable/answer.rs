@@ -78,14 +78,18 @@ impl ReachableAnswer {
         let sizes = named.iter().map(|(name, size)| (key(name), json!(size))).collect();
         let dimension = region.dimension();
         let part = |(size, point): &(f64, Point)| json!({ key("part").replace("part_", ""): size, "position_m": &point[..dimension] });
-        let at = |(most, size): &(f64, f64)| {
-            json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) })
-        };
+        let at = |(most, size): &(f64, f64)| json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) });
         let outline = |which: usize| -> Option<Vec<[f64; 2]>> {
             Some(found.outlines.as_ref()?[which].iter().map(|&[x, y, _]| [x, y]).collect())
         };
         Self {
-            status: if found.reason.is_none() { "found" } else if found.feasible_points == 0 { "empty" } else { "not-star-shaped" },
+            status: if found.reason.is_none() {
+                "found"
+            } else if found.feasible_points == 0 {
+                "empty"
+            } else {
+                "not-star-shaped"
+            },
             reason: found.reason.clone(),
             control: title(&laboratory.control),
             machine: title(&laboratory.machine),
@@ -138,10 +142,14 @@ impl Answer for ReachableAnswer {
         }
         text.push_str(&format!("\n{}", table.text()));
         if let Some(bound) = self.error_bound {
-            text.push_str(&format!("\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n", self.points, self.method));
+            text.push_str(&format!(
+                "\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n",
+                self.points, self.method
+            ));
         }
-        if let Some(Differential { parameter, unit: of, change, size_rate, first_order_size, recomputed_size, .. }) =
-            &found.differential
+        if let Some(Differential {
+            parameter, unit: of, change, size_rate, first_order_size, recomputed_size, ..
+        }) = &found.differential
         {
             let anew = recomputed_size.map_or_else(|| "has no hull".to_owned(), |size| format!("is {size:.3} {unit}"));
             let of = if *of == "1" { String::new() } else { format!(" {of}") };

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use cdpr::metamodel::reachable::Image;
-use cdpr::workspace::hull::Hull;
 use cdpr::workspace::Point;
+use cdpr::workspace::hull::Hull;
 
 use super::Differential;
 use crate::failure::Failure;
@@ -72,7 +72,10 @@ impl Picture<'_> {
         ];
         if !self.is_planar() {
             let (axis, height) = (&names[2], short(self.hull.center[2]));
-            lines.push(format!("section at {axis} = {height} m of the surface of {} rays; sizes are those of the volumes", self.hull.radii.len()));
+            lines.push(format!(
+                "section at {axis} = {height} m of the surface of {} rays; sizes are those of the volumes",
+                self.hull.radii.len()
+            ));
         }
         if !self.hull.is_star_shaped() {
             let rays = self.hull.rays_again;

@@ -68,7 +68,10 @@ pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
     };
     let heights = if axes.len() > 2 { heights(found) } else { Vec::new() };
     let views = views.into_iter().map(|view| (view, None));
-    views.chain(heights.into_iter().map(|height| ([0, 1], Some(height)))).filter_map(|(view, at)| drawn(view, at)).collect()
+    views
+        .chain(heights.into_iter().map(|height| ([0, 1], Some(height))))
+        .filter_map(|(view, at)| drawn(view, at))
+        .collect()
 }
 
 /// Heights nearer to each other than this are one (m).

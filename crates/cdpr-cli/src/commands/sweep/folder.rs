@@ -55,9 +55,11 @@ impl Plan {
             Failure::input("sweep::plan", format!("{}: {what}", path.display()), help.to_owned())
         };
         let bytes = files::read_if_there(&path)?;
-        let bytes = bytes.ok_or_else(|| refused("there is no plan".to_owned(), "write one: cdpr sweep plan SWEEP.toml --out DIR"))?;
-        let plan: Self = serde_json::from_slice(&bytes)
-            .map_err(|error| refused(format!("this is no plan: {error}"), "plan the sweep again into another folder"))?;
+        let bytes = bytes
+            .ok_or_else(|| refused("there is no plan".to_owned(), "write one: cdpr sweep plan SWEEP.toml --out DIR"))?;
+        let plan: Self = serde_json::from_slice(&bytes).map_err(|error| {
+            refused(format!("this is no plan: {error}"), "plan the sweep again into another folder")
+        })?;
         if plan.fingerprint != plan.digest() || plan.points != plan.sweep.points() {
             let message = format!("{}: the plan was changed by hand or by another program", path.display());
             return Err(Failure::input("sweep::plan-changed", message, "plan the sweep again into another folder"));

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::folder::{Plan, RowFile};
 use crate::answer::Answer;
 use crate::failure::Failure;
-use crate::figures::{Shares, ShareCurve};
+use crate::figures::{ShareCurve, Shares};
 use crate::files;
 use crate::number_format::{short, significant};
 use crate::table::Table;
@@ -50,8 +50,15 @@ impl Merged {
     pub(super) fn of(folder: &Path, plan: &Plan) -> Result<Self, Failure> {
         let strangers = RowFile::strangers(folder, plan)?;
         if strangers > 0 {
-            let message = format!("{strangers} rows in {} belong to another plan: it was changed between shards", folder.display());
-            return Err(Failure::input("sweep::plan-changed", message, "merge only what was computed with the plan of this folder"));
+            let message = format!(
+                "{strangers} rows in {} belong to another plan: it was changed between shards",
+                folder.display()
+            );
+            return Err(Failure::input(
+                "sweep::plan-changed",
+                message,
+                "merge only what was computed with the plan of this folder",
+            ));
         }
         let rows: Vec<Option<Row>> =
             (0..plan.points.len()).map(|point| RowFile::read(folder, plan, point)).collect::<Result<_, _>>()?;
@@ -78,7 +85,8 @@ impl Merged {
         let paths: Vec<_> = merged.files.iter().map(|name| folder.join(name)).collect();
         let contents = [Some(json), Some(csv.into_bytes()), figure.map(String::into_bytes)];
         let contents: Vec<Vec<u8>> = contents.into_iter().flatten().collect();
-        let all: Vec<(&Path, &[u8])> = paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
+        let all: Vec<(&Path, &[u8])> =
+            paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
         files::write_all(&all)?;
         Ok(merged)
     }
@@ -96,7 +104,9 @@ impl Merged {
             cells.extend([number(row.physical), number(row.reachable), number(*share)]);
             let thresholds = 0..self.position_error_max_m.len();
             cells.extend(thresholds.map(|index| number(share_by_accuracy.get(index).copied().flatten())));
-            cells.push(row.reason.as_ref().map_or_else(String::new, |reason| format!("\"{}\"", reason.replace('"', "\"\""))));
+            cells.push(
+                row.reason.as_ref().map_or_else(String::new, |reason| format!("\"{}\"", reason.replace('"', "\"\""))),
+            );
             text.push_str(&format!("{}\n", cells.join(",")));
         }
         text
@@ -111,7 +121,8 @@ impl Merged {
         let mut curves = vec![ShareCurve { name: "any error".to_owned(), points: points(&|row| row.share) }];
         for (index, most) in self.position_error_max_m.iter().enumerate() {
             let name = format!("{} mm", short(1e3 * most));
-            curves.push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
+            curves
+                .push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
         }
         Shares { parameter: axis_label(key), curves }.svg()
     }
@@ -140,11 +151,15 @@ impl Answer for Merged {
         heading.push("any error".to_owned());
         heading.extend(self.position_error_max_m.iter().map(|most| format!("{} mm", significant(1e3 * most, 3))));
         let mut table = Table::with_heading(heading);
-        let percent = |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+        let percent =
+            |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
         for MergedRow { row, share, share_by_accuracy } in &self.rows {
             let mut cells: Vec<String> = row.values.iter().map(|value| significant(*value, 5)).collect();
             cells.push(percent(share));
-            cells.extend((0..self.position_error_max_m.len()).map(|index| percent(&share_by_accuracy.get(index).copied().flatten())));
+            cells.extend(
+                (0..self.position_error_max_m.len())
+                    .map(|index| percent(&share_by_accuracy.get(index).copied().flatten())),
+            );
             table.row(cells);
         }
         let mut text = format!("reached share of the physical workspace\n\n{}", table.text());

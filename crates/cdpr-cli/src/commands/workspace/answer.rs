@@ -8,8 +8,8 @@ use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Point, Region, octree};
 use serde::Serialize;
 
-use super::question::Question;
 use super::Method;
+use super::question::Question;
 use crate::answer::Answer;
 use crate::number_format::significant;
 
@@ -210,7 +210,9 @@ impl WorkspaceAnswer {
     pub(super) fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.reaches_bounds {
-            remarks.push("the workspace reaches the bounds, so that more of it may lie outside: widen --bounds".to_owned());
+            remarks.push(
+                "the workspace reaches the bounds, so that more of it may lie outside: widen --bounds".to_owned(),
+            );
         }
         if let Some(again) = self.rays_again.filter(|again| *again > 0 && self.status == "found") {
             remarks.push(format!(
@@ -249,7 +251,11 @@ impl Answer for WorkspaceAnswer {
             _ => return text,
         };
         if let (Some(size), Some(bound)) = (size, self.error_bound) {
-            text.push_str(&format!("{name} {} {unit}, within {} {unit}\n", significant(*size, 5), significant(bound, 2)));
+            text.push_str(&format!(
+                "{name} {} {unit}, within {} {unit}\n",
+                significant(*size, 5),
+                significant(bound, 2)
+            ));
         }
         let rays = self.rays.map_or_else(String::new, |rays| format!(" along {rays} rays"));
         text.push_str(&format!(

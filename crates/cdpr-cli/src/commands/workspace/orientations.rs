@@ -69,15 +69,22 @@ impl OrientationArguments {
         let numbers = self.angles.as_ref().map_or(&[][..], |numbers| &numbers.0);
         let count = angle_count(model);
         let refused = |message: String| {
-            let help = "give least, largest and number of values of each angle, e.g. --angles -0.1,0.1,3,0,0,1,0,0,1 (rad)";
+            let help =
+                "give least, largest and number of values of each angle, e.g. --angles -0.1,0.1,3,0,0,1,0,0,1 (rad)";
             Failure::input("workspace::orientations", message, help)
         };
         let is_count = |number: f64| number >= 1.0 && number.fract() == 0.0;
         if count > 0 && numbers.len() != 3 * count {
-            return Err(refused(format!("--angles takes {} numbers for this platform, found {}", 3 * count, numbers.len())));
+            return Err(refused(format!(
+                "--angles takes {} numbers for this platform, found {}",
+                3 * count,
+                numbers.len()
+            )));
         }
         if numbers.chunks(3).any(|range| range.len() == 3 && (!is_count(range[2]) || range[0] > range[1])) {
-            return Err(refused("--angles: a range is reversed, or its number of values is no whole number".to_owned()));
+            return Err(refused(
+                "--angles: a range is reversed, or its number of values is no whole number".to_owned(),
+            ));
         }
         if numbers.chunks(3).filter_map(|range| range.get(2)).product::<f64>() > MOST {
             return Err(refused("--angles makes more than a million orientations".to_owned()));
@@ -85,7 +92,9 @@ impl OrientationArguments {
         let mut set = vec![Vec::new()];
         for range in numbers.chunks_exact(3) {
             let values = values(range[0], range[1], range[2] as usize);
-            let longer = |angles: Vec<f64>| values.iter().map(move |value| [angles.clone(), vec![*value]].concat()).collect::<Vec<_>>();
+            let longer = |angles: Vec<f64>| {
+                values.iter().map(move |value| [angles.clone(), vec![*value]].concat()).collect::<Vec<_>>()
+            };
             set = set.into_iter().flat_map(longer).collect();
         }
         set.iter().map(|angles| rotation(model, "--angles", angles)).collect()
@@ -118,7 +127,8 @@ fn rotation(model: &Model, option: &str, angles: &[f64]) -> Result<UnitQuaternio
         return Err(Failure::refused(option, &error));
     }
     if expected != found {
-        let message = format!("{option}: motion pattern {} has {expected} angles, found {found}", robot.motion_pattern.name());
+        let message =
+            format!("{option}: motion pattern {} has {expected} angles, found {found}", robot.motion_pattern.name());
         return Err(Failure::input("workspace::orientations", message, "give rx,ry,rz, or the angle in a plane (rad)"));
     }
     let mut components = vec![0.0; robot.motion_pattern.translations()];

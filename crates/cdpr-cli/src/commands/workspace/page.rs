@@ -14,8 +14,8 @@ use super::answer::WorkspaceAnswer;
 use super::question::Question;
 use crate::failure::Failure;
 use crate::number_format::short;
-use crate::wrench_answer::WrenchAnswer;
 use crate::workspace_page::{self, Finding, Shape, WorkspacePage, findings_of};
+use crate::wrench_answer::WrenchAnswer;
 
 /// Beyond what was found the grid of the page reaches by this share of its size: what fails is worth a look too.
 const MARGIN: f64 = 0.15;
@@ -27,7 +27,11 @@ const MOST_TRIANGLES: usize = 100_000;
 pub(super) fn earlier(arguments: &Arguments) -> Result<Vec<Finding>, Failure> {
     if arguments.page.is_none() && !arguments.overlay.is_empty() {
         let help = "add --page FILE.html";
-        return Err(Failure::input("workspace::overlay", "--overlay lays results over a page, but no page is written", help));
+        return Err(Failure::input(
+            "workspace::overlay",
+            "--overlay lays results over a page, but no page is written",
+            help,
+        ));
     }
     let read: Result<Vec<Vec<Finding>>, Failure> = arguments.overlay.iter().map(|path| findings_of(path)).collect();
     Ok(read?.concat())
@@ -41,7 +45,12 @@ pub(super) struct Found<'a> {
 }
 
 /// Writes the page.
-pub(super) fn write(path: &Path, question: &Question<'_>, region: &Region<'_>, found: Found<'_>) -> Result<(), Failure> {
+pub(super) fn write(
+    path: &Path,
+    question: &Question<'_>,
+    region: &Region<'_>,
+    found: Found<'_>,
+) -> Result<(), Failure> {
     let Found { answer, shape, earlier } = found;
     let hull = match shape {
         Outline::Hull(hull) => Some(hull),

@@ -1,0 +1,40 @@
+//! Every Rust file is formatted: also those that `cargo fmt` does not find because a macro declares their module.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use crate::outcome::Outcome;
+
+/// Folders with Rust files.
+const FOLDERS: [&str; 3] = ["crates", "fuzz", "xtask"];
+
+/// Complains where `rustfmt` would change a file.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let mut files = Vec::new();
+    for folder in FOLDERS {
+        collect(&root.join(folder), &mut files);
+    }
+    files.sort_unstable();
+    println!("$ rustfmt --check --edition 2024 ({} files)", files.len());
+    let mut rustfmt = Command::new("rustfmt");
+    rustfmt.args(["--check", "--edition", "2024"]).args(&files).current_dir(root).stdin(Stdio::null());
+    match rustfmt.status() {
+        Ok(status) if status.success() && !files.is_empty() => Outcome::of(Vec::new()),
+        Ok(status) => Outcome::of(vec![format!("rustfmt ended with {status} on {} files", files.len())]),
+        Err(error) => Outcome::of(vec![format!("cannot start rustfmt: {error}")]),
+    }
+}
+
+/// Rust files of a folder and of the folders in it, without what was built.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            if entry.file_name() != "target" {
+                collect(&path, files);
+            }
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+}
