@@ -179,7 +179,7 @@ fn workspace_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
 
 /// Runs the command; a negative answer (1) has its page too.
 fn cdpr(root: &Path, arguments: &[&str]) -> Result<(), String> {
-    let program = cargo::program(root, "cdpr")?;
+    let program = cargo::the_command(root)?;
     let output = Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).output();
     let output = output.map_err(|error| format!("cannot start {}: {error}", program.display()))?;
     match output.status.code() {

@@ -55,25 +55,32 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
     outcome
 }
 
-/// What the `tests` step builds, and the programs and examples beside: one selection for all, so that cargo chooses the same features
-/// of every dependency and builds it once.
-const SELECTION: [&str; 4] = ["--workspace", "--bins", "--examples", "--tests"];
+/// The examples, with the features of the step `library`, so that they link what it built.
+const EXAMPLES: [&str; 6] = ["-p", "cdpr", "--no-default-features", "--features", "parallel", "--examples"];
 
-/// Builds the workspace's programs and tells where one of them is: `cdpr`, or `examples/NAME`.
-pub(crate) fn program(root: &Path, name: &str) -> Result<PathBuf, String> {
-    let arguments: Vec<&str> = ["build", "--quiet"].into_iter().chain(SELECTION).collect();
-    match command(root, &arguments).status() {
-        Ok(status) if status.success() => {}
-        Ok(status) => return Err(format!("`cargo {}` ended with {status}", arguments.join(" "))),
-        Err(error) => return Err(format!("cannot start cargo: {error}")),
-    }
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |folder| root.join(folder));
-    Ok(target.join("debug").join(name).with_extension(std::env::consts::EXE_EXTENSION))
+/// Builds the command alone and for release, as users do, and tells where it is: together with the tests of the library its
+/// dependencies would have features that users do not get.
+pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {
+    succeed(root, &["build", "--quiet", "--release", "-p", "cdpr-cli"]).into_result()?;
+    Ok(built(root, "release", "cdpr"))
 }
 
-/// Builds and runs one of them; its output goes to the terminal.
-pub(crate) fn run_program(root: &Path, name: &str, arguments: &[&str]) -> Result<(), String> {
-    let program = program(root, name)?;
+/// Builds the examples and tells where one of them is.
+fn example(root: &Path, name: &str) -> Result<PathBuf, String> {
+    let arguments: Vec<&str> = ["build", "--quiet"].into_iter().chain(EXAMPLES).collect();
+    succeed(root, &arguments).into_result()?;
+    Ok(built(root, "debug/examples", name))
+}
+
+/// Place of a program that cargo built.
+pub(crate) fn built(root: &Path, folder: &str, name: &str) -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |folder| root.join(folder));
+    target.join(folder).join(name).with_extension(std::env::consts::EXE_EXTENSION)
+}
+
+/// Builds and runs an example; its output goes to the terminal.
+pub(crate) fn run_example(root: &Path, name: &str, arguments: &[&str]) -> Result<(), String> {
+    let program = example(root, name)?;
     match Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{name} ended with {status}")),

@@ -10,7 +10,7 @@ pub(crate) fn run(root: &Path) -> Outcome {
     let mut total = Outcome::default();
     for name in names(root) {
         println!("$ cargo run -p cdpr --example {name}");
-        let outcome = match cargo::run_program(root, &format!("examples/{name}"), &[]) {
+        let outcome = match cargo::run_example(root, &name, &[]) {
             Ok(()) => Outcome::of(Vec::new()),
             Err(complaint) => Outcome::of(vec![complaint]),
         };

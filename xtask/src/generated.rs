@@ -21,7 +21,7 @@ const FILES: &[Generated] = &[
 
 /// Complains of every file that differs from what the program writes now.
 pub(crate) fn check(root: &Path) -> Outcome {
-    let program = match cargo::program(root, "cdpr") {
+    let program = match cargo::the_command(root) {
         Ok(program) => program,
         Err(message) => return Outcome::of(vec![message]),
     };
@@ -41,7 +41,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
 
 /// Writes every file.
 pub(crate) fn write(root: &Path) -> Result<(), String> {
-    let program = cargo::program(root, "cdpr")?;
+    let program = cargo::the_command(root)?;
     for file in FILES {
         let path = root.join(file.path);
         if let Some(folder) = path.parent() {

@@ -10,48 +10,67 @@ const TOLERANCE: f64 = 0.1;
 const OTHER_COMPILER: f64 = 0.25;
 
 const HEAD: &str = "\
-# Instructions of the work in instructions.rs as callgrind counts them. `cargo xtask instructions` compares,
+# Instructions of the work in src/main.rs as callgrind counts them, for each vector unit. `cargo xtask instructions` compares,
 # `cargo xtask instructions --accept` writes this file anew.
 ";
 
-/// What was counted, and what the counts depend on.
+/// Counts for the vector units that a program was built for and valgrind has, and the compiler that they depend on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Counts {
+pub(crate) struct Reference {
     /// `rustc --version`.
     pub(crate) compiler: String,
+    /// One entry for each unit.
+    pub(crate) units: Vec<Counts>,
+}
+
+/// Counts on one vector unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Counts {
     /// The vector unit that valgrind offers the program.
     pub(crate) unit: String,
     /// Names and instructions, in the order of the program.
     pub(crate) works: Vec<(String, u64)>,
 }
 
-impl Counts {
-    /// Reads what [`Counts::to_toml`] writes; no other TOML.
+impl Reference {
+    /// Reads what [`Reference::to_toml`] writes; no other TOML.
     pub(crate) fn from_toml(text: &str) -> Result<Self, String> {
-        let mut counts = Self::default();
+        let mut reference = Self::default();
         for (number, line) in (1..).zip(text.lines()) {
-            let refused = || format!("instructions.toml:{number}: cannot read `{line}`: renew it with --accept");
-            match line.split_once(" = ") {
-                _ if line.is_empty() || line.starts_with(['#', '[']) => {}
-                Some(("compiler", value)) => value.trim_matches('"').clone_into(&mut counts.compiler),
-                Some(("unit", value)) => value.trim_matches('"').clone_into(&mut counts.unit),
-                Some((name, value)) => {
+            let refused = || format!("counts.toml:{number}: cannot read `{line}`: renew it with --accept");
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            if let Some(unit) = line.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+                reference.units.push(Counts { unit: unit.to_owned(), works: Vec::new() });
+                continue;
+            }
+            match (line.split_once(" = "), reference.units.last_mut()) {
+                (Some(("compiler", value)), None) => value.trim_matches('"').clone_into(&mut reference.compiler),
+                (Some((name, value)), Some(counts)) => {
                     let count = value.parse().map_err(|_| refused())?;
                     counts.works.push((name.trim_matches('"').to_owned(), count));
                 }
-                None => return Err(refused()),
+                _ => return Err(refused()),
             }
         }
-        Ok(counts)
+        Ok(reference)
     }
 
     pub(crate) fn to_toml(&self) -> String {
-        let works = self.works.iter().map(|(name, count)| format!("\"{name}\" = {count}\n"));
-        let Self { compiler, unit, .. } = self;
-        format!("{HEAD}compiler = \"{compiler}\"\nunit = \"{unit}\"\n\n[instructions]\n{}", works.collect::<String>())
+        let unit = |counts: &Counts| {
+            let works = counts.works.iter().map(|(name, count)| format!("\"{name}\" = {count}\n"));
+            format!("\n[{}]\n{}", counts.unit, works.collect::<String>())
+        };
+        format!("{HEAD}compiler = \"{}\"\n{}", self.compiler, self.units.iter().map(unit).collect::<String>())
     }
 
-    /// Prints both, work by work, and complains where `self`, the reference, is exceeded by too much.
+    /// The counts on a unit.
+    pub(crate) fn unit(&self, name: &str) -> Option<&Counts> {
+        self.units.iter().find(|counts| counts.unit == name)
+    }
+
+    /// Prints both, unit by unit, and complains where `self` is exceeded by too much. A unit that only one side has cannot be compared.
     pub(crate) fn compare(&self, now: &Self) -> Outcome {
         let same = self.compiler == now.compiler;
         let tolerance = if same { TOLERANCE } else { OTHER_COMPILER };
@@ -64,16 +83,31 @@ impl Counts {
             );
         }
         let mut outcome = Outcome::default();
+        for counts in &now.units {
+            match self.unit(&counts.unit) {
+                Some(reference) => reference.compare(counts, tolerance, &mut outcome),
+                None => println!("{}: no reference; `--accept` on this machine writes one", counts.unit),
+            }
+        }
+        outcome.failed = outcome.complaints.len();
+        outcome
+    }
+}
+
+impl Counts {
+    fn compare(&self, now: &Self, tolerance: f64, outcome: &mut Outcome) {
+        println!("{}:", now.unit);
         for (name, count) in &now.works {
             let Some((_, reference)) = self.works.iter().find(|(known, _)| known == name) else {
-                outcome.complaints.push(format!("{name}: has no reference yet"));
+                outcome.complaints.push(format!("{}, {name}: has no reference yet", now.unit));
                 continue;
             };
             let growth = *count as f64 / *reference as f64 - 1.0;
             println!("{name:32} {count:>12} {:>+7.1} %", 100.0 * growth);
             if growth > tolerance {
                 outcome.complaints.push(format!(
-                    "{name}: {count} instructions, {:.1} % more than the {reference} of the reference",
+                    "{}, {name}: {count} instructions, {:.1} % more than the {reference} of the reference",
+                    now.unit,
                     100.0 * growth
                 ));
             } else {
@@ -84,9 +118,9 @@ impl Counts {
             }
         }
         let gone = self.works.iter().filter(|(name, _)| now.works.iter().all(|(other, _)| other != name));
-        outcome.complaints.extend(gone.map(|(name, _)| format!("{name}: is in the reference, but was not counted")));
-        outcome.failed = outcome.complaints.len();
         outcome
+            .complaints
+            .extend(gone.map(|(name, _)| format!("{}, {name}: is in the reference, but was not counted", now.unit)));
     }
 }
 
@@ -94,21 +128,22 @@ impl Counts {
 mod tests {
     use super::*;
 
-    fn counts(count: u64, compiler: &str) -> Counts {
+    fn counts(count: u64, compiler: &str) -> Reference {
         let works = vec![("inverse kinematics, pulley".to_owned(), count)];
-        Counts { compiler: compiler.to_owned(), unit: "Avx2".to_owned(), works }
+        let units = ["Portable", "Avx2"].map(|unit| Counts { unit: unit.to_owned(), works: works.clone() });
+        Reference { compiler: compiler.to_owned(), units: units.into() }
     }
 
     #[test]
     fn counts_are_read_as_they_were_written() {
         let counts = counts(12_345, "rustc 1.95.0 (59807616e 2026-04-14)");
-        assert_eq!(Counts::from_toml(&counts.to_toml()), Ok(counts));
+        assert_eq!(Reference::from_toml(&counts.to_toml()), Ok(counts));
     }
 
     #[test]
-    fn growth_beyond_the_tolerance_fails_and_less_work_passes() {
+    fn growth_beyond_the_tolerance_fails_on_every_unit_and_less_work_passes() {
         let reference = counts(1000, "a");
-        for (count, compiler, failed) in [(1099, "a", 0), (1101, "a", 1), (1249, "b", 0), (1251, "b", 1), (10, "a", 0)]
+        for (count, compiler, failed) in [(1099, "a", 0), (1101, "a", 2), (1249, "b", 0), (1251, "b", 2), (10, "a", 0)]
         {
             assert_eq!(reference.compare(&counts(count, compiler)).failed, failed, "{count} by {compiler}");
         }
@@ -116,8 +151,9 @@ mod tests {
 
     #[test]
     fn work_that_only_one_side_knows_fails() {
-        let none = Counts { works: Vec::new(), ..counts(0, "a") };
-        assert_eq!(none.compare(&counts(1, "a")).failed, 1);
-        assert_eq!(counts(1, "a").compare(&none).failed, 1);
+        let mut none = counts(0, "a");
+        none.units.iter_mut().for_each(|unit| unit.works.clear());
+        assert_eq!(none.compare(&counts(1, "a")).failed, 2);
+        assert_eq!(counts(1, "a").compare(&none).failed, 2);
     }
 }

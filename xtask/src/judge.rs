@@ -51,7 +51,7 @@ fn all(root: &Path, with_times: bool) -> Outcome {
 fn write_cases(root: &Path, example: &str, file: &Path, with_times: bool) -> Result<(), String> {
     let file = file.display().to_string();
     if !(example == TIMED && with_times) {
-        return cargo::run_program(root, &format!("examples/{example}"), &[&file]);
+        return cargo::run_example(root, example, &[&file]);
     }
     let arguments = ["run", "--quiet", "--release", "-p", "cdpr", "--example", example, "--", &file];
     cargo::succeed(root, &arguments).into_result()

@@ -4,6 +4,7 @@
 mod book;
 mod browser;
 mod cargo;
+mod command;
 mod documents;
 mod examples;
 mod format;

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{book, browser, cargo, documents, examples, format, generated, instructions, judge, layers};
+use crate::{book, browser, cargo, command, documents, examples, format, generated, instructions, judge, layers};
 
 /// One step of the entrance.
 struct Step {
@@ -49,13 +49,44 @@ const STEPS: &[Step] = &[
         remedy: "mend the code; an exception is `#[expect(lint, reason = \"…\")]` on the smallest item",
     },
     Step {
-        name: "tests",
-        action: Action::Tests(&["test", "--workspace", "--lib", "--bins", "--tests", "--no-fail-fast"]),
+        // with every vector unit of the machine: these tests compare the units bit by bit
+        name: "unit-tests",
+        action: Action::Tests(&["test", "-p", "cdpr", "-p", "xtask", "--lib", "--bins", "--no-fail-fast"]),
         remedy: "run the failing test alone: `cargo test -p CRATE NAME`",
     },
     Step {
+        // without the wide vectors, which give the same bits and take as long to compile as all the rest
+        name: "library",
+        action: Action::Tests(&[
+            "test",
+            "-p",
+            "cdpr",
+            "--no-default-features",
+            "--features",
+            "parallel",
+            "--test",
+            "*",
+            "--no-fail-fast",
+        ]),
+        remedy: "run the failing test alone: `cargo test -p cdpr --test library NAME`",
+    },
+    Step {
+        name: "command",
+        action: Action::Own(command::check),
+        remedy: "run the failing test alone: `cargo test --release -p cdpr-cli NAME`",
+    },
+    Step {
         name: "doc-tests",
-        action: Action::Tests(&["test", "--workspace", "--doc", "--no-fail-fast"]),
+        action: Action::Tests(&[
+            "test",
+            "-p",
+            "cdpr",
+            "--no-default-features",
+            "--features",
+            "parallel",
+            "--doc",
+            "--no-fail-fast",
+        ]),
         remedy: "mend the example in the doc comment",
     },
     Step {
@@ -66,7 +97,8 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "no-default-features",
-        action: Action::Cargo(&["check", "-p", "cdpr", "--no-default-features"]),
+        // for release, because the step `instructions` counts there
+        action: Action::Cargo(&["build", "--release", "-p", "instructions", "--no-default-features"]),
         remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
     },
     Step {

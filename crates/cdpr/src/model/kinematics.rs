@@ -133,8 +133,19 @@ impl Model {
 
     /// Course and lever b = R b_P of one cable (0-based) at a pose, or why it has none.
     pub fn course(&self, cable: usize, pose: &Pose) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
-        let (course, lever) = self.course_or_nan(cable, pose);
-        match self.degeneracy(cable, pose, &course) {
+        self.checked_course(cable, pose.position.into(), &pose.rotation_rows())
+    }
+
+    /// [`Model::course`] for a pose given by position and rotation rows, when many cables share it.
+    #[inline]
+    fn checked_course(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
+        let (course, lever) = self.course_at(cable, position, rotation);
+        match self.degeneracy(cable, add(position, lever.into()), &course) {
             Some(reason) => Err(reason),
             None => Ok((course, lever)),
         }
@@ -180,17 +191,20 @@ impl Model {
         outlet::pulley::swivel_angle(data.frame_anchor.into(), axis.into(), (*reference).into(), anchor.into())
     }
 
-    fn degeneracy(&self, index: usize, pose: &Pose, course: &Course<f64>) -> Option<DegenerateCourse> {
+    /// Why a cable (0-based) with its platform anchor there (world, m) has no course.
+    #[inline]
+    fn degeneracy(&self, index: usize, anchor: [f64; 3], course: &Course<f64>) -> Option<DegenerateCourse> {
         let cable = index + 1;
         let data = &self.robot.cables[index];
-        let d = pose.transform(&data.platform_anchor) - data.frame_anchor;
-        if !d.norm().is_finite() {
+        let d = Vector3::from(anchor) - data.frame_anchor;
+        let distance = d.norm();
+        if !distance.is_finite() {
             return Some(DegenerateCourse::NotFinite { cable });
         }
         let (true, Some(axis), Some(radius)) = (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius)
         else {
             // one may round to zero where the other does not
-            let is_zero = d.norm() == 0.0 || !(course.length > 0.0);
+            let is_zero = distance == 0.0 || !(course.length > 0.0);
             return is_zero.then_some(DegenerateCourse::ZeroLength { cable });
         };
         if let Some(side) = self.robot.pulley_side(data) {
@@ -205,7 +219,7 @@ impl Model {
         }
         let from_axis = d - axis * axis.dot(&d);
         // nearer than rounding can tell a side of the axis
-        if radius > 0.0 && from_axis.norm() <= outlet::pulley::ON_AXIS * (d.norm() + radius) {
+        if radius > 0.0 && from_axis.norm() <= outlet::pulley::ON_AXIS * (distance + radius) {
             return Some(DegenerateCourse::OnSwivelAxis { cable });
         }
         match course.length.is_finite() && course.free_length > 0.0 {
@@ -217,7 +231,8 @@ impl Model {
 
     /// Geometric cable lengths q at a pose (m).
     pub fn cable_lengths(&self, pose: &Pose) -> Result<Vec<f64>, DegenerateCourse> {
-        (0..self.cable_count()).map(|cable| Ok(self.course(cable, pose)?.0.length)).collect()
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        (0..self.cable_count()).map(|cable| Ok(self.checked_course(cable, position, &rotation)?.0.length)).collect()
     }
 
     /// Structure matrix Aᵀ in the robot's degrees of freedom, n × m: columns \[uᵢ; bᵢ × uᵢ\] in the twist basis.
@@ -235,8 +250,9 @@ impl Model {
         pose: &Pose,
         matrix: &mut DMatrix<f64>,
     ) -> Result<(), DegenerateCourse> {
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         for cable in 0..self.cable_count() {
-            let column = self.structure_column(cable, pose)?;
+            let column = structure_column(self.checked_course(cable, position, &rotation)?);
             for (row, basis) in self.twist_basis.iter().enumerate() {
                 matrix[(row, cable)] = basis.dot(&column);
             }
@@ -246,10 +262,7 @@ impl Model {
 
     /// \[u; b × u\] of one cable (0-based; world).
     pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, DegenerateCourse> {
-        let (course, lever) = self.course(cable, pose)?;
-        let u = course.direction;
-        let moment = cross(lever.into(), u);
-        Ok(Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]))
+        Ok(structure_column(self.course(cable, pose)?))
     }
 
     /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
@@ -298,6 +311,14 @@ impl Model {
         let mean = sum / self.cable_count() as f64;
         if mean > 0.0 { mean } else { 1.0 }
     }
+}
+
+/// \[u; b × u\] of a cable with this course and lever b (world).
+#[inline]
+fn structure_column((course, lever): (Course<f64>, Vector3<f64>)) -> Twist {
+    let u = course.direction;
+    let moment = cross(lever.into(), u);
+    Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2])
 }
 
 /// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.

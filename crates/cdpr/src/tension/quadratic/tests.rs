@@ -1,4 +1,4 @@
-//! Laws of the distribution; the comparison with another solver is in `tests/tension_oracle.rs`.
+//! Laws of the distribution; the comparison with another solver is in `tests/library/tension_oracle.rs`.
 
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};

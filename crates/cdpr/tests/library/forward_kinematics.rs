@@ -1,0 +1,191 @@
+//! Forward kinematics from everywhere in the travel box, on robots of all sizes.
+
+use crate::support::{builtin, displaced, random_pose, with_pulleys};
+use cdpr::equilibrium::forward_kinematics::{Settings, Status, solve};
+use cdpr::geometry::Pose;
+use cdpr::model::{Composition, Model};
+use cdpr::robot::Robot;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+const POSES: usize = 10_000;
+
+/// Diagonal of the box around the frame anchors (m).
+fn size(robot: &Robot) -> f64 {
+    let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
+    let first = robot.cables[0].frame_anchor;
+    (anchors().fold(first, |a, b| a.sup(&b)) - anchors().fold(first, |a, b| a.inf(&b))).norm()
+}
+
+/// How a start 0.1 m (scaled to the robot's size) and 3° off ended, over all poses.
+#[derive(Debug, Default)]
+struct Tally {
+    found: usize,
+    other_exact: usize,
+    not_converged: usize,
+    worst: f64,
+    first_reason: Option<String>,
+}
+
+fn tally(robot: &Robot, composition: Composition) -> Tally {
+    let model = Model::new(robot.clone(), composition).unwrap();
+    let scale = size(robot) / size(&crate::support::simulator());
+    let mut rng = ChaCha8Rng::seed_from_u64(2021);
+    let mut tally = Tally::default();
+    for _ in 0..POSES {
+        // some travel boxes reach into the pulleys, where no pose has lengths
+        let (pose, lengths) = loop {
+            let pose = random_pose(robot, 10_f64.to_radians(), &mut rng);
+            if let Ok(lengths) = model.cable_lengths(&pose) {
+                break (pose, lengths);
+            }
+        };
+        let guess = displaced(&pose, 0.1 * scale, 3_f64.to_radians(), &mut rng);
+        let solution = solve(&model, &lengths, &guess, &Settings::default()).unwrap();
+        let error = distance(&solution.pose, &pose, model.platform_radius());
+        match solution.status {
+            Status::Converged if error < 1e-9 * scale.max(1.0) => {
+                tally.found += 1;
+                tally.worst = tally.worst.max(error);
+            }
+            Status::Converged if solution.residual_rms <= 1e-9 => {
+                assert!(solution.reason.is_some_and(|words| words.contains("other poses may have them too")));
+                tally.other_exact += 1;
+            }
+            _ => {
+                tally.not_converged += 1;
+                tally.first_reason.get_or_insert(solution.reason.unwrap_or_default());
+            }
+        }
+    }
+    tally
+}
+
+fn distance(a: &Pose, b: &Pose, radius: f64) -> f64 {
+    (a.position - b.position).norm().hypot(radius * a.angle_to(b))
+}
+
+#[test]
+fn redundant_robots_find_every_pose_again() {
+    for name in [
+        "cablerobot-simulator-icosahedron",
+        "cablerobot-simulator-helicopter",
+        "cogiro",
+        "ipanema-2",
+        "cu-brick",
+        "xl-laser",
+    ] {
+        let robot = builtin(name);
+        // a pulley of 1 % of the frame where the file gives none
+        let placed = with_pulleys(&robot, 0.01 * size(&robot));
+        for (robot, composition) in [(&robot, Composition::STANDARD), (&placed, Composition::PULLEY)] {
+            let tally = tally(robot, composition);
+            println!("{name} {composition}: {tally:?}");
+            assert_eq!(tally.found, POSES, "{name} {composition}: {tally:?}");
+        }
+    }
+}
+
+/// With m = n the lengths may have several exact solutions; a stationary point with a residual is never called a solution.
+#[test]
+fn square_robots_find_an_exact_solution_or_say_why_not() {
+    for name in ["fast", "nist-robocrane"] {
+        let robot = builtin(name);
+        let tally = tally(&robot, Composition::STANDARD);
+        println!("{name}: {tally:?}");
+        assert_eq!(tally.found + tally.other_exact + tally.not_converged, POSES);
+        assert!(tally.found > POSES * 9 / 10, "{name}: {tally:?}");
+        assert!(tally.not_converged < POSES / 100, "{name}: {tally:?}");
+    }
+}
+
+#[test]
+fn it_converges_from_afar() {
+    let robot = crate::support::simulator();
+    let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    for _ in 0..500 {
+        let pose = random_pose(&robot, 10_f64.to_radians(), &mut rng);
+        let guess = displaced(&pose, 4.0, 70_f64.to_radians(), &mut rng);
+        let solution = solve(&model, &model.cable_lengths(&pose).unwrap(), &guess, &Settings::default()).unwrap();
+        assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
+        assert!(distance(&solution.pose, &pose, 1.0) < 1e-9);
+    }
+}
+
+#[test]
+fn lengths_of_another_robot_are_told_so() {
+    let model = Model::new(crate::support::simulator(), Composition::STANDARD).unwrap();
+    let lengths = [1.0, 20.0, 1.0, 20.0, 1.0, 20.0, 1.0, 20.0];
+    let solution = solve(&model, &lengths, &Pose::identity(), &Settings::default()).unwrap();
+    assert_eq!(solution.status, Status::NotConverged);
+    let reason = solution.reason.unwrap();
+    assert!(reason.contains("do not belong to this robot"), "{reason}");
+}
+
+#[test]
+fn too_few_cables_are_singular_in_words() {
+    let mut robot = crate::support::simulator();
+    robot.cables.truncate(5);
+    let model = Model::new(robot, Composition::STANDARD).unwrap();
+    let solution = solve(&model, &[8.0; 5], &Pose::identity(), &Settings::default()).unwrap();
+    assert_eq!(solution.status, Status::Singular);
+    assert!(solution.reason.unwrap().contains("5 cables cannot determine 6 degrees of freedom"));
+}
+
+/// All anchors of a planar point robot on one line: the pose can leave the line while the lengths stay, to first order.
+#[test]
+fn a_singular_pose_is_named() {
+    let mut robot = builtin("planar-example");
+    for cable in &mut robot.cables {
+        cable.frame_anchor.y = 0.0;
+    }
+    let model = Model::new(robot, Composition::STANDARD).unwrap();
+    let pose = Pose::identity();
+    let solution = solve(&model, &model.cable_lengths(&pose).unwrap(), &pose, &Settings::default()).unwrap();
+    assert_eq!(solution.status, Status::Singular, "{solution:?}");
+}
+
+#[test]
+fn input_that_makes_no_sense_is_refused() {
+    let model = Model::new(crate::support::simulator(), Composition::STANDARD).unwrap();
+    let settings = Settings::default();
+    assert!(solve(&model, &[1.0; 7], &Pose::identity(), &settings).is_err());
+    for bad in [f64::NAN, f64::INFINITY, -1.0, 0.0] {
+        let mut lengths = [8.0; 8];
+        lengths[3] = bad;
+        let error = solve(&model, &lengths, &Pose::identity(), &settings).unwrap_err();
+        assert!(error.to_string().contains("cable 4"), "{error}");
+    }
+    let nowhere = Pose { position: cdpr::nalgebra::Vector3::repeat(f64::NAN), ..Pose::identity() };
+    assert!(solve(&model, &[8.0; 8], &nowhere, &settings).is_err());
+    assert!(solve(&model, &[8.0; 8], &Pose::identity(), &Settings { pose_tolerance: -1.0, ..settings }).is_err());
+}
+
+/// Lengths of an uncalibrated robot contradict each other by percents. The least-squares pose is then found by second
+/// derivatives in a few steps, where Gauss–Newton alone wanders; there the residual does no work: A ρ = 0.
+#[test]
+fn contradictory_lengths_lead_to_the_least_squares_pose_quickly() {
+    use rand::RngExt;
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    for name in ["cablerobot-simulator-helicopter", "cucablerobot-planar", "kntu-planar", "ipanema-1"] {
+        let robot = builtin(name);
+        let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+        for _ in 0..200 {
+            let pose = robot.home.unwrap();
+            let mut lengths = model.cable_lengths(&pose).unwrap();
+            lengths.iter_mut().for_each(|length| *length *= 1.0 + 0.03 * rng.random_range(-1.0..1.0));
+            let solution =
+                solve(&model, &lengths, &pose, &Settings { suspicious_residual: 0.1, ..Settings::default() }).unwrap();
+            assert_eq!(solution.status, Status::Converged, "{name}: {:?}", solution.reason);
+            // what a percent of contradiction means is said
+            let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
+            assert_eq!(solution.reason.is_some(), solution.residual_rms > 0.01 * mean, "{name}");
+            assert!(solution.iterations <= 50, "{name}: {} iterations", solution.iterations);
+            let residuals = cdpr::nalgebra::DVector::from_vec(solution.residuals);
+            let gradient = model.structure_matrix(&solution.pose).unwrap() * residuals;
+            // the pose is right to 1e-10 of the mean length; the Hessian is below 100
+            assert!(gradient.amax() < 1e-7, "{name}: {gradient}");
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The exact quadratic programme against clarabel: 100 000 problems, verdicts and optima.
+//!
+//! How near a problem is to the boundary of what is feasible is measured by a linear programme: by how much of the largest
+//! limit all limits could be narrower, or would have to be wider ([`Problem::margin`]). Nearer than 1e-6 either verdict counts as right.
+
+use crate::distribution::{Opinion, Problem};
+use crate::problems::{models, random_problem};
+use cdpr::model::Model;
+use cdpr::tension::quadratic::{self, Status};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+const PROBLEMS: usize = 100_000;
+/// Part of the largest limit within which a problem is on the boundary.
+const BOUNDARY: f64 = 1e-6;
+
+/// What came of the problems of one redundancy.
+#[derive(Debug, Default)]
+struct Tally {
+    feasible: usize,
+    infeasible: usize,
+    boundary: usize,
+    unclear: usize,
+    wrong: Vec<String>,
+    /// Largest difference of the optimum, as a part of it.
+    cost: f64,
+    /// Largest difference of a tension, as a part of the largest limit.
+    tension: f64,
+}
+
+impl Tally {
+    fn compare(&mut self, model: &Model, problem: &Problem) {
+        let Problem { matrix, wrench, limits } = problem;
+        let ours = quadratic::solve(matrix, wrench, limits, None).expect("fits");
+        match ours.certificate() {
+            None => self.feasible += 1,
+            Some(proof) => {
+                self.infeasible += 1;
+                assert!(proof.proves(matrix, wrench, limits), "{problem:?} {ours:?}");
+            }
+        }
+        match (ours.status, problem.conic().solve()) {
+            (Status::Feasible, Opinion::Optimum(theirs)) => {
+                let [our_cost, their_cost] = [&ours.tensions, &theirs].map(|tensions| problem.cost(tensions));
+                // of a smaller optimum clarabel's absolute tolerance of 1e-8 would be more than 1e-5
+                self.cost = self.cost.max((our_cost - their_cost).abs() / their_cost.max(1e-3));
+                let apart = ours.tensions.iter().zip(&theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                self.tension = self.tension.max(apart / problem.largest_limit());
+            }
+            (Status::Infeasible, Opinion::Infeasible) => {}
+            (_, opinion) => {
+                let margin = problem.margin();
+                self.unclear += usize::from(opinion == Opinion::Unclear);
+                self.boundary += usize::from(margin.abs() < BOUNDARY);
+                let right = if margin > 0.0 { Status::Feasible } else { Status::Infeasible };
+                if margin.abs() >= BOUNDARY && ours.status != right || ours.status == Status::Undecided {
+                    self.wrong.push(format!("{}, margin {margin:e}: {problem:?} {ours:?}", model.robot().name));
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, other: Self) {
+        self.feasible += other.feasible;
+        self.infeasible += other.infeasible;
+        self.boundary += other.boundary;
+        self.unclear += other.unclear;
+        self.wrong.extend(other.wrong);
+        self.cost = self.cost.max(other.cost);
+        self.tension = self.tension.max(other.tension);
+    }
+}
+
+/// Every `step`-th problem from the `first` on, by redundancy.
+fn tallies(models: &[Model], first: usize, step: usize) -> [Tally; 7] {
+    let mut tallies: [Tally; 7] = Default::default();
+    for case in (first..PROBLEMS).step_by(step) {
+        let model = &models[case % models.len()];
+        let mut rng = ChaCha8Rng::seed_from_u64(case as u64);
+        tallies[model.cable_count() - model.dof()].compare(model, &random_problem(model, &mut rng));
+    }
+    tallies
+}
+
+#[test]
+fn verdicts_and_optima_are_those_of_an_interior_point_solver() {
+    let models = models();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut sums: [Tally; 7] = Default::default();
+    std::thread::scope(|scope| {
+        let spawn = |first| {
+            scope.spawn({
+                let models = &models;
+                move || tallies(models, first, threads)
+            })
+        };
+        for part in (0..threads).map(spawn).collect::<Vec<_>>() {
+            sums.iter_mut().zip(part.join().expect("compares")).for_each(|(sum, part)| sum.add(part));
+        }
+    });
+    let mut total = 0;
+    for tally in &sums {
+        total += tally.feasible + tally.infeasible;
+        assert!(tally.wrong.is_empty(), "{} wrong, first {}", tally.wrong.len(), tally.wrong[0]);
+        assert!(tally.feasible > 1000 && tally.infeasible > 1000, "a one-sided test: {tally:?}");
+        assert!(tally.boundary < 10 && tally.unclear < 100, "an evasive test: {tally:?}");
+        assert!(tally.cost < 1e-6, "{tally:?}");
+        // the square root of clarabel's 1e-8, as the optimum is flat
+        assert!(tally.tension < 1e-4, "{tally:?}");
+    }
+    assert_eq!(total, PROBLEMS);
+}

@@ -1,0 +1,341 @@
+//! Laws that areas, volumes and boundaries obey, on shapes of known size and on robots.
+
+use std::f64::consts::PI;
+
+use crate::support::{Shape, builtin, random_direction};
+use cdpr::geometry::{Pose, Wrench};
+use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::{UnitQuaternion, Vector3};
+use cdpr::robot::{Cable, Robot};
+use cdpr::statics::Load;
+use cdpr::tension::Limits;
+use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr::workspace::differential::{Differences, motion};
+use cdpr::workspace::grid::{self, Count, Grid};
+use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError, hull, octree};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+fn standard(name: &str) -> Model {
+    Model::new(builtin(name), Composition::STANDARD).unwrap()
+}
+
+fn upright() -> Archetype {
+    Archetype::ConstantOrientation(UnitQuaternion::identity())
+}
+
+fn cube() -> Bounds {
+    Bounds::new(3, &[-1.0, 1.0, -1.1, 1.0, -1.0, 1.2]).unwrap()
+}
+
+/// A ball of 0.8 m is as large as each method says, within the bound that it states.
+#[test]
+fn every_method_finds_the_volume_of_a_ball_within_its_own_bound() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let shape = Shape(|r: &Vector3<f64>| 0.8 - r.norm());
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let exact = 4.0 / 3.0 * PI * 0.8_f64.powi(3);
+    let cells = Grid::new(&cube(), 0.05).unwrap();
+    let by_grid = grid::count(&region, &cells).outcome(&cells);
+    let by_octree = octree::solve(&region, &cube(), &octree::Settings::new(0.05)).unwrap();
+    let rays = hull::solve(&region, &cube(), &[0.1, -0.2, 0.1], &hull::Settings::new(&cube())).unwrap();
+    let by_rays = rays.measure().unwrap();
+    for (size, bound) in [
+        (by_grid.size, by_grid.error_bound),
+        (by_octree.size, by_octree.error_bound),
+        (by_rays.size, by_rays.error_bound),
+    ] {
+        println!("{size} ± {bound}");
+        assert!((size - exact).abs() < bound, "{size} ± {bound}, {exact}");
+        assert!((size - exact).abs() < 0.01 * exact, "{size} {exact}");
+    }
+    assert!((by_rays.surface / (4.0 * PI * 0.64) - 1.0).abs() < 0.01, "{by_rays:?}");
+    // the polyhedron is a little flatter far from its centre than near to it
+    assert!(by_rays.centroid.iter().all(|part| part.abs() < 2e-3), "{by_rays:?}");
+    let mesh = rays.mesh(&region);
+    assert!(mesh.is_closed() && (mesh.volume() / by_rays.size - 1.0).abs() < 1e-12);
+}
+
+/// A tenth of the points of a grid of the same cells, for a set that fills most of its box: the less favourable case, since a
+/// grid also counts what lies around a set.
+#[test]
+fn an_octree_judges_a_tenth_of_the_points_of_the_grid_of_its_smallest_cells() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let shape = Shape(|r: &Vector3<f64>| 1.0 - r.norm());
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let bounds = Bounds::new(3, &[-1.04, 1.04, -1.04, 1.04, -1.04, 1.04]).unwrap();
+    let found = octree::solve(&region, &bounds, &octree::Settings::new(2.08 / 100.0)).unwrap();
+    println!("{found:?}");
+    assert!(10 * found.points < found.grid_points, "{} of {}", found.points, found.grid_points);
+    assert!((found.size / (4.0 / 3.0 * PI) - 1.0).abs() < 1e-3, "{found:?}");
+}
+
+/// A bar thinner than a start cell hangs on a ball: the boundary is followed into it.
+#[test]
+fn an_octree_follows_the_boundary_into_parts_thinner_than_its_start_cells() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let bar = |r: &Vector3<f64>| (0.06 - (r.y - 0.013).abs().max((r.z - 0.017).abs())).min(0.9 - r.x).min(r.x);
+    let shape = Shape(move |r: &Vector3<f64>| (0.3 - r.norm()).max(bar(r)));
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let found = octree::solve(&region, &cube(), &octree::Settings::new(0.02)).unwrap();
+    let ball = 4.0 / 3.0 * PI * 0.3_f64.powi(3);
+    let outside_the_ball = 0.12 * 0.12 * 0.6;
+    assert!(found.start_cell[1] > 0.12, "{found:?}");
+    assert!((found.size / (ball + outside_the_ball) - 1.0).abs() < 0.05, "{found:?}");
+}
+
+/// Where the boundary is followed everywhere, as it is about a ball and a cavity in it, the cells add up to those of all corners
+/// judged, also where the set reaches the faces of the box.
+#[test]
+fn an_octree_counts_the_cells_that_all_corners_would_give() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let shape = Shape(|r: &Vector3<f64>| (1.05 - r.norm()).min((r - Vector3::x() * 0.3).norm() - 0.45));
+    let flat = standard("planar-example");
+    let plane = Bounds::new(2, &[-1.0, 1.0, -1.1, 1.0]).unwrap();
+    for (bounds, model, step) in [(cube(), &model, 0.0999), (plane, &flat, 0.0831)] {
+        let region = Region::new(model, &shape, &upright()).unwrap();
+        let tree = octree::solve(&region, &bounds, &octree::Settings { step, halvings: 3 }).unwrap();
+        let counts = [0, 1, 2].map(|axis| match axis < bounds.dimension() {
+            true => ((bounds.extent(axis) / step).ceil() as usize).next_multiple_of(8),
+            false => 0,
+        });
+        let at = |node: [usize; 3]| {
+            let along = |axis: usize| match counts[axis] {
+                0 => 0.0,
+                count => bounds.least()[axis] + node[axis] as f64 / count as f64 * bounds.extent(axis),
+            };
+            region.holds(&[along(0), along(1), along(2)])
+        };
+        let (mut size, mut mixed) = (0.0, 0);
+        let corners = 1 << bounds.dimension();
+        for index in 0..counts.map(|count| count.max(1)).iter().product::<usize>() {
+            let (columns, rows) = (counts[0], counts[1]);
+            let node = [index % columns, index / columns % rows, index / columns / rows];
+            let held = (0..corners).filter(|k| at([0, 1, 2].map(|axis| node[axis] + (k >> axis & 1)))).count();
+            mixed += u64::from(held > 0 && held < corners);
+            size += held as f64 / corners as f64;
+        }
+        let cell = bounds.size() / counts.map(|count| count.max(1)).iter().product::<usize>() as f64;
+        assert!(tree.reaches_bounds);
+        assert_eq!(tree.boundary_cells, mixed);
+        assert!((tree.size - size * cell).abs() < 1e-9, "{} {}", tree.size, size * cell);
+    }
+}
+
+/// A shell is not star-shaped from within its wall: the hull says so and gives no volume.
+#[test]
+fn a_shell_has_no_hull() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let shape = Shape(|r: &Vector3<f64>| (0.9 - r.norm()).min(r.norm() - 0.5));
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let found = hull::solve(&region, &cube(), &[0.7, 0.0, 0.0], &hull::Settings::new(&cube())).unwrap();
+    let hull::Status::NotStarShaped { rays, direction } = &found.status else { panic!("{:?}", found.status) };
+    assert!(*rays > 100 && direction[0] < -0.7, "{rays} {direction:?}"); // through the hole, which is 46° wide
+    assert!(found.measure().is_none());
+}
+
+#[test]
+fn a_center_outside_too_few_rays_and_a_step_of_zero_are_refused() {
+    let model = standard("planar-example");
+    let shape = Shape(|r: &Vector3<f64>| 0.5 - r.norm());
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let bounds = Bounds::new(2, &[-1.0, 1.0, -1.0, 1.0]).unwrap();
+    let settings = hull::Settings::new(&bounds);
+    let from = |center: Point, settings: &hull::Settings| hull::solve(&region, &bounds, &center, settings).unwrap_err();
+    assert!(matches!(from([0.9, 0.0, 0.0], &settings), WorkspaceError::CenterOutside { .. }));
+    assert!(matches!(from([3.0, 0.0, 0.0], &settings), WorkspaceError::CenterOutsideBounds { .. }));
+    let few = hull::Settings { rays: 2, ..settings.clone() };
+    assert!(matches!(from([0.0; 3], &few), WorkspaceError::Rays { rays: 2, .. }));
+    let endless = hull::Settings { tolerance: 0.0, ..settings };
+    assert!(matches!(from([0.0; 3], &endless), WorkspaceError::Tolerance { .. }));
+    assert!(matches!(Grid::new(&bounds, 0.0), Err(WorkspaceError::Step { .. })));
+    assert!(matches!(Grid::new(&bounds, f64::NAN), Err(WorkspaceError::Step { .. })));
+    assert!(matches!(Grid::new(&bounds, 1e-9), Err(WorkspaceError::StepTooFine { .. })));
+    let dextrous = Archetype::Dextrous { orientations: 5 };
+    assert!(matches!(Region::new(&model, &shape, &dextrous), Err(WorkspaceError::NoRotation { .. })));
+}
+
+/// Twice the robot with four times the tensions and load: the same set of twice the size, cell by cell.
+#[test]
+fn scaling_robot_limits_and_load_scales_the_answer() {
+    for name in ["planar-example", "cablerobot-simulator-icosahedron"] {
+        let model = standard(name);
+        let mut robot = model.robot().clone();
+        for cable in &mut robot.cables {
+            cable.frame_anchor *= 2.0;
+            cable.platform_anchor *= 2.0;
+        }
+        let large = Model::new(robot, Composition::STANDARD).unwrap();
+        let m = model.cable_count();
+        let wrench = Wrench::new(100.0, -1962.0, -2000.0, 300.0, 0.0, 0.0);
+        let mut larger = wrench * 4.0;
+        (3..6).for_each(|row| larger[row] *= 2.0);
+        let [small, large] =
+            [(&model, 1.0, wrench, 1000.0), (&large, 2.0, larger, 4000.0)].map(|(model, scale, wrench, force)| {
+                let limits = Limits::uniform(m, force, 8.0 * force).unwrap();
+                let criterion = WrenchFeasible::new(model, &Load::constant(wrench), &limits).unwrap();
+                let region = Region::new(model, &criterion, &upright()).unwrap();
+                let ends: Vec<f64> =
+                    Bounds::around(&standard(name)).unwrap().ends().iter().map(|end| end * scale).collect();
+                let bounds = Bounds::new(region.dimension(), &ends).unwrap();
+                let cells = Grid::new(&bounds, 0.5 * scale).unwrap();
+                let count = grid::count(&region, &cells);
+                let margin =
+                    criterion.judge(&Pose { position: model.robot().cables[0].frame_anchor * 0.3, ..Pose::identity() });
+                (count.points, count.feasible_points, count.outcome(&cells).size, margin.margin)
+            });
+        println!("{name}: {small:?} {large:?}");
+        assert!(small.1 > 0);
+        // a power of two changes no bit of a mantissa
+        assert_eq!((small.0, small.1), (large.0, large.1));
+        let factor = if name == "planar-example" { 4.0 } else { 8.0 };
+        assert_eq!(small.2 * factor, large.2);
+        assert!((small.3 * 4.0 / large.3 - 1.0).abs() < 1e-9, "{} {}", small.3, large.3);
+    }
+}
+
+/// A cable that may be slack can only help: whatever was feasible without it is so with it.
+#[test]
+fn a_cable_with_zero_minimum_tension_never_shrinks_the_workspace() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    for name in ["planar-example", "cablerobot-simulator-icosahedron", "cogiro"] {
+        let model = standard(name);
+        let load = Load::of(model.robot()).unwrap();
+        let limits = Limits::of(model.robot(), None, None).unwrap();
+        for _ in 0..5 {
+            let mut robot: Robot = model.robot().clone();
+            let anchor = &robot.cables[0];
+            let added =
+                Cable { frame_anchor: anchor.frame_anchor + random_direction(&mut rng) * 3.0, ..anchor.clone() };
+            robot.cables.push(added);
+            let more = Model::new(robot, Composition::STANDARD).unwrap();
+            let with = |list: &[f64], last: f64| [list, &[last]].concat();
+            let wider = Limits::new(with(limits.minimum(), 0.0), with(limits.maximum(), 5000.0)).unwrap();
+            let before = WrenchFeasible::new(&model, &load, &limits).unwrap();
+            let after = WrenchFeasible::new(&more, &load, &wider).unwrap();
+            let home = model.robot().home.unwrap().position;
+            for _ in 0..200 {
+                let position = home + random_direction(&mut rng) * 4.0;
+                // planar robots stay in their plane
+                let position = model.axes().iter().map(|axis| axis * axis.dot(&position)).sum();
+                let pose = Pose { position, ..Pose::identity() };
+                assert!(!before.holds(&pose) || after.holds(&pose), "{name} {pose:?}");
+            }
+        }
+    }
+}
+
+/// The end of every ray lies in the set, and one tolerance further out does not.
+#[test]
+fn hull_vertices_lie_in_the_set_and_one_tolerance_further_they_do_not() {
+    for (name, rays) in [("planar-example", 100), ("cablerobot-simulator-icosahedron", 642)] {
+        let model = standard(name);
+        let criterion = feasible(&model);
+        let region = Region::new(&model, &criterion, &upright()).unwrap();
+        let bounds = Bounds::around(&model).unwrap();
+        let center = region.point(&model.robot().home.unwrap().position);
+        let found =
+            hull::solve(&region, &bounds, &center, &hull::Settings { rays, ..hull::Settings::new(&bounds) }).unwrap();
+        assert!(found.is_star_shaped() && found.rays_at_bounds == 0);
+        for (ray, direction) in found.directions.iter().enumerate() {
+            assert!(region.holds(&found.vertex(ray)), "{name} {ray}");
+            let radius = found.radii[ray] + found.tolerance;
+            let beyond = [0, 1, 2].map(|axis| center[axis] + radius * direction[axis]);
+            assert!(!region.holds(&beyond), "{name} {ray}");
+        }
+    }
+}
+
+fn feasible(model: &Model) -> WrenchFeasible<'_> {
+    let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), None, None).unwrap());
+    WrenchFeasible::new(model, &load, &limits).unwrap()
+}
+
+/// Every orientation is harder than one of them, and one of them than some one.
+#[test]
+fn total_orientation_lies_in_constant_orientation_and_that_in_inclusion_orientation() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let criterion = feasible(&model);
+    let turn = |angle: f64| UnitQuaternion::new(Vector3::y() * angle);
+    let set: Vec<_> = [-0.2, 0.0, 0.2].map(turn).to_vec();
+    let archetypes = [
+        Archetype::Dextrous { orientations: 20 },
+        Archetype::TotalOrientation(set.clone()),
+        upright(),
+        Archetype::InclusionOrientation(set),
+    ];
+    let cells = Grid::new(&Bounds::around(&model).unwrap(), 0.8).unwrap();
+    let counts = archetypes.map(|archetype| {
+        let region = Region::new(&model, &criterion, &archetype).unwrap();
+        let mut answers = Vec::new();
+        let mut count = Count::new();
+        while count.advance(&region, &cells, &mut |_, slab| answers.extend_from_slice(slab)) {}
+        answers
+    });
+    let sum = |answers: &[bool]| answers.iter().filter(|holds| **holds).count();
+    println!("{:?}", counts.each_ref().map(|answers| sum(answers)));
+    for pair in counts.windows(2).skip(1) {
+        assert!(pair[0].iter().zip(&pair[1]).all(|(less, more)| !less || *more));
+        assert!(sum(&pair[0]) < sum(&pair[1]));
+    }
+    assert_eq!(sum(&counts[0]), 0, "no platform of this kind turns all the way round");
+}
+
+/// A count that was written down half-way ends as one that was not; and threads change nothing.
+#[test]
+fn a_count_that_is_resumed_ends_as_one_in_one_go() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let criterion = feasible(&model);
+    let region = Region::new(&model, &criterion, &upright()).unwrap();
+    let cells = Grid::new(&Bounds::around(&model).unwrap(), 0.25).unwrap();
+    let whole = grid::count(&region, &cells);
+    let mut first = Count::new();
+    assert!(first.advance(&region, &cells, &mut |_, _| {}), "one block is not all of it");
+    let mut second: Count = serde_json::from_str(&serde_json::to_string(&first).unwrap()).unwrap();
+    assert!(second.fits(&cells) && second == first);
+    while second.advance(&region, &cells, &mut |_, _| {}) {}
+    assert_eq!(second, whole);
+    assert!(!first.fits(&Grid::new(cells.bounds(), 0.2).unwrap()));
+    #[cfg(feature = "parallel")]
+    for threads in [1, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert_eq!(pool.install(|| grid::count(&region, &cells)), whole);
+    }
+}
+
+/// First-order motion against a new hull: halving the change quarters what is missed.
+#[test]
+fn the_first_order_motion_of_a_boundary_is_that_of_a_recomputed_hull() {
+    let model = standard("planar-example");
+    let limits = Limits::uniform(4, 1000.0, 8000.0).unwrap();
+    let pulled = |force: f64| {
+        let load = Load::constant(Wrench::new(0.0, -force, 0.0, 0.0, 0.0, 0.0));
+        WrenchFeasible::new(&model, &load, &limits).unwrap()
+    };
+    let bounds = Bounds::around(&model).unwrap();
+    let settings = hull::Settings { rays: 90, tolerance: 1e-10, ..hull::Settings::new(&bounds) };
+    let hull_of = |force: f64| {
+        let criterion = pulled(force);
+        let region = Region::new(&model, &criterion, &upright()).unwrap();
+        hull::solve(&region, &bounds, &[0.0, 5.0, 0.0], &settings).unwrap()
+    };
+    let (force, here) = (1962.0, hull_of(1962.0));
+    let criteria = [0.0, -1.0, 1.0].map(|change| pulled(force + change));
+    let [region, below, above] =
+        criteria.each_ref().map(|criterion| Region::new(&model, criterion, &upright()).unwrap());
+    let moves = motion(&here, &region, [&below, &above], Differences { parameter: 1.0, radius: 1e-4 });
+    assert!(moves.rates.iter().all(Option::is_some));
+    let missed = |change: f64| -> Vec<f64> {
+        let (predicted, found) = (moves.moved(&here, change), hull_of(force + change));
+        predicted.radii.iter().zip(&found.radii).map(|(a, b)| (a - b).abs()).collect()
+    };
+    let mut errors = [missed(100.0), missed(50.0)];
+    errors.iter_mut().for_each(|list| list.sort_by(f64::total_cmp));
+    let [whole, half] = errors.each_ref().map(|list| list[list.len() / 2]);
+    println!("median {whole:.2e} m after 100 N, {half:.2e} m after 50 N");
+    assert!(whole < 2e-3 && half < 0.3 * whole, "{whole} {half}");
+    // the area by its rate, against the difference of two areas
+    let area = |force: f64| hull_of(force).measure().unwrap().size;
+    let (rate, difference) = (moves.size_rate(&here), (area(force + 20.0) - area(force - 20.0)) / 40.0);
+    assert!((rate / difference - 1.0).abs() < 1e-2, "{rate} {difference}");
+}

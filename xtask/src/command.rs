@@ -1,0 +1,32 @@
+//! The tests of the command, run on the program that users get.
+
+use std::path::Path;
+
+use crate::cargo;
+use crate::outcome::Outcome;
+
+/// Builds the command as users do, runs its tests for release, and complains if they ran another program: one whose dependencies have
+/// features that only tests ask for.
+pub(crate) fn check(root: &Path) -> Outcome {
+    let users_program = match cargo::the_command(root).and_then(|path| read(&path)) {
+        Ok(program) => program,
+        Err(complaint) => return Outcome::of(vec![complaint]),
+    };
+    let mut outcome = cargo::count_tests(root, &["test", "--release", "-p", "cdpr-cli", "--no-fail-fast"]);
+    let same = match read(&cargo::built(root, "release", "cdpr")) {
+        Ok(tested) if tested == users_program => Outcome::of(Vec::new()),
+        Ok(_) => Outcome::of(vec![ANOTHER.to_owned()]),
+        Err(complaint) => Outcome::of(vec![complaint]),
+    };
+    outcome.passed += same.passed;
+    outcome.failed += same.failed;
+    outcome.complaints.extend(same.complaints);
+    outcome
+}
+
+const ANOTHER: &str = "the tests ran a `cdpr` whose dependencies have other features than users get: compare \
+                       `cargo tree -p cdpr-cli -e normal,features` with `-e normal,dev,features`";
+
+fn read(path: &Path) -> Result<Vec<u8>, String> {
+    std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))
+}
