@@ -52,7 +52,8 @@ fn uses_to_the_right(inside: &Path, text: &str) -> Vec<String> {
     for used in used_rooms(text) {
         let (line, name) = (used.line, used.name);
         match self::place(&name) {
-            _ if name == room || name == "nalgebra" => {}
+            // tests draw their random cases by `property`, wherever they stand
+            _ if name == room || name == "nalgebra" || name == "property" => {}
             Some(other) if other < place => {}
             Some(_) => {
                 complaints.push(format!("{file}:{line}: `{room}` uses `{name}`, which does not stand left of it"))

@@ -17,6 +17,7 @@ mod notices;
 mod outcome;
 mod packages;
 mod programs;
+mod soak;
 mod steps;
 
 use std::path::{Path, PathBuf};
@@ -29,6 +30,7 @@ Tasks:
   test                 everything a change has to pass, cheapest steps first; stops at the first failure
   test --only STEP     one step of it
   steps                the steps of `test`
+  soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
   layers               what each room of crates/cdpr may use
   generate             write the generated files (schemas, THIRD-PARTY.txt)
   notices              write THIRD-PARTY.txt alone
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
     let result = match arguments.as_slice() {
         ["test"] => steps::run(&root, None),
         ["test", "--only", step] => steps::run(&root, Some(step)),
+        ["soak", wishes @ ..] => soak::run(&root, wishes),
         ["steps"] => {
             steps::list();
             Ok(())

@@ -1,25 +1,33 @@
 //! Files read whole and written whole.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use cdpr::reading::Size;
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 use crate::interruption;
 
-/// The bytes of a file.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|error| Failure::io("read", &path.display().to_string(), &error))
+/// The bytes of a file, no more than its kind may have.
+pub(crate) fn read(path: &Path, size: Size) -> Result<Vec<u8>, Failure> {
+    let name = path.display().to_string();
+    let refused = |error| Failure::io("read", &name, &error);
+    let file = fs::File::open(path).map_err(refused)?;
+    // what the system says of a file saves reading it; pipes and devices have any length
+    size.check(file.metadata().map_err(refused)?.len(), &name)?;
+    let mut bytes = Vec::new();
+    file.take(size.limit() as u64 + 1).read_to_end(&mut bytes).map_err(refused)?;
+    size.check(bytes.len() as u64, &name)?;
+    Ok(bytes)
 }
 
 /// The bytes of a file that need not exist.
-pub(crate) fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>, Failure> {
-    match fs::read(path) {
-        Ok(bytes) => Ok(Some(bytes)),
+pub(crate) fn read_if_there(path: &Path, size: Size) -> Result<Option<Vec<u8>>, Failure> {
+    match fs::metadata(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(Failure::io("read", &path.display().to_string(), &error)),
+        _ => read(path, size).map(Some),
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr::geometry::{MotionPattern, Pose, Wrench};
 use cdpr::model::{Composition, Model};
-use cdpr::reading::did_you_mean;
+use cdpr::reading::{Size, did_you_mean};
 use cdpr::robot::{Robot, builtin};
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, LimitsError};
@@ -64,7 +64,7 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
         return Ok(robot);
     }
     if looks_like_path || path.is_file() {
-        let bytes = files::read(path).map_err(|failure| failure.with_help(help_for_missing_robot(text)))?;
+        let bytes = files::read(path, Size::Text).map_err(|failure| failure.with_help(help_for_missing_robot(text)))?;
         return Ok(Robot::from_toml_bytes(&bytes, text)?);
     }
     let message = format!("there is neither a built-in robot nor a file named `{text}`");

@@ -13,6 +13,7 @@ use cdpr::metamodel::simulate::{Simulation, simulate_operation};
 use cdpr::metamodel::study::{CommandedPose, History, RobotModel, TensionMethod};
 use cdpr::metamodel::{Control, Driving, InputError, Operation, Study, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
+use cdpr::reading::Size;
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
@@ -49,7 +50,7 @@ impl Laboratory {
     /// Reads a study and its robots; their paths are relative to its folder.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        let study = Study::from_toml_bytes(&files::read(path)?, &name)?;
+        let study = Study::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let from_folder = |robot: &str| robot_of_study(robot, &folder);
         Self::new(study, &name, &folder, &from_folder)
@@ -228,7 +229,7 @@ impl Laboratory {
         let from_file: Vec<Pose> = match self.study.poses.as_ref().and_then(|poses| poses.file.as_ref()) {
             Some(file) => {
                 let path = self.folder.join(&file.path);
-                poses_from_csv(&files::read(&path)?, &path.display().to_string(), robot)?
+                poses_from_csv(&files::read(&path, Size::Table)?, &path.display().to_string(), robot)?
             }
             None => Vec::new(),
         };

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use cdpr::measurement::{Samples, SensorSigmas, Sidecar};
 use cdpr::model::Model;
+use cdpr::reading::Size;
 use clap::Args;
 
 use crate::answer::Output;
@@ -16,7 +17,7 @@ use crate::numbers::number_from_zero;
 /// `DATA` and `--sigma`.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct DataArguments {
-    /// Measurements (CSV); sensor accuracies are read from the file beside it with the ending .meta.toml, if there is one.
+    /// Measurements (CSV, 256 MiB at most); sensor accuracies are read from the file beside it with the ending .meta.toml, if there is one.
     #[arg(value_name = "DATA")]
     data: PathBuf,
 
@@ -100,7 +101,7 @@ impl SigmaOption {
 /// model's winches.
 pub(crate) fn read_samples(path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
     let name = path.display().to_string();
-    let reading = Samples::from_csv(&files::read(path)?, &name, model.robot())?;
+    let reading = Samples::from_csv(&files::read(path, Size::Table)?, &name, model.robot())?;
     reading.notices.iter().for_each(|notice| output.remark(notice));
     let mut samples =
         model.with_lengths(&reading.samples).map_err(|error| Failure::refused(&name, &error))?.into_owned();
@@ -108,7 +109,7 @@ pub(crate) fn read_samples(path: &Path, model: &Model, output: &Output) -> Resul
         output.remark(&format!("{name}: {IDEAL_WINCH}"));
     }
     let sidecar = path.with_extension("meta.toml");
-    if let Some(bytes) = files::read_if_there(&sidecar)? {
+    if let Some(bytes) = files::read_if_there(&sidecar, Size::Text)? {
         samples.sigmas = Sidecar::from_toml_bytes(&bytes, &sidecar.display().to_string())?.sigmas;
     }
     Ok(samples)

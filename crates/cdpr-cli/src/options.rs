@@ -1,12 +1,16 @@
 //! Options that every command takes.
 
-use std::num::NonZeroU16;
+use std::num::{NonZero, NonZeroU16};
 
 use clap::Args;
 
 use crate::answer::Format;
 use crate::console::{self, ColorChoice, Console};
+use crate::diagnostics;
 use crate::failure::Failure;
+
+/// Threads that any machine can start.
+const MOST_THREADS: usize = 64;
 
 /// How the run talks and how much of the computer it takes.
 #[derive(Debug, Args)]
@@ -26,7 +30,8 @@ pub(crate) struct GlobalOptions {
     #[arg(hide_possible_values = true, display_order = 902)]
     color: ColorChoice,
 
-    /// Threads to calculate with, at most; all processors when left out. The result is the same for any number.
+    /// Threads to calculate with, at most; all processors when left out. The result is the same for any number, and more than 64 are
+    /// started only where there are as many processors.
     #[arg(long, global = true, value_name = "N", display_order = 903)]
     threads: Option<NonZeroU16>,
 }
@@ -36,7 +41,14 @@ impl GlobalOptions {
     pub(crate) fn settle(&self) -> Result<(), Failure> {
         console::settle(Console { color: self.color, quiet: self.quiet });
         let Some(threads) = self.threads else { return Ok(()) };
-        rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads.get())).build_global().map_err(|error| {
+        let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+        let started = usize::from(threads.get()).min(processors.max(MOST_THREADS));
+        if started < usize::from(threads.get()) {
+            diagnostics::remark(&format!(
+                "--threads {threads}: {started} are started; there are {processors} processors, and more threads would only wait for them"
+            ));
+        }
+        rayon::ThreadPoolBuilder::new().num_threads(started).build_global().map_err(|error| {
             Failure::input(
                 "usage::threads",
                 format!("--threads {threads}: {error}"),

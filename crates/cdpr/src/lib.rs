@@ -43,6 +43,9 @@ pub mod notation {
     //! The symbols of the documentation and of the code.
     #![doc = include_str!("notation.md")]
 }
+#[cfg(test)]
+#[path = "../tests/support/property.rs"]
+mod property;
 pub mod reading;
 pub mod robot;
 pub mod scalar;

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use cdpr::measurement::Split;
 use cdpr::model::{Composition, Model};
+use cdpr::reading::Size;
 use cdpr::robot::Robot;
 use clap::Args;
 
@@ -81,7 +82,7 @@ impl Arguments {
         };
         let mut inputs = vec![NamedFile::new("robot", robot.to_toml())];
         for path in [Some(self.data.path()), self.validation.as_deref()].into_iter().flatten() {
-            inputs.push(NamedFile::new(path.display().to_string(), files::read(path)?));
+            inputs.push(NamedFile::new(path.display().to_string(), files::read(path, Size::Table)?));
         }
         Ok(Comparison {
             robot,

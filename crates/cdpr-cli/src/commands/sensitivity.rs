@@ -11,6 +11,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::laboratory::Laboratory;
+use crate::numbers::finite_number;
 use crate::progress::Progress;
 use crate::sensitivities::{self, Asked, Found, tables};
 use crate::tension_method::TensionMethodArgument;
@@ -98,8 +99,8 @@ enum EngineName {
 }
 
 fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+    match finite_number(text) {
+        Ok(value) if value > 0.0 => Ok(value),
         _ => Err("a number of metres above 0".to_owned()),
     }
 }

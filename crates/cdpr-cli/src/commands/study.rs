@@ -7,6 +7,7 @@ use std::process::ExitCode;
 
 use cdpr::geometry::Pose;
 use cdpr::metamodel::field::{Field, Summary, field};
+use cdpr::reading::Size;
 use clap::Args;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -73,7 +74,7 @@ struct Run<'a> {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let bytes = files::read(&arguments.study)?;
+    let bytes = files::read(&arguments.study, Size::Text)?;
     let laboratory = Laboratory::read(&arguments.study)?;
     let mut remarks = laboratory.study.remarks();
     remarks.iter().for_each(|remark| output.remark(remark));

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 
 use cdpr::metamodel::Study;
 use cdpr::metamodel::sweep::{Subjects, Sweep, row};
+use cdpr::reading::Size;
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
 use merged::Merged;
@@ -126,9 +127,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Failure> {
     let name = path.display().to_string();
-    let sweep = Sweep::from_toml_bytes(&files::read(path)?, &name)?;
+    let sweep = Sweep::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
     let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
-    let study_bytes = files::read(&study_path)?;
+    let study_bytes = files::read(&study_path, Size::Text)?;
     let study = Study::from_toml_bytes(&study_bytes, &study_path.display().to_string())?;
     study.remarks().iter().for_each(|remark| output.remark(remark));
     let folder = study_path.parent().unwrap_or(Path::new(""));

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::identification::test_bench::{Misfit, Record, Settings, Solution, identify};
+use cdpr::reading::Size;
 use cdpr::robot::HysteresisTable;
 use clap::Args;
 use serde::Serialize;
@@ -93,7 +94,7 @@ struct TestBenchAnswer {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let name = arguments.record.display().to_string();
-    let bytes = files::read(&arguments.record)?;
+    let bytes = files::read(&arguments.record, Size::Table)?;
     let reading = Record::from_csv(&bytes, &name).map_err(|error| Failure::File(Box::new(error)))?;
     reading.notices.iter().for_each(|notice| output.remark(notice));
     let settings = Settings { pieces: arguments.pieces.into(), ..Settings::of_length(arguments.length) };

@@ -8,6 +8,7 @@ use super::Finding;
 use super::page_data::RegionData;
 use crate::failure::Failure;
 use crate::files;
+use cdpr::reading::Size;
 
 const BLOCK: &str = r#"<script type="application/json" id="cdpr-data">"#;
 
@@ -19,7 +20,7 @@ struct Block {
 
 /// The results that a page of `cdpr workspace --page` shows.
 pub(crate) fn findings_of(path: &Path) -> Result<Vec<Finding>, Failure> {
-    let bytes = files::read(path)?;
+    let bytes = files::read(path, Size::Table)?;
     let refuse = |why: String| {
         Failure::input(
             "workspace::overlay",

@@ -88,3 +88,12 @@ fn no_threads_at_all_is_wrong_usage() {
     assert_eq!(cdpr("robots --threads 0").exit_code, 2);
     assert_eq!(cdpr("robots --threads 2").exit_code, 0);
 }
+
+/// Every started thread takes memory and time to start, and gains nothing beyond the processors.
+#[test]
+fn more_threads_than_a_machine_can_use_are_not_started() {
+    let many = cdpr("ik planar-example --pose 0.5,4 --threads 65535");
+    assert_eq!(many.stdout, cdpr("ik planar-example --pose 0.5,4 --threads 1").stdout);
+    assert!(many.exit_code == 0 && many.stderr.contains("are started"), "{}", many.stderr);
+    assert!(!cdpr("ik planar-example --pose 0.5,4 --threads 64").stderr.contains("are started"));
+}

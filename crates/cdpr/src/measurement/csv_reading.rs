@@ -11,7 +11,7 @@ use super::columns::{Column, Quantity, meaning};
 use super::header_mistakes;
 use super::magnitudes::{self, Finding};
 use crate::geometry::{MotionPattern, Pose};
-use crate::reading::{Place, ReadError, text_from_bytes};
+use crate::reading::{MAGNITUDE_LIMIT, Place, ReadError, Size, text_from_bytes};
 use crate::robot::Robot;
 use complaints::{help_for_text, shortened};
 
@@ -30,14 +30,14 @@ type Columns = BTreeMap<Quantity, (usize, f64)>;
 impl Samples {
     /// Reads a measurement CSV of a robot (columns: interface of `cdpr`, `measurement::schema`).
     pub fn from_csv(bytes: &[u8], file_name: &str, robot: &Robot) -> Result<Reading, ReadError> {
-        let text = text_from_bytes(bytes, file_name)?;
+        let text = text_from_bytes(bytes, Size::Table, file_name)?;
         CsvFile { text: text.trim_start_matches('\u{feff}'), file_name, robot }.read()
     }
 }
 
 /// Poses of a CSV with the pose columns of measurements; other columns are ignored.
 pub fn poses_from_csv(bytes: &[u8], file_name: &str, robot: &Robot) -> Result<Vec<Pose>, ReadError> {
-    let text = text_from_bytes(bytes, file_name)?;
+    let text = text_from_bytes(bytes, Size::Table, file_name)?;
     let file = CsvFile { text: text.trim_start_matches('\u{feff}'), file_name, robot };
     let mut poses = Vec::new();
     let mut notices = Vec::new();
@@ -296,7 +296,7 @@ impl CsvFile<'_> {
         let column = String::from_utf8_lossy(&row.header[index]);
         let error = |message: String| self.at(row, index, "csv::not-a-number", message);
         match written.trim().parse::<f64>() {
-            Ok(value) if value.is_finite() && value.abs() < 1e30 => Ok(value * factor),
+            Ok(value) if value.is_finite() && value.abs() <= MAGNITUDE_LIMIT => Ok(value * factor),
             Ok(value) => Err(error(format!("column `{column}`: {value} is not a number to calculate with"))
                 .with_help("remove the row, or write the number that was measured")),
             Err(_) if written.trim().is_empty() => {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::SensorSigmas;
-use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
 
 /// What is known about a data set besides its samples.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -54,7 +54,7 @@ pub struct Provenance {
 impl Sidecar {
     /// Reads a sidecar file.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
-        let document = TomlDocument::parse(text_from_bytes(bytes, file_name)?, file_name)?;
+        let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name)?, file_name)?;
         let sidecar: Self = document.deserialize()?;
         if sidecar.layout_version != 1 {
             let message = format!("layout_version {} is not known", sidecar.layout_version);

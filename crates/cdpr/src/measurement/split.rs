@@ -198,6 +198,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::Pose;
+    use crate::property;
 
     fn samples_at(positions: &[f64]) -> Samples {
         let pose = |&x: &f64| Pose { position: Vector3::new(x, -x * x, 0.0), ..Pose::identity() };
@@ -210,6 +211,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(property::cases(256))]
+
         #[test]
         fn every_sample_is_validated_once_and_never_by_its_own_fit(
             positions in proptest::collection::vec(-1.0..1.0_f64, 8..60),

@@ -14,7 +14,7 @@ use super::poorer::remark_on_poorer;
 use crate::geometry::{PatternError, Pose};
 use crate::measurement::SensorSigmas;
 use crate::model::{Composition, Model};
-use crate::reading::{ReadError, TomlDocument, text_from_bytes};
+use crate::reading::{ReadError, Size, TomlDocument, text_from_bytes};
 use crate::robot::Robot;
 use crate::statics::Load;
 use crate::tension;
@@ -234,7 +234,7 @@ pub fn schema() -> schemars::Schema {
 impl Study {
     /// Reads a study file.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
-        let document = TomlDocument::parse(text_from_bytes(bytes, file_name)?, file_name)?;
+        let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name)?, file_name)?;
         let study: Self = document.deserialize()?;
         checks::check(&study, &document)?;
         Ok(study)

@@ -11,7 +11,7 @@ pub use key::{Key, KeyError};
 pub use point::{Row, Subjects, row};
 
 use super::study::TensionMethod;
-use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
 
 /// A sweep as its file states it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, schemars::JsonSchema)]
@@ -74,7 +74,7 @@ const MOST_POINTS: usize = 100_000;
 impl Sweep {
     /// Reads a sweep file.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
-        let document = TomlDocument::parse(text_from_bytes(bytes, file_name)?, file_name)?;
+        let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name)?, file_name)?;
         let sweep: Self = document.deserialize()?;
         let error = |path: &[Step<'_>], message: String| document.error_at(path, "sweep::value", message);
         if sweep.parameter.is_empty() {

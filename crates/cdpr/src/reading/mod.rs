@@ -11,8 +11,40 @@ pub(crate) use xml_document::{Element, XmlDocument, numbers};
 use std::fmt;
 use std::ops::Range;
 
-/// The largest file that is read (bytes).
-pub const SIZE_LIMIT: usize = 16 * 1024 * 1024;
+/// Numbers beyond this are refused in files: squares and cubes of what is accepted stay finite.
+pub const MAGNITUDE_LIMIT: f64 = 1e30;
+
+/// Kinds of files, which differ in how large they may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// Written by hand: robots, studies, sidecars; 16 MiB.
+    Text,
+    /// A row for every pose: measurements, poses, records of a test bench, results; 256 MiB.
+    Table,
+}
+
+impl Size {
+    /// The largest file of this kind that is read (bytes).
+    pub fn limit(self) -> usize {
+        match self {
+            Self::Text => 16 << 20,
+            Self::Table => 256 << 20,
+        }
+    }
+
+    /// Refuses files above the limit.
+    pub fn check(self, bytes: u64, file_name: &str) -> Result<(), ReadError> {
+        if bytes <= self.limit() as u64 {
+            return Ok(());
+        }
+        let (what, help) = match self {
+            Self::Text => ("of a file that is no table", "is this the right file?"),
+            Self::Table => ("of a table", "thin it out: what counts is poses that differ, not many that are alike"),
+        };
+        let message = format!("the file has more than {} MiB, the most that is read {what}", self.limit() >> 20);
+        Err(ReadError::new(file_name, "file::too-large", message).with_help(help))
+    }
+}
 
 /// Most characters of a source line that an error carries along.
 const SHOWN_WIDTH: usize = 160;
@@ -149,8 +181,8 @@ impl Place {
 }
 
 /// The bytes as text, or the error that shows the first byte which is not UTF-8 or that the file is too large.
-pub fn text_from_bytes<'a>(bytes: &'a [u8], file_name: &str) -> Result<&'a str, ReadError> {
-    check_size(bytes.len(), file_name)?;
+pub fn text_from_bytes<'a>(bytes: &'a [u8], size: Size, file_name: &str) -> Result<&'a str, ReadError> {
+    size.check(bytes.len() as u64, file_name)?;
     std::str::from_utf8(bytes).map_err(|error| {
         let valid = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or_default();
         let message = format!("byte {} is not UTF-8 text", error.valid_up_to() + 1);
@@ -163,15 +195,6 @@ pub fn text_from_bytes<'a>(bytes: &'a [u8], file_name: &str) -> Result<&'a str, 
                 _ => "save the file as UTF-8; a spreadsheet or archive is not a text file",
             })
     })
-}
-
-/// Refuses files above [`SIZE_LIMIT`].
-pub fn check_size(bytes: usize, file_name: &str) -> Result<(), ReadError> {
-    if bytes <= SIZE_LIMIT {
-        return Ok(());
-    }
-    let message = format!("the file has {bytes} bytes, more than the {SIZE_LIMIT} that are read");
-    Err(ReadError::new(file_name, "file::too-large", message).with_help("is this the right file?"))
 }
 
 /// The known name that was probably meant.
@@ -240,8 +263,20 @@ mod tests {
     }
 
     #[test]
+    fn tables_may_be_larger_than_what_is_written_by_hand() {
+        let refused = |size: Size, bytes| size.check(bytes, "a.csv").err().map(|error| error.message);
+        assert_eq!(refused(Size::Text, 16 << 20), None);
+        assert_eq!(
+            refused(Size::Text, (16 << 20) + 1).as_deref(),
+            Some("the file has more than 16 MiB, the most that is read of a file that is no table")
+        );
+        assert_eq!(refused(Size::Table, 256 << 20), None);
+        assert!(refused(Size::Table, (256 << 20) + 1).is_some_and(|message| message.contains("256 MiB")));
+    }
+
+    #[test]
     fn bytes_that_are_no_text_are_placed() {
-        let error = text_from_bytes(b"ab\nc\xff", "a.toml").unwrap_err();
+        let error = text_from_bytes(b"ab\nc\xff", Size::Text, "a.toml").unwrap_err();
         assert_eq!((error.line(), error.column(), error.code), (Some(2), Some(2), "file::not-utf8"));
     }
 }

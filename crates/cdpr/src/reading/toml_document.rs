@@ -6,10 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{Place, ReadError, check_size, help_for_unknown};
-
-/// Numbers beyond this are refused: squares and cubes of what is accepted stay finite.
-const MAGNITUDE_LIMIT: f64 = 1e30;
+use super::{MAGNITUDE_LIMIT, Place, ReadError, Size, help_for_unknown};
 
 /// One step on the way to a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +28,7 @@ pub struct TomlDocument<'a> {
 impl<'a> TomlDocument<'a> {
     /// Parses a file that says something, with numbers that can be calculated with.
     pub fn parse(text: &'a str, file_name: &'a str) -> Result<Self, ReadError> {
-        check_size(text.len(), file_name)?;
+        Size::Text.check(text.len() as u64, file_name)?;
         let root = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(text.len()..text.len());
             ReadError::new(file_name, "toml::syntax", format!("this is not TOML: {}", error.message()))

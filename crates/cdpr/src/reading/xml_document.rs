@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::{Place, ReadError, text_from_bytes};
+use super::{MAGNITUDE_LIMIT, Place, ReadError, Size, text_from_bytes};
 
 /// The largest XML file that is read (bytes); those of robots have some ten thousand.
 const XML_SIZE_LIMIT: usize = 4 * 1024 * 1024;
@@ -20,9 +20,6 @@ const ATTRIBUTE_LIMIT: usize = 256;
 
 /// Most namespaces of a file: the parser hands them down to every element.
 const NAMESPACE_LIMIT: usize = 16;
-
-/// Numbers beyond this are refused, as in TOML files.
-const MAGNITUDE_LIMIT: f64 = 1e30;
 
 /// An XML file.
 #[derive(Debug)]
@@ -42,7 +39,7 @@ pub(crate) struct Element<'t, 'a> {
 impl<'a> XmlDocument<'a> {
     /// Parses bytes that may not even be text.
     pub(crate) fn parse(bytes: &'a [u8], file_name: &'a str) -> Result<Self, ReadError> {
-        let text = text_from_bytes(bytes, file_name)?;
+        let text = text_from_bytes(bytes, Size::Text, file_name)?;
         check_bounds(text, file_name)?;
         // a document type may stand there, but what it points to is not looked at
         let options = ParsingOptions { allow_dtd: true, nodes_limit: NODE_LIMIT, entity_resolver: None };
@@ -79,7 +76,7 @@ fn check_bounds(text: &str, file_name: &str) -> Result<(), ReadError> {
         return Err(error(0, "xml::empty", "the file says nothing".to_owned()));
     }
     if text.len() > XML_SIZE_LIMIT {
-        let message = format!("the file has {} bytes, more than the {XML_SIZE_LIMIT} that are read of XML", text.len());
+        let message = format!("the file has more than {} MiB, the most that is read of XML", XML_SIZE_LIMIT >> 20);
         return Err(ReadError::new(file_name, "file::too-large", message).with_help("is this the right file?"));
     }
     if let Some(at) = text.find("<!ENTITY") {

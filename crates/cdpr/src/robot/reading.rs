@@ -9,7 +9,7 @@ use super::home_reading::read_home;
 use super::surroundings::{read_hull, read_obstacles};
 use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
 use crate::geometry::{MotionPattern, Plane, Wrench};
-use crate::reading::{ReadError, Step, TomlDocument, text_from_bytes};
+use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
 
 /// The layout this version reads and writes.
 pub(super) const LAYOUT_VERSION: u32 = 1;
@@ -29,7 +29,7 @@ impl Robot {
 
     /// As [`Robot::from_toml`], from bytes that may not even be text.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
-        Self::from_toml(text_from_bytes(bytes, file_name)?, file_name)
+        Self::from_toml(text_from_bytes(bytes, Size::Text, file_name)?, file_name)
     }
 }
 

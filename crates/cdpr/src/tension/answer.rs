@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::quadratic::Certificate;
+use super::quadratic::{Certificate, UNDECIDED};
 use super::{Limits, Method};
 
 /// Whether tensions balance the load within the limits.
@@ -16,7 +16,7 @@ pub enum Status {
     Infeasible,
     /// Some tensions do, but the method did not find them: see [`Method::is_exact`].
     NotFound,
-    /// Rounding kept the search from a verdict. It has not been seen to happen.
+    /// Rounding or overflow kept the search from a verdict: matrices with entries at the ends of their range.
     Undecided,
 }
 
@@ -50,6 +50,8 @@ pub(super) enum Cause {
     Certificate,
     /// A cable (from 0) whose previous tension (N) is so far beyond its limits that one step does not reach them.
     OutOfReach { cable: usize, previous: f64, reach: f64, least: f64, largest: f64 },
+    /// Allowed tensions of so many dimensions that the faces of their set cannot be added up.
+    TooManyFaces { dimension: usize },
 }
 
 impl Answer {
@@ -83,14 +85,17 @@ impl Answer {
     pub fn reason(&self) -> Option<String> {
         match self.status {
             Status::Feasible => None,
-            Status::Undecided => Some("rounding errors are too large for a verdict".to_owned()),
+            Status::Undecided => Some(UNDECIDED.to_owned()),
             Status::Infeasible => Some(self.proof()),
             Status::NotFound => {
                 let method = self.method;
                 let missed = self.missed_limits();
-                let so_far = match (missed.is_empty(), method) {
-                    (false, _) => missed,
-                    (true, _) => format!("after {} steps the tensions still change", self.iterations),
+                let so_far = match self.cause {
+                    Cause::TooManyFaces { dimension } => format!(
+                        "the allowed tensions have {dimension} dimensions, and faces of faces of their set are too many to add up"
+                    ),
+                    _ if missed.is_empty() => format!("after {} steps the tensions still change", self.iterations),
+                    _ => missed,
                 };
                 Some(format!(
                     "{so_far}; tensions that keep the limits exist, the method {method} does not find them, qp does"

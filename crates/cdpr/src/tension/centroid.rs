@@ -7,13 +7,14 @@
 //! whose ends are the vertices of polygons. It is exact to rounding.
 //!
 //! **Cost:** m limits above and below give 2m facets, each with 2m − 2 of its own …: it grows by a factor of about 2m with every
-//! further degree of redundancy (see the table in the book). **Continuity:** continuous as long as the set keeps its
+//! further degree of redundancy (see the table in the book), so that it gives up after some seconds' work, and at once beyond 8 degrees.
+//! **Continuity:** continuous as long as the set keeps its
 //! dimension. Where it is thinner than rounding in some direction, the tensions of the quadratic programme are the answer.
 //! **Warm start:** none.
 
 use super::Limits;
 use super::affine::Affine;
-use super::polytope::Polytope;
+use super::polytope::{Centroid, Polytope};
 
 /// Memory for one polytope and the point it is seen from.
 #[derive(Clone, Debug)]
@@ -34,8 +35,8 @@ impl Search {
     }
 
     /// Moves allowed tensions to the centroid of all; they stay where they are if the set has no volume. `balanced` holds
-    /// the solutions and is used up.
-    pub(super) fn run(&mut self, balanced: &mut Affine, limits: &Limits, tensions: &mut [f64]) {
+    /// the solutions and is used up. The dimension of a set of too many faces is an error.
+    pub(super) fn run(&mut self, balanced: &mut Affine, limits: &Limits, tensions: &mut [f64]) -> Result<(), usize> {
         for (cable, (least, largest)) in limits.minimum().iter().zip(limits.maximum()).enumerate() {
             if largest - least <= limits.tolerance() {
                 balanced.fix(cable, *least, tensions);
@@ -44,7 +45,7 @@ impl Search {
         let dimension = balanced.dimension();
         let unit = limits.diameter();
         if dimension == 0 || !(unit > 0.0 && unit.is_finite()) {
-            return;
+            return Ok(());
         }
         // distances in units of the diameter: nothing of the set is further away than 1
         self.polytope.begin(dimension);
@@ -57,7 +58,11 @@ impl Search {
             row.iter_mut().for_each(|entry| *entry = -*entry);
             self.polytope.add(row, (tension - limits.minimum()[cable]) / unit);
         }
-        let Some(centre) = self.polytope.centroid() else { return };
+        let centre = match self.polytope.centroid() {
+            Centroid::Found(centre) => centre,
+            Centroid::NoVolume => return Ok(()),
+            Centroid::TooManyFaces => return Err(dimension),
+        };
         self.start.copy_from_slice(tensions);
         for (cable, tension) in tensions.iter_mut().enumerate() {
             let mut away = 0.0;
@@ -70,5 +75,6 @@ impl Search {
         if !limits.contain(tensions, 10.0 * limits.tolerance()) {
             tensions.copy_from_slice(&self.start);
         }
+        Ok(())
     }
 }

@@ -6,6 +6,7 @@ use super::Limits;
 use super::affine::{Affine, add_scaled};
 use super::answer::missed_limits;
 use super::error::{InputError, check_shape, check_sizes};
+use super::limits::can_be_calculated_with;
 use crate::scalar::decomposition::svd;
 
 /// Tensions in closed form, and what they are worth.
@@ -92,7 +93,7 @@ impl Solver {
         check_shape(structure_matrix, self.solution.wrench_residual.len(), self.solution.tensions.len())?;
         check_sizes(structure_matrix, wrench, limits, reference)?;
         match reference {
-            Some(reference) if !reference.iter().all(|tension| tension.is_finite()) => {
+            Some(reference) if !reference.iter().all(|&tension| can_be_calculated_with(tension)) => {
                 return Err(InputError::NotFinite { what: "reference" });
             }
             Some(reference) => self.reference.copy_from_slice(reference),

@@ -4,7 +4,10 @@ use thiserror::Error;
 
 use crate::robot::Robot;
 
-/// Tension limits, one pair per cable, finite and in order.
+/// Numbers above this by amount cannot be calculated with: squares of tensions over small pivots still have to be finite (N).
+pub(super) const LARGEST: f64 = 1e100;
+
+/// Tension limits, one pair per cable, at most 1e100 N by amount and in order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
     minimum: Vec<f64>,
@@ -27,8 +30,11 @@ pub enum LimitsError {
         /// Number of largest tensions.
         maximum: usize,
     },
-    /// A limit that is NaN or infinite.
-    #[error("cable {cable}: the tension limits {minimum} N to {maximum} N are not finite")]
+    /// A limit that is NaN, infinite, or so large that its square overflows in sums.
+    #[error(
+        "cable {cable}: the tension limits {minimum:?} N to {maximum:?} N are not finite, or too large to calculate with; tensions are \
+         at most 1e100 N"
+    )]
     NotFinite {
         /// Number of the cable, from 1.
         cable: usize,
@@ -65,6 +71,11 @@ pub enum LimitsError {
     },
 }
 
+/// False for NaN, infinities, and numbers whose squares overflow in sums.
+pub(super) fn can_be_calculated_with(number: f64) -> bool {
+    number.abs() <= LARGEST
+}
+
 impl Limits {
     /// Limits from two lists with one entry per cable (N).
     pub fn new(minimum: Vec<f64>, maximum: Vec<f64>) -> Result<Self, LimitsError> {
@@ -74,7 +85,7 @@ impl Limits {
         let (mut scale, mut diameter) = (0.0_f64, 0.0);
         for (index, (&minimum, &maximum)) in minimum.iter().zip(&maximum).enumerate() {
             let cable = index + 1;
-            if !(minimum.is_finite() && maximum.is_finite()) {
+            if !(can_be_calculated_with(minimum) && can_be_calculated_with(maximum)) {
                 return Err(LimitsError::NotFinite { cable, minimum, maximum });
             }
             if minimum > maximum {

@@ -1,7 +1,7 @@
 //! What each method remembers from one problem to the next, and when it has its turn.
 
 use super::affine::Affine;
-use super::answer::{Answer, Status};
+use super::answer::{Answer, Cause, Status};
 use super::solver::Problem;
 use super::{
     InputError, Limits, Method, Options, barrier, centroid, closed_form, dykstra, improved_closed_form, nearest_wrench,
@@ -122,7 +122,9 @@ impl Memory {
             }
             (Self::Centroid { balanced, search }, Status::Feasible) => {
                 balanced.load(structure_matrix, wrench)?;
-                search.run(balanced, limits, tensions);
+                if let Err(dimension) = search.run(balanced, limits, tensions) {
+                    (answer.status, answer.cause) = (Status::NotFound, Cause::TooManyFaces { dimension });
+                }
                 return Ok(());
             }
             (Self::NearestWrench { search, wrench: nearest }, Status::Infeasible) => {

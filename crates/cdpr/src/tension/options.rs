@@ -1,5 +1,6 @@
 //! What a distribution may be asked for beside balance and limits.
 
+use super::limits::can_be_calculated_with;
 use super::{InputError, Limits};
 
 /// Tensions that the chosen ones should be near to.
@@ -66,7 +67,7 @@ impl Options<'_> {
             }
         }
         for (what, list) in [("reference", given), ("previous tensions", self.previous)] {
-            if list.is_some_and(|list| !list.iter().all(|number| number.is_finite())) {
+            if list.is_some_and(|list| !list.iter().all(|&number| can_be_calculated_with(number))) {
                 return Err(InputError::NotFinite { what });
             }
         }

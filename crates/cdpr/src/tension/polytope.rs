@@ -9,7 +9,25 @@ pub(super) struct Polytope {
     levels: Vec<Level>,
     /// How many levels are in use.
     dimension: usize,
+    /// Half-spaces of faces that may still be looked at.
+    work: u64,
 }
+
+/// What came of the recursion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Centroid<'a> {
+    /// The centroid.
+    Found(&'a [f64]),
+    /// The set has no volume.
+    NoVolume,
+    /// More faces than can be added up in bounded time.
+    TooManyFaces,
+}
+
+/// Half-spaces of faces that are looked at before giving up: some seconds.
+const MOST_WORK: u64 = 400_000_000;
+/// Dimensions beyond which no set is worth a beginning: each takes about twenty times as long as the one before.
+const MOST_DIMENSIONS: usize = 8;
 
 /// The half-spaces of one face, in coordinates of its own.
 #[derive(Clone, Debug, Default)]
@@ -36,7 +54,7 @@ const PARALLEL: f64 = 1e-9;
 impl Polytope {
     /// Memory for this many half-spaces.
     pub(super) fn new(dimension: usize, half_spaces: usize) -> Self {
-        let mut polytope = Self { levels: Vec::new(), dimension };
+        let mut polytope = Self { levels: Vec::new(), dimension, work: 0 };
         polytope.claim(dimension);
         for (level, memory) in polytope.levels.iter_mut().enumerate() {
             memory.normals.reserve(half_spaces * (level + 1));
@@ -57,6 +75,7 @@ impl Polytope {
     pub(super) fn begin(&mut self, dimension: usize) {
         self.claim(dimension);
         self.dimension = dimension;
+        self.work = MOST_WORK;
         self.levels[dimension - 1].clear(1.0);
     }
 
@@ -68,11 +87,17 @@ impl Polytope {
         }
     }
 
-    /// The centroid; none where there is no volume.
-    pub(super) fn centroid(&mut self) -> Option<&[f64]> {
+    /// The centroid, where there is a volume and its faces can be counted.
+    pub(super) fn centroid(&mut self) -> Centroid<'_> {
         let dimension = self.dimension;
-        let volume = measure(&mut self.levels[..dimension]);
-        (volume > 0.0).then_some(self.levels[dimension - 1].centre.as_slice())
+        if dimension > MOST_DIMENSIONS {
+            return Centroid::TooManyFaces;
+        }
+        match measure(&mut self.levels[..dimension], &mut self.work) {
+            None => Centroid::TooManyFaces,
+            Some(volume) if volume > 0.0 => Centroid::Found(&self.levels[dimension - 1].centre),
+            Some(_) => Centroid::NoVolume,
+        }
     }
 }
 
@@ -98,18 +123,19 @@ impl Level {
     }
 }
 
-/// Volume of the last level's face; its centroid is left in `centre`.
-fn measure(levels: &mut [Level]) -> f64 {
-    let Some((face, below)) = levels.split_last_mut() else { return 0.0 };
-    let Some(next) = below.len().checked_sub(1) else { return face.measure_segment() };
+/// Volume of the last level's face, none where the work is used up; its centroid is left in `centre`.
+fn measure(levels: &mut [Level], work: &mut u64) -> Option<f64> {
+    let Some((face, below)) = levels.split_last_mut() else { return Some(0.0) };
+    let Some(next) = below.len().checked_sub(1) else { return Some(face.measure_segment()) };
     let dimension = face.centre.len() as f64;
     let mut volume = 0.0;
     face.sum.fill(0.0);
     for facet in 0..face.offsets.len() {
+        *work = work.checked_sub(face.offsets.len() as u64)?;
         if !face.write_facet(facet, &mut below[next]) {
             continue;
         }
-        let part = face.offsets[facet] * measure(below) / dimension;
+        let part = face.offsets[facet] * measure(below, work)? / dimension;
         volume += part;
         // the centroid of a cone from the origin lies at d/(d + 1) of the way to that of its base
         face.add_place(facet, &below[next].centre, part * dimension / (dimension + 1.0));
@@ -117,7 +143,7 @@ fn measure(levels: &mut [Level]) -> f64 {
     if volume > 0.0 {
         face.centre.iter_mut().zip(&face.sum).for_each(|(centre, sum)| *centre = sum / volume);
     }
-    volume.max(0.0)
+    Some(volume.max(0.0))
 }
 
 impl Level {
@@ -175,5 +201,30 @@ impl Level {
         add_scaled(&mut self.sum, weight, coordinates);
         let along = dot(coordinates, &self.reflector);
         add_scaled(&mut self.sum, -weight * self.factor * along, &self.reflector);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cube of three dimensions has 6 facets with 4 edges each.
+    #[test]
+    fn a_set_whose_work_is_used_up_has_no_centroid() {
+        let cube = |work: Option<u64>| {
+            let mut polytope = Polytope::new(3, 6);
+            polytope.begin(3);
+            for axis in 0..3 {
+                let unit = |sign: f64| [0, 1, 2].map(|k| if k == axis { sign } else { 0.0 });
+                polytope.add(&unit(1.0), 0.5);
+                polytope.add(&unit(-1.0), 0.25);
+            }
+            polytope.work = work.unwrap_or(polytope.work);
+            match polytope.centroid() {
+                Centroid::Found(centre) => centre.iter().all(|entry| (entry - 0.125).abs() < 1e-15),
+                _ => false,
+            }
+        };
+        assert!(cube(None) && !cube(Some(100)));
     }
 }

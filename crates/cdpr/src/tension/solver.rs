@@ -89,8 +89,12 @@ impl Solver {
         if self.answer.status == Status::Feasible {
             self.answer.limits.clamp(&mut self.answer.tensions);
         }
-        write_residual(structure_matrix, wrench, &self.answer.tensions, &mut self.answer.wrench_residual);
-        Ok(&self.answer)
+        let answer = &mut self.answer;
+        write_residual(structure_matrix, wrench, &answer.tensions, &mut answer.wrench_residual);
+        if !answer.tensions.iter().chain(&answer.wrench_residual).all(|number| number.is_finite()) {
+            answer.status = Status::Undecided;
+        }
+        Ok(answer)
     }
 
     /// The limits in force; false where a rate keeps a cable beyond its limits.

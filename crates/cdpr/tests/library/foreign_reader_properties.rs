@@ -1,6 +1,7 @@
 //! The reader of CASPR's models meets damage made for XML: values between marks replaced, elements repeated, files cut.
 
 use crate::readers::caspr::{BODIES, CABLES, check};
+use crate::support::property;
 use cdpr::robot::caspr::{self, Files, Options};
 use proptest::prelude::*;
 
@@ -91,13 +92,7 @@ fn a_cut_model_is_refused() {
 }
 
 proptest! {
-    // fixed seeds: the same inputs in every run
-    #![proptest_config(ProptestConfig {
-        cases: 4096,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(11),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(property::cases(4096))]
 
     #[test]
     fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {

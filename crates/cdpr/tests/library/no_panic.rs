@@ -3,7 +3,7 @@
 //!
 //! Readers refuse most of these; programs that build a robot in memory do not pass through a reader.
 
-use crate::support::{builtin, simulator, with_pulleys};
+use crate::support::{builtin, property, simulator, with_pulleys};
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::identification::candidate::{Ladder, defaults};
@@ -261,7 +261,7 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(property::cases(256))]
 
     #[test]
     fn no_robot_and_no_numbers_make_the_library_panic(

@@ -1,6 +1,7 @@
 //! Readers meet arbitrary bytes: they never panic, and what they accept is finite and comes back unchanged.
 
 use crate::readers::{READERS, check_robot, mutated};
+use crate::support::property;
 use cdpr::robot::{Robot, builtin};
 use proptest::prelude::*;
 
@@ -10,14 +11,14 @@ fn damaged_files_are_refused_or_make_sense() {
     for reader in READERS {
         let corpus = (reader.corpus)();
         corpus.iter().for_each(|file| (reader.check)(file));
-        for seed in 0..10_000 {
+        for seed in property::seeds(10_000) {
             (reader.check)(&mutated(&corpus, seed));
         }
     }
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(property::cases(2000))]
 
     /// Printed orientations have rounding errors of every size up to the accepted one.
     #[test]

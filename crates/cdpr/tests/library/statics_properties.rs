@@ -1,6 +1,6 @@
 //! Stiffness is that of the forward problem, and no numbers make the statics panic.
 
-use crate::support::{random_pose, simulator, with_pulleys};
+use crate::support::{property, random_pose, simulator, with_pulleys};
 use cdpr::equilibrium::elastostatics::{self, Settings, Status};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};
@@ -71,7 +71,7 @@ fn robots() -> [Robot; 3] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(property::cases(300))]
 
     #[test]
     fn no_numbers_make_the_statics_panic(

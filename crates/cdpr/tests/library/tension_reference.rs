@@ -1,6 +1,6 @@
 //! Tension distributions printed by Miermeister 2021, that its misprints do not give them, and laws for any problem.
 
-use crate::support::builtin;
+use crate::support::{builtin, property};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector, Vector3};
@@ -63,7 +63,7 @@ fn the_misprints_do_not_give_the_printed_tensions() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
+    #![proptest_config(property::cases(500))]
 
     /// Limits, balance, and optimality: no step along the null space that the limits allow leads nearer to the middle
     /// (Karush, Kuhn and Tucker in the form of a variational inequality, against other allowed tensions).

@@ -1,6 +1,8 @@
 //! Robots, poses and virtual measurements for the tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod property;
+
 use cdpr::geometry::{Pose, Twist};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cdpr::reading::{Place, ReadError, text_from_bytes};
+use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
 
 use crate::failure::Failure;
 use crate::files;
@@ -17,9 +17,9 @@ pub(super) struct CsvTable {
 impl CsvTable {
     /// The table of a file; `None` where there is no such file.
     pub(super) fn read(path: &Path) -> Result<Option<Self>, Failure> {
-        let Some(bytes) = files::read_if_there(path)? else { return Ok(None) };
+        let Some(bytes) = files::read_if_there(path, Size::Table)? else { return Ok(None) };
         let file_name = path.display().to_string();
-        let text = text_from_bytes(&bytes, &file_name)?;
+        let text = text_from_bytes(&bytes, Size::Table, &file_name)?;
         let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
         let mut rows = Vec::new();
         for record in reader.records() {

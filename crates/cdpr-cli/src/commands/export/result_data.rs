@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cdpr::identification::selection::Criterion;
-use cdpr::reading::{Place, ReadError, text_from_bytes};
+use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
 use cdpr::robot::Robot;
 use serde::Deserialize;
 use serde_json::Value;
@@ -99,7 +99,7 @@ impl ResultData {
         let is_folder = path.is_dir();
         let file = if is_folder { path.join("result.json") } else { path.to_owned() };
         let help = "RESULT is a folder that `cdpr select --out` or `cdpr demo` wrote, or a file with a JSON answer";
-        let bytes = files::read(&file).map_err(|failure| failure.with_help(help))?;
+        let bytes = files::read(&file, Size::Table).map_err(|failure| failure.with_help(help))?;
         let answer = parsed(&bytes, &file.display().to_string())?;
         let mut data = Self::of_answer(answer, file.parent().unwrap_or(Path::new("")).to_owned());
         if is_folder {
@@ -188,7 +188,7 @@ impl ResultData {
 }
 
 fn parsed(bytes: &[u8], file_name: &str) -> Result<ResultFile, Failure> {
-    let text = text_from_bytes(bytes, file_name)?;
+    let text = text_from_bytes(bytes, Size::Table, file_name)?;
     serde_json::from_str(text).map_err(|error| {
         let line = text.lines().nth(error.line().saturating_sub(1)).unwrap_or_default();
         ReadError::new(file_name, "result::json", format!("this is no result: {error}"))
@@ -239,7 +239,7 @@ fn samples(table: &CsvTable) -> Result<Vec<SampleData>, Failure> {
 /// Names of the calibrated robot's cables with their numbers; numbers alone where there is none.
 fn cable_names(folder: &Path, count: usize) -> Result<Vec<String>, Failure> {
     let path = folder.join("calibrated.toml");
-    let robot = match files::read_if_there(&path)? {
+    let robot = match files::read_if_there(&path, Size::Text)? {
         Some(bytes) => Some(Robot::from_toml_bytes(&bytes, &path.display().to_string())?),
         None => None,
     };

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::reading::Size;
 use cdpr::robot::caspr::{Files, Finding, Import, Loss, Options, import};
 use clap::Args;
 use serde::Serialize;
@@ -82,7 +83,7 @@ struct Taken {
 
 pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let (bodies_name, cables_name) = (arguments.bodies.display().to_string(), arguments.cables.display().to_string());
-    let (bodies, cables) = (files::read(&arguments.bodies)?, files::read(&arguments.cables)?);
+    let (bodies, cables) = (files::read(&arguments.bodies, Size::Text)?, files::read(&arguments.cables, Size::Text)?);
     let model = Files { bodies: &bodies, bodies_name: &bodies_name, cables: &cables, cables_name: &cables_name };
     let options = Options { cable_set: arguments.cable_set.as_deref(), name: arguments.name.as_deref() };
     let import = import(&model, &options)?;

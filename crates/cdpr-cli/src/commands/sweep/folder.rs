@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cdpr::metamodel::sweep::{Row, Subjects, Sweep};
+use cdpr::reading::Size;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -40,7 +41,10 @@ impl Plan {
     pub(super) fn write(&self, folder: &Path) -> Result<(), Failure> {
         let path = folder.join("plan.json");
         let has_rows = folder.join("rows").exists();
-        if has_rows && files::read_if_there(&path)?.is_some() && Self::read(folder)?.fingerprint != self.fingerprint {
+        if has_rows
+            && files::read_if_there(&path, Size::Table)?.is_some()
+            && Self::read(folder)?.fingerprint != self.fingerprint
+        {
             let message = format!("{} holds rows of another plan", folder.display());
             return Err(Failure::input("sweep::plan-changed", message, "give another folder, or remove this one"));
         }
@@ -54,7 +58,7 @@ impl Plan {
         let refused = |what: String, help: &str| {
             Failure::input("sweep::plan", format!("{}: {what}", path.display()), help.to_owned())
         };
-        let bytes = files::read_if_there(&path)?;
+        let bytes = files::read_if_there(&path, Size::Table)?;
         let bytes = bytes
             .ok_or_else(|| refused("there is no plan".to_owned(), "write one: cdpr sweep plan SWEEP.toml --out DIR"))?;
         let plan: Self = serde_json::from_slice(&bytes).map_err(|error| {
@@ -87,7 +91,7 @@ impl RowFile {
     /// The row of a point; nothing where it was not computed.
     pub(super) fn read(folder: &Path, plan: &Plan, point: usize) -> Result<Option<Row>, Failure> {
         let path = Self::path(folder, plan, point);
-        let Some(bytes) = files::read_if_there(&path)? else { return Ok(None) };
+        let Some(bytes) = files::read_if_there(&path, Size::Table)? else { return Ok(None) };
         let stored: Option<Self> = serde_json::from_slice(&bytes).ok();
         let is_right = |stored: &Self| stored.plan == plan.fingerprint && stored.row.point == point;
         match stored.filter(is_right) {

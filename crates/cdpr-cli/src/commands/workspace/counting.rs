@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use cdpr::reading::Size;
 use cdpr::workspace::grid::{Count, Grid};
 use cdpr::workspace::{Cells, Region};
 use serde::{Deserialize, Serialize};
@@ -63,7 +64,7 @@ fn fingerprint(words: &str) -> String {
 }
 
 fn read(path: &Path, asked: &str, grid: &Grid) -> Result<Count, Failure> {
-    let Some(bytes) = files::read_if_there(path)? else { return Ok(Count::new()) };
+    let Some(bytes) = files::read_if_there(path, Size::Table)? else { return Ok(Count::new()) };
     let refused = |what: &str| {
         let message = format!("--resume {}: {what}", path.display());
         Failure::input("workspace::resume", message, "give the command that began it, or the name of a new file")

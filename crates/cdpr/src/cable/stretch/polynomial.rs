@@ -71,6 +71,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::property;
     use crate::scalar::{Lanes, Portable};
 
     type Dual = DualVec<f64, Const<1>>;
@@ -164,6 +165,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(property::cases(256))]
+
         #[test]
         fn more_strain_is_more_tension(c2 in 0.0..1e7_f64, c3 in 0.0..1e9_f64, a in -0.1..0.3_f64, step in 1e-6..0.1_f64) {
             let law = Polynomial::new(&[1e5, c2, c3], None).unwrap();

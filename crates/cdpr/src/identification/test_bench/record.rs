@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use csv::{ByteRecord, ReaderBuilder};
 
-use crate::reading::{Place, ReadError, help_for_unknown, text_from_bytes};
+use crate::reading::{Place, ReadError, Size, help_for_unknown, text_from_bytes};
 
 /// Elongation against tension of one cable, in the order of time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Record {
     /// Reads a CSV with the columns `elongation_m` or `elongation_mm`, `tension_N` or `tension_kN`, and perhaps
     /// `direction` (1 loading, −1 unloading, 0 at rest).
     pub fn from_csv(bytes: &[u8], file_name: &str) -> Result<RecordReading, ReadError> {
-        let text = text_from_bytes(bytes, file_name)?.trim_start_matches('\u{feff}');
+        let text = text_from_bytes(bytes, Size::Table, file_name)?.trim_start_matches('\u{feff}');
         RecordFile { text, file_name }.read()
     }
 }

@@ -37,7 +37,7 @@ pub(super) enum End {
     Optimum,
     /// This limit contradicts active ones; the weights of the latter are in `weights`.
     Contradiction(Bound),
-    /// So many steps that rounding must be at work.
+    /// So many steps, or so large ones, that rounding or overflow must be at work.
     TooLong,
 }
 
@@ -274,10 +274,11 @@ impl ActiveSet {
             let is_open = free > SMALL || (free > ZERO && missed < 4.0 * free.sqrt() * limits.diameter());
             let whole = if is_open { missed / free } else { f64::INFINITY };
             let (part, blocking) = self.first_to_vanish();
-            if whole.is_infinite() && blocking.is_none() {
-                return Some(End::Contradiction(bound));
-            }
             let length = whole.min(part);
+            if length.is_infinite() {
+                // nothing makes room, or what would has overflowed
+                return Some(if blocking.is_none() { End::Contradiction(bound) } else { End::TooLong });
+            }
             add_scaled(&mut self.point, length, &self.step);
             multiplier += length;
             for (u, weight) in self.multipliers.iter_mut().zip(&self.weights) {

@@ -91,6 +91,11 @@ impl Certificate {
         rows.map(|(row, y)| row.amax() * y.abs()).fold(0.0, f64::max)
     }
 
+    /// True when its own numbers show it: false where they have overflowed, or rounding is all that tells them apart.
+    pub(super) fn holds(&self) -> bool {
+        self.reachable < self.required && self.required.is_finite() && self.reachable.is_finite()
+    }
+
     /// Checks the proof from scratch: true when it shows that the load cannot be balanced within the limits.
     pub fn proves(&self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> bool {
         let (dof, cables) = structure_matrix.shape();

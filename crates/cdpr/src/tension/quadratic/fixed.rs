@@ -2,9 +2,10 @@
 //!
 //! The same Householder factors as in [`super::balance`], for a number of rows that the compiler knows.
 
-use super::balance::{CERTAIN, LARGEST, LOST};
+use super::balance::{CERTAIN, LOST};
 use super::block::{Block, KEEP, UNIT};
 use crate::scalar::{Kernel, LANES, Lanes};
+use crate::tension::limits::LARGEST;
 
 /// The factors and solutions of one problem with N rows, written where the general way would write them.
 pub(super) struct Solutions<'a, const N: usize> {

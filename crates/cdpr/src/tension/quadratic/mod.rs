@@ -25,6 +25,10 @@ use serde::Serialize;
 use super::Limits;
 use super::error::{InputError, check_sizes};
 
+/// Why there is no verdict.
+pub(super) const UNDECIDED: &str =
+    "rounding errors are too large for a verdict: anchors, load or limits differ by too many orders of magnitude";
+
 /// Whether the limits can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -34,7 +38,7 @@ pub enum Status {
     Feasible,
     /// No tensions balance the load and keep the limits: see [`Distribution::certificate`] and [`Distribution::reason`].
     Infeasible,
-    /// Rounding kept the search from a verdict. It has not been seen to happen.
+    /// Rounding or overflow kept the search from a verdict: matrices with entries at the ends of their range.
     Undecided,
 }
 
@@ -65,7 +69,7 @@ impl Distribution {
         match self.status {
             Status::Feasible => None,
             Status::Infeasible => Some(self.certificate.words()),
-            Status::Undecided => Some("rounding errors are too large for a verdict".to_owned()),
+            Status::Undecided => Some(UNDECIDED.to_owned()),
         }
     }
 }
@@ -169,7 +173,7 @@ impl Solver {
         check_sizes(structure_matrix, wrench, limits, reference)
     }
 
-    /// Tensions, residual and certificate of the end of the search.
+    /// Tensions, residual and certificate of the end of the search; no verdict where one of them has overflowed.
     fn conclude(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) {
         let Distribution { status, tensions, wrench_residual, iterations, certificate } = &mut self.distribution;
         *iterations = self.search.iterations;
@@ -194,6 +198,14 @@ impl Solver {
         if *status == Status::Infeasible {
             let has_full_rank = self.balance.rank() == self.dof;
             certificate.complete(structure_matrix, wrench, limits, has_full_rank);
+        }
+        let is_sound = match status {
+            Status::Feasible => tensions.iter().chain(wrench_residual.iter()).all(|number| number.is_finite()),
+            Status::Infeasible => certificate.holds(),
+            Status::Undecided => true,
+        };
+        if !is_sound {
+            *status = Status::Undecided;
         }
     }
 }

@@ -204,10 +204,11 @@ impl<'a> State<'a> {
                     (part, blocking) = (multiplier / weight, Some(index));
                 }
             }
-            if whole.is_infinite() && blocking.is_none() {
-                return Some(End::Contradiction(bound));
-            }
             let length = whole.min(part);
+            if length.is_infinite() {
+                // nothing makes room, or what would has overflowed
+                return Some(if blocking.is_none() { End::Contradiction(bound) } else { End::TooLong });
+            }
             self.lambda = [self.lambda[0] + length * step[0], self.lambda[1] + length * step[1]];
             missed = (missed - length * free).max(0.0);
             multiplier += length;

@@ -5,8 +5,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::property;
 use crate::scalar::{LANES, Unit, dispatch_on};
-use crate::tension::LimitsError;
+use crate::tension::{self, LimitsError, Method, Options, Reference};
 
 /// A point on a vertical line between two cables: f₁ − f₂ = w.
 fn tug_of_war() -> DMatrix<f64> {
@@ -224,5 +225,74 @@ fn the_fixed_size_balance_gives_the_same_bits_on_every_unit() {
         for unit in Unit::available() {
             assert_eq!(on(unit), on(Unit::Portable), "{unit:?}, {cables} cables");
         }
+    }
+}
+
+/// Numbers as usual, of any size that a double has, or none at all.
+fn extreme(rng: &mut ChaCha8Rng) -> f64 {
+    match rng.random_range(0..10) {
+        0..=5 => rng.random_range(-10.0..10.0),
+        6 | 7 => rng.random_range(-1.0..1.0_f64).signum() * 10f64.powf(rng.random_range(-320.0..308.0)),
+        8 => [0.0, -0.0, 1.0, 5e-324, f64::MIN_POSITIVE, 1e154, -1e154][rng.random_range(0..7)],
+        _ => [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e308, -1e308, 1e100][rng.random_range(0..6)],
+    }
+}
+
+/// Inner overflow ends in "undecided" with words, not in a panic or in tensions that nobody can use.
+#[test]
+fn extreme_numbers_are_refused_or_end_in_a_status_that_is_true() {
+    let mut counts = [0; 4];
+    for case in property::seeds(10_000) {
+        let mut rng = ChaCha8Rng::seed_from_u64(case);
+        let n = rng.random_range(1..=6);
+        let m = rng.random_range(1..=n + 3);
+        let is_plain = rng.random_bool(0.5);
+        let number = |rng: &mut ChaCha8Rng| if is_plain { rng.random_range(-1.0..1.0) } else { extreme(rng) };
+        let matrix = DMatrix::from_fn(n, m, |_, _| number(&mut rng));
+        let wrench: Vec<f64> = (0..n).map(|_| 100.0 * extreme(&mut rng)).collect();
+        let ends: Vec<[f64; 2]> = (0..m)
+            .map(|_| [extreme(&mut rng), extreme(&mut rng)])
+            .map(|[a, b]| if a <= b { [a, b] } else { [b, a] })
+            .collect();
+        let limits = Limits::new(ends.iter().map(|end| end[0]).collect(), ends.iter().map(|end| end[1]).collect());
+        let Ok(limits) = limits else { continue };
+        let reference: Vec<f64> = (0..m).map(|_| extreme(&mut rng)).collect();
+        let options = Options { reference: Reference::Given(&reference), ..Options::default() };
+        for method in Method::ALL {
+            for options in [&options, &Options::default()] {
+                let Ok(found) = tension::solve(method, &matrix, &wrench, &limits, options) else { continue };
+                let words = found.reason();
+                assert_eq!(words.is_none(), found.status == tension::Status::Feasible, "case {case}, {method}");
+                counts[found.status as usize] += 1;
+                let is_finite = found.tensions.iter().chain(&found.wrench_residual).all(|number| number.is_finite());
+                match found.status {
+                    tension::Status::Feasible => {
+                        assert!(is_finite && limits.contain(&found.tensions, 0.0), "case {case}, {method}: {found:?}");
+                    }
+                    tension::Status::Infeasible => {
+                        let proof = found.certificate().unwrap();
+                        assert!(proof.reachable < proof.required, "case {case}, {method}: {found:?}");
+                        assert!(proof.required.is_finite() && proof.reachable.is_finite(), "case {case}: {found:?}");
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    assert!(counts[0] > 1000 && counts[1] > 1000, "{counts:?}");
+}
+
+/// The work of the centroid grows by a factor of about twenty per degree of redundancy: it ends with words, not after minutes.
+#[test]
+fn a_set_of_too_many_dimensions_has_no_centroid_in_words() {
+    let mut rng = ChaCha8Rng::seed_from_u64(36);
+    for (redundancy, is_found) in [(3, true), (4, true), (9, false), (14, false)] {
+        let matrix = DMatrix::from_fn(2, 2 + redundancy, |_, _| rng.random_range(-1.0..1.0));
+        let limits = limits(2 + redundancy);
+        let wrench: Vec<f64> = (matrix.column_sum() * -2500.0).as_slice().to_vec();
+        let found = tension::solve(Method::Centroid, &matrix, &wrench, &limits, &Options::default()).unwrap();
+        let reason = found.reason().unwrap_or_default();
+        assert_eq!(found.status == tension::Status::Feasible, is_found, "{redundancy}: {reason}");
+        assert!(is_found || reason.contains(&format!("{redundancy} dimensions")), "{reason}");
     }
 }

@@ -92,9 +92,12 @@ fn told_apart(a: f64, b: f64) -> [String; 2] {
     [newtons(a, digits), newtons(b, digits)]
 }
 
-/// A force with this many significant digits, from 1000 N in kilonewtons.
+/// A force with this many significant digits, from 1000 N in kilonewtons, as a power of ten from 10¹⁵ N.
 fn newtons(force: f64, digits: usize) -> String {
     let (value, unit) = if force.abs() >= 999.5 { (force / 1e3, "kN") } else { (force, "N") };
+    if !(value.abs() < 1e12) {
+        return format!("{value:.*e} {unit}", digits.saturating_sub(1));
+    }
     let before_point = if value.abs() >= 1.0 { value.abs().log10().floor() as usize + 1 } else { 1 };
     format!("{value:.*} {unit}", digits.saturating_sub(before_point))
 }

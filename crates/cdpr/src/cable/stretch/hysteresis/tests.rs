@@ -5,6 +5,7 @@ use num_dual::{Derivative, DualVec};
 use proptest::prelude::*;
 
 use super::*;
+use crate::property;
 
 type Dual = DualVec<f64, Const<1>>;
 
@@ -174,6 +175,8 @@ fn the_loss_of_a_cycle_is_the_area_of_its_loop() {
 }
 
 proptest! {
+    #![proptest_config(property::cases(256))]
+
     #[test]
     fn the_strain_is_the_inverse_of_the_tension(turns in prop::collection::vec(0.0..0.016_f64, 1..6), tension in -200.0..20_000.0_f64) {
         let law = law();
