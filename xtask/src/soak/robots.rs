@@ -16,15 +16,49 @@ pub(super) struct Size {
     pub(super) dof: usize,
     pub(super) translations: usize,
     pub(super) cables: usize,
+    /// Groups of keys that the cables have.
+    pub(super) effects: Effects,
+}
+
+/// Groups of keys of a cable.
+#[derive(Clone, Copy)]
+pub(super) struct Effects {
+    limits: bool,
+    stretch: bool,
+    pulley: bool,
+    drum: bool,
+    sag: bool,
+    recorded: bool,
+    hidden: bool,
+}
+
+impl Effects {
+    fn random(random: &mut Random) -> Self {
+        let [limits, stretch, pulley, drum] = [0.8, 0.6, 0.4, 0.2].map(|part| random.chance(part));
+        let [sag, recorded, hidden] = [0.3, 0.3, 0.3].map(|part| random.chance(part));
+        Self { limits, stretch, pulley, drum, sag, recorded, hidden }
+    }
+
+    /// A model that the file supports, mostly.
+    pub(super) fn model(self, random: &mut Random) -> String {
+        let known = [(self.pulley, "pulley"), (self.drum, "drum"), (self.stretch, "elastic"), (self.sag, "catenary")];
+        let words: Vec<&str> = known
+            .into_iter()
+            .filter(|&(has, _)| random.chance(if has { 0.7 } else { 0.02 }))
+            .map(|(_, word)| word)
+            .collect();
+        if words.is_empty() { "standard".to_owned() } else { words.join("+") }
+    }
 }
 
 /// Numbers at the ends of what readers accept, and those that make quotients and roots degenerate.
-const EXTREMES: [&str; 14] =
-    ["0", "-0.0", "1e-300", "5e-324", "1e-30", "1e-9", "-1e-9", "1e9", "-1e9", "1e15", "1e30", "-1e30", "1e20", "1"];
+const EXTREMES: [&str; 10] = ["0", "1e-300", "5e-324", "1e-30", "1e-9", "1e9", "1e15", "1e20", "1e30", "1"];
 
 /// A number as text: mostly usual, now and then extreme.
 pub(super) fn number(random: &mut Random, least: f64, most: f64, wild: f64) -> String {
     match random.chance(wild) {
+        // a sign only where both signs make sense
+        true if least < 0.0 && random.chance(0.5) => format!("-{}", random.pick(&EXTREMES)),
         true => random.pick(&EXTREMES).to_owned(),
         false => format!("{:.3}", random.between(least, most)),
     }
@@ -47,17 +81,12 @@ impl RobotFile {
             1 => dof + 4 + random.below(12),
             _ => dof + random.below(4),
         };
-        let size = Size { dof, translations, cables };
+        let size = Size { dof, translations, cables, effects: Effects::random(random) };
         // half of the robots are plain but for their geometry
-        let wild = random.pick(&[0.0, 0.0, 0.02, 0.1]);
+        let wild = random.pick(&[0.0, 0.0, 0.01, 0.04]);
         let mut tables = vec![head(random, pattern, size, wild)];
         tables.extend(sections(random, size, wild));
-        let style = Style {
-            geometry: random.below(6),
-            centre: random.between(-2.0, 2.0),
-            effects: [(); 7].map(|()| random.chance(0.4)),
-            wild,
-        };
+        let style = Style { geometry: random.below(6), centre: random.between(-2.0, 2.0), wild };
         tables.extend((0..cables).map(|index| cable(random, index, size, &style)));
         (Self { tables }, size)
     }
@@ -97,6 +126,9 @@ fn sections(random: &mut Random, size: Size, wild: f64) -> Vec<Vec<String>> {
         if size.dof == 3 && size.translations == 2 {
             home.push(format!("angle_rad = {}", number(random, -1.0, 1.0, wild)));
         }
+        if size.dof == 6 {
+            home.push("rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]".to_owned());
+        }
         tables.push(home);
     }
     if random.chance(0.3) {
@@ -116,11 +148,9 @@ fn sections(random: &mut Random, size: Size, wild: f64) -> Vec<Vec<String>> {
 
 /// What the cables of one robot have in common.
 struct Style {
-    /// Where anchors stand: around, in one plane, on a line, in one point, symmetric, or anywhere.
+    /// Where anchors stand: around, in one plane, on a line, in one of two points, symmetric, or anywhere.
     geometry: usize,
     centre: f64,
-    /// Which groups of keys there are.
-    effects: [bool; 7],
     /// Part of the numbers that are extreme.
     wild: f64,
 }
@@ -133,6 +163,7 @@ impl Style {
                 0 => format!("{:.3}", corner(axis) + random.between(-0.5, 0.5)),
                 1 if axis + 1 == size.translations => format!("{:.3}", 3.0 + self.centre),
                 2 if axis > 0 => "2.5".to_owned(),
+                3 if axis == 0 => format!("{:.3}", self.centre + (index % 2) as f64),
                 3 => format!("{:.3}", self.centre),
                 4 => format!("{:.1}", corner(axis)),
                 _ => number(random, -6.0, 6.0, self.wild),
@@ -153,18 +184,18 @@ fn cable(random: &mut Random, index: usize, size: Size, style: &Style) -> Vec<St
     let mut add = |key: &str, least: f64, most: f64, random: &mut Random| {
         lines.push(format!("{key} = {}", number(random, least, most, wild)));
     };
-    let [limits, stretches, pulley, winch, sags, recorded, hidden] = style.effects;
-    if limits || random.chance(0.5) {
+    let Effects { limits, stretch, pulley, drum, sag, recorded, hidden } = size.effects;
+    if limits {
         add("tension_min_N", 0.0, 200.0, random);
         add("tension_max_N", 300.0, 9000.0, random);
     }
-    if stretches {
+    if stretch {
         add("axial_stiffness_EA_N", 1e4, 1e6, random);
     }
     if hidden {
         add("hidden_length_m", 0.0, 5.0, random);
     }
-    if sags {
+    if sag {
         add("linear_density_kg_per_m", 0.01, 0.5, random);
     }
     if recorded {
@@ -174,7 +205,7 @@ fn cable(random: &mut Random, index: usize, size: Size, style: &Style) -> Vec<St
     if pulley {
         add("pulley_radius_m", 0.01, 0.2, random);
     }
-    if winch {
+    if drum {
         add("drum_radius_m", 0.05, 0.2, random);
         add("drum_pitch_m", 0.001, 0.02, random);
         add("drum_start_length_m", 1.0, 9.0, random);

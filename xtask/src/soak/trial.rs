@@ -81,9 +81,7 @@ pub(super) fn run(trial: &Trial<'_>) -> Result<Tried, String> {
 impl Case {
     fn random(random: &mut Random) -> Self {
         let (robot, size) = RobotFile::random(random);
-        let models =
-            ["standard", "standard", "elastic", "pulley", "pulley+elastic", "drum", "catenary", "catenary+elastic"];
-        let model = random.pick(&models);
+        let [model, control] = [(); 2].map(|()| size.effects.model(random));
         let wild = random.pick(&[0.0, 0.0, 0.05]);
         let mut numbers = |count: usize, least: f64, most: f64| {
             (0..count).map(|_| number(random, least, most, wild)).collect::<Vec<_>>().join(",")
@@ -92,9 +90,9 @@ impl Case {
         let corners = [numbers(size.dof, -1.0, 0.0), numbers(size.dof, 0.0, 1.0)];
         let lists =
             [numbers(size.cables, 1.0, 9.0), numbers(size.cables, 0.0, 2000.0), numbers(size.dof, -500.0, 500.0)];
-        let study = study(&pose, &corners, size, random.pick(&models), model);
-        let mut commands = of_robot(&pose, model, &lists, size);
-        commands.extend(of_study(model));
+        let study = study(&pose, &corners, size, [&control, &model]);
+        let mut commands = of_robot(&pose, &model, &lists, size);
+        commands.extend(of_study(&model));
         // some of them: many robots find more than many commands
         let kept: Vec<String> = (0..6).map(|_| commands[random.below(commands.len())].clone()).collect();
         let simulate = kept.iter().any(|command| command.contains("data.csv"));
@@ -107,6 +105,8 @@ impl Case {
         for (name, text) in [("robot.toml", self.robot.text()), ("study.toml", self.study.clone())] {
             std::fs::write(folder.join(name), text).map_err(|error| format!("{name}: {error}"))?;
         }
+        // of the robot before
+        let _ = std::fs::remove_file(folder.join("data.csv"));
         for command in &self.commands {
             if let Some((fault, words)) = fault_of(program, folder, command)? {
                 return Ok(Some((fault, command.clone(), words)));
@@ -160,7 +160,7 @@ fn fault_of(program: &Path, folder: &Path, words: &str) -> Result<Option<(Fault,
     let fault = match output.status.code() {
         None => Some(Fault::Killed),
         Some(code) if !(0..=4).contains(&code) => Some(Fault::Code(code)),
-        Some(_) => (answer.contains("NaN") || talk.contains("NaN")).then_some(Fault::NaN),
+        Some(_) => (answer.contains("NaN ") || talk.contains("NaN ")).then_some(Fault::NaN),
     };
     Ok(fault.map(|fault| {
         let relevant = |line: &&str| line.contains("panicked") || line.contains("NaN") || line.contains("overflow");
@@ -169,7 +169,7 @@ fn fault_of(program: &Path, folder: &Path, words: &str) -> Result<Option<(Fault,
     }))
 }
 
-fn study(pose: &str, [least, most]: &[String; 2], size: Size, control: &str, machine: &str) -> String {
+fn study(pose: &str, [least, most]: &[String; 2], size: Size, [control, machine]: [&str; 2]) -> String {
     let count = vec!["2"; size.translations].into_iter().chain(vec!["1"; size.dof - size.translations]);
     let count = count.collect::<Vec<_>>().join(", ");
     format!(
@@ -217,8 +217,26 @@ fn of_robot(pose: &str, model: &str, [lengths, tensions, wrench]: &[String; 3], 
         commands.push(format!("workspace robot.toml --bounds {bounds} --method {method}"));
         commands.push(format!("workspace robot.toml --min 1 --max 5000 --method {method}"));
     }
-    for criterion in ["wrench-closure", "singularity", "stiffness", "cable-interference"] {
-        commands.push(format!("workspace robot.toml --bounds {bounds} --step 1 --criterion {criterion}"));
+    let criteria = [
+        "wrench-closure",
+        "wrench-set-feasible:force=10,moment=1",
+        "stiffness:least=1",
+        "stability",
+        "natural-frequency:least=1",
+        "condition:largest=100",
+        "dexterity:least=0.01",
+        "cable-interference:diameter=0.01",
+        "platform-interference",
+        "validity",
+    ];
+    for criterion in criteria {
+        commands
+            .push(format!("workspace robot.toml --bounds {bounds} --step 1 --model {model} --criterion {criterion}"));
+    }
+    let angles = if size.dof == 6 { "-0.2,0.2,2,0,0,1,-0.2,0.2,2" } else { "-0.2,0.2,3" };
+    for archetype in ["total-orientation", "inclusion-orientation", "maximal", "dextrous"] {
+        let words = format!("--step 1 --archetype {archetype} --angles {angles}");
+        commands.push(format!("workspace robot.toml --bounds {bounds} --min 1 --max 5000 {words}"));
     }
     commands
 }

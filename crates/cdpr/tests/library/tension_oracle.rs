@@ -5,6 +5,7 @@
 
 use crate::distribution::{Opinion, Problem};
 use crate::problems::{models, random_problem};
+use crate::support::property;
 use cdpr::model::Model;
 use cdpr::tension::quadratic::{self, Status};
 use rand::SeedableRng;
@@ -76,7 +77,7 @@ fn tallies(models: &[Model], first: usize, step: usize) -> [Tally; 7] {
     let mut tallies: [Tally; 7] = Default::default();
     for case in (first..PROBLEMS).step_by(step) {
         let model = &models[case % models.len()];
-        let mut rng = ChaCha8Rng::seed_from_u64(case as u64);
+        let mut rng = ChaCha8Rng::seed_from_u64(property::first_seed() + case as u64);
         tallies[model.cable_count() - model.dof()].compare(model, &random_problem(model, &mut rng));
     }
     tallies

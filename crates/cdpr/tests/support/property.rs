@@ -17,10 +17,15 @@ pub(crate) fn cases(count: u32) -> Config {
     }
 }
 
+/// The number that a test adds to the seeds of its own cases.
+pub(crate) fn first_seed() -> u64 {
+    // rounds of a soak follow each other by one
+    seed().map_or(0, |seed| (seed % (1 << 24)) << 32)
+}
+
 /// Seeds of a test's own cases: 0 to `count`, or as many fresh ones.
 pub(crate) fn seeds(count: u64) -> Range<u64> {
-    // rounds of a soak follow each other by one
-    let first = seed().map_or(0, |seed| (seed % (1 << 24)) << 32);
+    let first = first_seed();
     first..first + count.saturating_mul(u64::from(factor())).min(1 << 32)
 }
 
