@@ -154,3 +154,20 @@ fn data_that_no_fit_can_use_are_exit_code_2_and_leave_no_file() {
         assert!(!folder.path().join("out.toml").exists(), "{reason}");
     }
 }
+
+/// Gigabytes by accident are refused by their size, before a byte is read: with memory for a few megabytes alone.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_of_gigabytes_is_refused_before_it_is_read() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    for name in ["data.csv", "huge.toml"] {
+        // no blocks on the disk
+        std::fs::File::create(folder.path().join(name)).unwrap().set_len(3 << 30).unwrap();
+    }
+    for (arguments, limit) in [("evaluate square.toml data.csv", "256 MiB"), ("check huge.toml", "16 MiB")] {
+        let script = format!("ulimit -v 2000000; exec {} {arguments}", env!("CARGO_BIN_EXE_cdpr"));
+        let run = super::run(assert_cmd::Command::new("sh").current_dir(folder.path()).args(["-c", &script]));
+        assert_eq!(run.exit_code, 2, "{arguments}: {}", run.stderr);
+        assert!(run.stderr.contains("file::too-large") && run.stderr.contains(limit), "{}", run.stderr);
+    }
+}
