@@ -29,11 +29,15 @@ pub(crate) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks
     table.text()
 }
 
-/// One remark for samples whose forward problem did not converge; empty when all did.
+/// One remark for samples whose forward problem has no answer; empty when all have one.
 pub(crate) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<String> {
-    let ErrorBlocks { samples, not_converged, .. } = blocks;
+    let ErrorBlocks { samples, answered, not_converged, .. } = blocks;
     (*not_converged > 0).then(|| {
-        format!("the forward problem of {not_converged} of {samples} {what} did not converge; their best poses count")
+        let rest = match answered {
+            0 => "there is no error of the pose to tell".to_owned(),
+            _ => format!("errors of the pose are those of the other {answered}"),
+        };
+        format!("the forward problem of {not_converged} of {samples} {what} has no answer; {rest}")
     })
 }
 

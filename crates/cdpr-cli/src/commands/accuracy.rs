@@ -154,8 +154,14 @@ impl Answer for Assessed {
             };
             text.push_str(&format!("each pose reached from {from} in {} steps\n", history.sub_steps));
         }
+        let compared = self.branches.as_ref().filter(|branches| branches.samples > 0);
+        if self.branches.is_some() && compared.is_none() {
+            text.push_str(
+                "\nbranches: no pose is reached on every way, so that there is no spread between them to tell\n",
+            );
+        }
         if let Some(Branches { stroke_m, samples, ways, position_spread_m, rotation_spread_rad, tension_spread_N }) =
-            &self.branches
+            compared
         {
             text.push_str(&format!(
                 "\nbranches: {ways} ways to each of {samples} poses, straight and from {:.0} mm to either side, end apart by\n{:.3} mm in the mean, \

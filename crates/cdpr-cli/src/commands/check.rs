@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use cdpr::cable::DegenerateCourse;
+use cdpr::equilibrium::forward_problem::ForwardProblem;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::DMatrix;
@@ -131,9 +132,15 @@ fn rank_warning(model: &Model, rank: usize) -> Option<String> {
     let (dof, cables) = (model.dof(), model.cable_count());
     match (rank < dof, cables < dof) {
         (false, _) => None,
-        (true, true) => Some(format!(
-            "{cables} cables cannot hold {dof} degrees of freedom: the pose also depends on the load, and `fk` calls it singular"
-        )),
+        (true, true) => {
+            let answer = match ForwardProblem::of(model, Load::of(model.robot()).is_ok()) {
+                ForwardProblem::Equilibrium => "`fk` answers where cables and load are in equilibrium",
+                ForwardProblem::LeastSquares => "while the file states no load, `fk` calls it singular",
+            };
+            Some(format!(
+                "{cables} cables cannot hold {dof} degrees of freedom: the pose also depends on the load; {answer}"
+            ))
+        }
         (true, false) => Some(format!(
             "at the home pose the cables resist only {rank} of {dof} degrees of freedom: it is a singular pose"
         )),

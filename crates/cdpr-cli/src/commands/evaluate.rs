@@ -28,7 +28,8 @@ Examples:
 ///
 /// Position and rotation errors compare the pose that the model predicts from the recorded lengths with the measured one;
 /// length errors compare the model's lengths at the measured pose with the recorded ones. An elastic model predicts under the
-/// load that the robot's file states; its tension errors compare predicted with recorded tensions.
+/// load that the robot's file states, and so does a rigid one of fewer cables than degrees of freedom; tension errors compare
+/// predicted with recorded tensions. A sample whose forward problem has no answer has no error, and the exit code is 1.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -85,7 +86,7 @@ fn reason(evaluation: &Evaluation) -> Option<String> {
     let (sample, why) = evaluation.not_converged.first()?;
     let (failed, all) = (evaluation.not_converged.len(), evaluation.len());
     Some(format!(
-        "the forward problem of {failed} of {all} samples did not converge, first at sample {}: {why}",
+        "the forward problem of {failed} of {all} samples has no answer, first at sample {}: {why}",
         sample + 1
     ))
 }
@@ -126,7 +127,11 @@ impl Answer for Evaluated {
         let Self { robot, model, data, blocks, .. } = self;
         let mut text = format!("{robot}, model {model}, on {data} ({} samples)\n", blocks.samples);
         if let Some(reason) = &self.reason {
-            text.push_str(&format!("{reason}; the best poses found count\n"));
+            let answered = match blocks.answered {
+                0 => "there is no error of the pose to tell".to_owned(),
+                count => format!("errors of the pose are those of the other {count}"),
+            };
+            text.push_str(&format!("{reason}; {answered}\n"));
         }
         text.push_str(&format!("\n{}", error_table(self.pattern, &[("value", blocks)])));
         if let Some(path) = &self.out_errors {

@@ -5,6 +5,7 @@ mod answer;
 use std::process::ExitCode;
 
 use answer::ForwardAnswer;
+use cdpr::equilibrium::forward_problem::ForwardProblem;
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
@@ -101,10 +102,9 @@ impl Arguments {
             });
         }
         let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("--lengths", error);
-        let (elastic, underactuated) = (model.composition().depends_on_tension(), model.cable_count() < model.dof());
         let own_load = Load::of(model.robot());
         let is_load_known = self.wrench.is_some() || own_load.is_ok();
-        if elastic || (underactuated && is_load_known) {
+        if ForwardProblem::of(model, is_load_known) == ForwardProblem::Equilibrium {
             let load = load_of(model.robot(), self.wrench.as_ref())?;
             let settings = elastostatics::Settings::default();
             let solution =
@@ -114,7 +114,7 @@ impl Arguments {
         let settings = forward_kinematics::Settings::default();
         let solution = forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
         let mut answer = ForwardAnswer::of_lengths(model, solution);
-        if let (true, Err(error)) = (underactuated, own_load) {
+        if let (true, Err(error)) = (model.cable_count() < model.dof(), own_load) {
             answer.remark(&error.to_string());
         }
         if let Some(wrench) = &self.wrench {

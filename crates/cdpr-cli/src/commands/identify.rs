@@ -8,7 +8,7 @@ use std::process::ExitCode;
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, descent_count, fit_observed};
-use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate};
+use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate_fitted};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model, ParameterKind};
 use clap::Args;
@@ -69,8 +69,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SPLIT")]
     split: Option<Split>,
 
-    /// Starts of an elastic model: the file's values and others (anchors up to 0.5 m away, compliances up to 10/3 times
-    /// larger or smaller); the optima they lead to are listed.
+    /// Starts: the file's values and others (anchors up to 0.5 m away, compliances up to 10/3 times larger or smaller); the
+    /// optima they lead to are listed.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     starts: u32,
 
@@ -207,7 +207,7 @@ impl Task<'_> {
 
     /// Descents of this many fits.
     fn descents(&self, fits: usize) -> usize {
-        fits * descent_count(self.model, &self.settings())
+        fits * descent_count(&self.settings())
     }
 
     fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
@@ -218,13 +218,14 @@ impl Task<'_> {
         })
     }
 
+    /// Errors of a model that was fitted.
     fn evaluate(&self, model: &Model, samples: &Samples) -> Result<Evaluation, Failure> {
-        evaluate(model, samples).map_err(|error| Failure::refused(&self.model.robot().name, &error))
+        evaluate_fitted(model, samples).map_err(|error| Failure::refused(&self.model.robot().name, &error))
     }
 
     /// Errors of the model as given; none where a file that a free wrench completes says nothing of the load.
     fn evaluate_given(&self, samples: &Samples) -> Result<Evaluation, Failure> {
-        match evaluate(self.model, samples) {
+        match evaluate_fitted(self.model, samples) {
             Err(EvaluationError::Load(_)) if self.arguments.free.names(ParameterKind::Wrench) => {
                 Ok(Evaluation::default())
             }

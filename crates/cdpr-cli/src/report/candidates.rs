@@ -1,6 +1,6 @@
 //! The ladder of candidates as table and chart.
 
-use cdpr::identification::fit::Status;
+use cdpr::identification::ErrorBlocks;
 use cdpr::identification::selection::Judgement;
 use minijinja::Value;
 
@@ -76,19 +76,15 @@ fn remarks(report: &Report<'_>, index: usize, judgement: &Judgement) -> String {
     if selection.best == Some(index) && selection.candidates.len() > 1 {
         remarks.push("smallest error".to_owned());
     }
-    match judgement.fit.status {
-        Status::Converged => {}
-        Status::NotIdentifiable => remarks.push("not identifiable".to_owned()),
-        _ => remarks.push("fit not converged".to_owned()),
-    }
-    let weak = judgement.fit.analysis.weak_directions.len();
-    if weak > 0 && judgement.fit.status == Status::Converged {
-        remarks.push("weakly determined".to_owned());
-    }
+    remarks.extend(Some(judgement.fit.caution_words()).filter(|words| !words.is_empty()));
     let broken = judgement.requirements.iter().filter(|requirement| !requirement.met);
     remarks.extend(broken.map(|requirement| format!("breaks {}", requirement.metric)));
     if judgement.validation.not_converged > 0 {
-        remarks.push(format!("no pose found for {} samples", judgement.validation.not_converged));
+        let ErrorBlocks { not_converged, samples, .. } = judgement.validation;
+        remarks.push(format!("no pose for {not_converged} of {samples} samples"));
+    }
+    if judgement.disqualified.is_some() {
+        remarks.push("not judged".to_owned());
     }
     remarks.join("; ")
 }

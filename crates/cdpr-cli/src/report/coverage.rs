@@ -42,11 +42,14 @@ fn words(report: &Report<'_>, shown: &Shown<'_>, outside: usize, is_outside: &[b
         let errors = shown.judgement.validation_errors.position.iter().zip(is_outside);
         let chosen: Vec<f64> =
             errors.filter(|(error, is)| **is == wanted && error.is_finite()).map(|(e, _)| *e).collect();
-        number::millimetres(chosen.iter().sum::<f64>() / chosen.len() as f64)
+        match chosen.len() {
+            0 => "no value".to_owned(),
+            count => format!("{} mm", number::millimetres(chosen.iter().sum::<f64>() / count as f64)),
+        }
     };
     format!(
         "{outside} of {count} validation samples lie outside the ranges of the poses that the fit saw. Mean position error: \
-         {} mm inside, {} mm outside.",
+         {} inside, {} outside.",
         mean(false),
         mean(true)
     )

@@ -4,15 +4,19 @@ use cdpr::identification::selection::Criterion;
 
 use crate::number_format::{decimals_for, fixed, significant};
 
-/// A value with its unit.
-pub(super) fn words(criterion: Criterion, value: f64) -> String {
-    with_unit(criterion, significant(criterion.in_unit(value), 4))
+/// A value with its unit; nothing where there is none.
+pub(super) fn words(criterion: Criterion, value: f64) -> Option<String> {
+    value.is_finite().then(|| with_unit(criterion, significant(criterion.in_unit(value), 4)))
 }
 
-/// A value with as many digits as its standard error deserves, the error, and the unit.
-pub(super) fn with_error(criterion: Criterion, value: f64, standard_error: f64) -> String {
+/// A value with as many digits as its standard error deserves, the error, and the unit; nothing where there is none.
+pub(super) fn with_error(criterion: Criterion, value: f64, standard_error: f64) -> Option<String> {
+    if !value.is_finite() {
+        return None;
+    }
     let (value, error) = number_and_error(criterion, value, standard_error);
-    if error.is_empty() { with_unit(criterion, value) } else { with_unit(criterion, format!("{value} ± {error}")) }
+    let words = if error.is_empty() { value } else { format!("{value} ± {error}") };
+    Some(with_unit(criterion, words))
 }
 
 /// The same as two numbers without unit; no error when it is unknown.

@@ -29,12 +29,22 @@ struct Quantity {
     title: &'static str,
     read: fn(&ErrorBlocks) -> Figures,
     write: fn(f64) -> String,
+    /// Samples that have it.
+    samples: fn(&ErrorBlocks) -> usize,
 }
 
-const POSITION: Quantity =
-    Quantity { title: "position, mm", read: |e| e.position_error_m.into(), write: number::millimetres };
-const ROTATION: Quantity =
-    Quantity { title: "rotation, °", read: |e| e.rotation_error_rad.into(), write: number::degrees };
+const POSITION: Quantity = Quantity {
+    title: "position, mm",
+    read: |e| e.position_error_m.into(),
+    write: number::millimetres,
+    samples: |e| e.answered,
+};
+const ROTATION: Quantity = Quantity {
+    title: "rotation, °",
+    read: |e| e.rotation_error_rad.into(),
+    write: number::degrees,
+    samples: |e| e.answered,
+};
 const LENGTH: Quantity = Quantity {
     title: "cable length, mm",
     read: |e| {
@@ -42,6 +52,7 @@ const LENGTH: Quantity = Quantity {
         Figures { mean: length.mean_abs, rms: length.rms, median: f64::NAN, p95: length.p95, max: length.max }
     },
     write: number::millimetres,
+    samples: |e| e.length_samples,
 };
 
 const TENSION: Quantity = Quantity {
@@ -52,6 +63,7 @@ const TENSION: Quantity = Quantity {
         Figures { mean: mean_abs, rms, median: f64::NAN, p95: f64::NAN, max }
     },
     write: number::newtons,
+    samples: |e| e.answered,
 };
 
 /// Errors of the robot as given and of the model shown, on the data of the fit and on validation data.
@@ -79,7 +91,7 @@ pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value 
         for (index, (model, data, blocks)) in lines.iter().enumerate() {
             let title = if index == 0 { quantity.title } else { "" };
             let mut cells = vec![Cell::text(title), Cell::text(*model), Cell::text(*data)];
-            cells.push(Cell::number(blocks.samples.to_string()));
+            cells.push(Cell::number((quantity.samples)(blocks).to_string()));
             let Figures { mean, rms, median, p95, max } = (quantity.read)(blocks);
             cells.extend([mean, rms, median, p95, max].map(|value| Cell::number((quantity.write)(value))));
             let class = match (index, *model, *data) {

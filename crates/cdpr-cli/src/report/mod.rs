@@ -213,7 +213,9 @@ fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
             let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;
             let count = judgement.validation_errors.not_converged.len();
             warnings.push(format!(
-                "the forward problem of {count} validation samples did not converge; the first is sample {sample}: {reason}"
+                "the forward problem of {count} of {} validation samples has no answer, so that they have no error of the pose; the \
+                 first is sample {sample}: {reason}",
+                judgement.validation.samples
             ));
         }
     }

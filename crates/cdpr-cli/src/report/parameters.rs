@@ -103,6 +103,7 @@ fn status(status: Status) -> &'static str {
         Status::Converged => "converged",
         Status::NotIdentifiable => "not identifiable",
         Status::NotConverged => "not converged",
+        Status::NotPredictive => "no forward problem",
         _ => "ended otherwise",
     }
 }

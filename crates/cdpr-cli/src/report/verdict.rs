@@ -1,6 +1,5 @@
 //! The answer in one line, the limits, the reason.
 
-use cdpr::identification::fit::Status;
 use cdpr::identification::selection::RequirementOutcome;
 use minijinja::{Value, context};
 
@@ -19,11 +18,14 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let judgement = shown.judgement;
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
     let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
+    let cautious = !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
     let (class, heading) = match (report.selection.recommended.is_some(), single) {
+        (true, false) if cautious => ("bad", "Recommended control model, with a caution"),
         (true, false) => ("good", "Recommended control model"),
-        (_, true) if met && judgement.fit.status == Status::Converged => ("good", "Identified control model"),
+        (_, true) if met && !cautious => ("good", "Identified control model"),
         (_, true) if met => ("bad", "Identified control model, with a caution"),
         (_, true) => ("bad", "Identified control model, which breaks a requirement"),
+        (false, false) if report.selection.best.is_none() => ("bad", "No candidate can be judged; the first one"),
         (false, false) => ("bad", "No candidate recommended; the best on validation data"),
     };
     let requirements: Value = judgement.requirements.iter().map(requirement).collect();
@@ -41,6 +43,7 @@ fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
         0 => criterion::words(report.criterion, report.criterion.of_blocks(&judgement.train)),
         _ => criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error),
     };
+    let value = value.unwrap_or_else(|| "has no value: the forward problem has no answer".to_owned());
     let data = match (report.is_held_out, judgement.validation.samples) {
         (true, 1..) => "Validation",
         _ => "Data of the fit:",
@@ -74,7 +77,8 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
         true => format!(", smaller by the factor {}", number::significant(ratio, 2)),
         false => String::new(),
     };
-    format!("as given: {}{times}", criterion::words(report.criterion, before))
+    let before = criterion::words(report.criterion, before).unwrap_or_else(|| "no value".to_owned());
+    format!("as given: {before}{times}")
 }
 
 fn requirement(outcome: &RequirementOutcome) -> Value {
@@ -82,8 +86,16 @@ fn requirement(outcome: &RequirementOutcome) -> Value {
         figure(outcome.metric, outcome.value, |value| number::significant(value, 4)),
         figure(outcome.metric, outcome.limit, number::short),
     );
-    let relation = if outcome.met { "within" } else { "above" };
-    let text = format!("{} ({}) = {value}, {relation} the limit {limit}", metric_words(outcome.metric), outcome.metric);
+    let name = format!("{} ({})", metric_words(outcome.metric), outcome.metric);
+    let text = match outcome.value.is_finite() {
+        true if outcome.met => format!("{name} = {value}, within the limit {limit}"),
+        true if outcome.value > outcome.limit => format!("{name} = {value}, above the limit {limit}"),
+        true => format!(
+            "{name} = {value} of the {} of {} samples that have an answer, limit {limit}",
+            outcome.samples_with_value, outcome.samples
+        ),
+        false => format!("{name} has no value, limit {limit}"),
+    };
     context! { met => outcome.met, text }
 }
 

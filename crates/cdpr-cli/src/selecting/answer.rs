@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::Compared;
 use crate::answer::Answer;
+use crate::error_table::convergence_remark;
 use crate::report::Report;
 use crate::table::{Table, cell};
 
@@ -53,18 +54,29 @@ struct JudgedAnswer {
     train: ErrorBlocks,
     validation: ErrorBlocks,
     folds: Vec<FoldAnswer>,
+    /// Null for a candidate that cannot be judged by it.
     criterion: f64,
     standard_error: f64,
+    /// Validation samples that criterion and standard error are of: those that all judged candidates answer.
+    compared_samples: usize,
+    /// The reason against judging the candidate.
+    disqualified: Option<String>,
     rank: usize,
     condition: f64,
     condition_scaled: f64,
     singular_values: Vec<f64>,
     weak_directions: Vec<String>,
+    weak_direction_count: usize,
+    weak_direction_deviation_m: f64,
+    /// Doubts about the parameters with their numbers: bounds, weak directions, a fit that did not end well.
+    cautions: Vec<String>,
     noise_factor: f64,
     history: Vec<f64>,
     parameters: Vec<Estimate>,
     requirements: Vec<RequirementOutcome>,
     warnings: Vec<String>,
+    #[serde(skip)]
+    caution_words: String,
 }
 
 #[derive(Serialize)]
@@ -143,16 +155,22 @@ impl JudgedAnswer {
             folds: judgement.folds.iter().map(fold).collect(),
             criterion: judgement.criterion,
             standard_error: judgement.standard_error,
+            compared_samples: judgement.compared_samples,
+            disqualified: judgement.disqualified.clone(),
             rank: fit.analysis.rank,
             condition: fit.analysis.condition,
             condition_scaled: fit.analysis.condition_scaled,
             singular_values: fit.analysis.singular_values.clone(),
             weak_directions: fit.analysis.weak_directions.clone(),
+            weak_direction_count: fit.analysis.weak_direction_count,
+            weak_direction_deviation_m: fit.analysis.weak_deviation,
+            cautions: fit.cautions(),
             noise_factor: fit.noise_factor,
             history: fit.history.clone(),
             parameters: fit.parameters.clone(),
             requirements: judgement.requirements.clone(),
             warnings: fit.warnings.clone(),
+            caution_words: fit.caution_words(),
         }
     }
 }
@@ -204,7 +222,9 @@ impl Selected {
             "length rms mm".to_owned(),
             "rank".to_owned(),
             "condition".to_owned(),
-        ]);
+            "caution".to_owned(),
+        ])
+        .left_column(8);
         for candidate in &self.candidates {
             let marker = if Some(&candidate.name) == self.recommended.as_ref() { "→ " } else { "  " };
             let mut cells = vec![format!("{marker}{}", candidate.name)];
@@ -217,6 +237,7 @@ impl Selected {
                     cell(Some(1e3 * judged.validation.length_error_m.rms), 3),
                     judged.rank.to_string(),
                     cell(Some(judged.condition), 1),
+                    judged.caution_words.clone(),
                 ]),
                 None => cells.extend([String::new(), "failed".to_owned()]),
             }
@@ -226,6 +247,14 @@ impl Selected {
         for candidate in &self.candidates {
             if let Some(failure) = &candidate.failure {
                 text.push_str(&format!("{} failed: {failure}\n", candidate.name));
+            }
+            let judged = candidate.judged.as_ref();
+            if let Some(why) = judged.and_then(|judged| judged.disqualified.as_ref()) {
+                text.push_str(&format!("{} cannot be judged: {why}\n", candidate.name));
+            }
+            let partly = judged.filter(|judged| judged.disqualified.is_none()).map(|judged| &judged.validation);
+            if let Some(remark) = partly.and_then(|blocks| convergence_remark(blocks, "validation samples")) {
+                text.push_str(&format!("{}: {remark}\n", candidate.name));
             }
         }
         text

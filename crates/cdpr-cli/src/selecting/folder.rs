@@ -138,26 +138,40 @@ pub(super) fn judged(compared: &Compared) -> impl Iterator<Item = (&Judged, &Jud
     compared.selection.candidates.iter().filter_map(|candidate| Some((candidate, candidate.outcome.as_ref().ok()?)))
 }
 
+/// A field of a table; empty where there is no number.
+fn field(value: f64) -> String {
+    if value.is_nan() { String::new() } else { value.to_string() }
+}
+
 fn candidates_table(compared: &Compared) -> String {
     let mut text = String::from(
         "candidate,parameter_count,criterion,standard_error,train_position_mean_m,validation_position_mean_m,\
-         validation_rotation_mean_rad,validation_length_rms_m,rank,condition\n",
+         validation_rotation_mean_rad,validation_length_rms_m,rank,condition,validation_samples,answered,at_bound,\
+         weak_direction_count,weak_direction_deviation_m\n",
     );
     for (candidate, judgement) in judged(compared) {
-        let (train, validation) = (&judgement.train, &judgement.validation);
-        let _ = writeln!(
-            text,
-            "\"{}\",{},{},{},{},{},{},{},{},{}",
-            candidate.name,
-            judgement.fit.parameters.len(),
+        let (train, validation, analysis) = (&judgement.train, &judgement.validation, &judgement.fit.analysis);
+        let errors = [
             judgement.criterion,
             judgement.standard_error,
             train.position_error_m.mean,
             validation.position_error_m.mean,
             validation.rotation_error_rad.mean,
             validation.length_error_m.rms,
-            judgement.fit.analysis.rank,
-            judgement.fit.analysis.condition,
+        ];
+        let _ = writeln!(
+            text,
+            "\"{}\",{},{},{},{},{},{},{},{},{}",
+            candidate.name,
+            judgement.fit.parameters.len(),
+            errors.map(field).join(","),
+            analysis.rank,
+            analysis.condition,
+            validation.samples,
+            validation.answered,
+            judgement.fit.at_bound().count(),
+            analysis.weak_direction_count,
+            analysis.weak_deviation,
         );
     }
     text
@@ -195,9 +209,9 @@ fn errors_table(compared: &Compared) -> String {
     let Some(judgement) = shown(compared) else { return text };
     let errors = &judgement.validation_errors;
     for (row, sample) in judgement.validation_samples.iter().enumerate() {
-        let [dx, dy, dz] = errors.position_vector[row];
-        let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(f64::to_string).collect();
-        let (position, rotation) = (errors.position[row], errors.rotation[row]);
+        let [dx, dy, dz] = errors.position_vector[row].map(field);
+        let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(|&error| field(error)).collect();
+        let (position, rotation) = (field(errors.position[row]), field(errors.rotation[row]));
         let [x, y, z]: [f64; 3] = compared.comparison.samples.poses[*sample].position.into();
         let _ = writeln!(text, "{},{x},{y},{z},{position},{dx},{dy},{dz},{rotation},{}", sample + 1, lengths.join(","));
     }

@@ -116,3 +116,36 @@ fn what_elastic_models_lack_is_named() {
     assert_eq!(run.exit_code, 2, "{}{}", run.stdout, run.stderr);
     assert!(run.stderr.contains("tension_N_1"), "{}", run.stderr);
 }
+
+/// Winches that read 50 mm too much leave no room for stretch: that is a negative answer with its likely cause, and the file is
+/// written.
+#[test]
+fn compliances_that_end_at_zero_are_a_negative_answer_with_the_likely_cause() {
+    let folder = twin();
+    for cable in 1..=8 {
+        let column = format!("cable_length_m_{cable}");
+        change(folder.path(), &column, 1, |text| (text.parse::<f64>().unwrap() + 0.05).to_string());
+    }
+    // anchors and all are right: only the winches' offsets are missing
+    let identify = |arguments: &str| {
+        let model = "cablerobot-simulator-helicopter-elastostatic-calibrated twin.csv --model elastic";
+        cdpr_in(folder.path(), &format!("identify {model} {arguments} --format json"))
+    };
+    let run = identify("--free compliance,wrench --out calibrated.toml");
+    assert_eq!(run.exit_code, 1, "{}{}", run.stdout, run.stderr);
+    let answer = run.json_with(&["status", "reason", "train", "parameters"]);
+    assert_eq!(answer["status"], "not-predictive");
+    let reason = answer["reason"].as_str().unwrap();
+    assert!(reason.contains("drives the compliance of cables 1, 2"), "{reason}");
+    assert!(reason.contains("offsets of the winches") && reason.contains("`length-offset`"), "{reason}");
+    assert_eq!(answer["train"]["answered"], 0);
+    assert!(
+        answer["train"]["position_error_m"]["mean"].is_null() && answer["train"]["length_error_m"]["rms"].is_number()
+    );
+    let file = std::fs::read_to_string(folder.path().join("calibrated.toml")).unwrap();
+    let is_rigid = |line: &&str| line.starts_with("axial_compliance_per_N") && line.ends_with("= 0.0");
+    assert!(file.lines().filter(is_rigid).count() > 6, "{file}");
+    // the cause is right: with offsets the same data are explained
+    let run = identify("--free compliance,length-offset,wrench");
+    assert_eq!(run.json()["status"], "converged", "{}", run.stdout);
+}

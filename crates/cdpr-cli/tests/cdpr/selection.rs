@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::{cdpr_in, run};
+use super::{SQUARE, cdpr_in, file_with, run};
 
 /// Files of a folder and its subfolders with their bytes, but for the wall times of `result.json`.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
@@ -161,6 +161,177 @@ fn identify_writes_a_report() {
         page.contains("Identified control model") && !page.contains("Recommended control model"),
         "nobody asked which to take"
     );
+}
+
+/// A platform on four cables, and the study that records where it hangs while its winches read 30 mm too much.
+const HANGING: &str = r#"layout_version = 1
+name = "hanging"
+motion_pattern = "3R3T"
+gravity_m_s2 = [0.0, 0.0, -9.81]
+
+[platform]
+mass_kg = 12.0
+center_of_mass_m = [0.0, 0.0, 0.0]
+
+[home_pose]
+position_m = [0.0, 0.0, 0.8]
+rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+"#;
+
+const HANGING_STUDY: &str = r#"[control]
+robot = "hanging.toml"
+[machine]
+robot = "machine.toml"
+[initial]
+pose = [0, 0, 0.8, 0, 0, 0]
+offset = "none"
+[poses.grid]
+min = [-0.6, -0.4, 0.6, 0, 0, 0]
+max = [0.6, 0.4, 1.0, 0, 0, 0]
+count = [4, 4, 4, 1, 1, 1]
+[noise]
+position_m = 0.001
+length_m = 0.0002
+"#;
+
+/// The robot, the same without its mass, and what it records as `data.csv`.
+fn hanging() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = |offset: f64| {
+        let mut text = HANGING.to_owned();
+        for index in 0..4 {
+            let (x, y) = ([-1.0, 1.0][index % 2], [-1.0, 1.0][index / 2]);
+            let (frame, platform) = ([2.0 * x, 1.5 * y, 2.5], [0.2 * x, 0.15 * y, 0.1]);
+            text += &format!("\n[[cable]]\nname = \"{}\"\nframe_anchor_m = {frame:?}\n", index + 1);
+            text += &format!("platform_anchor_m = {platform:?}\nlength_offset_m = {offset:?}\n");
+        }
+        text
+    };
+    let without_mass = robot(0.0).replace("mass_kg = 12.0\n", "");
+    for (name, text) in [
+        ("hanging.toml", robot(0.0)),
+        ("machine.toml", robot(0.03)),
+        ("unknown.toml", without_mass),
+        ("study.toml", HANGING_STUDY.to_owned()),
+    ] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let run = cdpr_in(folder.path(), "simulate study.toml --out data.csv --seed 1");
+    assert_eq!(run.exit_code, 0, "{}{}", run.stdout, run.stderr);
+    folder
+}
+
+fn has_nan(text: &str) -> bool {
+    text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == "NaN")
+}
+
+/// Fewer cables than degrees of freedom: under a known load every command answers by the equilibrium.
+#[test]
+fn a_hanging_robot_is_simulated_judged_and_selected_by_its_equilibrium() {
+    let folder = hanging();
+    let accuracy = cdpr_in(folder.path(), "accuracy study.toml --format json").json();
+    assert_eq!(accuracy["statuses"]["converged"], 64, "{accuracy}");
+    assert!(accuracy["position_error_m"]["mean"].as_f64().unwrap() > 0.01, "{accuracy}");
+    assert!(accuracy["tension_max_N"].as_f64().unwrap() > 10.0, "{accuracy}");
+    let run = cdpr_in(folder.path(), "evaluate machine.toml data.csv --format json");
+    let evaluated = run.json_with(&["answered", "length_samples", "tension_error_N"]);
+    assert_eq!((run.exit_code, &evaluated["answered"]), (0, &64.into()));
+    // 1 mm per axis of a pose that swings more easily than 0.2 mm of cable
+    assert!((0.001..0.004).contains(&evaluated["position_error_m"]["mean"].as_f64().unwrap()), "{evaluated}");
+    let run = cdpr_in(folder.path(), "select hanging.toml data.csv --split kfold:4 --format json");
+    let selected = run.json();
+    assert_eq!((run.exit_code, &selected["recommended"]), (0, &"standard:length-offset".into()), "{selected}");
+    for candidate in selected["candidates"].as_array().unwrap() {
+        let error = candidate["criterion"].as_f64();
+        assert!(error.is_none_or(|error| error > 5e-4), "{candidate}");
+    }
+}
+
+/// Without a load its lengths determine no pose: no value, no recommendation, and every page says so.
+#[test]
+fn a_robot_whose_pose_nothing_determines_is_not_recommended_with_an_error_of_zero() {
+    let folder = hanging();
+    let run = cdpr_in(folder.path(), "evaluate unknown.toml data.csv --format json");
+    let evaluated = run.json();
+    assert_eq!((run.exit_code, &evaluated["status"]), (1, &"not-converged".into()));
+    assert!(evaluated["position_error_m"]["mean"].is_null() && evaluated["rotation_error_rad"]["max"].is_null());
+    assert_eq!((&evaluated["answered"], &evaluated["not_converged"]), (&0.into(), &64.into()));
+    assert!((evaluated["length_error_m"]["mean_abs"].as_f64().unwrap() - 0.03).abs() < 1e-3);
+    let run = cdpr_in(folder.path(), "evaluate unknown.toml data.csv");
+    assert!(run.stdout.contains("64 of 64 samples has no answer") && !has_nan(&run.stdout), "{}", run.stdout);
+
+    let arguments = "select unknown.toml data.csv --split kfold:4 --require position_mean_m=0.01 --out result";
+    let run = cdpr_in(folder.path(), arguments);
+    assert_eq!(run.exit_code, 1, "{}", run.stdout);
+    assert!(run.stdout.contains("cannot be judged") && !has_nan(&run.stdout), "{}", run.stdout);
+    let files = contents(&folder.path().join("result"));
+    assert!(!files.contains_key("calibrated.toml"));
+    for (name, bytes) in files {
+        assert!(name == "report.html" || !has_nan(&String::from_utf8(bytes).unwrap()), "{name}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    let (words, _) = page.split_once("<script").unwrap();
+    assert!(words.contains("no candidate can be judged") && !has_nan(words), "{words}");
+    let run = cdpr_in(folder.path(), "select unknown.toml data.csv --split kfold:4 --criterion length --format json");
+    let by_length = run.json();
+    assert_eq!((run.exit_code, &by_length["recommended"]), (0, &"standard:length-offset".into()), "{by_length}");
+
+    let study = HANGING_STUDY.replace("hanging.toml", "unknown.toml").replace("machine.toml", "unknown.toml");
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let run = cdpr_in(folder.path(), "accuracy study.toml");
+    assert!(run.exit_code == 1 && !has_nan(&run.stdout), "{}", run.stdout);
+}
+
+/// Poses in a spot of a millimetre tell directions of cables badly, and lengths far below the real ones drive scales to their
+/// bound: a candidate says so wherever it is named.
+#[test]
+fn weak_directions_and_bounds_are_told_wherever_a_candidate_is_named() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let anchors = [[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]];
+    let write = |name: &str, size: f64, factor: f64| {
+        let mut text = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n".to_owned();
+        for row in 0..40 {
+            let t = f64::from(row);
+            let (x, z) = (4.0 + size * (1.7 * t).sin(), 3.0 + size * (2.3 * t).cos());
+            text += &format!("{x},{z}");
+            for (cable, [a_x, a_z]) in anchors.into_iter().enumerate() {
+                let noise = 1e-4 * (3.1 * t + cable as f64).sin();
+                text += &format!(",{}", factor * (x - a_x).hypot(z - a_z) + noise);
+            }
+            text.push('\n');
+        }
+        std::fs::write(folder.path().join(name), text).unwrap();
+    };
+    write("spot.csv", 0.0005, 1.0);
+    let arguments =
+        "select square.toml spot.csv --sigma length_m=0.0001 --candidates standard:frame-anchor --criterion length";
+    let run = cdpr_in(folder.path(), &format!("{arguments} --out result"));
+    let line = run.stdout.lines().find(|line| line.starts_with("→")).unwrap();
+    assert!(line.contains("weak directions, σ up to"), "the table: {}", run.stdout);
+    let before = run.stdout.find("Caution: ").unwrap();
+    assert!(before < run.stdout.find("has the smallest").unwrap(), "doubt before the good news: {}", run.stdout);
+    let answer = cdpr_in(folder.path(), &format!("{arguments} --format json")).json();
+    let own = &answer["candidates"][0];
+    assert!(own["weak_direction_count"].as_u64().unwrap() >= 4, "{own}");
+    assert!(own["weak_direction_deviation_m"].as_f64().unwrap() > 0.1, "{own}");
+    assert!(own["cautions"].to_string().contains("condition"), "{own}");
+    assert!(answer["reason"].as_str().unwrap().starts_with("Caution: "), "{answer}");
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    assert!(page.contains("Identified control model, with a caution") && page.contains("weak directions, σ up to"));
+
+    write("short.csv", 2.0, 2e-4);
+    let arguments = "select square.toml short.csv --candidates standard:length-scale --criterion length";
+    let run = cdpr_in(folder.path(), arguments);
+    assert!(
+        run.stdout.contains("4 at a bound") && run.stdout.contains("4 parameters lie at a bound"),
+        "{}",
+        run.stdout
+    );
+    let run = cdpr_in(folder.path(), "identify square.toml short.csv --free length-scale --format json");
+    let answer = run.json();
+    let at_bound = |parameter: &serde_json::Value| parameter["at_bound"] == true;
+    assert!(answer["parameters"].as_array().unwrap().iter().all(at_bound), "{}", answer["parameters"]);
+    assert!(answer["reason"].as_str().unwrap().contains("at a bound"), "{}", answer["reason"]);
 }
 
 /// Poses may come from a file with the pose columns of measurements; other columns are ignored.

@@ -6,5 +6,6 @@ pub mod distribution;
 pub mod elastostatics;
 pub mod feasibility;
 pub mod forward_kinematics;
+pub mod forward_problem;
 pub mod forward_statics;
 mod restarts;

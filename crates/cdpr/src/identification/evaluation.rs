@@ -1,17 +1,23 @@
 //! How well a model predicts measured samples.
 
+#[cfg(test)]
+mod tests;
+
 use serde::Serialize;
 
 use thiserror::Error;
 
+use crate::equilibrium::forward_problem::ForwardSolver;
 use crate::equilibrium::{elastostatics, forward_kinematics};
 use crate::geometry::Pose;
 use crate::measurement::Samples;
 use crate::metamodel::errors::{LengthError, PoseError, TensionError};
 use crate::model::{Model, WinchError};
-use crate::statics::{Load, LoadError};
+use crate::statics::LoadError;
 
 /// All errors of a model on a data set, SI units.
+///
+/// A sample without an answer has no error: statistics are those of the samples that have a value, NaN where none has.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ErrorBlocks {
     /// Number of samples.
@@ -25,11 +31,15 @@ pub struct ErrorBlocks {
     /// Predicted minus recorded tensions; `None` for a model that knows none, or data without.
     #[serde(rename = "tension_error_N", skip_serializing_if = "Option::is_none")]
     pub tension_error: Option<TensionError>,
-    /// Samples whose forward problem did not converge; their best pose found counts.
+    /// Samples whose forward problem has an answer: those of the errors of position, rotation and tension.
+    pub answered: usize,
+    /// Samples whose forward problem has none: not converged, singular or unstable.
     pub not_converged: usize,
+    /// Samples with a modelled length of every cable: those of the length errors.
+    pub length_samples: usize,
 }
 
-/// Errors sample by sample.
+/// Errors sample by sample; NaN where a sample has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Evaluation {
     /// Distance between predicted and measured position (m).
@@ -44,7 +54,7 @@ pub struct Evaluation {
     pub tension: Vec<f64>,
     /// Number of cables.
     pub cable_count: usize,
-    /// Samples whose forward problem did not converge, from 0, with the reason.
+    /// Samples whose forward problem has no answer, from 0, with the reason.
     pub not_converged: Vec<(usize, String)>,
 }
 
@@ -72,52 +82,55 @@ pub enum EvaluationError {
 
 /// Pose and tensions that a model predicts for one sample.
 struct Prediction {
-    pose: Option<Pose>,
-    /// Real tensions (N); `None` for a rigid model.
+    pose: Pose,
+    /// Real tensions (N); `None` where lengths tell none.
     tensions: Option<Vec<f64>>,
-    /// Why the forward problem failed.
-    failure: Option<String>,
 }
 
 /// The forward problem of a model, for one sample after the other.
 enum Predictor<'a> {
-    Rigid(Box<forward_kinematics::Solver<'a>>),
-    Elastic(Box<elastostatics::Solver<'a>>),
+    Solver(ForwardSolver<'a>),
+    /// No sample has an answer, for this reason.
+    None(String),
 }
 
 impl<'a> Predictor<'a> {
     fn new(model: &'a Model) -> Result<Self, EvaluationError> {
-        if model.composition().depends_on_tension() {
-            let load = Load::of(model.robot())?;
-            let settings = elastostatics::Settings::default();
-            return Ok(Self::Elastic(Box::new(elastostatics::Solver::new(model, &load, &settings)?)));
-        }
         // the measured pose is near the solution: a residual there is the model's, not a wrong minimum's
         let defaults = forward_kinematics::Settings::default();
         let settings = forward_kinematics::Settings { suspicious_residual: defaults.plausible_residual, ..defaults };
-        let solver = forward_kinematics::Solver::new(model, &settings).expect("the default settings are valid");
-        Ok(Self::Rigid(Box::new(solver)))
+        ForwardSolver::new::<EvaluationError>(model, &settings).map(Self::Solver)
     }
 
-    fn predict(&mut self, controlled: &[f64], near: &Pose) -> Prediction {
-        let failed = |reason: String| Prediction { pose: None, tensions: None, failure: Some(reason) };
+    fn knows_tensions(&self) -> bool {
         match self {
-            Self::Rigid(solver) => match solver.solve(controlled, near) {
-                Ok(found) => {
-                    let good = found.status == forward_kinematics::Status::Converged;
-                    let failure = (!good).then(|| found.reason.clone().unwrap_or_default());
-                    Prediction { pose: Some(found.pose), tensions: None, failure }
+            Self::Solver(solver) => solver.knows_tensions(),
+            // a model that fits lengths always has a solver
+            Self::None(_) => true,
+        }
+    }
+
+    /// The prediction, or why there is none.
+    fn predict(&mut self, controlled: &[f64], near: &Pose) -> Result<Prediction, String> {
+        let unknown = || "the forward problem has no solution".to_owned();
+        match self {
+            Self::None(reason) => Err(reason.clone()),
+            Self::Solver(ForwardSolver::LeastSquares(solver)) => {
+                let found = solver.solve(controlled, near).map_err(|error| error.to_string())?;
+                match found.status {
+                    forward_kinematics::Status::Converged => Ok(Prediction { pose: found.pose, tensions: None }),
+                    _ => Err(found.reason.clone().unwrap_or_else(unknown)),
                 }
-                Err(error) => failed(error.to_string()),
-            },
-            Self::Elastic(solver) => match solver.solve(controlled, near) {
-                Ok(found) => {
-                    let good = found.status == elastostatics::Status::Converged;
-                    let failure = (!good).then(|| found.reason.clone().unwrap_or_default());
-                    Prediction { pose: Some(found.pose), tensions: Some(found.tensions.clone()), failure }
+            }
+            Self::Solver(ForwardSolver::Equilibrium(solver)) => {
+                let found = solver.solve(controlled, near).map_err(|error| error.to_string())?;
+                match found.status {
+                    elastostatics::Status::Converged => {
+                        Ok(Prediction { pose: found.pose, tensions: Some(found.tensions.clone()) })
+                    }
+                    _ => Err(found.reason.clone().unwrap_or_else(unknown)),
                 }
-                Err(error) => failed(error.to_string()),
-            },
+            }
         }
     }
 }
@@ -125,13 +138,30 @@ impl<'a> Predictor<'a> {
 /// Compares a model with samples: its forward problem from the recorded lengths with the measured poses (and tensions), its
 /// inverse at the measured poses (and tensions, predicted ones where none are recorded) with the recorded lengths.
 pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
+    evaluate_with(Predictor::new(model)?, model, samples)
+}
+
+/// [`evaluate`] of a model that a fit has made: parameters without a forward problem are the outcome of the fit, so that no
+/// sample has an answer, and not a mistake of the caller.
+pub fn evaluate_fitted(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
+    let predictor = match Predictor::new(model) {
+        Err(EvaluationError::Forward(reason)) => Predictor::None(reason.to_string()),
+        other => other?,
+    };
+    evaluate_with(predictor, model, samples)
+}
+
+fn evaluate_with(
+    mut predictor: Predictor<'_>,
+    model: &Model,
+    samples: &Samples,
+) -> Result<Evaluation, EvaluationError> {
     let cables = model.cable_count();
     if cables != samples.cable_count {
         return Err(EvaluationError::CableCount { robot: cables, data: samples.cable_count });
     }
     let samples = &*model.with_lengths(samples)?;
     let mut evaluation = Evaluation { cable_count: cables, ..Evaluation::default() };
-    let mut predictor = Predictor::new(model)?;
     let mut controlled = vec![0.0; cables];
     for (sample, pose) in samples.poses.iter().enumerate() {
         let recorded = samples.lengths_of(sample);
@@ -139,24 +169,20 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
             *length = model.controlled_length(cable, recorded[cable]);
         }
         let predicted = predictor.predict(&controlled, pose);
-        if let Some(reason) = predicted.failure {
-            evaluation.not_converged.push((sample, reason));
-        }
-        let shift = predicted.pose.map_or([f64::NAN; 3], |predicted| (predicted.position - pose.position).into());
-        evaluation.position.push(nalgebra::Vector3::from(shift).norm());
-        evaluation.position_vector.push(shift);
-        evaluation.rotation.push(predicted.pose.map_or(f64::NAN, |predicted| predicted.angle_to(pose)));
+        evaluation.add_pose(predicted.as_ref(), pose);
         let measured = samples.tensions.as_ref().map(|tensions| &tensions[sample * cables..][..cables]);
+        let predicted = predicted.ok().and_then(|found| found.tensions);
         for (cable, &length) in recorded.iter().enumerate() {
             let measured = measured.map(|tensions| model.real_tension(cable, tensions[cable]));
-            let predicted = predicted.tensions.as_ref().map(|tensions| tensions[cable]);
-            let tension = measured.or(predicted).unwrap_or(0.0);
-            let controlled = modelled_length(model, cable, pose, tension);
+            let predicted = predicted.as_ref().map(|tensions| tensions[cable]);
+            // rigid cables have their length whatever the tension
+            let unknown = if model.composition().depends_on_tension() { f64::NAN } else { 0.0 };
+            let controlled = modelled_length(model, cable, pose, measured.or(predicted).unwrap_or(unknown));
             evaluation.length.push(model.recorded_length(cable, controlled) - length);
         }
-        if let Some(measured) = measured.filter(|_| model.composition().depends_on_tension()) {
+        if let Some(measured) = measured.filter(|_| predictor.knows_tensions()) {
             let error = |cable: usize| {
-                let predicted = predicted.tensions.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
+                let predicted = predicted.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
                 model.recorded_tension(cable, predicted) - measured[cable]
             };
             evaluation.tension.extend((0..cables).map(error));
@@ -167,6 +193,9 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
 
 /// Controlled length of a cable with this tension at a pose (m); NaN where there is none.
 fn modelled_length(model: &Model, cable: usize, pose: &Pose, tension: f64) -> f64 {
+    if tension.is_nan() {
+        return f64::NAN;
+    }
     if model.composition().has_closed_form() {
         let length = model.course(cable, pose).map_or(f64::NAN, |(course, _)| course.length);
         return model.elasticity(cable).controlled_length(length, tension);
@@ -176,6 +205,17 @@ fn modelled_length(model: &Model, cable: usize, pose: &Pose, tension: f64) -> f6
 }
 
 impl Evaluation {
+    /// Appends the errors of a predicted pose, or the reason why there is none.
+    fn add_pose(&mut self, predicted: Result<&Prediction, &String>, measured: &Pose) {
+        if let Err(reason) = predicted {
+            self.not_converged.push((self.len(), reason.clone()));
+        }
+        let shift = predicted.map_or([f64::NAN; 3], |predicted| (predicted.pose.position - measured.position).into());
+        self.position.push(nalgebra::Vector3::from(shift).norm());
+        self.position_vector.push(shift);
+        self.rotation.push(predicted.map_or(f64::NAN, |predicted| predicted.pose.angle_to(measured)));
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.position.len()
@@ -212,13 +252,24 @@ impl Evaluation {
 
     /// The statistics.
     pub fn blocks(&self) -> ErrorBlocks {
+        let finite = |values: &[f64]| values.iter().copied().filter(|value| value.is_finite()).collect::<Vec<_>>();
+        let whole = |values: &[f64]| whole_samples(values, self.cable_count);
+        let (lengths, tensions) = (whole(&self.length), whole(&self.tension));
         ErrorBlocks {
             samples: self.len(),
-            position_error_m: PoseError::of(&self.position),
-            rotation_error_rad: PoseError::of(&self.rotation),
-            length_error_m: LengthError::of(&self.length),
-            tension_error: (!self.tension.is_empty()).then(|| TensionError::of(&self.tension, self.cable_count)),
+            position_error_m: PoseError::of(&finite(&self.position)),
+            rotation_error_rad: PoseError::of(&finite(&self.rotation)),
+            length_error_m: LengthError::of(&lengths),
+            tension_error: (!self.tension.is_empty()).then(|| TensionError::of(&tensions, self.cable_count)),
+            answered: self.len() - self.not_converged.len(),
             not_converged: self.not_converged.len(),
+            length_samples: lengths.len() / self.cable_count.max(1),
         }
     }
+}
+
+/// Values of those samples that have one for every cable.
+fn whole_samples(values: &[f64], cable_count: usize) -> Vec<f64> {
+    let samples = values.chunks(cable_count.max(1));
+    samples.filter(|sample| sample.iter().all(|value| value.is_finite())).flatten().copied().collect()
 }

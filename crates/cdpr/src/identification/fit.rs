@@ -1,5 +1,6 @@
 //! Optimal parameters of one model from measured poses and recorded lengths.
 
+mod cautions;
 mod descent;
 mod input_error;
 mod optimum;
@@ -12,8 +13,9 @@ use std::str::FromStr;
 pub use input_error::InputError;
 use serde::Serialize;
 
-use super::elastostatic::{self, Basin};
+use super::elastostatic;
 use super::identifiability::{Analysis, Correlation, analyse};
+use super::starts::Basin;
 use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, Parameter, ParameterKind};
@@ -31,8 +33,7 @@ pub struct Settings {
     pub max_iterations: u32,
     /// A direction in parameter space with a larger standard deviation is reported as weak (m).
     pub weak_direction_limit: f64,
-    /// Starts of an elastostatic identification: the file's values and others, anchors up to 0.5 m away and compliances up
-    /// to 10/3 times larger or smaller. Kinematic identification needs no other starts.
+    /// Starts: the file's values and others, anchors up to 0.5 m away and compliances up to 10/3 times larger or smaller.
     pub starts: u32,
     /// Seed of the other starts.
     pub seed: u64,
@@ -87,6 +88,8 @@ pub enum Status {
     NotIdentifiable,
     /// The iteration limit was reached.
     NotConverged,
+    /// The optimum is a model without a forward problem: more cables than degrees of freedom ended rigid.
+    NotPredictive,
 }
 
 /// One identified parameter.
@@ -108,7 +111,7 @@ pub struct Estimate {
     pub change: f64,
     /// Standard deviation of the prior, if there is one.
     pub prior_sigma: Option<f64>,
-    /// True when the value lies on a bound.
+    /// True when the value lies on a bound, to rounding and the tolerance of the fit.
     pub at_bound: bool,
     /// Which parameter it is.
     #[serde(skip)]
@@ -133,10 +136,13 @@ pub struct Fit {
     pub parameters: Vec<Estimate>,
     /// Rank, singular values, weak directions, correlations.
     pub analysis: Analysis,
-    /// Root mean square of the residuals in units of their standard deviation; near 1 when model and sensors agree with
-    /// the data. Standard deviations of parameters are multiplied by it when it exceeds 1 or no sensor accuracy is known.
+    /// Noise that residuals and priors tell, in units of the stated accuracies, or of the assumed ones where none is stated
+    /// (1 mm for lengths, 1 % of the mean for tensions): √((data + prior cost)/(rows + priors − parameters)) at that noise.
+    /// Near 1 when model and sensors agree with the data; standard deviations of parameters grow with it when it exceeds 1 or
+    /// no accuracy is stated. NaN where there are as many parameters as rows and priors.
     pub noise_factor: f64,
-    /// The optima that the starts of an elastostatic identification led to, best first; empty for a kinematic one.
+    /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
+    /// start: the best optimum may then be one that no start led all cables to.
     pub basins: Vec<Basin>,
     /// What a careful reader should know.
     pub warnings: Vec<String>,
@@ -151,6 +157,9 @@ impl Fit {
 
 /// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
 pub(super) const ASSUMED_NOISE: f64 = 1e-3;
+
+/// Share of the mean tension assumed as the force sensors' noise where none is stated.
+pub(super) const ASSUMED_TENSION_SHARE: f64 = 0.01;
 
 /// Fits the free parameters of a model to samples.
 ///
@@ -174,8 +183,7 @@ pub fn fit_observed(
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
     } else {
-        let (optimum, weights) = optimum::find(model, samples, &parameters, settings)?;
-        progress();
+        let (optimum, weights) = optimum::find(model, samples, &parameters, settings, progress)?;
         report(model, samples, &parameters, &weights, optimum, settings)?
     };
     // the starts are those of a robot that may have been completed, with a wrench for instance
@@ -183,9 +191,9 @@ pub fn fit_observed(
     Ok(fit)
 }
 
-/// Descents of one fit: the starts of an elastic model, one of any other.
-pub fn descent_count(model: &Model, settings: &Settings) -> usize {
-    if model.composition().depends_on_tension() { settings.starts.max(1) as usize } else { 1 }
+/// Descents of one fit: its starts.
+pub fn descent_count(settings: &Settings) -> usize {
+    settings.starts.max(1) as usize
 }
 
 /// The optimum of a fit alone.
@@ -223,7 +231,7 @@ pub fn optimal_parameters(
             parameters,
         });
     }
-    let (optimum, _) = optimum::find(model, samples, &parameters, settings)?;
+    let (optimum, _) = optimum::find(model, samples, &parameters, settings, &|| ())?;
     Ok(OptimalParameters {
         model: optimum.calibrated(model)?,
         parameters,
@@ -288,8 +296,8 @@ fn report(
     settings: &Settings,
 ) -> Result<Fit, InputError> {
     let calibrated = optimum.calibrated(model)?;
-    let noise_factor = optimum.noise_factor(samples, parameters.len());
-    let inflation = if weights.absolute { noise_factor.max(1.0) } else { noise_factor };
+    let misfit = optimum.misfit(samples, settings).factor();
+    let inflation = inflation(misfit, weights.absolute);
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
     let analysis = analyse(&calibrated, samples, &optimum.poses, &optimum.blocks, &values, inflation, settings);
     let estimates: Vec<Estimate> = parameters
@@ -297,9 +305,10 @@ fn report(
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
         .collect();
-    let (status, reason) = verdict(&analysis, parameters.len(), optimum.converged(), settings);
+    let (status, reason) = verdict(&analysis, &estimates, optimum.converged(), settings);
     let mut warnings = analysis.warnings.clone();
     warnings.extend(warnings::suspicious_units(model, samples));
+    let noise_factor = weights.noise * misfit;
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
@@ -310,9 +319,19 @@ fn report(
         parameters: estimates,
         analysis,
         noise_factor,
-        basins: Vec::new(),
+        basins: optimum.basins,
         warnings,
     })
+}
+
+/// Factor of the standard deviations that the weights give: residuals that are smaller than stated accuracies are luck.
+pub(super) fn inflation(misfit: f64, absolute: bool) -> f64 {
+    match misfit.is_finite() {
+        true if absolute => misfit.max(1.0),
+        true => misfit,
+        // nothing is left over to tell
+        false => 1.0,
+    }
 }
 
 pub(super) fn estimate(
@@ -323,7 +342,6 @@ pub(super) fn estimate(
     settings: &Settings,
 ) -> Estimate {
     let (start, value) = (parameter.value(model), parameter.value(calibrated));
-    let (lower, upper) = parameter.bounds();
     Estimate {
         name: parameter.name(model.robot()),
         unit: parameter.unit(model.robot()),
@@ -333,12 +351,26 @@ pub(super) fn estimate(
         sigma,
         change: value - start,
         prior_sigma: prior_sigma(settings, parameter.kind),
-        at_bound: value <= lower || value >= upper,
+        at_bound: is_at_bound(value, start, parameter.bounds()),
         parameter,
     }
 }
 
-pub(super) fn verdict(analysis: &Analysis, count: usize, converged: bool, settings: &Settings) -> (Status, String) {
+/// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.
+const AT_BOUND: f64 = 1e-9;
+
+fn is_at_bound(value: f64, start: f64, (lower, upper): (f64, f64)) -> bool {
+    let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(start.abs());
+    value <= lower || value >= upper || near(lower) || near(upper)
+}
+
+pub(super) fn verdict(
+    analysis: &Analysis,
+    estimates: &[Estimate],
+    converged: bool,
+    settings: &Settings,
+) -> (Status, String) {
+    let count = estimates.len();
     if !converged {
         let limit = settings.max_iterations;
         return (
@@ -346,17 +378,20 @@ pub(super) fn verdict(analysis: &Analysis, count: usize, converged: bool, settin
             format!("the limit of {limit} iterations was reached before the parameters settled"),
         );
     }
+    if count == 0 {
+        return (Status::Converged, "nothing was free".to_owned());
+    }
+    let at_bounds = cautions::at_bounds(estimates).map_or_else(String::new, |words| format!("; {words}"));
+    let directions = analysis.weak_directions.join("; ");
     if analysis.rank < count && analysis.undetermined > 0 {
-        let directions = analysis.weak_directions.join("; ");
+        let rank = analysis.rank;
         let reason =
-            format!("the data determine {} of {count} parameters; not determined: {directions}", analysis.rank);
+            format!("the data determine {rank} of {count} parameters{at_bounds}; not determined: {directions}");
         return (Status::NotIdentifiable, reason);
     }
     let reason = match analysis.weak_directions.len() {
-        0 => format!("all {count} parameters are determined"),
-        _ => {
-            format!("all {count} parameters are determined, but weakly along: {}", analysis.weak_directions.join("; "))
-        }
+        0 => format!("all {count} parameters are determined{at_bounds}"),
+        _ => format!("all {count} parameters are determined{at_bounds}, but weakly along: {directions}"),
     };
-    (Status::Converged, if count == 0 { "nothing was free".to_owned() } else { reason })
+    (Status::Converged, reason)
 }

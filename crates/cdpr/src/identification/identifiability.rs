@@ -38,6 +38,15 @@ pub struct Analysis {
     pub condition_scaled: f64,
     /// Directions in parameter space that the data leave open or nearly so, in words.
     pub weak_directions: Vec<String>,
+    /// Number of those directions; sentences tell several at once.
+    pub weak_direction_count: usize,
+    /// Largest standard deviation along any of them (m, scales times the mean length and the like); infinite where one is not
+    /// determined at all, 0 without any.
+    #[serde(rename = "weak_direction_deviation_m")]
+    pub weak_deviation: f64,
+    /// Cables whose stiffness the data leave open, in words.
+    #[serde(skip)]
+    pub unknown_stiffness: Option<String>,
     /// Pairs of parameters with a correlation above 0.95.
     pub correlations: Vec<Correlation>,
     /// Correlation coefficients of all pairs: row i holds those of parameter i with the parameters 0 to i. NaN where one of the
@@ -54,6 +63,15 @@ pub struct Analysis {
     pub(super) warnings: Vec<String>,
 }
 
+impl Analysis {
+    /// Writes the directions with their number and the largest deviation.
+    pub(super) fn set_weak_directions(&mut self, model: &Model, directions: Vec<Direction>) {
+        self.weak_direction_count = directions.len();
+        self.weak_deviation = directions.iter().map(Direction::deviation).fold(0.0, f64::max);
+        self.weak_directions = describe(model, directions);
+    }
+}
+
 /// Correlations above this are reported.
 const CORRELATION_LIMIT: f64 = 0.95;
 
@@ -63,7 +81,7 @@ pub(super) struct Spectrum {
     vectors: DMatrix<f64>,
 }
 
-/// Analyses all blocks at their optimum. `inflation` multiplies every standard deviation.
+/// Analyses all blocks at their optimum. `inflation` multiplies the noise of every row.
 pub(super) fn analyse(
     model: &Model,
     samples: &Samples,
@@ -93,8 +111,9 @@ pub(super) fn analyse(
         let time = correlation_time(&residuals);
         longest_time = longest_time.max(time);
         let factor = inflation * time.sqrt();
-        let posterior = spectrum(&with_priors(weighted, &block.parameters, settings));
-        let uncertainty = Uncertainty::new(&posterior, factor);
+        let priors = prior_weights(&block.parameters, settings);
+        let posterior = spectrum(&with_priors(weighted, &priors));
+        let uncertainty = Uncertainty::new(&posterior, factor, &priors);
         analysis.undetermined += uncertainty.undetermined;
         analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
         analysis.correlation_rows.extend(uncertainty.correlation_rows(analysis.correlation_rows.len()));
@@ -113,7 +132,7 @@ pub(super) fn analyse(
     (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
     plain_values.sort_by(|a, b| b.total_cmp(a));
     analysis.singular_values = plain_values;
-    analysis.weak_directions = describe(model, directions);
+    analysis.set_weak_directions(model, directions);
     if longest_time > 1.0 {
         analysis.warnings.push(format!(
             "residuals of consecutive samples repeat each other (correlation time up to {longest_time:.0} samples): standard \
@@ -147,12 +166,17 @@ pub(super) fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     matrix
 }
 
-pub(super) fn with_priors(weighted: DMatrix<f64>, parameters: &[Parameter], settings: &Settings) -> DMatrix<f64> {
+/// 1/σ² of each parameter's prior, 0 without one.
+pub(super) fn prior_weights(parameters: &[Parameter], settings: &Settings) -> Vec<f64> {
+    let weight =
+        |parameter: &Parameter| prior_sigma(settings, parameter.kind).map_or(0.0, |sigma| 1.0 / (sigma * sigma));
+    parameters.iter().map(weight).collect()
+}
+
+pub(super) fn with_priors(weighted: DMatrix<f64>, prior_weights: &[f64]) -> DMatrix<f64> {
     let (rows, columns) = weighted.shape();
     let mut stacked = weighted.resize(rows + columns, columns, 0.0);
-    for (k, parameter) in parameters.iter().enumerate() {
-        stacked[(rows + k, k)] = prior_sigma(settings, parameter.kind).map_or(0.0, |sigma| 1.0 / sigma);
-    }
+    prior_weights.iter().enumerate().for_each(|(k, weight)| stacked[(rows + k, k)] = weight.sqrt());
     stacked
 }
 
@@ -186,25 +210,40 @@ pub(super) struct Uncertainty {
 }
 
 impl Uncertainty {
-    pub(super) fn new(posterior: &Spectrum, factor: f64) -> Self {
+    /// Posterior of rows whose noise is `factor` times what their weights say, and of priors with these weights (1/σ², 0
+    /// without one).
+    ///
+    /// The estimate is that of the weights as they are, P Jᵀ W r with P = (JᵀWJ + Λ)⁻¹, so its covariance is
+    /// P (g JᵀWJ + Λ) P = g P − (g − 1) P Λ P, g the square of the factor: what a prior tells does not become less certain
+    /// because the data do.
+    pub(super) fn new(posterior: &Spectrum, factor: f64, prior_weights: &[f64]) -> Self {
         let count = posterior.values.len();
         let largest = posterior.values.iter().copied().fold(0.0, f64::max);
         let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
-        let mut covariance = DMatrix::zeros(count, count);
+        let mut plain = DMatrix::zeros(count, count);
         let mut open = vec![false; count];
-        let mut deviations = Vec::with_capacity(count);
         for (j, &value) in posterior.values.iter().enumerate() {
             let vector = posterior.vectors.column(j);
-            if determined(value) {
-                let deviation = factor / value;
-                covariance += vector * vector.transpose() * (deviation * deviation);
-                deviations.push(deviation);
-            } else {
-                deviations.push(f64::INFINITY);
-                (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true);
+            match determined(value) {
+                true => plain += vector * vector.transpose() / (value * value),
+                false => (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true),
             }
         }
-        let sigmas = (0..count).map(|k| (!open[k]).then(|| covariance[(k, k)].sqrt())).collect();
+        let inflation = factor * factor;
+        let priors = DMatrix::from_diagonal(&DVector::from_column_slice(prior_weights));
+        let covariance = &plain * inflation - &plain * priors * &plain * (inflation - 1.0);
+        // along a singular vector v the same by v alone: P v = v/s²
+        let deviation = |(j, &value): (usize, &f64)| match determined(value) {
+            true => {
+                let vector = posterior.vectors.column(j);
+                let squares = vector.iter().zip(prior_weights).map(|(v, weight)| weight * v * v);
+                let of_priors = squares.sum::<f64>() / (value * value);
+                (inflation - (inflation - 1.0) * of_priors).max(0.0).sqrt() / value
+            }
+            false => f64::INFINITY,
+        };
+        let deviations: Vec<f64> = posterior.values.iter().enumerate().map(deviation).collect();
+        let sigmas = (0..count).map(|k| (!open[k]).then(|| covariance[(k, k)].max(0.0).sqrt())).collect();
         let undetermined = deviations.iter().filter(|deviation| deviation.is_infinite()).count();
         Self { covariance, sigmas, undetermined, deviations, vectors: posterior.vectors.clone() }
     }

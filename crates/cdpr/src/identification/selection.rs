@@ -1,107 +1,21 @@
 //! The simplest control model that is good enough, on data it was not fitted to.
 
+mod comparison;
+mod criterion;
+mod reason;
 mod requirement;
 
+pub use criterion::Criterion;
+use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
-use serde::Serialize;
 use thiserror::Error;
 
 use super::candidate::Candidate;
-use super::evaluation::{ErrorBlocks, Evaluation, evaluate};
-use super::fit::{self, Fit};
-use super::{bootstrap, fit::fit};
+use super::evaluation::{ErrorBlocks, Evaluation, evaluate_fitted};
+use super::fit::{self, Fit, fit};
 use crate::measurement::{Fold, Samples};
 use crate::model::Model;
 use crate::robot::Robot;
-
-/// Which error decides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Criterion {
-    /// Mean position error (m, eq. 3.4).
-    #[default]
-    Position,
-    /// Mean rotation error (rad).
-    Rotation,
-    /// Mean over samples of the mean length error of the cables (m).
-    Length,
-    /// Mean over samples of the 2-norm of the tension errors (N); only models that know tensions have it.
-    Tension,
-}
-
-impl Criterion {
-    /// The quantity in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Position => "mean position error",
-            Self::Rotation => "mean rotation error",
-            Self::Length => "mean cable-length error",
-            Self::Tension => "mean tension error (2-norm over cables)",
-        }
-    }
-
-    /// Unit for people.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Rotation => "°",
-            Self::Position | Self::Length => "mm",
-            Self::Tension => "N",
-        }
-    }
-
-    /// Name of the error figure that [`Requirement`] limits, without its unit.
-    pub fn metric(self) -> &'static str {
-        match self {
-            Self::Position => "position_mean",
-            Self::Rotation => "rotation_mean",
-            Self::Length => "length_mean_abs",
-            Self::Tension => "tension_mean_norm",
-        }
-    }
-
-    /// A value (SI) in the unit for people.
-    pub fn in_unit(self, value: f64) -> f64 {
-        match self {
-            Self::Rotation => value.to_degrees(),
-            Self::Position | Self::Length => 1e3 * value,
-            Self::Tension => value,
-        }
-    }
-
-    /// The criterion out of error blocks (SI); NaN for a model that has none.
-    pub fn of_blocks(self, blocks: &ErrorBlocks) -> f64 {
-        match self {
-            Self::Position => blocks.position_error_m.mean,
-            Self::Rotation => blocks.rotation_error_rad.mean,
-            Self::Length => blocks.length_error_m.mean_abs,
-            Self::Tension => blocks.tension_error.map_or(f64::NAN, |error| error.mean_norm),
-        }
-    }
-
-    /// A value for people: mm, degrees or N.
-    pub fn format(self, value: f64) -> String {
-        let value = self.in_unit(value);
-        match self {
-            Self::Rotation => format!("{value:.4}°"),
-            Self::Position | Self::Length => format!("{value:.3} mm"),
-            Self::Tension => format!("{value:.1} N"),
-        }
-    }
-
-    /// The error of each sample.
-    fn of(self, evaluation: &Evaluation) -> Vec<f64> {
-        match self {
-            Self::Position => evaluation.position.clone(),
-            Self::Rotation => evaluation.rotation.clone(),
-            Self::Length => {
-                let mean = |errors: &[f64]| errors.iter().map(|x| x.abs()).sum::<f64>() / errors.len() as f64;
-                evaluation.length.chunks(evaluation.cable_count.max(1)).map(mean).collect()
-            }
-            Self::Tension => (0..evaluation.len()).map(|sample| evaluation.tension_norm_of(sample)).collect(),
-        }
-    }
-}
 
 /// How candidates are compared.
 #[derive(Clone, Debug, Default)]
@@ -142,10 +56,14 @@ pub struct Judgement {
     pub validation_errors: Evaluation,
     /// Indices of those samples in the data set.
     pub validation_samples: Vec<usize>,
-    /// Mean of the criterion on validation data.
+    /// Mean of the criterion on the validation samples that all compared candidates answer; NaN for a disqualified one.
     pub criterion: f64,
     /// Its standard error by block bootstrap.
     pub standard_error: f64,
+    /// Number of those samples.
+    pub compared_samples: usize,
+    /// The reason against comparing the candidate at all: it answers too few validation samples.
+    pub disqualified: Option<String>,
     /// The limits and how the candidate stands to them.
     pub requirements: Vec<RequirementOutcome>,
 }
@@ -211,12 +129,13 @@ pub fn select(
         let outcome = judge(robot, candidate, samples, folds, settings, progress);
         Judged { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
-    let judged = map_all(candidates, judge_one);
+    let mut judged = map_all(candidates, judge_one);
     if let Some(Judged { name, outcome: Err(reason), .. }) =
         judged.iter().all(|judged| judged.outcome.is_err()).then(|| &judged[0])
     {
         return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
     }
+    comparison::compare(&mut judged, settings.criterion, settings.seed);
     Ok(recommend(judged, settings.criterion))
 }
 
@@ -259,7 +178,7 @@ fn judge(
         let train = samples.subset(&fold.train);
         let fitted = fit_to(&train)?;
         let evaluation =
-            evaluate(&fitted.model, &samples.subset(&fold.validation)).map_err(|error| error.to_string())?;
+            evaluate_fitted(&fitted.model, &samples.subset(&fold.validation)).map_err(|error| error.to_string())?;
         fold_blocks.push((fold.name.clone(), evaluation.blocks()));
         errors.extend(&evaluation);
         validation_samples.extend(&fold.validation);
@@ -269,16 +188,17 @@ fn judge(
         Some(pair) if folds.len() == 1 => pair,
         _ => (fit_to(samples)?, samples.clone()),
     };
-    let series = settings.criterion.of(&errors);
     let validation = errors.blocks();
     Ok(Judgement {
-        train: evaluate(&reported.model, &train).map_err(|error| error.to_string())?.blocks(),
+        train: evaluate_fitted(&reported.model, &train).map_err(|error| error.to_string())?.blocks(),
         fit: reported,
         requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
         validation,
         folds: fold_blocks,
-        criterion: series.iter().sum::<f64>() / series.len() as f64,
-        standard_error: bootstrap::standard_error(&series, settings.seed),
+        criterion: f64::NAN,
+        standard_error: f64::NAN,
+        compared_samples: 0,
+        disqualified: None,
         validation_errors: errors,
         validation_samples,
     })
@@ -289,13 +209,7 @@ fn recommend(candidates: Vec<Judged>, criterion: Criterion) -> Selection {
         candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
     let finite = || judged.iter().filter(|(_, judgement)| judgement.criterion.is_finite());
     let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
-        let reason = match criterion {
-            Criterion::Tension => {
-                "no candidate predicts a tension for every validation sample: that takes an elastic model and recorded tensions"
-            }
-            _ => "no candidate predicts a pose for every validation sample",
-        };
-        let reason = reason.to_owned();
+        let reason = nobody(&judged, &candidates, criterion);
         return Selection { candidates, best: None, recommended: None, reason };
     };
     let error = if best_judgement.standard_error.is_finite() { best_judgement.standard_error } else { 0.0 };
@@ -308,55 +222,4 @@ fn recommend(candidates: Vec<Judged>, criterion: Criterion) -> Selection {
         None => (None, text.for_none(&judged)),
     };
     Selection { best: Some(best), recommended, reason, candidates }
-}
-
-/// Words for the outcome.
-struct Reason<'a> {
-    names: &'a [Judged],
-    criterion: Criterion,
-    best: usize,
-    limit: f64,
-}
-
-impl Reason<'_> {
-    fn for_choice(&self, index: usize, judgement: &Judgement, judged: &[(usize, &Judgement)]) -> String {
-        let name = |index: usize| &self.names[index].name;
-        let (words, value) = (self.criterion.words(), self.criterion.format(judgement.criterion));
-        let limit = self.criterion.format(self.limit);
-        let mut text = match index == self.best {
-            true => format!(
-                "`{}` has the smallest {words} on validation data, {value}, and no simpler candidate comes within one \
-                 standard error of it ({limit})",
-                name(index)
-            ),
-            false => format!(
-                "`{}` is the simplest candidate whose {words} on validation data, {value}, lies within one standard error \
-                 ({limit}) of the best, `{}`",
-                name(index),
-                name(self.best)
-            ),
-        };
-        let simpler = judged.iter().rev().find(|(other, _)| *other < index);
-        if let Some((other, rejected)) = simpler {
-            let why = if rejected.criterion <= self.limit { "but breaks a requirement" } else { "" };
-            let other_value = self.criterion.format(rejected.criterion);
-            text.push_str(format!("; the next simpler one, `{}`, has {other_value} {why}", name(*other)).trim_end());
-        }
-        if judgement.fit.status != fit::Status::Converged {
-            text.push_str(&format!(". Caution: {}", judgement.fit.reason));
-        }
-        text
-    }
-
-    fn for_none(&self, judged: &[(usize, &Judgement)]) -> String {
-        let best = judged.iter().find(|(index, _)| *index == self.best);
-        let broken = best.into_iter().flat_map(|(_, judgement)| &judgement.requirements).filter(|r| !r.met);
-        let broken: Vec<String> = broken.map(ToString::to_string).collect();
-        format!(
-            "no candidate within one standard error of the best, `{}` ({}), meets the requirements; it breaks: {}",
-            self.names[self.best].name,
-            self.criterion.format(self.limit),
-            if broken.is_empty() { "none itself".to_owned() } else { broken.join(", ") }
-        )
-    }
 }

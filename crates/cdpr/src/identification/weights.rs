@@ -15,6 +15,8 @@ pub(super) struct Weights {
     rows: usize,
     /// False when no sensor accuracy is known: all weights are then equal and the noise is estimated from the residuals.
     pub(super) absolute: bool,
+    /// Noise that the weights stand for, as a multiple of what is stated or assumed.
+    pub(super) noise: f64,
 }
 
 impl Weights {
@@ -23,9 +25,10 @@ impl Weights {
         &self.inverse_sigma[cable * self.rows..][..self.rows]
     }
 
-    /// All weights times a factor.
-    pub(super) fn scaled(&self, factor: f64) -> Self {
-        Self { inverse_sigma: self.inverse_sigma.iter().map(|weight| weight * factor).collect(), ..*self }
+    /// The same weights for a noise that is some times as large.
+    pub(super) fn for_noise(&self, factor: f64) -> Self {
+        let inverse_sigma = self.inverse_sigma.iter().map(|weight| weight / factor).collect();
+        Self { inverse_sigma, noise: self.noise * factor, ..*self }
     }
 
     /// True when no weight differs by more than a millionth: the optimum then moves by less than that share of σ.
@@ -48,6 +51,7 @@ pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes
         rows,
         // a rotation accuracy alone leaves rows without lever at no variance at all
         absolute: length > 0.0 || position > 0.0,
+        noise: 1.0,
     };
     let mut variances = Variances { length: length * length, position: [0.0; 3], rotation: [0.0; 3] };
     for basis in model.twist_basis() {

@@ -22,6 +22,15 @@ pub(super) enum Direction {
     },
 }
 
+impl Direction {
+    /// Standard deviation along it (m).
+    pub(super) fn deviation(&self) -> f64 {
+        match self {
+            Self::AnchorsTogether { deviation, .. } | Self::Combination { deviation, .. } => *deviation,
+        }
+    }
+}
+
 /// One sentence for each group of directions.
 pub(super) fn describe(model: &Model, directions: Vec<Direction>) -> Vec<String> {
     let mut words = Vec::new();

@@ -3,35 +3,21 @@
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
 use crate::equilibrium::elastostatics::batch::Solutions;
+use crate::equilibrium::forward_problem::ForwardSolver;
 use crate::equilibrium::{elastostatics, forward_kinematics};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, StretchEffect};
 use crate::scalar::LaneTable;
-use crate::statics::Load;
 
 /// A machine with the forward problem that it answers by.
 pub(super) struct Machine<'a> {
     model: &'a Model,
-    forward: Forward<'a>,
-}
-
-enum Forward<'a> {
-    /// The platform goes to the least-squares pose.
-    Rigid(Box<forward_kinematics::Solver<'a>>),
-    /// Cables pull or are slack.
-    Elastic(Box<elastostatics::Solver<'a>>),
+    forward: ForwardSolver<'a>,
 }
 
 impl<'a> Machine<'a> {
     pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
-        let forward = if model.composition().depends_on_tension() {
-            let load = Load::of(model.robot())?;
-            Forward::Elastic(Box::new(elastostatics::Solver::new(model, &load, &elastostatics::Settings::default())?))
-        } else {
-            let settings = forward_kinematics::Settings::default();
-            let solver = forward_kinematics::Solver::new(model, &settings).expect("the default settings are valid");
-            Forward::Rigid(Box::new(solver))
-        };
+        let forward = ForwardSolver::new::<InputError>(model, &forward_kinematics::Settings::default())?;
         Ok(Self { model, forward })
     }
 
@@ -40,8 +26,8 @@ impl<'a> Machine<'a> {
     }
 
     /// True when tensions emerge.
-    pub(super) fn is_elastic(&self) -> bool {
-        matches!(self.forward, Forward::Elastic(_))
+    pub(super) fn knows_tensions(&self) -> bool {
+        self.forward.knows_tensions()
     }
 
     /// True when the cables remember how they came to a tension.
@@ -51,28 +37,28 @@ impl<'a> Machine<'a> {
 
     /// The cables remember the last answer.
     pub(super) fn remember(&mut self) {
-        if let Forward::Elastic(solver) = &mut self.forward {
+        if let ForwardSolver::Equilibrium(solver) = &mut self.forward {
             solver.remember();
         }
     }
 
     /// The cables are as if they had never been loaded.
     pub(super) fn forget(&mut self) {
-        if let Forward::Elastic(solver) = &mut self.forward {
+        if let ForwardSolver::Equilibrium(solver) = &mut self.forward {
             solver.forget();
         }
     }
 
     /// The forward problem starts from the commanded pose alone from now on.
     pub(super) fn without_restarts(mut self) -> Self {
-        if let Forward::Elastic(solver) = self.forward {
-            self.forward = Forward::Elastic(Box::new(solver.without_restarts()));
+        if let ForwardSolver::Equilibrium(solver) = self.forward {
+            self.forward = ForwardSolver::Equilibrium(Box::new(solver.without_restarts()));
         }
         self
     }
 
     /// What emerges for many controlled lengths at once (m; a row per cable), sought from these poses; with `only_taut` where
-    /// every cable pulls. False for a rigid machine, and where the lengths are no numbers.
+    /// every cable pulls. False where the machine fits lengths, and where the lengths are no numbers.
     pub(super) fn answer_all(
         &mut self,
         lengths: &LaneTable,
@@ -81,9 +67,11 @@ impl<'a> Machine<'a> {
         solutions: &mut Solutions,
     ) -> bool {
         match &mut self.forward {
-            Forward::Rigid(_) => false,
-            Forward::Elastic(solver) if only_taut => solver.solve_taut_batch(lengths, guesses, solutions).is_ok(),
-            Forward::Elastic(solver) => solver.solve_batch(lengths, guesses, solutions).is_ok(),
+            ForwardSolver::LeastSquares(_) => false,
+            ForwardSolver::Equilibrium(solver) if only_taut => {
+                solver.solve_taut_batch(lengths, guesses, solutions).is_ok()
+            }
+            ForwardSolver::Equilibrium(solver) => solver.solve_batch(lengths, guesses, solutions).is_ok(),
         }
     }
 
@@ -100,12 +88,12 @@ impl<'a> Machine<'a> {
             reason: None,
         };
         let refused = match &mut self.forward {
-            Forward::Rigid(solver) => solver
+            ForwardSolver::LeastSquares(solver) => solver
                 .solve(&controlled, guess)
                 .map(|solution| outcome.rigid(self.model, solution))
                 .err()
                 .map(|e| e.to_string()),
-            Forward::Elastic(solver) => {
+            ForwardSolver::Equilibrium(solver) => {
                 solver.solve(&controlled, guess).map(|solution| outcome.elastic(solution)).err().map(|e| e.to_string())
             }
         };

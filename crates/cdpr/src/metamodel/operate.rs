@@ -22,7 +22,7 @@ pub struct Outcome {
     /// What the encoders read once the platform has come to rest (m): what the control model asked for, or, for a rigid
     /// machine, whose winches take up what is slack, the lengths it has. Offsets sit in the winch's zero and are not read.
     pub recorded: Vec<f64>,
-    /// Tensions that emerge (N); `None` for a rigid machine.
+    /// Tensions that emerge (N); `None` for a rigid machine that fits its lengths.
     pub tensions: Option<Vec<f64>>,
     /// How the answer was found.
     pub status: Status,
@@ -78,7 +78,8 @@ impl Status {
 /// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
 /// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
-/// its own encoders away and answers by its forward problem: elastic cables pull or are slack, rigid ones fit best.
+/// its own encoders away and answers by its forward problem ([`crate::equilibrium::forward_problem`]): elastic cables, and rigid
+/// ones too few to hold the platform, pull or are slack; other rigid ones fit best.
 pub fn operate<'a>(
     control: impl Into<Control<'a>>,
     machine: &'a Model,
@@ -123,6 +124,11 @@ impl<'a> Operation<'a> {
     /// What answers.
     pub fn machine(&self) -> &'a Model {
         self.machine.model()
+    }
+
+    /// True when tensions emerge beside the pose.
+    pub fn knows_tensions(&self) -> bool {
+        self.machine.knows_tensions()
     }
 
     /// Each pose is reached from the initial one, or from the one before, on a way that the cables of the machine remember; for
@@ -179,7 +185,7 @@ impl<'a> Operation<'a> {
     /// What emerges for many commands at once, of those for which the control model has lengths; with `only_taut` where every
     /// cable pulls. `None` for rigid machines, and for those that remember.
     pub(super) fn answer_all(&mut self, poses: &[Pose], only_taut: bool) -> Option<Emerged> {
-        if self.way.is_some() || !self.machine.is_elastic() {
+        if self.way.is_some() || !self.machine.knows_tensions() {
             return None;
         }
         let mut guesses = PoseBatch::default();

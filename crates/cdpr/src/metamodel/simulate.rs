@@ -25,7 +25,7 @@ pub struct Simulation {
 }
 
 /// Sends every commanded pose through the control model to the machine (see [`super::operate()`]) and records what emerges,
-/// with sensor noise: pose, lengths, and the tensions of an elastic machine.
+/// with sensor noise: pose, lengths, and the tensions of a machine that rests in equilibrium.
 ///
 /// Recorded lengths are what the encoders of the machine read, length_scale · q_θ + length_offset − q_off with the length q_θ
 /// really paid out. The winch offset q_off sits in the winch's zero, as on a robot whose encoders are set to the control
@@ -60,7 +60,7 @@ pub fn simulate_operation(
     // pose and noise streams differ even for the same seed
     rng.set_stream(1);
     let mut sensors = Sensors { machine, noise, normal: move || StandardNormal.sample(&mut rng) };
-    let tensions = machine.composition().depends_on_tension().then(Vec::new);
+    let tensions = operation.knows_tensions().then(Vec::new);
     let mut samples = Samples { cable_count: machine.cable_count(), sigmas: *noise, tensions, ..Samples::default() };
     let mut sets = Vec::new();
     let (mut outcomes, mut left_out) = (Vec::new(), Vec::new());

@@ -1,8 +1,11 @@
 //! Intervals mean what they say: 95 % intervals contain the truth in 95 % of repeated experiments.
 
 use crate::support::{builtin, measured, simulator};
-use cdpr::identification::fit::{Settings, Status, fit};
-use cdpr::model::{Composition, FreeParameters, Model};
+use cdpr::identification::fit::{Prior, Settings, Status, fit};
+use cdpr::model::{Composition, FreeParameters, Model, ParameterKind};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
 
 const RUNS: u64 = 200;
 
@@ -53,4 +56,58 @@ fn intervals_of_frame_anchors_cover_the_truth() {
 fn intervals_of_anchors_and_offsets_cover_the_truth() {
     check("frame-anchor,platform-anchor");
     check("frame-anchor,length-offset");
+}
+
+/// Standard deviation of the priors (m).
+const PRIOR: f64 = 0.02;
+
+/// Machines for each number of poses; `CDPR_COVERAGE_RUNS` asks for more.
+fn machines() -> u64 {
+    std::env::var("CDPR_COVERAGE_RUNS").ok().and_then(|count| count.parse().ok()).unwrap_or(60)
+}
+
+/// Share of intervals that hold the truth, all 48 anchors of machines drawn from the priors together; the mean noise factor.
+fn coverage_with_priors(kinds: &[ParameterKind], poses: usize) -> (f64, f64) {
+    let file = simulator();
+    let start = Model::new(file.clone(), Composition::STANDARD).unwrap();
+    let free: FreeParameters = "frame-anchor,platform-anchor".parse().unwrap();
+    let priors = kinds.iter().map(|&kind| Prior { kind, sigma: PRIOR }).collect();
+    let settings = Settings { priors, ..Settings::default() };
+    let normal = Normal::new(0.0, PRIOR).unwrap();
+    let (mut inside, mut all, mut noise_factor) = (0, 0, 0.0);
+    for seed in 0..machines() {
+        let mut rng = ChaCha8Rng::seed_from_u64(7000 + seed);
+        let mut machine = file.clone();
+        for cable in &mut machine.cables {
+            for k in 0..3 {
+                cable.frame_anchor[k] += normal.sample(&mut rng);
+                cable.platform_anchor[k] += normal.sample(&mut rng);
+            }
+        }
+        let samples = measured(&machine, Composition::STANDARD, poses, 0.15, seed);
+        let found = fit(&start, &samples, &free, &settings).unwrap();
+        let truth = Model::new(machine, Composition::STANDARD).unwrap();
+        for estimate in &found.parameters {
+            let error = estimate.value - estimate.parameter.value(&truth);
+            inside += u32::from(error.abs() <= 1.96 * estimate.sigma.expect("a prior determines it"));
+            all += 1;
+        }
+        noise_factor += found.noise_factor / machines() as f64;
+    }
+    (f64::from(inside) / f64::from(all), noise_factor)
+}
+
+/// Few poses and many parameters: priors count as rows, else the noise seems several times as large as it is.
+#[test]
+fn intervals_cover_the_truth_with_priors_and_few_poses() {
+    let both = [ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor];
+    for kinds in [&both[..], &both[1..]] {
+        for poses in [25, 10, 7, 4] {
+            let (share, noise_factor) = coverage_with_priors(kinds, poses);
+            println!("{kinds:?}, {poses} poses: {:.2} % covered, noise factor {noise_factor:.3}", 100.0 * share);
+            assert!((0.93..=0.97).contains(&share), "{kinds:?}, {poses} poses: {share}");
+            // the root of a mean of squares is a little below that of their expectation
+            assert!((0.9..1.05).contains(&noise_factor), "{kinds:?}, {poses} poses: {noise_factor}");
+        }
+    }
 }

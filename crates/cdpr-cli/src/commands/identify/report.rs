@@ -39,8 +39,13 @@ pub(super) fn page(
     let composition = task.model.composition();
     let free = |free: FreeParameters| Candidate { composition, free };
     let candidates = [free(FreeParameters::default()), free(arguments.free.clone())];
-    let fit =
-        fit::Settings { hold: arguments.hold.clone(), priors: arguments.prior.clone(), ..fit::Settings::default() };
+    let fit = fit::Settings {
+        hold: arguments.hold.clone(),
+        priors: arguments.prior.clone(),
+        starts: arguments.starts,
+        seed: arguments.seed,
+        ..fit::Settings::default()
+    };
     let settings = Settings { fit, seed: arguments.seed, ..Settings::default() };
     let mut selection = select(task.model.robot(), &candidates, &samples, &folds, &settings, &|| ())
         .map_err(|error| Failure::refused(&name, &error))?;

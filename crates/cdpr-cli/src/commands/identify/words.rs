@@ -11,6 +11,7 @@ pub(super) fn of(answer: &Identified) -> String {
     let status = match answer.status {
         Status::Converged => "converged",
         Status::NotIdentifiable => "not identifiable",
+        Status::NotPredictive => "no forward problem",
         _ => "not converged",
     };
     let mut text = format!(
@@ -29,7 +30,11 @@ pub(super) fn of(answer: &Identified) -> String {
         text.push_str("\nthe starts led to different optima; the one with the lowest cost is reported\n");
         let list = answer.basins.iter().map(|basin| {
             let note = if basin.converged { "" } else { ", not converged" };
-            format!("  cost {:.4e} from {} starts{note}\n", basin.cost, basin.starts)
+            match basin.starts {
+                0 => format!("  cost {:.4e} from the best start of each cable{note}\n", basin.cost),
+                1 => format!("  cost {:.4e} from 1 start{note}\n", basin.cost),
+                starts => format!("  cost {:.4e} from {starts} starts{note}\n", basin.cost),
+            }
         });
         text.extend(list);
     } else if let Some(basin) = answer.basins.first().filter(|basin| basin.starts > 1) {
@@ -67,10 +72,11 @@ fn parameters(answer: &Identified) -> String {
 fn identifiability(answer: &Identified) -> String {
     let Identified { analysis, parameter_count, noise_factor, .. } = answer;
     let mut text = format!(
-        "rank {} of {parameter_count}, condition {}, with unit columns {}, noise factor {noise_factor:.3}\n",
+        "rank {} of {parameter_count}, condition {}, with unit columns {}, noise factor {}\n",
         analysis.rank,
         condition_number(analysis.condition),
-        condition_number(analysis.condition_scaled)
+        condition_number(analysis.condition_scaled),
+        cell(Some(*noise_factor), 3)
     );
     for direction in &analysis.weak_directions {
         text.push_str(&format!("weak direction: {direction}\n"));

@@ -5,14 +5,15 @@ use nalgebra::{DMatrix, DVector};
 use super::descent::Problem;
 use super::optimum::Optimum;
 use super::rows::{RowModel, SampleRows};
+use crate::equilibrium::elastostatics;
 use crate::identification::autocorrelation::correlation_time;
-use crate::identification::fit::{Estimate, Fit, Settings, estimate, verdict, warnings};
+use crate::identification::fit::{Estimate, Fit, Settings, Status, estimate, inflation, verdict, warnings};
 use crate::identification::identifiability::{
-    Analysis, Named, Uncertainty, mean_rotation, rank_and_condition, spectrum, with_priors, with_unit_columns,
+    Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
+    with_unit_columns,
 };
-use crate::identification::words::describe;
 use crate::measurement::Samples;
-use crate::model::{Parameter, ParameterKind};
+use crate::model::{Model, Parameter, ParameterKind};
 use crate::statics::Load;
 
 /// Prior and data contradict each other when the parameters moved this many times farther than the prior lets expect.
@@ -21,18 +22,21 @@ const CONFLICT: f64 = 2.0;
 /// The fit in full: uncertainty, weak directions, warnings.
 pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optimum, settings: &Settings) -> Fit {
     let model = &optimum.start_model;
-    let factor = Problem::new(model, samples, &optimum.tensions, parameters, settings).noise_factor(optimum.end.cost);
-    let inflation = if optimum.absolute { factor.max(1.0) } else { factor };
-    let analysis = analyse(&optimum, samples, parameters, inflation, settings);
+    let misfit = optimum.misfit.factor();
+    let noise_factor = optimum.noise * misfit;
+    let analysis = analyse(&optimum, samples, parameters, inflation(misfit, optimum.absolute), settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &optimum.calibrated, *parameter, sigma, settings))
         .collect();
-    let (status, reason) = verdict(&analysis, parameters.len(), optimum.converged(), settings);
+    let (mut status, mut reason) = verdict(&analysis, &estimates, optimum.converged(), settings);
+    if let Some(why) = without_forward_problem(&optimum.calibrated, &estimates) {
+        (status, reason) = (Status::NotPredictive, why);
+    }
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
-    all_warnings.extend(warnings::of_noise(optimum.absolute, factor, parameters.len()));
+    all_warnings.extend(noise_warnings(samples, &optimum, noise_factor, parameters.len()));
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(prior_conflicts(&estimates));
     Fit {
@@ -42,11 +46,54 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         history: optimum.history().to_vec(),
         parameters: estimates,
         analysis,
-        noise_factor: factor,
+        noise_factor,
         basins: optimum.basins,
         warnings: all_warnings,
         model: optimum.calibrated,
     }
+}
+
+/// Warnings about accuracies, stated or assumed.
+fn noise_warnings(samples: &Samples, optimum: &Optimum, noise_factor: f64, parameter_count: usize) -> Vec<String> {
+    let mean_tension = optimum.tensions.iter().sum::<f64>() / optimum.tensions.len() as f64;
+    if optimum.absolute {
+        let assumed = warnings::of_assumptions(&samples.sigmas, mean_tension);
+        return warnings::of_noise(noise_factor, parameter_count).into_iter().chain(assumed).collect();
+    }
+    let told = match noise_factor.is_finite() {
+        true => format!("multiplied by {noise_factor:.2} to agree with the residuals"),
+        false => "taken as they are, since there are as many parameters as rows".to_owned(),
+    };
+    let words = format!(
+        "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): 1 mm for lengths and 1 % of the mean for \
+         tensions are assumed and {told}"
+    );
+    (parameter_count > 0).then_some(words).into_iter().collect()
+}
+
+/// The reason where a fit has made more cables rigid than there are degrees of freedom, with its likely cause.
+fn without_forward_problem(calibrated: &Model, estimates: &[Estimate]) -> Option<String> {
+    let load = Load::of(calibrated.robot()).ok()?;
+    let refusal = elastostatics::Solver::new(calibrated, &load, &elastostatics::Settings::default()).err()?;
+    let of = |kind: ParameterKind| estimates.iter().filter(move |estimate| estimate.parameter.kind == kind);
+    let rigid: Vec<String> =
+        of(ParameterKind::Compliance).filter(|e| e.at_bound).map(|e| (e.parameter.cable + 1).to_string()).collect();
+    if rigid.is_empty() {
+        return None;
+    }
+    let cause = match of(ParameterKind::LengthOffset).next() {
+        None => {
+            "the recorded lengths leave no room for stretch, which offsets of the winches in the record would explain: free              `length-offset` too"
+        }
+        Some(_) => {
+            "the recorded lengths do not follow the recorded tensions: check their units, signs and order of the cables"
+        }
+    };
+    Some(format!(
+        "the fit drives the compliance of cables {} to 0, so that the calibrated model predicts no poses ({refusal}). Likely cause: \
+         {cause}",
+        rigid.join(", ")
+    ))
 }
 
 fn analyse(
@@ -80,8 +127,9 @@ fn analyse(
             time.sqrt()
         ));
     }
-    let posterior = spectrum(&with_priors(weighted, parameters, settings));
-    let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt());
+    let priors = prior_weights(parameters, settings);
+    let posterior = spectrum(&with_priors(weighted, &priors));
+    let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
     analysis.undetermined = uncertainty.undetermined;
     analysis.correlations = uncertainty.correlations(&optimum.start_model, parameters);
     analysis.correlation_rows = uncertainty.correlation_rows(0);
@@ -94,9 +142,10 @@ fn analyse(
         worth: DVector::from_column_slice(problem.worth()),
     };
     let directions = uncertainty.weak_directions(&named, &mean_rotation(samples), settings.weak_direction_limit);
-    analysis.weak_directions = describe(model, directions);
+    analysis.set_weak_directions(model, directions);
     analysis.sigmas = uncertainty.sigmas;
-    analysis.weak_directions.extend(unknown_stiffness(optimum, parameters, &analysis.sigmas));
+    analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
+    analysis.weak_directions.extend(analysis.unknown_stiffness.clone());
     analysis
 }
 

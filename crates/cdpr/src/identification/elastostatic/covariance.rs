@@ -1,12 +1,9 @@
 //! Sensor accuracies that the weights use, and Cholesky factors of the rows' covariances.
 
 use super::noise::Sigmas;
-use crate::identification::fit::ASSUMED_NOISE;
+use crate::identification::fit::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE};
 use crate::measurement::Samples;
 use crate::scalar::{Kernel, LANES, Lanes, dispatch};
-
-/// Share of the mean tension assumed as the force sensors' noise where none is stated.
-const ASSUMED_TENSION_SHARE: f64 = 0.01;
 
 /// What the weights take for the sensors' accuracies, and whether any of it was stated.
 ///

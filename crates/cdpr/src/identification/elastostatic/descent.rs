@@ -6,6 +6,7 @@ use super::linearization::Linearization;
 use super::normal::NormalEquations;
 use super::rows::{RowModel, SampleRows, first_columns};
 use crate::identification::fit::{Settings, prior_sigma};
+use crate::identification::misfit::Misfit;
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
 use crate::statics::Load;
@@ -103,21 +104,30 @@ impl<'a> Problem<'a> {
         let Ok(load) = Load::of(model.robot()) else { return false };
         let row_model = RowModel::new(&model, load, self.parameters);
         at.add_to(&row_model, self.samples, rows, equations);
-        for (k, parameter) in self.parameters.iter().enumerate() {
-            if let Some(sigma) = prior_sigma(self.settings, parameter.kind) {
-                let (weight, change) = (1.0 / (sigma * sigma), values[k] - self.start[k]);
-                equations.add_to_cost(weight * change * change);
-                equations.add_to_gradient(k, weight * change);
-                equations.add_to_diagonal(k, weight);
-            }
+        for (k, sigma) in self.priors() {
+            let (weight, change) = (1.0 / (sigma * sigma), values[k] - self.start[k]);
+            equations.add_to_cost(weight * change * change);
+            equations.add_to_gradient(k, weight * change);
+            equations.add_to_diagonal(k, weight);
         }
         equations.cost().is_finite()
     }
 
-    /// Root of the weighted sum of squares per degree of freedom.
-    pub(super) fn noise_factor(&self, cost: f64) -> f64 {
-        let rows = (self.samples.len() * (self.model.dof() + self.model.cable_count())) as f64;
-        (cost / (rows - self.parameters.len() as f64).max(1.0)).sqrt()
+    /// Place and standard deviation of every prior.
+    fn priors(&self) -> impl Iterator<Item = (usize, f64)> {
+        let sigma = |(k, parameter): (usize, &Parameter)| Some((k, prior_sigma(self.settings, parameter.kind)?));
+        self.parameters.iter().enumerate().filter_map(sigma)
+    }
+
+    /// Misfit where a descent ended, in units of the weights.
+    pub(super) fn misfit(&self, end: &End, at: &Linearization) -> Misfit {
+        let square = |(k, sigma): (usize, f64)| ((end.values[k] - self.start[k]) / sigma).powi(2);
+        let rows = at.informative_rows() + self.priors().count();
+        Misfit {
+            cost: end.cost,
+            prior_cost: self.priors().map(square).sum(),
+            freedom: rows.saturating_sub(self.parameters.len()),
+        }
     }
 
     /// One undamped step; `None` where it is not determined or a bound is in its way.

@@ -18,6 +18,8 @@ use crate::scalar::LANES;
 pub(super) struct Linearization {
     /// Rows of one sample.
     count: usize,
+    /// Rows of all samples that say something.
+    informative_rows: usize,
     /// Corrected poses.
     poses: Vec<Pose>,
     /// Corrected recorded tensions, sample by sample (N).
@@ -37,6 +39,7 @@ impl Linearization {
         let count = model.model.dof() + model.model.cable_count();
         let mut linearization = Self {
             count,
+            informative_rows: 0,
             poses: samples.poses.clone(),
             tensions: tensions.to_vec(),
             shifts: vec![0.0; samples.len() * count],
@@ -49,6 +52,7 @@ impl Linearization {
         let weights = linearization.weights.chunks_mut(count * count.next_multiple_of(LANES));
         for ((sample, factor), weight) in linearization.factors.chunks_mut(count * count).enumerate().zip(weights) {
             model.noise(&samples.poses[sample], &tensions[sample * m..][..m], sigmas, &mut noise);
+            linearization.informative_rows += noise.informative_rows();
             noise.covariance(factor);
             factorize(factor, count)?;
             invert(factor, count, &mut scratch, weight);
@@ -71,10 +75,12 @@ impl Linearization {
         let (mut residual, mut shift) = (vec![0.0; count], ([0.0; 6], vec![0.0; m]));
         let bare = RowModel::new(model.model, model.load, &[]);
         let mut scratch = vec![0.0; count * count.next_multiple_of(LANES)];
+        self.informative_rows = 0;
         for sample in 0..samples.len() {
             let factor = &mut self.factors[sample * count * count..][..count * count];
             let corrected = &mut self.tensions[sample * m..][..m];
             model.noise(&self.poses[sample], corrected, sigmas, &mut noise);
+            self.informative_rows += noise.informative_rows();
             bare.write(&self.poses[sample], corrected, Recorded::of(samples, sample), &mut rows);
             noise.covariance(factor);
             factorize(factor, count)?;
@@ -141,6 +147,11 @@ impl Linearization {
     fn factor(&self, sample: usize) -> &[f64] {
         let size = self.count * self.count;
         &self.factors[sample * size..][..size]
+    }
+
+    /// Rows of all samples that say something: all but the length rows of slack cables.
+    pub(super) fn informative_rows(&self) -> usize {
+        self.informative_rows
     }
 
     /// The same for covariances multiplied by the square of `scale`.

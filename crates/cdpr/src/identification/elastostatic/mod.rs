@@ -16,5 +16,4 @@ mod rows;
 mod tests;
 
 pub(super) use analysis::report;
-pub use optimum::Basin;
 pub(super) use optimum::find;

@@ -20,6 +20,11 @@ impl Noise {
         Self { by_pose: vec![[0.0; 6]; n + m], by_tension: vec![[0.0; 7]; m], length: vec![0.0; m] }
     }
 
+    /// Number of rows that say something: all but the length rows of slack cables.
+    pub(super) fn informative_rows(&self) -> usize {
+        self.by_pose.len() - self.length.iter().filter(|&&sigma| sigma >= SLACK_SIGMA).count()
+    }
+
     /// Writes N diag(σ²) Nᵀ, lower triangle, to a row-major matrix.
     pub(super) fn covariance(&self, covariance: &mut [f64]) {
         let (count, m) = (self.by_pose.len(), self.length.len());
@@ -63,6 +68,9 @@ impl Noise {
         }
     }
 }
+
+/// Standard deviation of a length row that says nothing (m).
+pub(super) const SLACK_SIGMA: f64 = 1e3;
 
 /// Standard deviations of everything measured, as the weights use them.
 #[derive(Clone, Copy, Debug)]

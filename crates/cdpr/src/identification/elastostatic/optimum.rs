@@ -1,9 +1,5 @@
 //! The best optimum over several starts, with weights that agree with it.
 
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
-use serde::Serialize;
-
 use super::covariance::sigmas;
 use super::descent::{End, Problem};
 use super::linearization::Linearization;
@@ -11,6 +7,8 @@ use super::noise::Sigmas;
 use super::rows::RowModel;
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
+use crate::identification::misfit::Misfit;
+use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
 use crate::robot::{ExternalWrench, Robot};
@@ -20,29 +18,15 @@ use crate::statics::Load;
 const ADJUSTMENTS: u32 = 12;
 /// Most steps with corrections at each; each gains some digits.
 const POLISHING_STEPS: u32 = 15;
+/// Most repetitions with the noise that the residuals tell; near the end each doubles the digits.
+const RESCALINGS: u32 = 30;
+/// The noise is found when it changes by less than this share.
+const SAME_NOISE: f64 = 1e-7;
 /// Share of the cost that the next step may still promise when a descent stops: near the optimum, near enough to compare
 /// optima, and far below any standard deviation.
 const NEAR_PROMISE: f64 = 1e-1;
 const SEARCH_PROMISE: f64 = 1e-9;
 const FINAL_PROMISE: f64 = 1e-7;
-/// How far other starts move anchors from the file's values, in every direction (m).
-const ANCHOR_SPREAD: f64 = 0.5;
-/// By which factor other starts change compliances, up or down.
-const COMPLIANCE_SPREAD: f64 = 10.0 / 3.0;
-/// Ends of descents that differ by less than this share of their cost, or of one per sample, are the same optimum.
-const SAME_BASIN: f64 = 1e-6;
-
-/// An optimum that some of the starts led to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Basin {
-    /// Weighted sum of squared residuals and priors.
-    pub cost: f64,
-    /// Starts that ended here.
-    pub starts: usize,
-    /// True when the descents that ended here converged.
-    pub converged: bool,
-}
-
 /// The optimum and what belongs to it.
 pub(crate) struct Optimum {
     /// The model before the fit; with a free wrench its robot states a constant one.
@@ -52,6 +36,10 @@ pub(crate) struct Optimum {
     pub(super) linearization: Linearization,
     /// False when no sensor accuracy is known, so that only the ratio of the rows' weights is assumed.
     pub(super) absolute: bool,
+    /// Noise that the weights stand for, as a multiple of what is stated or assumed.
+    pub(super) noise: f64,
+    /// Misfit in units of the weights.
+    pub(super) misfit: Misfit,
     pub(super) end: End,
     pub(super) basins: Vec<Basin>,
 }
@@ -87,21 +75,26 @@ pub(crate) fn find(
     check_courses(&start_model, samples, &tensions)?;
     let (sigmas, absolute) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
-    let adjust = Adjust { problem: &problem, sigmas, absolute };
+    let mut adjust = Adjust { problem: &problem, sigmas, noise: 1.0 };
     let mut linearization = adjust.measured(&start_model)?;
     let (mut end, basins) = search(&problem, &linearization, progress);
-    if !parameters.is_empty() && !adjust.polish(&mut end, &mut linearization)? {
-        adjust.repeat(&mut end, &mut linearization)?;
+    if !parameters.is_empty() {
+        adjust.settle(&mut end, &mut linearization)?;
+        if !absolute && !settings.priors.is_empty() {
+            adjust.agree_with_noise(&mut end, &mut linearization)?;
+        }
     }
+    let (misfit, noise) = (problem.misfit(&end, &linearization), adjust.noise);
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { calibrated, linearization, absolute, end, basins, tensions, start_model })
+    Ok(Optimum { calibrated, linearization, absolute, noise, misfit, end, basins, tensions, start_model })
 }
 
 /// Weights and points of linearisation that agree with the optimum they lead to.
 struct Adjust<'a> {
     problem: &'a Problem<'a>,
     sigmas: Sigmas,
-    absolute: bool,
+    /// Noise that the weights stand for, as a multiple of `sigmas`.
+    noise: f64,
 }
 
 impl Adjust<'_> {
@@ -117,17 +110,35 @@ impl Adjust<'_> {
         let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
         let rows = RowModel::new(&here, Load::of(here.robot())?, parameters);
         linearization.correct(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)?;
-        if !self.absolute {
-            linearization.scale_weights(1.0 / self.problem.noise_factor(end.cost).max(1e-6));
+        linearization.scale_weights(self.noise);
+        Ok(())
+    }
+
+    /// The optimum with corrections that agree with it.
+    fn settle(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
+        match self.polish(end, linearization)? {
+            true => Ok(()),
+            false => self.repeat(end, linearization),
+        }
+    }
+
+    /// A prior needs the scale of the noise, which the residuals tell: weighs by it and repeats.
+    fn agree_with_noise(&mut self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
+        for _ in 0..RESCALINGS {
+            let noise = self.problem.misfit(end, linearization).noise();
+            if (noise - 1.0).abs() < SAME_NOISE {
+                break;
+            }
+            self.noise *= noise;
+            // costs in other units
+            end.history.clear();
+            self.settle(end, linearization)?;
         }
         Ok(())
     }
 
     /// Gauss–Newton steps with corrections at each; false when they do not contract, or need damping.
     fn polish(&self, end: &mut End, linearization: &mut Linearization) -> Result<bool, InputError> {
-        if !self.absolute {
-            return Ok(false);
-        }
         let mut last_promise = f64::INFINITY;
         for _ in 0..POLISHING_STEPS {
             self.correct(end, linearization)?;
@@ -170,35 +181,22 @@ fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn F
     let mut best = problem.descend(&problem.start, linearization, stop);
     progress();
     let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
-    let mut random = ChaCha8Rng::seed_from_u64(problem.settings.seed);
+    let mut starts = Starts::new(problem.settings.seed);
     for _ in 1..problem.settings.starts {
-        let from: Vec<f64> =
-            problem.parameters.iter().zip(&problem.start).map(|(p, &value)| moved(p, value, &mut random)).collect();
+        let from = starts.next(problem.parameters, &problem.start);
         let end = problem.descend(&from, linearization, stop);
         progress();
         if !end.cost.is_finite() {
             continue;
         }
-        let same = SAME_BASIN * (end.cost + problem.samples.len() as f64);
-        match basins.iter_mut().find(|basin| (basin.cost - end.cost).abs() <= same) {
-            Some(basin) => basin.starts += 1,
-            None => basins.push(Basin { cost: end.cost, starts: 1, converged: end.converged }),
-        }
+        count(&mut basins, end.cost, end.converged, problem.samples.len());
+        let same = same_cost(end.cost, problem.samples.len());
         if end.cost < best.cost - same || !best.cost.is_finite() {
             best = end;
         }
     }
     basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     (best, basins)
-}
-
-fn moved(parameter: &Parameter, value: f64, random: &mut ChaCha8Rng) -> f64 {
-    let amount = 2.0 * random.random::<f64>() - 1.0;
-    match parameter.kind {
-        kind if kind.is_anchor() => value + ANCHOR_SPREAD * amount,
-        ParameterKind::Compliance => value * COMPLIANCE_SPREAD.powf(amount),
-        _ => value,
-    }
 }
 
 /// Recorded tensions, refused where they are missing or cables push by more than the sensors' noise.

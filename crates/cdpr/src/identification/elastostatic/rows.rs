@@ -1,6 +1,6 @@
 //! Residuals of one sample and their derivatives by parameters and by what is measured.
 
-use super::noise::{Noise, Sigmas};
+use super::noise::{Noise, SLACK_SIGMA, Sigmas};
 use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Wrench};
 use crate::measurement::Samples;
@@ -249,5 +249,3 @@ impl<'a> RowModel<'a> {
 
 /// Tensions below this many standard deviations of the force sensor may be those of a slack cable.
 const SLACK_SIGMAS: f64 = 4.0;
-/// Standard deviation of a length row that says nothing (m).
-const SLACK_SIGMA: f64 = 1e3;

@@ -3,6 +3,7 @@
 use nalgebra::{Const, DVector, SVector, Vector3};
 use num_dual::DualVec;
 
+use super::noise::{Noise, Sigmas};
 use super::rows::{Recorded, RowModel, SampleRows};
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet;
@@ -233,4 +234,92 @@ fn the_rows_of_any_composition_are_the_differences_of_changed_robots() {
             }
         }
     }
+}
+
+/// Ten poses, errors in tensions and lengths, and a prior that matters: where no accuracy is stated, the answer is that of the
+/// assumed ones times the noise factor.
+#[test]
+fn unknown_accuracies_give_the_answer_of_the_assumed_ones_times_the_noise_factor() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let mut samples = exact_samples(&model, 10);
+    samples.lengths.iter_mut().enumerate().for_each(|(index, length)| *length += 4e-3 * (1.3 * index as f64).sin());
+    let tensions = samples.tensions.as_mut().unwrap();
+    tensions.iter_mut().enumerate().for_each(|(index, tension)| *tension += 120.0 * (1.7 * index as f64).cos());
+    let mean = tensions.iter().sum::<f64>() / tensions.len() as f64;
+    let free: FreeParameters = "frame-anchor,platform-anchor,compliance,wrench".parse().unwrap();
+    let fitted = |sigmas: SensorSigmas, prior: f64| {
+        let priors =
+            [ParameterKind::PlatformAnchor, ParameterKind::FrameAnchor].map(|kind| Prior { kind, sigma: prior });
+        let settings = Settings { priors: priors.to_vec(), ..Settings::default() };
+        fit(&model, &Samples { sigmas, ..samples.clone() }, &free, &settings).unwrap()
+    };
+    let unknown = fitted(SensorSigmas::default(), 0.003);
+    assert!((1.5..10.0).contains(&unknown.noise_factor), "{}", unknown.noise_factor);
+    let noise = unknown.noise_factor;
+    let sigmas =
+        SensorSigmas { length: Some(1e-3 * noise), tension: Some(0.01 * mean * noise), ..SensorSigmas::default() };
+    let stated = fitted(sigmas, 0.003);
+    assert!((stated.noise_factor - 1.0).abs() < 1e-4, "{}", stated.noise_factor);
+    for (unknown, stated) in unknown.parameters.iter().zip(&stated.parameters) {
+        // descents stop where the next step promises no more than 1e-7 of the cost: some thousandths of a deviation
+        let (difference, sigma) = ((unknown.value - stated.value).abs(), stated.sigma.unwrap());
+        assert!(difference < 1e-2 * sigma, "{}: {} {} ± {sigma}", stated.name, unknown.value, stated.value);
+        assert!((unknown.sigma.unwrap() / sigma - 1.0).abs() < 1e-3, "{}: {:?} {sigma}", stated.name, unknown.sigma);
+    }
+    // a prior of a nanometre holds
+    let anchors = fitted(SensorSigmas::default(), 1e-9);
+    for estimate in anchors.parameters.iter().filter(|estimate| estimate.parameter.kind.is_anchor()) {
+        assert!(estimate.change.abs() < 1e-8, "{}: {}", estimate.name, estimate.change);
+    }
+    assert!((1.0..20.0).contains(&anchors.noise_factor), "{}", anchors.noise_factor);
+}
+
+/// Only one accuracy is stated: what stands for the other is said.
+#[test]
+fn accuracies_that_are_assumed_beside_stated_ones_are_told() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let samples = exact_samples(&model, 12);
+    let warnings = |sigmas: SensorSigmas| {
+        let free = "compliance".parse().unwrap();
+        fit(&model, &Samples { sigmas, ..samples.clone() }, &free, &Settings::default()).unwrap().warnings.join("\n")
+    };
+    let of_tension = warnings(SensorSigmas { tension: Some(50.0), ..SensorSigmas::default() });
+    assert!(of_tension.contains("lengths are assumed to be known to 1 mm"), "{of_tension}");
+    let of_length = warnings(SensorSigmas { length: Some(2e-4), ..SensorSigmas::default() });
+    assert!(of_length.contains("tensions are assumed to be known to 1 % of their mean"), "{of_length}");
+    assert!(!warnings(samples.sigmas).contains("assumed"), "all are stated");
+}
+
+/// A length row of a slack cable says nothing, and does not count as a row.
+#[test]
+fn slack_cables_give_no_rows() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let load = Load::of(model.robot()).unwrap();
+    let sigmas = Sigmas { position: 1e-3, rotation: 1e-3, length: 2e-4, tension: 50.0 };
+    let mut noise = Noise::new(&model);
+    let mut rows_at = |tensions: [f64; 8]| {
+        RowModel::new(&model, load, &[]).noise(&pose(), &tensions, &sigmas, &mut noise);
+        noise.informative_rows()
+    };
+    assert_eq!(rows_at([3000.0; 8]), 6 + 8);
+    // below four standard deviations of the force sensor
+    assert_eq!(rows_at([3000.0, 10.0, 3000.0, 150.0, 3000.0, 3000.0, 3000.0, 3000.0]), 6 + 6);
+}
+
+/// The noise factor is the root of the cost over rows and priors less parameters.
+#[test]
+fn priors_count_as_rows() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let mut samples = exact_samples(&model, 5);
+    samples.lengths.iter_mut().enumerate().for_each(|(index, length)| *length += 1e-3 * (1.3 * index as f64).sin());
+    let prior = Prior { kind: ParameterKind::LengthOffset, sigma: 1e-3 };
+    let settings = Settings { priors: vec![prior], ..Settings::default() };
+    let found = fit(&model, &samples, &"length-offset".parse().unwrap(), &settings).unwrap();
+    let freedom = found.history.last().unwrap() / found.noise_factor.powi(2);
+    // 5 × (6 + 8) rows, 8 priors, 8 parameters
+    assert!((freedom - 70.0).abs() < 1e-9 * 70.0, "{freedom}");
 }

@@ -1,28 +1,37 @@
 //! All cables at their optimum, with weights that agree with it.
 
-use super::{InputError, Settings, descent};
+use super::{InputError, Settings, descent, prior_sigma};
 use crate::identification::blocks::Block;
+use crate::identification::misfit::Misfit;
 use crate::identification::pose_lanes::PoseLanes;
+use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::identification::weights::{Weights, length_weights};
 use crate::measurement::Samples;
 use crate::model::{Model, ModelError, Parameter};
 
 /// Most repetitions of a fit with weights from its own optimum; each gains several digits.
 const REWEIGHTINGS: u32 = 4;
+/// Most repetitions with the noise that its own residuals tell; near the end each doubles the digits.
+const RESCALINGS: u32 = 30;
+/// The noise is found when it changes by less than this share.
+const SAME_NOISE: f64 = 1e-10;
 
 /// All blocks at their optimum.
 pub(super) struct Optimum {
     pub(super) poses: PoseLanes,
     pub(super) blocks: Vec<Block>,
     pub(super) ends: Vec<descent::End>,
+    /// Optima that the starts led to, best first.
+    pub(super) basins: Vec<Basin>,
 }
 
-/// Optimum and the weights it belongs to.
+/// Optimum and the weights it belongs to; `progress` is called after each start.
 pub(super) fn find(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
+    progress: &dyn Fn(),
 ) -> Result<(Optimum, Weights), InputError> {
     let poses = PoseLanes::new(samples);
     let mut weights = length_weights(model, samples, &poses)?;
@@ -32,24 +41,86 @@ pub(super) fn find(
     };
     let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
     let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, None)).collect();
-    let mut optimum = Optimum { poses, blocks, ends };
-    // variances depend on the parameters, and a prior needs the scale of the noise: weigh anew at the optimum and repeat
-    for _ in 0..REWEIGHTINGS {
-        let again = match weights.absolute {
-            true => length_weights(&optimum.with_given_levers(model)?, samples, &optimum.poses)?,
-            false if settings.priors.is_empty() => break,
-            false => weights.scaled(1.0 / optimum.noise_factor(samples, parameters.len()).max(1e-6)),
-        };
-        if parameters.is_empty() || weights.is_close_to(&again) {
-            break;
-        }
-        weights = again;
-        optimum.reweigh(&weights, settings);
+    let mut optimum = Optimum { poses, blocks, ends, basins: Vec::new() };
+    progress();
+    optimum.try_other_starts(samples, settings, progress);
+    match (weights.absolute, settings.priors.is_empty()) {
+        _ if parameters.is_empty() => {}
+        (true, _) => optimum.agree_with_weights(model, samples, settings, &mut weights)?,
+        (false, false) => optimum.agree_with_noise(samples, settings, &mut weights),
+        // without priors the scale of the noise moves no parameter
+        (false, true) => {}
     }
     Ok((optimum, weights))
 }
 
 impl Optimum {
+    /// Descends from other starts too; each cable keeps its lowest end.
+    fn try_other_starts(&mut self, samples: &Samples, settings: &Settings, progress: &dyn Fn()) {
+        let mut starts = Starts::new(settings.seed);
+        let mut basins = vec![self.basin(1)];
+        for _ in 1..settings.starts {
+            let (mut cost, mut converged) = (0.0, true);
+            for (block, best) in self.blocks.iter().zip(&mut self.ends) {
+                let given: Vec<f64> = block.parameters.iter().map(|p| block.value(&block.start, p)).collect();
+                let from = starts.next(&block.parameters, &given);
+                let change: Vec<f64> = from.iter().zip(&given).map(|(from, given)| from - given).collect();
+                let end = descent::run(block, &self.poses, settings, Some(&change));
+                (cost, converged) = (cost + end.cost, converged && end.converged);
+                let is_better = end.cost < best.cost - same_cost(end.cost, samples.len());
+                if is_better || (end.cost.is_finite() && !best.cost.is_finite()) {
+                    *best = end;
+                }
+            }
+            progress();
+            if cost.is_finite() {
+                count(&mut basins, cost, converged, samples.len());
+            }
+        }
+        // the best ends of all cables together may be an optimum of their own
+        let best = self.basin(0);
+        if basins.iter().all(|basin| (basin.cost - best.cost).abs() > same_cost(best.cost, samples.lengths.len())) {
+            basins.push(best);
+        }
+        basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        self.basins = basins;
+    }
+
+    fn basin(&self, starts: usize) -> Basin {
+        Basin { cost: self.ends.iter().map(|end| end.cost).sum(), starts, converged: self.converged() }
+    }
+
+    /// Variances depend on the parameters: weighs anew at the optimum and repeats.
+    fn agree_with_weights(
+        &mut self,
+        model: &Model,
+        samples: &Samples,
+        settings: &Settings,
+        weights: &mut Weights,
+    ) -> Result<(), InputError> {
+        for _ in 0..REWEIGHTINGS {
+            let again = length_weights(&self.with_given_levers(model)?, samples, &self.poses)?;
+            if weights.is_close_to(&again) {
+                break;
+            }
+            *weights = again;
+            self.reweigh(weights, settings);
+        }
+        Ok(())
+    }
+
+    /// A prior needs the scale of the noise, which the residuals tell: weighs by it and repeats.
+    fn agree_with_noise(&mut self, samples: &Samples, settings: &Settings, weights: &mut Weights) {
+        for _ in 0..RESCALINGS {
+            let noise = self.misfit(samples, settings).noise();
+            if (noise - 1.0).abs() < SAME_NOISE {
+                break;
+            }
+            *weights = weights.for_noise(noise);
+            self.reweigh(weights, settings);
+        }
+    }
+
     /// Descends again from where it stands, with other weights.
     fn reweigh(&mut self, weights: &Weights, settings: &Settings) {
         for (block, end) in self.blocks.iter_mut().zip(&mut self.ends) {
@@ -58,11 +129,20 @@ impl Optimum {
         }
     }
 
-    /// Root of the weighted sum of squares per degree of freedom.
-    pub(super) fn noise_factor(&self, samples: &Samples, parameter_count: usize) -> f64 {
-        let cost: f64 = self.ends.iter().map(|end| end.cost).sum();
-        let rows = samples.lengths.len() as f64;
-        (cost / (rows - parameter_count as f64).max(1.0)).sqrt()
+    /// Misfit in units of the weights.
+    pub(super) fn misfit(&self, samples: &Samples, settings: &Settings) -> Misfit {
+        let parameters = || self.blocks.iter().flat_map(|block| &block.parameters);
+        let prior = |block: &Block, k: usize| prior_sigma(settings, block.parameters[k].kind);
+        let squares = self.blocks.iter().zip(&self.ends).flat_map(|(block, end)| {
+            let change = end.change.iter().enumerate();
+            change.filter_map(move |(k, change)| Some((change / prior(block, k)?).powi(2)))
+        });
+        let priors = parameters().filter(|parameter| prior_sigma(settings, parameter.kind).is_some()).count();
+        Misfit {
+            cost: self.ends.iter().map(|end| end.cost).sum(),
+            prior_cost: squares.sum(),
+            freedom: (samples.lengths.len() + priors).saturating_sub(parameters().count()),
+        }
     }
 
     pub(super) fn history(&self) -> Vec<f64> {

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::checked_parameters;
+use super::{Fit, Prior, checked_parameters, fit, is_at_bound};
 use crate::geometry::Pose;
 use crate::identification::blocks::{Accumulate, Block};
 use crate::identification::fit::Settings;
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::weights::length_weights;
 use crate::measurement::{Samples, SensorSigmas};
-use crate::model::{Composition, Model, place_pulleys};
+use crate::model::{Composition, Model, ParameterKind, place_pulleys};
 use crate::robot::Robot;
 use crate::scalar::{Unit, dispatch_on};
 
@@ -55,4 +55,86 @@ fn normal_equations_have_the_same_bits_on_every_unit() {
             }
         }
     }
+}
+
+/// Points near a line leave each anchor two places, mirrored in it; the wrong one fits worse. From the file's values the descent
+/// ends there, and other starts find the right one.
+#[test]
+fn other_starts_of_a_kinematic_fit_find_a_better_optimum() {
+    let mut truth = Robot::builtin("planar-example").unwrap();
+    let axis = truth.plane.second_axis();
+    truth.cables.iter_mut().for_each(|cable| {
+        let height = cable.frame_anchor.dot(&axis);
+        cable.frame_anchor += axis * (0.3 - height);
+    });
+    let model = Model::new(truth.clone(), Composition::STANDARD).unwrap();
+    let first = truth.plane.first_axis();
+    let middle = truth.cables.iter().map(|cable| cable.frame_anchor.dot(&first)).sum::<f64>() / 4.0;
+    let pose = |index: i32| Pose {
+        position: first * (middle + 0.1 * f64::from(index)) + axis * (0.004 * f64::from(index % 3)),
+        ..Pose::identity()
+    };
+    let poses: Vec<Pose> = (-10..10).map(pose).collect();
+    let lengths = poses.iter().flat_map(|pose| model.cable_lengths(pose).unwrap()).collect();
+    let samples = Samples { poses, lengths, cable_count: 4, ..Samples::default() };
+    let mut start = truth.clone();
+    start.cables.iter_mut().for_each(|cable| cable.frame_anchor -= axis * 0.5);
+    let start = Model::new(start, Composition::STANDARD).unwrap();
+    let found = |starts| {
+        let settings = Settings { starts, ..Settings::default() };
+        fit(&start, &samples, &"frame-anchor".parse().unwrap(), &settings).unwrap()
+    };
+    let farthest = |fit: &Fit| {
+        let pairs = fit.model.robot().cables.iter().zip(&truth.cables);
+        pairs.map(|(found, truth)| (found.frame_anchor - truth.frame_anchor).norm()).fold(0.0, f64::max)
+    };
+    let (one, many) = (found(1), found(20));
+    assert!(farthest(&one) > 0.3, "the file's values lead to a mirrored anchor: {}", farthest(&one));
+    // the data are exact: only the tolerance of the fit is left
+    assert!(farthest(&many) < 1e-6, "{}", farthest(&many));
+    assert!(
+        many.basins.len() > 1 && many.basins[0].cost < 1e-6 * many.basins.last().unwrap().cost,
+        "{:?}",
+        many.basins
+    );
+    assert_eq!(one.basins.len(), 1);
+}
+
+/// Nobody has to know the noise: where no accuracy is stated, parameters, deviations and noise factor are those of the accuracy
+/// that the residuals tell, prior and all.
+#[test]
+fn unknown_accuracies_give_the_answer_of_the_true_ones() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+    let mut samples = samples(&model);
+    samples.lengths.iter_mut().enumerate().for_each(|(index, length)| *length += 4e-3 * (1.7 * index as f64).cos());
+    samples.sigmas = SensorSigmas::default();
+    let prior = |kind| Prior { kind, sigma: 0.005 };
+    let settings = Settings {
+        priors: vec![prior(ParameterKind::PlatformAnchor), prior(ParameterKind::FrameAnchor)],
+        ..Settings::default()
+    };
+    let free = "frame-anchor,platform-anchor".parse().unwrap();
+    let unknown = fit(&model, &samples, &free, &settings).unwrap();
+    // noise of some millimetres in units of the assumed one
+    assert!((2.0..6.0).contains(&unknown.noise_factor), "{}", unknown.noise_factor);
+    samples.sigmas.length = Some(1e-3 * unknown.noise_factor);
+    let stated = fit(&model, &samples, &free, &settings).unwrap();
+    assert!((stated.noise_factor - 1.0).abs() < 1e-8, "{}", stated.noise_factor);
+    for (unknown, stated) in unknown.parameters.iter().zip(&stated.parameters) {
+        assert!((unknown.value - stated.value).abs() < 1e-9, "{}: {} {}", stated.name, unknown.value, stated.value);
+        let (unknown, stated) = (unknown.sigma.unwrap(), stated.sigma.unwrap());
+        assert!((unknown / stated - 1.0).abs() < 1e-7, "{unknown} {stated}");
+    }
+}
+
+/// A bound is where rounding ends: 0.0010000000000000009 is not free of 0.001.
+#[test]
+fn values_within_rounding_of_a_bound_are_at_it() {
+    let scale = (1e-3, f64::INFINITY);
+    assert!(is_at_bound(0.0010000000000000009, 1.0, scale) && is_at_bound(1e-3, 1.0, scale));
+    assert!(!is_at_bound(0.0011, 1.0, scale) && !is_at_bound(1.0, 1.0, scale));
+    let compliance = (0.0, f64::INFINITY);
+    assert!(is_at_bound(1e-18, 5e-7, compliance) && !is_at_bound(1e-9, 5e-7, compliance));
+    assert!(!is_at_bound(0.0, 0.0, (f64::NEG_INFINITY, f64::INFINITY)));
 }

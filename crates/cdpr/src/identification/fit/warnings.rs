@@ -1,8 +1,8 @@
 //! What a careful reader of a fit should know, in words.
 
-use super::Estimate;
+use super::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, Estimate};
 use crate::identification::weights::Weights;
-use crate::measurement::Samples;
+use crate::measurement::{Samples, SensorSigmas};
 use crate::model::Model;
 
 /// Cables whose recorded lengths are far from the modelled ones before the fit: a wrong unit, order or robot, which a fit
@@ -34,36 +34,64 @@ pub(in crate::identification) fn suspicious_units(model: &Model, samples: &Sampl
 pub(super) fn of_fit(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {
     let mut warnings = Vec::new();
     if weights.absolute {
-        warnings.extend(of_noise(true, noise_factor, estimates.len()));
+        warnings.extend(of_noise(noise_factor, estimates.len()));
     } else if !estimates.is_empty() {
-        // equal weights: the first one is that of all
-        let noise = weights.of_cable(0).first().map_or(f64::NAN, |weight| 1e3 * noise_factor / weight);
+        let noise = match noise_factor.is_finite() {
+            true => format!("the residuals of {:.2} mm", 1e3 * noise_factor * ASSUMED_NOISE),
+            false => "an assumed noise of 1 mm, since there are as many parameters as rows".to_owned(),
+        };
         warnings.push(format!(
             "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): all lengths weigh the same, and \
-             standard deviations come from the residuals of {noise:.2} mm"
+             standard deviations come from {noise}"
         ));
     }
     warnings.extend(of_bounds(estimates));
     warnings
 }
 
-/// Residuals larger than the sensors explain, or accuracies that nobody stated.
-pub(in crate::identification) fn of_noise(absolute: bool, noise_factor: f64, parameter_count: usize) -> Option<String> {
-    match absolute {
-        true if noise_factor > 2.0 => Some(format!(
-            "the residuals are {noise_factor:.1} times larger than the sensor accuracies explain: the model lacks something, \
-             or the accuracies are too optimistic; standard deviations are enlarged by this factor"
-        )),
-        false if parameter_count > 0 => Some(format!(
-            "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): 1 mm for lengths and 1 % of the \
-             mean for tensions are assumed, and standard deviations multiplied by {noise_factor:.2} to agree with the residuals"
-        )),
-        _ => None,
+/// Residuals larger than the stated accuracies explain.
+pub(in crate::identification) fn of_noise(noise_factor: f64, parameter_count: usize) -> Option<String> {
+    if noise_factor.is_nan() && parameter_count > 0 {
+        let text = "there are as many parameters as rows and priors: nothing is left over that would tell whether the model fits";
+        return Some(text.to_owned());
     }
+    (noise_factor > 2.0).then(|| {
+        format!(
+            "the residuals are {noise_factor:.1} times larger than the sensor accuracies explain: the model lacks something, \
+             or the accuracies are too optimistic; standard deviations are enlarged to agree with the residuals"
+        )
+    })
+}
+
+/// Assumptions where only some accuracies are stated; all of them count as known then.
+pub(in crate::identification) fn of_assumptions(sigmas: &SensorSigmas, mean_tension: f64) -> Vec<String> {
+    let mut assumed = Vec::new();
+    let lengths_known = sigmas.length.is_some() || sigmas.position.is_some();
+    if !lengths_known {
+        assumed.push(format!("lengths are assumed to be known to {} mm, poses exactly", 1e3 * ASSUMED_NOISE));
+    }
+    if sigmas.tension.is_none() {
+        let assumed_tension = ASSUMED_TENSION_SHARE * mean_tension;
+        assumed.push(format!("tensions are assumed to be known to 1 % of their mean ({assumed_tension:.3} N)"));
+    }
+    let mut warnings: Vec<String> = assumed
+        .into_iter()
+        .map(|assumed| {
+            format!("only some sensor accuracies are stated: {assumed}; the weights of the rows depend on it")
+        })
+        .collect();
+    warnings.extend(exact_poses(sigmas).filter(|_| lengths_known));
+    warnings
+}
+
+/// Poses count as exact where no accuracy of theirs is stated beside that of the lengths.
+fn exact_poses(sigmas: &SensorSigmas) -> Option<String> {
+    let text = "only some sensor accuracies are stated: measured poses count as exact";
+    (sigmas.position.is_none() && sigmas.rotation.is_none()).then(|| text.to_owned())
 }
 
 /// Parameters on a bound.
 pub(in crate::identification) fn of_bounds(estimates: &[Estimate]) -> Vec<String> {
     let at_bound = estimates.iter().filter(|estimate| estimate.at_bound);
-    at_bound.map(|estimate| format!("{} lies on its bound {}", estimate.name, estimate.value)).collect()
+    at_bound.map(|estimate| format!("{} lies at its bound: {}", estimate.name, estimate.value)).collect()
 }

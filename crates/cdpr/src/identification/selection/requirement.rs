@@ -60,15 +60,27 @@ pub struct RequirementOutcome {
     pub metric: &'static str,
     /// Largest value allowed.
     pub limit: f64,
-    /// The candidate's value on validation data.
+    /// The candidate's value on validation data; NaN without any.
     pub value: f64,
-    /// True when the value keeps the limit.
+    /// True when the value keeps the limit and every validation sample has part in it.
     pub met: bool,
+    /// Validation samples.
+    pub samples: usize,
+    /// Those of them that have part in the value.
+    pub samples_with_value: usize,
 }
 
 impl fmt::Display for RequirementOutcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {:.6} (limit {})", self.metric, self.value, self.limit)
+        let Self { metric, limit, value, samples, samples_with_value, .. } = self;
+        match value.is_finite() {
+            true => write!(f, "{metric} = {value:.6} (limit {limit})")?,
+            false => write!(f, "{metric} has no value (limit {limit})")?,
+        }
+        match samples_with_value < samples {
+            true => write!(f, ", {samples_with_value} of {samples} samples have an answer"),
+            false => Ok(()),
+        }
     }
 }
 
@@ -111,10 +123,14 @@ impl FromStr for Requirement {
 }
 
 impl Requirement {
-    /// Compares a candidate's validation errors with the limit; a figure that is not a number breaks it.
+    /// Compares a candidate's validation errors with the limit. Samples without an answer break it: nothing tells that they
+    /// would keep it.
     pub(super) fn judge(&self, errors: &ErrorBlocks) -> RequirementOutcome {
         let (metric, read) = METRICS[self.metric];
         let value = read(errors);
-        RequirementOutcome { metric, limit: self.limit, value, met: value <= self.limit }
+        let samples = errors.samples;
+        let samples_with_value = if metric.starts_with("length") { errors.length_samples } else { errors.answered };
+        let met = value <= self.limit && samples_with_value == samples;
+        RequirementOutcome { metric, limit: self.limit, value, met, samples, samples_with_value }
     }
 }

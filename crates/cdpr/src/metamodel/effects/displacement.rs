@@ -3,6 +3,7 @@
 use nalgebra::{DVector, Vector3};
 
 use super::{State, largest};
+use crate::equilibrium::forward_problem::ForwardProblem;
 use crate::equilibrium::{elastostatics, forward_kinematics};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
@@ -38,13 +39,14 @@ pub struct Displacement {
 
 /// What the platform of a machine at rest in a state does when its controlled lengths change by `change` (m), one per cable.
 pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Displacement, String> {
-    let tensions = match &state.tensions {
-        Some(tensions) if machine.composition().depends_on_tension() => tensions,
+    let tensions = match (&state.tensions, ForwardProblem::of(machine, state.load.is_ok())) {
+        (Some(tensions), ForwardProblem::Equilibrium) => tensions,
         _ => return by_geometry(machine, &state.pose, change),
     };
     match by_equilibrium(machine, state, tensions, change) {
         Some(found) => Ok(found),
-        None => to_first_order(machine, state, tensions, change),
+        None if machine.composition().depends_on_tension() => to_first_order(machine, state, tensions, change),
+        None => Err("the lengths of this pose, or the changed ones, let the platform rest nowhere near it".to_owned()),
     }
 }
 

@@ -94,7 +94,7 @@ impl<'a> Sensitivity<'a> {
     ) -> Result<Self, InputError> {
         let control = control.into();
         let operation = Operation::new(control, machine, offsets)?;
-        let load = match machine.composition().depends_on_tension() {
+        let load = match operation.knows_tensions() {
             true => Some(Load::of(machine.robot())?),
             false => None,
         };

@@ -1,0 +1,48 @@
+//! Criterion of every candidate on the validation samples that all compared candidates answer.
+
+use super::{Criterion, Judged, Judgement};
+use crate::identification::bootstrap;
+
+/// Share of the validation samples that a candidate must answer: the mean of the rest alone would flatter it.
+const LEAST_ANSWERED: f64 = 0.95;
+
+/// Writes criterion and standard error of every candidate, and why the others cannot be compared.
+///
+/// A sample that one of the compared candidates leaves without an answer counts for none of them, so that all means are
+/// over the same samples.
+pub(super) fn compare(candidates: &mut [Judged], criterion: Criterion, seed: u64) {
+    let mut judgements: Vec<&mut Judgement> =
+        candidates.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()).collect();
+    let series: Vec<Vec<f64>> = judgements.iter().map(|judgement| criterion.of(&judgement.validation_errors)).collect();
+    for (judgement, series) in judgements.iter_mut().zip(&series) {
+        judgement.disqualified = too_few(judgement, series, criterion);
+    }
+    let compared = || judgements.iter().zip(&series).filter(|(judgement, _)| judgement.disqualified.is_none());
+    let samples = series.first().map_or(0, Vec::len);
+    let common: Vec<usize> =
+        (0..samples).filter(|&sample| compared().all(|(_, series)| series[sample].is_finite())).collect();
+    for (judgement, series) in judgements.iter_mut().zip(&series) {
+        if judgement.disqualified.is_some() {
+            continue;
+        }
+        let values: Vec<f64> = common.iter().map(|&sample| series[sample]).collect();
+        judgement.compared_samples = values.len();
+        judgement.criterion = values.iter().sum::<f64>() / values.len() as f64;
+        judgement.standard_error = bootstrap::standard_error(&values, seed);
+    }
+}
+
+/// The reason against a candidate that answers too few samples.
+fn too_few(judgement: &Judgement, series: &[f64], criterion: Criterion) -> Option<String> {
+    let answered = series.iter().filter(|value| value.is_finite()).count();
+    if answered > 0 && answered as f64 >= LEAST_ANSWERED * series.len() as f64 {
+        return None;
+    }
+    let quantity = criterion.quantity();
+    let mut text = format!("it predicts a {quantity} for {answered} of {} validation samples", series.len());
+    if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
+        let sample = judgement.validation_samples.get(*row).unwrap_or(row) + 1;
+        text.push_str(&format!(" (sample {sample}: {reason})"));
+    }
+    Some(text)
+}

@@ -1,0 +1,88 @@
+//! Words for the outcome of a comparison.
+
+use super::{Criterion, Judged, Judgement};
+
+/// The reason where no candidate can be compared.
+pub(super) fn nobody(judged: &[(usize, &Judgement)], names: &[Judged], criterion: Criterion) -> String {
+    let first = judged.iter().find_map(|(index, judgement)| Some((index, judgement.disqualified.as_ref()?)));
+    let why = first.map_or_else(String::new, |(index, why)| format!("; `{}`: {why}", names[*index].name));
+    let instead = match criterion {
+        Criterion::Tension => "that takes a model whose tensions follow from its lengths, and recorded tensions",
+        Criterion::Length => "check the poses of the data",
+        _ => {
+            "the error of the cable lengths at the measured poses needs no predicted pose and can be the criterion instead"
+        }
+    };
+    format!("no candidate can be judged by its {}{why}; {instead}", criterion.words())
+}
+
+/// Doubts about a candidate as a sentence before what speaks for it.
+fn caution(judgement: &Judgement) -> String {
+    let mut doubts = judgement.fit.cautions();
+    let (compared, samples) = (judgement.compared_samples, judgement.validation.samples);
+    if compared < samples {
+        doubts.push(format!(
+            "compared on the {compared} of {samples} validation samples that all judged candidates answer"
+        ));
+    }
+    if doubts.is_empty() { String::new() } else { format!("Caution: {}. ", doubts.join("; ")) }
+}
+
+/// Words for the outcome.
+pub(super) struct Reason<'a> {
+    pub(super) names: &'a [Judged],
+    pub(super) criterion: Criterion,
+    pub(super) best: usize,
+    pub(super) limit: f64,
+}
+
+impl Reason<'_> {
+    pub(super) fn for_choice(&self, index: usize, judgement: &Judgement, judged: &[(usize, &Judgement)]) -> String {
+        let name = |index: usize| &self.names[index].name;
+        let (words, value) = (self.criterion.words(), self.criterion.format(judgement.criterion));
+        let limit = self.criterion.format(self.limit);
+        let mut text = caution(judgement);
+        text += &match index == self.best {
+            true => format!(
+                "`{}` has the smallest {words} on validation data, {value}, and no simpler candidate comes within one \
+                 standard error of it ({limit})",
+                name(index)
+            ),
+            false => format!(
+                "`{}` is the simplest candidate whose {words} on validation data, {value}, lies within one standard error \
+                 ({limit}) of the best, `{}`",
+                name(index),
+                name(self.best)
+            ),
+        };
+        let simpler = judged.iter().rev().find(|(other, _)| *other < index);
+        if let Some((other, rejected)) = simpler {
+            let why = if rejected.criterion <= self.limit { "but breaks a requirement" } else { "" };
+            let has = match &rejected.disqualified {
+                Some(why) => format!("cannot be judged: {why}"),
+                None => format!("has {} {why}", self.criterion.format(rejected.criterion)),
+            };
+            text.push_str(format!("; the next simpler one, `{}`, {has}", name(*other)).trim_end());
+        }
+        if let Some((_, other)) = judged.iter().find(|(other, _)| index != self.best && *other == self.best) {
+            let doubts = other.fit.cautions();
+            if !doubts.is_empty() {
+                text.push_str(&format!(". Of the best one: {}", doubts.join("; ")));
+            }
+        }
+        text
+    }
+
+    pub(super) fn for_none(&self, judged: &[(usize, &Judgement)]) -> String {
+        let best = judged.iter().find(|(index, _)| *index == self.best);
+        let broken = best.into_iter().flat_map(|(_, judgement)| &judgement.requirements).filter(|r| !r.met);
+        let broken: Vec<String> = broken.map(ToString::to_string).collect();
+        let doubts = best.map_or_else(String::new, |(_, judgement)| caution(judgement));
+        format!(
+            "{doubts}no candidate within one standard error of the best, `{}` ({}), meets the requirements; it breaks: {}",
+            self.names[self.best].name,
+            self.criterion.format(self.limit),
+            if broken.is_empty() { "none itself".to_owned() } else { broken.join(", ") }
+        )
+    }
+}
