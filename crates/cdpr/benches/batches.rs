@@ -208,14 +208,18 @@ fn growth(times: &[Time]) {
     );
 }
 
-/// An octree against the grid of its smallest cells, 100 along the longest side of the box around the robot; one thread.
+/// An octree against the grid of its smallest cells, 100 along the longest side of a box that reaches a quarter of its longest side
+/// beyond that around the robot; one thread.
 #[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
 fn refined(model: &Model) {
     let (load, limits) = load_and_limits();
     let criterion = WrenchFeasible::new(model, &load, &limits).expect("fits");
     let upright = Archetype::ConstantOrientation(UnitQuaternion::identity());
     let region = Region::new(model, &criterion, &upright).expect("an orientation");
-    let bounds = Bounds::around(model).expect("a box");
+    let around = Bounds::around(model).expect("a box");
+    let further = 0.25 * (0..3).map(|axis| around.extent(axis)).fold(0.0, f64::max);
+    let ends: Vec<f64> = around.ends().chunks(2).flat_map(|ends| [ends[0] - further, ends[1] + further]).collect();
+    let bounds = Bounds::new(3, &ends).expect("a box");
     let longest = (0..3).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
     let cells = Grid::new(&bounds, longest / 100.0).expect("a grid");
     let settings = octree::Settings::new(longest / 100.0);

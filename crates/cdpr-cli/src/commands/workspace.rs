@@ -1,6 +1,7 @@
 //! `cdpr workspace`: where the platform can be.
 
 mod answer;
+mod cell_search;
 mod counting;
 mod orientations;
 mod page;
@@ -9,12 +10,13 @@ mod question;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use answer::{by_grid, by_hull, by_octree};
+use answer::{WorkspaceAnswer, by_grid, by_hull, by_octree};
+use cdpr::workspace::Region;
 use cdpr::workspace::criterion::registry::{self, Wanted};
-use cdpr::workspace::grid::Grid;
-use cdpr::workspace::hull::Hull;
+use cdpr::workspace::hull::{Center, Hull};
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Cells, Region, hull, octree};
+use cdpr::workspace::refine::{ByHull, ByOctree, refine};
+use cell_search::CellSearch;
 use clap::{Args, ValueEnum};
 use orientations::OrientationArguments;
 use question::Question;
@@ -38,8 +40,10 @@ Examples:
 /// Where the platform can be: area or volume of the poses at which criteria hold.
 ///
 /// `grid` judges the middle of every cell of a box; `octree` refines only the cells that the boundary passes; `hull` follows
-/// rays from a center to the boundary and gives a surface (`--mesh`). Each tells a bound of its error. The answer is negative
-/// (exit code 1) when the criteria hold nowhere, and when a hull would be wrong because rays enter the workspace again.
+/// rays from a center to the boundary and gives a surface (`--mesh`). What each finds is compared with the workspace at points
+/// drawn at random, which gives a bound of its error; it is refined until the bound is below 1 %, unless --step or --rays is
+/// given. The answer is negative (exit code 1) when the criteria hold nowhere, and when a hull would be wrong because rays enter
+/// the workspace again or parts of it lie outside.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -71,16 +75,18 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     pub(super) orientations: OrientationArguments,
 
-    /// Box to look in, ends along each translation x0,x1,y0,y1(,z0,z1) (m); a box around the robot when left out.
+    /// Box to look in, ends along each translation x0,x1,y0,y1(,z0,z1) (m); when left out that of the frame anchors, the home
+    /// position and the [workspace] of the robot's file, wider where a coarse grid finds more, but not below a floor at height 0.
     #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
     pub(super) bounds: Option<NumberList>,
 
-    /// Largest side of a cell of grid or octree (m); a hundredth of the longest side of the box in a plane, a fiftieth in
-    /// space.
+    /// Largest side of a cell of grid or octree (m). When left out a hundredth of the longest side of the box in a plane, a
+    /// fiftieth in space, halved until the bound of the error is below 1 % or about a second of work is done.
     #[arg(long, value_name = "STEP", value_parser = finite_number, allow_hyphen_values = true)]
     pub(super) step: Option<f64>,
 
-    /// Rays of a hull, at least: 360 in a plane; in space 2562, the corners of an icosahedron refined four times.
+    /// Rays of a hull, at least. When left out 360 in a plane; in space 2562, the corners of an icosahedron refined four times;
+    /// more until the bound of the error is below 1 % or about a second of work is done.
     #[arg(long, value_name = "N")]
     pub(super) rays: Option<usize>,
 
@@ -129,9 +135,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let wanted = arguments.criterion.iter().map(|text| text.parse::<Wanted>());
     let wanted = wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
     let model = arguments.model.read()?;
-    let question = Question::new(&arguments, &model)?;
+    let mut question = Question::new(&arguments, &model)?;
     let criterion = question.criterion(&wanted)?;
     let region = question.region(criterion.as_ref())?;
+    question.look_closer(&arguments, &region)?;
     let (mut answer, found) = find(&arguments, &question, &region)?;
     if let Some(path) = &arguments.mesh
         && let Some(mesh) = found.mesh(&region)
@@ -171,36 +178,42 @@ fn find(
     arguments: &Arguments,
     question: &Question<'_>,
     region: &Region<'_>,
-) -> Result<(answer::WorkspaceAnswer, Found), Failure> {
-    let refused = |error| Failure::refused("--step", &error);
+) -> Result<(WorkspaceAnswer, Found), Failure> {
     // the page shows the part of the box where the surface is, of planar robots too
     let is_shown = arguments.mesh.is_some() || arguments.page.is_some();
-    match arguments.method {
+    let bounds = &question.bounds;
+    let (answer, found) = match arguments.method {
         Method::Grid => {
-            let grid = Grid::new(&question.bounds, question.step).map_err(refused)?;
-            let is_whole = is_shown && arguments.resume.is_none();
-            let mut cells = is_whole.then(|| Cells::new(&grid)).transpose().map_err(refused)?;
-            let count = counting::count(region, &grid, question, arguments.resume.as_deref(), cells.as_mut())?;
+            let mut search = CellSearch::new(question, region, arguments.resume.as_deref(), is_shown);
+            let refined = refine(region, bounds, &question.goal, &mut search)?;
             let _progress = Progress::spinner("drawing the surface");
+            let cells = refined.found.cells.as_ref();
             let found = cells.map_or(Found::Size, |cells| Found::Surface(cells.surface(region)));
-            Ok((by_grid(question, region, &grid, &count), found))
+            (by_grid(question, region, &refined), found)
         }
         Method::Octree => {
             let _progress = Progress::spinner("following the boundary");
-            let settings = octree::Settings::new(question.step);
-            let (outcome, found) = match is_shown {
-                true => octree::solve_with_surface(region, &question.bounds, &settings)
-                    .map(|(outcome, mesh)| (outcome, Found::Surface(mesh))),
-                false => octree::solve(region, &question.bounds, &settings).map(|outcome| (outcome, Found::Size)),
-            }
-            .map_err(refused)?;
-            Ok((by_octree(question, region, &outcome), found))
+            let mut search = ByOctree { region, bounds, step: question.step };
+            let refined = refine(region, bounds, &question.goal, &mut search)
+                .map_err(|error| Failure::refused("--step", &error))?;
+            let found = if is_shown { Found::Surface(refined.found.surface()) } else { Found::Size };
+            (by_octree(question, region, &refined), found)
         }
-        Method::Hull => Ok(match find_hull(arguments, question, region)? {
-            None => (answer::empty(question, region), Found::Size),
-            Some(hull) => (by_hull(question, region, &hull), Found::Hull(hull)),
-        }),
-    }
+        Method::Hull => {
+            let _progress = Progress::spinner("following rays");
+            match question.center(region)? {
+                Center::Nowhere(audit) => (answer::empty(question, region, &audit), Found::Size),
+                Center::At(center) => {
+                    let mut search = ByHull { region, bounds, center, settings: question.rays(region) };
+                    let mut refined = refine(region, bounds, &question.goal, &mut search)
+                        .map_err(|error| Failure::refused("--method hull", &error))?;
+                    refined.found.doubt(&refined.audit);
+                    (by_hull(question, region, &refined), Found::Hull(refined.found))
+                }
+            }
+        }
+    };
+    Ok((answer, found))
 }
 
 /// What can be asked for: names in the short help, their numbers too in the long one.
@@ -217,17 +230,6 @@ fn criteria_help(is_long: bool) -> String {
         true => format!("{intent} Names, with the numbers that they take: {}. {more}", criteria.join("; ")),
         false => format!("{intent} {}", criteria.join(", ")),
     }
-}
-
-/// The hull; `None` where no centre can be found.
-fn find_hull(arguments: &Arguments, question: &Question<'_>, region: &Region<'_>) -> Result<Option<Hull>, Failure> {
-    let _progress = Progress::spinner("following rays");
-    let Some(center) = question.center(region)? else { return Ok(None) };
-    let mut settings = hull::Settings::new(&question.bounds);
-    settings.rays = arguments.rays.unwrap_or(settings.rays);
-    settings.tolerance = arguments.tolerance.unwrap_or(settings.tolerance);
-    let found = hull::solve(region, &question.bounds, &center, &settings);
-    Ok(Some(found.map_err(|error| Failure::refused("--method hull", &error))?))
 }
 
 /// Options about files that the method would not write.

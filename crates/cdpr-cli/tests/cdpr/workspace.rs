@@ -1,6 +1,6 @@
 //! `workspace`: sizes, negative answers, mistakes, surfaces and interrupted counts.
 
-use super::{SQUARE, cdpr, cdpr_in, file_with};
+use super::{SQUARE, cdpr, cdpr_in, file_with, numbers};
 
 const PLANAR: &str = "workspace planar-example --bounds -6.4,5.5,-0.5,8.5 --format json";
 
@@ -125,4 +125,82 @@ fn sets_of_orientations_and_several_criteria_shrink_the_volume() {
     let inclusion = volume("--archetype inclusion-orientation --angles -0.3,0.3,3,0,0,1,0,0,1");
     let both = volume("--criterion wrench-feasible --criterion wrench-closure");
     assert!(total < plain && plain <= inclusion && both <= plain, "{total} {plain} {inclusion} {both}");
+}
+
+/// Few orientations that stand for all leave out the one that the platform mostly has, unless it counts besides.
+#[test]
+fn the_constant_orientation_lies_in_the_maximal_and_holds_the_dextrous_which_are_bounds() {
+    let found = |options: &str| {
+        let run = cdpr(&format!("workspace cablerobot-simulator-icosahedron --step 1 --format json {options}"));
+        let answer = run.json();
+        (answer["volume_m3"].as_f64().unwrap(), answer["size_is"].as_str().unwrap().to_owned())
+    };
+    let (plain, exact) = found("--rotation 0.1,0,0");
+    let (maximal, least) = found("--rotation 0.1,0,0 --archetype maximal --orientations 3");
+    let (dextrous, most) = found("--rotation 0.1,0,0 --archetype dextrous --orientations 3");
+    assert!(plain > 0.0 && maximal >= plain && dextrous <= plain, "{plain} {maximal} {dextrous}");
+    assert_eq!([exact, least, most], ["value", "lower bound", "upper bound"]);
+    let words = cdpr("workspace cablerobot-simulator-icosahedron --step 1 --archetype maximal --orientations 3").stdout;
+    assert!(words.contains("volume at least that of the 4 orientations judged"), "{words}");
+}
+
+/// Within a bound of 1 %, in a box that is wider than the frame only where the workspace is.
+#[test]
+fn without_a_step_the_bound_of_the_error_is_below_one_percent() {
+    for robot in ["planar-example", "cablerobot-simulator-icosahedron"] {
+        for method in ["grid", "octree", "hull"] {
+            let answer = cdpr(&format!("workspace {robot} --method {method} --max 8000 --format json")).json();
+            let key = if robot.starts_with("planar") { "area_m2" } else { "volume_m3" };
+            let [size, bound] = [key, "error_bound"].map(|key| answer[key].as_f64().unwrap());
+            assert!(
+                bound <= 0.01 * size && answer.get("bound_limited_by").is_none(),
+                "{robot} {method}: {size} ± {bound}"
+            );
+            if robot.starts_with("cable") {
+                let ends = numbers(&answer["bounds_m"]);
+                assert!(ends[..4] == [-5.461, 5.218, -6.509, 7.677], "{answer}");
+                assert!(ends[4] > -3.0 && ends[4] < -1.242 && ends[5] < 7.0, "{answer}");
+            }
+        }
+    }
+    // what is asked for is kept, and says so
+    let coarse = cdpr("workspace planar-example --step 1 --format json").json();
+    assert!(coarse["error_bound"].as_f64().unwrap() > 0.01 * coarse["area_m2"].as_f64().unwrap(), "{coarse}");
+    assert!(coarse["bound_limited_by"].as_str().unwrap().contains("--step"), "{coarse}");
+}
+
+#[test]
+fn nothing_found_is_bounded_in_json_by_what_random_points_leave_open() {
+    for method in ["grid", "octree", "hull"] {
+        let answer =
+            cdpr(&format!("workspace planar-example --wrench 0,-60000 --method {method} --format json")).json();
+        assert_eq!((answer["status"].as_str(), answer["area_m2"].as_f64()), (Some("empty"), Some(0.0)), "{answer}");
+        let bound = answer["error_bound"].as_f64().unwrap();
+        assert!(bound > 0.0 && bound < 0.1, "{answer}"); // of 107 m²
+        assert!(!answer["reason"].as_str().unwrap().contains("none of 0 poses"), "{answer}");
+    }
+}
+
+/// Eight cables at two points of the platform cannot turn it about the line through them.
+#[test]
+fn a_workspace_in_which_no_cable_acts_about_a_line_is_told() {
+    let mut file = "layout_version = 1\nname = \"spindle\"\nmotion_pattern = \"3R3T\"\n".to_owned();
+    for corner in 0..8 {
+        let [x, y, z] = [corner & 1, corner >> 1 & 1, corner >> 2].map(|side| 4 * side);
+        let end = if corner & 1 == 1 { 0.3 } else { -0.3 };
+        file.push_str(&format!(
+            "[[cable]]\nname = \"c{corner}\"\nframe_anchor_m = [{x}.0, {y}.0, {z}.0]\nplatform_anchor_m = [{end}, 0.0, 0.0]\n"
+        ));
+    }
+    let (folder, _) = file_with("spindle.toml", file.as_bytes());
+    let asked = "workspace spindle.toml --wrench 0,0,-100,0,0,0 --min 1 --max 1000 --step 0.5";
+    let answer = cdpr_in(folder.path(), &format!("{asked} --format json")).json();
+    assert!(answer["volume_m3"].as_f64().unwrap() > 1.0, "{answer}");
+    assert_eq!(
+        (answer["singular"]["rank"].as_u64(), answer["singular"]["degrees_of_freedom"].as_u64()),
+        (Some(5), Some(6))
+    );
+    let run = cdpr_in(folder.path(), asked);
+    assert!(run.stderr.contains("rank 5 of 6"), "{}", run.stderr);
+    assert!(cdpr("workspace cablerobot-simulator-icosahedron --step 2 --format json").json().get("singular").is_none());
 }

@@ -2,11 +2,34 @@
 
 use nalgebra::Vector3;
 
-use super::WorkspaceError;
+use super::grid::{Count, Grid};
+use super::{Region, WorkspaceError};
 use crate::model::Model;
 
 /// Coordinates of a position along the translations of the robot (m): x, y, z, or the two of its plane and 0.
 pub type Point = [f64; 3];
+
+/// Frames less high than this part of their longest side are flat.
+const FLAT: f64 = 0.1;
+/// An axis is vertical where it runs against gravity by this cosine.
+const UPRIGHT: f64 = 0.99;
+
+/// Cells of a coarse grid along the longest side of a box.
+const COARSE: f64 = 24.0;
+
+/// Least and largest coordinate of frame anchors, travel and home position along each axis of the robot (m).
+fn frame_of(model: &Model) -> Vec<[f64; 2]> {
+    let robot = model.robot();
+    let mut points: Vec<Vector3<f64>> = robot.cables.iter().map(|cable| cable.frame_anchor).collect();
+    points.extend(robot.travel.iter().flat_map(|travel| [travel.min, travel.max]));
+    points.extend(robot.home.iter().map(|home| home.position));
+    let along = |axis: &Vector3<f64>| {
+        let places = points.iter().map(|point| axis.dot(point));
+        places
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], place| [least.min(place), largest.max(place)])
+    };
+    model.axes().iter().map(along).collect()
+}
 
 /// An axis-parallel box of positions in two or three dimensions (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,26 +57,60 @@ impl Bounds {
         Ok(bounds)
     }
 
-    /// A box for a robot whose set of poses is not known yet: around its frame anchors and the travel that its file states.
+    /// A box for a robot whose set of poses is not known yet: around its frame anchors, the travel that its file states and its home
+    /// position.
     ///
-    /// The box reaches a quarter of its longest side further, for the origin of a platform may leave the frame; directions in
-    /// which the frame is flat, as that of a robot that hangs from a ceiling, a whole side.
+    /// The box reaches a quarter of its longest side further, for the origin of a platform may leave the frame; below a flat frame a
+    /// whole side, and above it no further, for the platform hangs; without gravity to both sides. It ends at the floor, the plane of
+    /// height zero, where nothing of the file lies below that.
     pub fn around(model: &Model) -> Result<Self, WorkspaceError> {
-        let robot = model.robot();
-        let mut corners: Vec<Vector3<f64>> = robot.cables.iter().map(|cable| cable.frame_anchor).collect();
-        corners.extend(robot.travel.iter().flat_map(|travel| [travel.min, travel.max]));
-        let mut ends = Vec::new();
-        for axis in model.axes() {
-            let along = || corners.iter().map(|corner| axis.dot(corner));
-            ends.push([along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]);
-        }
+        let gravity = model.robot().gravity.unwrap_or_default();
+        let mut ends = frame_of(model);
         let longest = ends.iter().map(|[least, largest]| largest - least).fold(0.0, f64::max);
-        for [least, largest] in &mut ends {
-            let is_flat = *largest - *least < 0.1 * longest;
-            let further = if is_flat { longest } else { 0.25 * longest };
-            (*least, *largest) = (*least - further, *largest + further);
+        for (axis, [least, largest]) in model.axes().iter().zip(&mut ends) {
+            let is_flat = *largest - *least < FLAT * longest;
+            let is_vertical = -axis.dot(&gravity) > UPRIGHT * gravity.norm();
+            let floor = if is_vertical && *least >= 0.0 { 0.0 } else { f64::NEG_INFINITY };
+            let [below, above] = match (is_flat, is_vertical) {
+                (true, true) => [longest, 0.0],
+                (true, false) => [longest; 2],
+                (false, _) => [0.25 * longest; 2],
+            };
+            (*least, *largest) = ((*least - below).max(floor), *largest + above);
         }
         Self::new(ends.len(), ends.as_flattened())
+    }
+
+    /// The box of frame anchors, travel and home position, wider where a region reaches beyond it on a coarse grid of the box
+    /// [around](Self::around) the robot; that box itself where it holds no point of the grid, or where the grid has more points
+    /// than these.
+    pub fn about(region: &Region<'_>, model: &Model, most_points: f64) -> Result<Self, WorkspaceError> {
+        let around = Self::around(model)?;
+        let grid = Grid::new(&around, around.longest() / COARSE)?;
+        if grid.points() as f64 > most_points {
+            return Ok(around);
+        }
+        let (mut count, mut ends) = (Count::new(), frame_of(model));
+        let mut widen = |slab: usize, answers: &[bool]| {
+            for index in (0..answers.len()).filter(|&index| answers[index]) {
+                let point = grid.point(slab, index);
+                for (axis, [least, largest]) in ends.iter_mut().enumerate() {
+                    let cells = 1.5 * around.extent(axis) / grid.counts()[axis] as f64;
+                    *least = least.min((point[axis] - cells).max(around.least[axis]));
+                    *largest = largest.max((point[axis] + cells).min(around.largest[axis]));
+                }
+            }
+        };
+        while count.advance(region, &grid, &mut widen) {}
+        match count.feasible_points {
+            0 => Ok(around),
+            _ => Self::new(ends.len(), ends.as_flattened()),
+        }
+    }
+
+    /// Length of the longest side (m).
+    pub fn longest(&self) -> f64 {
+        (0..self.dimension).map(|axis| self.extent(axis)).fold(0.0, f64::max)
     }
 
     /// 2 in a plane, 3 in space.
@@ -78,8 +135,7 @@ impl Bounds {
 
     /// A usual size of cells (m): a hundredth of the longest side in a plane, a fiftieth in space.
     pub fn usual_step(&self) -> f64 {
-        let longest = (0..self.dimension).map(|axis| self.extent(axis)).fold(0.0, f64::max);
-        longest / if self.dimension == 2 { 100.0 } else { 50.0 }
+        self.longest() / if self.dimension == 2 { 100.0 } else { 50.0 }
     }
 
     /// Length along an axis (m).
@@ -117,9 +173,13 @@ impl Bounds {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::UnitQuaternion;
+
     use super::*;
+    use crate::geometry::Pose;
     use crate::model::Composition;
     use crate::robot::Robot;
+    use crate::workspace::{Archetype, Criterion, Verdict};
 
     #[test]
     fn reversed_missing_and_nan_ends_are_refused() {
@@ -137,12 +197,58 @@ mod tests {
         assert_eq!(bounds.way_out(&[1.0, 1.0, 0.0], &[-1.0, 0.0, 0.0]), 1.0);
     }
 
-    /// The platform of a robot under a ceiling hangs below all its anchors.
+    /// The platform of a robot under a ceiling hangs below all its anchors, and above the floor.
     #[test]
-    fn the_box_of_a_robot_with_a_flat_frame_reaches_below_it() {
-        let model = Model::new(Robot::builtin("cogiro").unwrap(), Composition::STANDARD).unwrap();
-        let bounds = Bounds::around(&model).unwrap();
-        let home = model.robot().home.unwrap().position;
-        assert!(bounds.contain(&[home.x, home.y, home.z]), "{bounds:?} {home:?}");
+    fn the_box_of_a_robot_with_a_flat_frame_reaches_down_to_the_floor() {
+        let ends_of = |change: &dyn Fn(&mut Robot)| {
+            let mut robot = Robot::builtin("cogiro").unwrap();
+            robot.travel = None;
+            change(&mut robot);
+            Bounds::around(&Model::new(robot, Composition::STANDARD).unwrap()).unwrap().ends()
+        };
+        assert_eq!(ends_of(&|robot: &mut Robot| robot.home = None)[4..], [0.0, 5.42]);
+        // far above any floor, or below the origin, the file says nothing of one: the longest side is 14.98 m
+        let lifted = |by: f64| {
+            move |robot: &mut Robot| {
+                robot.cables.iter_mut().for_each(|cable| cable.frame_anchor.z += by);
+                robot.home = None;
+            }
+        };
+        let [high, low] = [100.0, -100.0].map(|by| ends_of(&lifted(by)));
+        assert!((high[4] - (105.3874 - 14.9802)).abs() < 1e-9, "{high:?}");
+        assert!((low[4] - (-94.6126 - 14.9802)).abs() < 1e-9, "{low:?}");
+    }
+
+    /// A ball in the middle of the frame is looked for in the frame, one that reaches out of it a little further.
+    #[test]
+    fn the_box_about_a_region_is_that_of_the_frame_unless_the_region_reaches_out_of_it() {
+        struct Ball(f64);
+        impl Criterion for Ball {
+            fn name(&self) -> &str {
+                "ball"
+            }
+            fn unit(&self) -> &str {
+                "m"
+            }
+            fn judge(&self, pose: &Pose) -> Verdict {
+                match self.0 - (pose.position - Vector3::new(0.0, 0.0, 1.0)).norm() {
+                    margin if margin >= 0.0 => Verdict::held(margin, None),
+                    margin => Verdict::failed(margin, "outside", None),
+                }
+            }
+        }
+        let model =
+            Model::new(Robot::builtin("cablerobot-simulator-icosahedron").unwrap(), Composition::STANDARD).unwrap();
+        let ends = |radius: f64| {
+            let criterion = Ball(radius);
+            let upright = Archetype::ConstantOrientation(UnitQuaternion::identity());
+            let region = Region::new(&model, &criterion, &upright).unwrap();
+            Bounds::about(&region, &model, 1e6).unwrap().ends()
+        };
+        let frame = [-5.461, 5.218, -6.509, 7.677, -1.242, 6.642];
+        assert_eq!(ends(2.0), frame);
+        let wider = ends(3.0);
+        assert!(wider[4] < -2.0 && wider[4] > -3.6 && wider[5] == frame[5] && wider[..4] == frame[..4], "{wider:?}");
+        assert_eq!(ends(0.0), Bounds::around(&model).unwrap().ends());
     }
 }

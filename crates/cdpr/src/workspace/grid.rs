@@ -37,6 +37,24 @@ impl Grid {
         Ok(Self { bounds: *bounds, counts })
     }
 
+    /// Whether points of the box count as those of the region: the answers at the middles of the cells in which they lie.
+    pub fn contains(&self, region: &Region<'_>, points: &[Point], answers: &mut [bool]) {
+        let middles: Vec<Point> = points.iter().map(|point| self.middle_about(point)).collect();
+        region.holds_all(&middles, answers);
+    }
+
+    /// Middle of the cell in which a point of the box lies (m).
+    fn middle_about(&self, point: &Point) -> Point {
+        let mut middle = [0.0; 3];
+        for axis in 0..self.bounds.dimension() {
+            let (from, extent) = (self.bounds.least()[axis], self.bounds.extent(axis));
+            let count = self.counts[axis];
+            let cell = (((point[axis] - from) / extent * count as f64).max(0.0) as usize).min(count - 1);
+            middle[axis] = from + (cell as f64 + 0.5) / count as f64 * extent;
+        }
+        middle
+    }
+
     /// Number of cells along each axis.
     pub fn counts(&self) -> [usize; 3] {
         self.counts

@@ -2,8 +2,10 @@
 //!
 //! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, where it fails, the first reason in words. A
 //! [`Region`] asks it about positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines them at
-//! the boundary only, and [`hull`] follows rays from a centre to the boundary.
+//! the boundary only, and [`hull`] follows rays from a centre to the boundary. An [`Audit`] bounds the error of either, and
+//! [`refine`](mod@refine) makes it small.
 
+mod audit;
 mod bounds;
 mod components;
 pub mod criterion;
@@ -14,16 +16,20 @@ pub mod hull;
 pub mod mesh;
 pub mod octree;
 mod polygon;
+pub mod refine;
 mod region;
+mod singular;
 mod surface;
 mod verdict;
 pub mod wrench_set;
 
+pub use audit::{Audit, CONFIDENCE};
 pub use bounds::{Bounds, Point};
 pub use components::{Component, components};
 pub use criterion::Criterion;
 pub use error::WorkspaceError;
 pub use polygon::Polygon;
-pub use region::{Archetype, Region};
+pub use region::{Archetype, Region, Side};
+pub use singular::largest_rank;
 pub use surface::Cells;
 pub use verdict::Verdict;

@@ -10,7 +10,7 @@ use crate::model::Model;
 /// Which orientations count (the archetypes of Merlet 2006, ch. 7, and Pott 2018, ch. 5).
 ///
 /// Sets of orientations are samples: a position of the total orientation or the dextrous workspace was judged in each of
-/// them and in none between.
+/// them and in none between ([`Region::side`]).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Archetype {
     /// Positions that the platform reaches in this orientation.
@@ -19,16 +19,31 @@ pub enum Archetype {
     TotalOrientation(Vec<UnitQuaternion<f64>>),
     /// Positions that it reaches in at least one of these orientations.
     InclusionOrientation(Vec<UnitQuaternion<f64>>),
-    /// Positions that it reaches in at least one orientation at all, out of so many spread evenly.
+    /// Positions that it reaches in at least one orientation at all, out of one and so many spread evenly.
     Maximal {
-        /// Number of orientations.
+        /// The orientation that counts besides: the constant-orientation workspace lies in the maximal one.
+        besides: UnitQuaternion<f64>,
+        /// Number of orientations spread evenly.
         orientations: usize,
     },
-    /// Positions that it reaches in every orientation, out of so many spread evenly.
+    /// Positions that it reaches in every orientation, out of one and so many spread evenly.
     Dextrous {
-        /// Number of orientations.
+        /// The orientation that counts besides: the dextrous workspace lies in the constant-orientation one.
+        besides: UnitQuaternion<f64>,
+        /// Number of orientations spread evenly.
         orientations: usize,
     },
+}
+
+/// What the size of a region says of that which is meant, for orientations are samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// It is that size.
+    Exact,
+    /// It is no larger: other orientations of the set may add positions.
+    AtLeast,
+    /// It is no smaller: other orientations of the set may rule positions out.
+    AtMost,
 }
 
 impl Archetype {
@@ -52,6 +67,7 @@ pub struct Region<'a> {
     orientations: Vec<UnitQuaternion<f64>>,
     needs_every: bool,
     archetype: &'static str,
+    side: Side,
 }
 
 /// Points handed to the criterion at once.
@@ -69,13 +85,19 @@ impl<'a> Region<'a> {
             }
             Archetype::TotalOrientation(orientations) => (orientations.clone(), true),
             Archetype::InclusionOrientation(orientations) => (orientations.clone(), false),
-            Archetype::Maximal { orientations } => (spread(model, *orientations), false),
-            Archetype::Dextrous { orientations } => (spread(model, *orientations), true),
+            Archetype::Maximal { besides, orientations } => (spread(model, *besides, *orientations), false),
+            Archetype::Dextrous { besides, orientations } => (spread(model, *besides, *orientations), true),
         };
-        match orientations.is_empty() {
-            true => Err(WorkspaceError::NoOrientation { archetype: name }),
-            false => Ok(Self { criterion, axes: model.axes().to_vec(), orientations, needs_every, archetype: name }),
+        if orientations.is_empty() {
+            return Err(WorkspaceError::NoOrientation { archetype: name });
         }
+        let side = match archetype {
+            Archetype::ConstantOrientation(_) => Side::Exact,
+            Archetype::TotalOrientation(all) | Archetype::InclusionOrientation(all) if all.len() == 1 => Side::Exact,
+            _ if needs_every => Side::AtMost,
+            _ => Side::AtLeast,
+        };
+        Ok(Self { criterion, axes: model.axes().to_vec(), orientations, needs_every, archetype: name, side })
     }
 
     /// 2 in a plane, 3 in space.
@@ -96,6 +118,11 @@ impl<'a> Region<'a> {
     /// The word for the archetype.
     pub fn archetype(&self) -> &'static str {
         self.archetype
+    }
+
+    /// What its size says of the archetype's, whose set of orientations may have more than were judged.
+    pub fn side(&self) -> Side {
+        self.side
     }
 
     /// The same question of another criterion.
@@ -185,14 +212,16 @@ impl<'a> Region<'a> {
     }
 }
 
-/// Orientations spread evenly over all that the platform can take.
+/// One orientation, and others spread evenly over all that the platform can take.
 ///
 /// In a plane angles of equal distance; in space the super-Fibonacci spiral (Alexa 2022, eq. 5).
-fn spread(model: &Model, count: usize) -> Vec<UnitQuaternion<f64>> {
+fn spread(model: &Model, besides: UnitQuaternion<f64>, count: usize) -> Vec<UnitQuaternion<f64>> {
     let tau = std::f64::consts::TAU;
+    let first = std::iter::once(besides);
     if model.robot().motion_pattern == MotionPattern::Planar {
         let normal = model.robot().plane.normal();
-        return (0..count).map(|index| UnitQuaternion::new(normal * (tau * index as f64 / count as f64))).collect();
+        let at = |index: usize| UnitQuaternion::new(normal * (tau * index as f64 / count as f64));
+        return first.chain((0..count).map(at)).collect();
     }
     // the positive root of ψ⁴ = ψ + 4 makes the second spiral as irrational as √2 makes the first
     let (phi, psi) = (std::f64::consts::SQRT_2, 1.533_751_168_755_204_3);
@@ -205,5 +234,5 @@ fn spread(model: &Model, count: usize) -> Vec<UnitQuaternion<f64>> {
             nalgebra::Quaternion::new(outer * beta.cos(), inner * alpha.sin(), inner * alpha.cos(), outer * beta.sin());
         UnitQuaternion::new_normalize(quaternion)
     };
-    (0..count).map(at).collect()
+    first.chain((0..count).map(at)).collect()
 }

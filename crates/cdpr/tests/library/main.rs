@@ -35,6 +35,7 @@ mod irma4u;
 mod metamodel;
 mod no_panic;
 mod planar_pulleys;
+mod random_workspaces;
 mod reader_properties;
 mod robot_files;
 mod selection_truth;

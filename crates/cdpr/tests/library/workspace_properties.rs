@@ -12,7 +12,8 @@ use cdpr::tension::Limits;
 use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::differential::{Differences, motion};
 use cdpr::workspace::grid::{self, Count, Grid};
-use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError, hull, octree};
+use cdpr::workspace::refine::{ByGrid, ByOctree, Goal, refine};
+use cdpr::workspace::{Archetype, Audit, Bounds, Criterion, Point, Region, WorkspaceError, hull, octree};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -84,6 +85,75 @@ fn an_octree_follows_the_boundary_into_parts_thinner_than_its_start_cells() {
     assert!((found.size / (ball + outside_the_ball) - 1.0).abs() < 0.05, "{found:?}");
 }
 
+/// A ball that fits between the corners of the start cells and touches nothing: seeds meet it.
+#[test]
+fn an_octree_finds_a_part_between_the_corners_of_its_start_cells() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let middle_of_a_cell = Vector3::new(0.2222, 0.1833, 0.21);
+    let shape = Shape(move |r: &Vector3<f64>| 0.13 - (r - middle_of_a_cell).norm());
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let found = octree::solve(&region, &cube(), &octree::Settings::new(0.03)).unwrap();
+    let exact = 4.0 / 3.0 * PI * 0.13_f64.powi(3);
+    assert!(found.start_cell.iter().all(|side| *side > 0.21), "{found:?}");
+    assert!((found.size / exact - 1.0).abs() < 0.05, "{found:?} {exact}");
+}
+
+/// A sheet of two millimetres has no cell and no seed to itself: the bound of the error knows it all the same.
+#[test]
+fn what_no_cell_sees_lies_within_the_bound_of_the_error() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let shape = Shape(|r: &Vector3<f64>| 1e-3 - (r.x - 0.513).abs());
+    let region = &Region::new(&model, &shape, &upright()).unwrap();
+    let (bounds, goal) = (&cube(), Goal { refines: false, ..Goal::usual() });
+    let exact = 2e-3 * 2.1 * 2.2;
+    let grid = refine(region, bounds, &goal, &mut ByGrid { region, bounds, step: 0.1 }).unwrap();
+    let tree = refine(region, bounds, &goal, &mut ByOctree { region, bounds, step: 0.1 }).unwrap();
+    let (by_grid, by_tree) = (grid.found.1.outcome(&grid.found.0), tree.found.outcome());
+    for (size, cells, audit) in
+        [(by_grid.size, by_grid.error_bound, &grid.audit), (by_tree.size, by_tree.error_bound, &tree.audit)]
+    {
+        println!("{size} ± {}, {exact}", audit.error_bound());
+        assert!((size - exact).abs() > cells, "the cells at the boundary say ± {cells}");
+        assert!((size - exact).abs() < audit.error_bound(), "{size} {audit:?} {exact}");
+    }
+}
+
+/// A ball between the rays, 10° from the nearest of 162 and 5° wide, is left out of the hull of another.
+#[test]
+fn a_part_between_the_rays_is_no_hull() {
+    let model = standard("cablerobot-simulator-icosahedron");
+    let aside = Vector3::repeat(0.8);
+    let shape = Shape(move |r: &Vector3<f64>| (0.15 - r.norm()).max(0.12 - (r - aside).norm()));
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let settings = hull::Settings { rays: 162, ..hull::Settings::new(&cube()) };
+    let mut hull = hull::solve(&region, &cube(), &[0.0; 3], &settings).unwrap();
+    let measure = hull.measure().unwrap();
+    let locator = hull::Locator::new(&hull);
+    let contains = &mut |points: &[Point], answers: &mut [bool]| {
+        points.iter().zip(answers).for_each(|(point, answer)| *answer = locator.contains(point));
+    };
+    let audit = Audit::of(&region, &cube(), [100_000, 1], contains);
+    let size = |radius: f64| 4.0 / 3.0 * PI * radius.powi(3);
+    let exact = size(0.15) + size(0.12);
+    println!("{measure:?}, {} within {}", exact, audit.error_bound());
+    assert!((measure.size - exact).abs() < audit.error_bound());
+    hull.doubt(&audit);
+    let hull::Status::LeavesOut { size: left_out } = hull.status else { panic!("{:?}", hull.status) };
+    assert!(left_out > 0.0 && left_out < exact - measure.size, "{left_out}");
+    assert_eq!(hull.measure(), None);
+    // a ball alone is not doubted, however few its rays
+    let shape = Shape(|r: &Vector3<f64>| 0.15 - r.norm());
+    let region = Region::new(&model, &shape, &upright()).unwrap();
+    let mut hull = hull::solve(&region, &cube(), &[0.0; 3], &settings).unwrap();
+    let locator = hull::Locator::new(&hull);
+    let contains = &mut |points: &[Point], answers: &mut [bool]| {
+        points.iter().zip(answers).for_each(|(point, answer)| *answer = locator.contains(point));
+    };
+    let audit = Audit::of(&region, &cube(), [100_000, 1], contains);
+    hull.doubt(&audit);
+    assert!(hull.is_star_shaped(), "{:?}", hull.status);
+}
+
 /// Where the boundary is followed everywhere, as it is about a ball and a cavity in it, the cells add up to those of all corners
 /// judged, also where the set reaches the faces of the box.
 #[test]
@@ -151,7 +221,7 @@ fn a_center_outside_too_few_rays_and_a_step_of_zero_are_refused() {
     assert!(matches!(Grid::new(&bounds, 0.0), Err(WorkspaceError::Step { .. })));
     assert!(matches!(Grid::new(&bounds, f64::NAN), Err(WorkspaceError::Step { .. })));
     assert!(matches!(Grid::new(&bounds, 1e-9), Err(WorkspaceError::StepTooFine { .. })));
-    let dextrous = Archetype::Dextrous { orientations: 5 };
+    let dextrous = Archetype::Dextrous { besides: UnitQuaternion::identity(), orientations: 5 };
     assert!(matches!(Region::new(&model, &shape, &dextrous), Err(WorkspaceError::NoRotation { .. })));
 }
 
@@ -259,7 +329,7 @@ fn total_orientation_lies_in_constant_orientation_and_that_in_inclusion_orientat
     let turn = |angle: f64| UnitQuaternion::new(Vector3::y() * angle);
     let set: Vec<_> = [-0.2, 0.0, 0.2].map(turn).to_vec();
     let archetypes = [
-        Archetype::Dextrous { orientations: 20 },
+        Archetype::Dextrous { besides: UnitQuaternion::identity(), orientations: 20 },
         Archetype::TotalOrientation(set.clone()),
         upright(),
         Archetype::InclusionOrientation(set),

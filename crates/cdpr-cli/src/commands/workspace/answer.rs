@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use cdpr::workspace::grid::{Count, Grid};
 use cdpr::workspace::hull::{Hull, Status};
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Point, Region, octree};
+use cdpr::workspace::octree::Octree;
+use cdpr::workspace::refine::Refined;
+use cdpr::workspace::{Audit, CONFIDENCE, Point, Region, Side, largest_rank};
 use serde::Serialize;
 
 use super::Method;
+use super::cell_search::Counted;
 use super::question::Question;
 use crate::answer::Answer;
 use crate::number_format::significant;
@@ -28,10 +30,21 @@ pub(super) struct WorkspaceAnswer {
     area: Unless,
     #[serde(rename = "volume_m3", skip_serializing_if = "Unless::is_other")]
     volume: Unless,
+    size_is: &'static str,
     error_bound: Option<f64>,
+    /// Probability of the bound.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    confidence: Option<f64>,
+    /// Why the bound is no smaller, where it is larger than wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound_limited_by: Option<String>,
     points: u64,
     feasible_points: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    random_points: Option<RandomPoints>,
     reaches_bounds: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    singular: Option<Singular>,
     #[serde(skip_serializing_if = "Option::is_none")]
     centroid_m: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -56,6 +69,22 @@ pub(super) struct WorkspaceAnswer {
     /// The page, where one was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) page: Option<String>,
+}
+
+/// How the size was checked.
+#[derive(Clone, Copy, Serialize)]
+struct RandomPoints {
+    points: u64,
+    feasible_points: u64,
+    missed: u64,
+    added: u64,
+}
+
+/// A structure matrix of less than full rank wherever the criteria hold.
+#[derive(Clone, Copy, Serialize)]
+struct Singular {
+    rank: usize,
+    degrees_of_freedom: usize,
 }
 
 /// A size, or null where there is none; left out where the robot has the other kind.
@@ -92,15 +121,31 @@ fn common(question: &Question<'_>, region: &Region<'_>, size: Option<f64>) -> Wo
             Method::Hull => "hull",
         },
         bounds_m: question.bounds.ends(),
+        size_is: match region.side() {
+            Side::Exact => "value",
+            Side::AtLeast => "lower bound",
+            Side::AtMost => "upper bound",
+        },
         area: if is_planar { Unless::Size(size) } else { Unless::Other },
         volume: if is_planar { Unless::Other } else { Unless::Size(size) },
         ..WorkspaceAnswer::default()
     }
 }
 
-/// Says why nothing was found, if nothing was.
-fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<'_>) -> WorkspaceAnswer {
-    if answer.feasible_points > 0 {
+/// Says how exact the size is, and why nothing was found, if nothing was.
+fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<'_>, audit: &Audit) -> WorkspaceAnswer {
+    let Audit { points, feasible_points, missed, added, .. } = *audit;
+    answer.random_points = Some(RandomPoints { points, feasible_points, missed, added });
+    if let Some(size) = answer.size() {
+        answer.error_bound = Some(audit.error_bound());
+        answer.confidence = Some(CONFIDENCE);
+        answer.bound_limited_by = limit(question, audit, size);
+    }
+    let dof = question.model.dof();
+    answer.singular = largest_rank(question.model, region, &audit.inside)
+        .filter(|rank| *rank < dof)
+        .map(|rank| Singular { rank, degrees_of_freedom: dof });
+    if answer.feasible_points > 0 || feasible_points > 0 {
         return answer;
     }
     let point = question.home(region);
@@ -108,19 +153,39 @@ fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<
     let why = region.judge(&point).reason;
     let why = why.map_or_else(String::new, |why| format!("; at ({}) m: {why}", place.join(", ")));
     answer.status = "empty";
-    answer.reason = Some(format!("the criteria hold at none of {} poses in the bounds{why}", answer.points));
+    let judged = answer.points + points;
+    answer.reason = Some(format!("the criteria hold at none of {judged} poses in the bounds{why}"));
     answer
 }
 
-pub(super) fn empty(question: &Question<'_>, region: &Region<'_>) -> WorkspaceAnswer {
-    judged(WorkspaceAnswer { error_bound: None, ..common(question, region, Some(0.0)) }, question, region)
+/// What keeps the bound of the error above the part of the size that is wanted.
+fn limit(question: &Question<'_>, audit: &Audit, size: f64) -> Option<String> {
+    let wanted = question.goal.share;
+    let is_small = audit.error_bound() <= wanted * size || (size == 0.0 && audit.missed == 0);
+    let finer = match question.method {
+        Method::Hull => "--rays",
+        Method::Grid | Method::Octree => "--step",
+    };
+    (!is_small).then(|| match question.goal.refines {
+        true => format!(
+            "more poses than a search judges by itself would bring the bound of the error below {} %: give a finer {finer}, \
+             or --bounds closer around the workspace",
+            significant(100.0 * wanted, 2)
+        ),
+        false => format!("the {finer} that was asked for"),
+    })
 }
 
-pub(super) fn by_grid(question: &Question<'_>, region: &Region<'_>, grid: &Grid, count: &Count) -> WorkspaceAnswer {
+pub(super) fn empty(question: &Question<'_>, region: &Region<'_>, audit: &Audit) -> WorkspaceAnswer {
+    let answer = judged(common(question, region, Some(0.0)), question, region, audit);
+    WorkspaceAnswer { points: audit.points, ..answer }
+}
+
+pub(super) fn by_grid(question: &Question<'_>, region: &Region<'_>, refined: &Refined<Counted>) -> WorkspaceAnswer {
+    let Counted { grid, count, .. } = &refined.found;
     let (outcome, dimension) = (count.outcome(grid), region.dimension());
     let cell = [0, 1, 2].map(|axis| question.bounds.extent(axis) / grid.counts()[axis] as f64);
     let answer = WorkspaceAnswer {
-        error_bound: Some(outcome.error_bound),
         points: count.points,
         feasible_points: count.feasible_points,
         reaches_bounds: outcome.reaches_bounds,
@@ -128,12 +193,16 @@ pub(super) fn by_grid(question: &Question<'_>, region: &Region<'_>, grid: &Grid,
         cell_m: components(&cell, dimension),
         ..common(question, region, Some(outcome.size))
     };
-    judged(answer, question, region)
+    judged(answer, question, region, &refined.audit)
 }
 
-pub(super) fn by_octree(question: &Question<'_>, region: &Region<'_>, outcome: &octree::Outcome) -> WorkspaceAnswer {
+pub(super) fn by_octree(
+    question: &Question<'_>,
+    region: &Region<'_>,
+    refined: &Refined<Octree<'_>>,
+) -> WorkspaceAnswer {
+    let outcome = refined.found.outcome();
     let answer = WorkspaceAnswer {
-        error_bound: Some(outcome.error_bound),
         points: outcome.points,
         feasible_points: outcome.feasible_points,
         reaches_bounds: outcome.reaches_bounds,
@@ -141,14 +210,14 @@ pub(super) fn by_octree(question: &Question<'_>, region: &Region<'_>, outcome: &
         start_cell_m: components(&outcome.start_cell, region.dimension()),
         ..common(question, region, Some(outcome.size))
     };
-    judged(answer, question, region)
+    judged(answer, question, region, &refined.audit)
 }
 
-pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull) -> WorkspaceAnswer {
+pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, refined: &Refined<Hull>) -> WorkspaceAnswer {
+    let hull = &refined.found;
     let (measure, dimension) = (hull.measure(), region.dimension());
     let surface = measure.map(|measure| measure.surface);
     let mut answer = WorkspaceAnswer {
-        error_bound: measure.map(|measure| measure.error_bound),
         points: hull.points,
         feasible_points: hull.feasible_points,
         reaches_bounds: hull.rays_at_bounds > 0,
@@ -160,18 +229,38 @@ pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, hull: &Hull)
         surface: surface.filter(|_| dimension == 3),
         ..common(question, region, measure.map(|measure| measure.size))
     };
-    if let Status::NotStarShaped { rays, direction } = &hull.status {
-        let parts: Vec<String> = direction[..dimension].iter().map(|part| significant(*part, 3)).collect();
+    answer = judged(answer, question, region, &refined.audit);
+    if let Some(reason) = no_hull(hull, question) {
         answer.status = "not-star-shaped";
-        answer.reason = Some(format!(
-            "{rays} of {} rays enter the workspace again after they have left it, one of them in the direction ({}): seen from \
-             this center it has gaps or dents, so that the hull would give a wrong size; use --method octree or grid, or \
-             another --center",
-            hull.radii.len(),
-            parts.join(", ")
-        ));
+        answer.reason = Some(reason);
     }
     answer
+}
+
+/// Why a hull would give a wrong size.
+fn no_hull(hull: &Hull, question: &Question<'_>) -> Option<String> {
+    let cure = "so that the hull would give a wrong size; use --method octree or grid, or another --center";
+    match &hull.status {
+        Status::NotStarShaped { rays, direction } => {
+            let parts: Vec<String> = direction[..hull.dimension()].iter().map(|part| significant(*part, 3)).collect();
+            Some(format!(
+                "{rays} of {} rays enter the workspace again after they have left it, one of them in the direction ({}): seen \
+                 from this center it has gaps or dents, {cure}",
+                hull.radii.len(),
+                parts.join(", ")
+            ))
+        }
+        Status::LeavesOut { size } => {
+            let unit = if question.bounds.dimension() == 2 { "m²" } else { "m³" };
+            Some(format!(
+                "points drawn at random show that at least {} {unit} of the workspace lie outside what {} rays see from this \
+                 center, in parts too thin or too far aside for them, {cure}",
+                significant(*size, 2),
+                hull.radii.len()
+            ))
+        }
+        _ => None,
+    }
 }
 
 impl WorkspaceAnswer {
@@ -220,14 +309,37 @@ impl WorkspaceAnswer {
                  error covers what they see there"
             ));
         }
-        if let Some(start) = &self.start_cell_m {
-            let sides: Vec<String> = start.iter().map(|side| significant(*side, 3)).collect();
+        if let Some(Singular { rank, degrees_of_freedom }) = self.singular {
             remarks.push(format!(
-                "parts and gaps of the workspace that fit into a start cell of {} m and touch nothing else are not seen",
-                sides.join(" × ")
+                "the structure matrix has rank {rank} of {degrees_of_freedom} wherever it was looked at in the workspace: the \
+                 cables balance the load, but in some direction none of them acts, so that any other load there moves the \
+                 platform; add --criterion wrench-closure or stability to ask for more"
             ));
         }
+        if let Some(limit) = &self.bound_limited_by {
+            remarks.push(format!("the bound of the error is large: {limit}"));
+        }
         remarks
+    }
+}
+
+impl WorkspaceAnswer {
+    /// The size with its bound; where orientations are samples the side on which it lies.
+    fn size_words(&self, name: &str, unit: &str, [size, bound]: [f64; 2]) -> String {
+        let (size, bound) = (significant(size, 5), significant(bound, 2));
+        let sure =
+            self.confidence.map_or_else(String::new, |share| format!(" ({} % sure)", significant(100.0 * share, 3)));
+        let within = format!("{size} {unit}, within {bound} {unit}{sure}");
+        let count = self.orientations;
+        match self.size_is {
+            "lower bound" => {
+                format!("{name} at least that of the {count} orientations judged: {within}; others may add to it\n")
+            }
+            "upper bound" => {
+                format!("{name} at most that of the {count} orientations judged: {within}; others may take from it\n")
+            }
+            _ => format!("{name} {within}\n"),
+        }
     }
 }
 
@@ -251,17 +363,21 @@ impl Answer for WorkspaceAnswer {
             _ => return text,
         };
         if let (Some(size), Some(bound)) = (size, self.error_bound) {
-            text.push_str(&format!(
-                "{name} {} {unit}, within {} {unit}\n",
-                significant(*size, 5),
-                significant(bound, 2)
-            ));
+            text.push_str(&self.size_words(name, unit, [*size, bound]));
         }
         let rays = self.rays.map_or_else(String::new, |rays| format!(" along {rays} rays"));
         text.push_str(&format!(
             "{}: {} points judged{rays}, {} of them hold\n",
             self.method, self.points, self.feasible_points
         ));
+        if let Some(RandomPoints { points, missed, added, .. }) =
+            self.random_points.filter(|_| self.error_bound.is_some())
+        {
+            text.push_str(&format!(
+                "bound of the error: at {points} points drawn at random, {missed} of the workspace are missed and {added} counted that are \
+                 none of it\n"
+            ));
+        }
         if let Some(mesh) = &self.mesh {
             text.push_str(&format!("surface written to {mesh}\n"));
         }

@@ -26,7 +26,7 @@ pub(crate) struct OrientationArguments {
     #[arg(long, value_name = "ANGLES", allow_hyphen_values = true)]
     angles: Option<NumberList>,
 
-    /// Orientations that stand for all, spread evenly, of `maximal` and `dextrous`.
+    /// Orientations that stand for all, spread evenly, of `maximal` and `dextrous`; that of --rotation counts besides.
     #[arg(long, value_name = "N", default_value_t = 100)]
     orientations: usize,
 }
@@ -52,16 +52,22 @@ impl OrientationArguments {
                 "--angles gives a set of orientations, but only one counts",
                 "add --archetype total-orientation or inclusion-orientation, or give --rotation",
             )),
-            Kind::ConstantOrientation => {
-                let given = self.rotation.as_ref().map(|numbers| rotation(model, "--rotation", &numbers.0));
-                let orientation = given.transpose()?.or(center).unwrap_or_else(UnitQuaternion::identity);
-                Ok(Archetype::ConstantOrientation(orientation))
-            }
+            Kind::ConstantOrientation => Ok(Archetype::ConstantOrientation(self.constant(model, center)?)),
             Kind::TotalOrientation => Ok(Archetype::TotalOrientation(self.set(model)?)),
             Kind::InclusionOrientation => Ok(Archetype::InclusionOrientation(self.set(model)?)),
-            Kind::Maximal => Ok(Archetype::Maximal { orientations: self.orientations }),
-            Kind::Dextrous => Ok(Archetype::Dextrous { orientations: self.orientations }),
+            Kind::Maximal => {
+                Ok(Archetype::Maximal { besides: self.constant(model, center)?, orientations: self.orientations })
+            }
+            Kind::Dextrous => {
+                Ok(Archetype::Dextrous { besides: self.constant(model, center)?, orientations: self.orientations })
+            }
         }
+    }
+
+    /// The one orientation: that of --rotation, or of the center, or none.
+    fn constant(&self, model: &Model, center: Option<UnitQuaternion<f64>>) -> Result<UnitQuaternion<f64>, Failure> {
+        let given = self.rotation.as_ref().map(|numbers| rotation(model, "--rotation", &numbers.0));
+        Ok(given.transpose()?.or(center).unwrap_or_else(UnitQuaternion::identity))
     }
 
     /// Every combination of the values of each angle.

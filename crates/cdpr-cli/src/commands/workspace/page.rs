@@ -6,7 +6,7 @@ use cdpr::geometry::Pose;
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::tension::Limits;
 use cdpr::workspace::hull::Hull;
-use cdpr::workspace::{Bounds, Point, Polygon, Region};
+use cdpr::workspace::{Bounds, Point, Polygon, Region, Side};
 
 use super::Arguments;
 use super::Found as Outline;
@@ -118,6 +118,11 @@ fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, shape: &Outline, limit
     name.extend(limits.map(str::to_owned));
     if region.orientations().len() > 1 {
         name.push(region.archetype().to_owned());
+        name.extend(match region.side() {
+            Side::Exact => None,
+            Side::AtLeast => Some("at least".to_owned()),
+            Side::AtMost => Some("at most".to_owned()),
+        });
     }
     name.push(answer.method().to_owned());
     Some(Finding { name: name.join(", "), measure: answer.size()?, error_bound: answer.error_bound(), shape })

@@ -5,18 +5,29 @@ use cdpr::model::Model;
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::workspace::criterion::registry::{self, Setting, Wanted};
-use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError, hull};
+use cdpr::workspace::hull::{self, Center};
+use cdpr::workspace::refine::Goal;
+use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError};
 
 use super::{Arguments, Method};
 use crate::failure::Failure;
 use crate::inputs::{pose_of, wrench_of};
 
+/// A hull may take so many times the work of all refinements: fewer rays than usual are for criteria of seconds only.
+const HULL_SHARE: f64 = 8.0;
+
 pub(super) struct Question<'a> {
     pub(super) model: &'a Model,
     pub(super) archetype: Archetype,
     pub(super) bounds: Bounds,
-    /// Largest side of a cell (m).
+    /// Largest side of a cell (m), at first.
     pub(super) step: f64,
+    /// How small the bound of the error shall be.
+    pub(super) goal: Goal,
+    /// Rays that `--rays` asks for.
+    rays: Option<usize>,
+    /// Tolerance that `--tolerance` asks for (m).
+    tolerance: Option<f64>,
     pub(super) method: Method,
     setting: Setting<'a>,
     /// The criteria as they were asked for, with their numbers.
@@ -40,12 +51,16 @@ impl<'a> Question<'a> {
             None => Load::of(robot),
         };
         let limits = Limits::of(robot, arguments.min, arguments.max);
-        let longest = (0..bounds.dimension()).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
-        let cells = if bounds.dimension() == 2 { 100.0 } else { 50.0 };
-        let step = arguments.step.unwrap_or(longest / cells);
+        let step = arguments.step.unwrap_or(bounds.usual_step());
+        let is_asked = match arguments.method {
+            Method::Hull => arguments.rays.is_some(),
+            Method::Grid | Method::Octree => arguments.step.is_some() || arguments.resume.is_some(),
+        };
+        let goal = Goal { refines: !is_asked, ..Goal::usual() };
+        let (rays, tolerance) = (arguments.rays, arguments.tolerance);
         let setting = Setting { model, load, limits };
         let (method, criteria) = (arguments.method, arguments.criterion.join(" "));
-        Ok(Self { model, archetype, bounds, step, method, setting, criteria, given })
+        Ok(Self { model, archetype, bounds, step, goal, rays, tolerance, method, setting, criteria, given })
     }
 
     pub(super) fn criterion(&self, wanted: &[Wanted]) -> Result<Box<dyn Criterion + 'a>, Failure> {
@@ -65,16 +80,38 @@ impl<'a> Question<'a> {
         Region::new(self.model, criterion, &self.archetype).map_err(|error| Failure::refused("--archetype", &error))
     }
 
+    /// Looks closer around the region, unless a box was given, or a center that lies further out.
+    pub(super) fn look_closer(&mut self, arguments: &Arguments, region: &Region<'_>) -> Result<(), Failure> {
+        if arguments.bounds.is_none() {
+            let most_points = 0.25 * self.goal.poses(region);
+            let closer =
+                Bounds::about(region, self.model, most_points).map_err(|error| Failure::refused("--bounds", &error))?;
+            if self.given.is_none_or(|pose| closer.contain(&region.point(&pose.position))) {
+                self.step = arguments.step.unwrap_or(closer.usual_step());
+                self.bounds = closer;
+            }
+        }
+        Ok(())
+    }
+
     /// Where rays start: the point given, the home pose where it belongs to the region, or the middle of a coarse grid.
-    pub(super) fn center(&self, region: &Region<'_>) -> Result<Option<Point>, Failure> {
+    pub(super) fn center(&self, region: &Region<'_>) -> Result<Center, Failure> {
         if let Some(pose) = &self.given {
-            return Ok(Some(region.point(&pose.position)));
+            return Ok(Center::At(region.point(&pose.position)));
         }
         let home = self.home(region);
         if self.bounds.contain(&home) && region.holds(&home) {
-            return Ok(Some(home));
+            return Ok(Center::At(home));
         }
-        hull::find_center(region, &self.bounds).map_err(|error| Failure::refused("--bounds", &error))
+        let points = (0.5 * self.goal.poses(region)) as u64;
+        hull::find_center(region, &self.bounds, points).map_err(|error| Failure::refused("--bounds", &error))
+    }
+
+    /// Rays of a hull, at first.
+    pub(super) fn rays(&self, region: &Region<'_>) -> hull::Settings {
+        let usual = hull::Settings::within(&self.bounds, HULL_SHARE * self.goal.poses(region));
+        let (rays, tolerance) = (self.rays.unwrap_or(usual.rays), self.tolerance.unwrap_or(usual.tolerance));
+        hull::Settings { rays, tolerance, ..usual }
     }
 
     /// The home position, where it is looked for first.

@@ -40,6 +40,10 @@ impl<'a> Joined<'a> {
         self.criteria.iter().map(|criterion| criterion.judge(pose)).collect()
     }
 
+    fn effort(&self) -> f64 {
+        self.criteria.iter().map(|criterion| criterion.effort()).sum()
+    }
+
     /// The spans of all criteria, where each has some.
     fn spans(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Vec<Spans>> {
         self.criteria.iter().map(|criterion| criterion.holds_along(start, direction, length)).collect()
@@ -94,6 +98,10 @@ impl Criterion for All<'_> {
         &self.joined.unit
     }
 
+    fn effort(&self) -> f64 {
+        self.joined.effort()
+    }
+
     fn judge(&self, pose: &Pose) -> Verdict {
         let verdicts = self.joined.verdicts(pose);
         let margin = verdicts.iter().map(|verdict| verdict.margin).fold(f64::INFINITY, f64::min);
@@ -124,6 +132,10 @@ impl Criterion for Any<'_> {
 
     fn unit(&self) -> &str {
         &self.joined.unit
+    }
+
+    fn effort(&self) -> f64 {
+        self.joined.effort()
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {

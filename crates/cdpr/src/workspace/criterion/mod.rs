@@ -41,6 +41,7 @@ pub use stiffness::StiffEnough;
 pub use validity::ModelValid;
 pub use wrap::WrapLimits;
 pub use wrench_closure::WrenchClosure;
+pub(super) use wrench_closure::rank;
 pub use wrench_feasible::WrenchFeasible;
 pub use wrench_set_feasible::{Requirement, WrenchSetFeasible};
 
@@ -66,6 +67,12 @@ pub trait Criterion: Sync {
     /// Whether it holds at a pose: the verdict of [`Criterion::judge`], faster where that can be.
     fn holds(&self, pose: &Pose) -> bool {
         self.judge(pose).holds()
+    }
+
+    /// How long a pose takes, in units of a pose of wrench feasibility in a batch, by orders of magnitude: what a search may ask that
+    /// nobody gave a step to.
+    fn effort(&self) -> f64 {
+        30.0
     }
 
     /// Where it holds along a straight way, in closed form: from `start` on with its rotation, along a direction of length 1, so

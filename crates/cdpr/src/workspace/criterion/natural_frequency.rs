@@ -110,6 +110,10 @@ impl Criterion for StiffVibrations<'_> {
         "Hz"
     }
 
+    fn effort(&self) -> f64 {
+        100.0
+    }
+
     fn judge(&self, pose: &Pose) -> Verdict {
         let stiffness = match self.held.stiffness(pose) {
             Ok(stiffness) => stiffness,

@@ -15,7 +15,8 @@ use crate::workspace::WorkspaceError;
 ///
 /// Cables are straight lines from outlet to platform anchor, whatever sags. An obstacle on which a cable's frame anchor sits (inside
 /// it, or nearer than clearance, half a cable and, with pulleys, a pulley's diameter) carries that cable's outlet and is not judged
-/// against it. The margin (m) is the least distance left, below zero by the depth where a cable goes through.
+/// against it. The margin (m) is the least distance left, below zero by the depth where a cable goes through. Of a strut in a plane
+/// that is its radius and the way by which the crossing axes have to be drawn apart.
 #[derive(Clone, Debug)]
 pub struct ObstaclesClear<'a> {
     model: &'a Model,

@@ -12,7 +12,7 @@ use crate::workspace::WorkspaceError;
 /// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors where the file has none. Seen
 /// from its anchor it fills a cone of directions; the cable is straight and its thickness is left out. A cable that leaves the cone
 /// does not come back to the convex body. The margin (rad) is the angle between cable and cone less the one asked for: the exact
-/// angle beside a side of the cone and inside it, at most the angle off its edges. Anchors inside the hull of the anchors are not judged:
+/// angle beside a side of the cone and inside it, at most the angle off its edges; in a plane too, from 90° off a side on. Anchors inside the hull of the anchors are not judged:
 /// where they sit the hull says nothing about the body.
 #[derive(Clone, Debug)]
 pub struct PlatformClear<'a> {

@@ -43,6 +43,10 @@ impl Criterion for StaticallyStable<'_> {
         "N/m"
     }
 
+    fn effort(&self) -> f64 {
+        100.0
+    }
+
     fn judge(&self, pose: &Pose) -> Verdict {
         let stiffness = match self.held.stiffness(pose) {
             Ok(stiffness) => stiffness,

@@ -52,6 +52,10 @@ impl Criterion for StiffEnough<'_> {
         "N/m"
     }
 
+    fn effort(&self) -> f64 {
+        100.0
+    }
+
     fn judge(&self, pose: &Pose) -> Verdict {
         let stiffness = match self.held.stiffness(pose) {
             Ok(stiffness) => stiffness,

@@ -79,7 +79,7 @@ fn sum_of_one(dof: usize) -> Vec<f64> {
 }
 
 /// Rank of a structure matrix, its rows compared after division by their length: forces and moments differ in unit.
-fn rank(matrix: &DMatrix<f64>) -> usize {
+pub(in crate::workspace) fn rank(matrix: &DMatrix<f64>) -> usize {
     let mut rows = matrix.clone();
     for mut row in rows.row_iter_mut() {
         let length = row.norm();

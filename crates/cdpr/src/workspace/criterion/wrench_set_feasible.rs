@@ -108,6 +108,10 @@ impl Criterion for WrenchSetFeasible<'_> {
         "N"
     }
 
+    fn effort(&self) -> f64 {
+        300.0
+    }
+
     fn judge(&self, pose: &Pose) -> Verdict {
         let set = match self.available(pose) {
             Ok(set) => set,

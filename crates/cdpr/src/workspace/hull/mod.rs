@@ -4,8 +4,10 @@
 //! then there is no volume, for it would be wrong.
 
 mod center;
+mod location;
 mod measure;
-pub use center::find_center;
+pub use center::{Center, find_center};
+pub use location::Locator;
 pub use measure::Measure;
 mod search;
 mod section;
@@ -14,7 +16,7 @@ mod surface;
 
 use sphere::{circle, halvings_for, icosphere};
 
-use super::{Bounds, Point, Region, WorkspaceError};
+use super::{Audit, Bounds, Point, Region, WorkspaceError};
 
 /// How many rays, and how exact.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +36,24 @@ impl Settings {
         let rays = if bounds.dimension() == 2 { 360 } else { 2562 };
         Self { rays, tolerance: 1e-6 * longest, probes: 48 }
     }
+
+    /// The same with so many points along all rays at most, as far as 162 rays allow; in a plane 360 rays are never too many.
+    pub fn within(bounds: &Bounds, points: f64) -> Self {
+        let usual = Self::new(bounds);
+        let fits = |rays: &usize| (rays * usual.probes) as f64 <= points;
+        let rays = if bounds.dimension() == 2 { usual.rays } else { [2562, 642].into_iter().find(fits).unwrap_or(162) };
+        Self { rays, ..usual }
+    }
+
+    /// As after so many refinements: in a plane twice the rays with each, in space the corners of triangles cut into four.
+    #[must_use]
+    pub fn refined(&self, bounds: &Bounds, refinement: u32) -> Self {
+        let rays = match bounds.dimension() {
+            2 => self.rays << refinement,
+            _ => (self.rays.saturating_sub(2) << (2 * refinement)) + 2,
+        };
+        Self { rays: if refinement == 0 { self.rays } else { rays }, ..self.clone() }
+    }
 }
 
 /// Whether the region has a hull.
@@ -48,6 +68,12 @@ pub enum Status {
         rays: usize,
         /// Direction of the one that enters again over the longest way.
         direction: Point,
+    },
+    /// Points drawn at random belong to the region, but lie further outside the hull than its rays are apart ([`Hull::doubt`]):
+    /// parts that no ray meets.
+    LeavesOut {
+        /// Size of what is left out, at least (m², m³).
+        size: f64,
     },
 }
 
@@ -144,8 +170,8 @@ fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settin
     }
 }
 
-/// As many as seven halvings of the icosahedron's edges make.
-const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
+/// Most rays: as many as seven halvings of the icosahedron's edges make.
+pub const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
 
 impl Hull {
     /// End point of a ray (m).
@@ -168,8 +194,43 @@ impl Hull {
         self.status == Status::StarShaped
     }
 
+    /// Changes the status where an audit of the hull has found more of the region outside than rays that miss a boundary
+    /// between them explain: more than twice the difference to half as many rays along a line.
+    pub fn doubt(&mut self, audit: &Audit) {
+        let Some(measure) = self.measure() else { return };
+        let size = audit.missed_at_least();
+        if size > 2.0 * measure.error_bound + SLIVER * measure.size {
+            self.status = Status::LeavesOut { size };
+        }
+    }
+
     /// The same rays with other lengths (m).
     pub fn with_radii(&self, radii: Vec<f64>) -> Self {
         Self { radii, ..self.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sphere::Directions;
+    use super::{Hull, Status};
+
+    /// A surface about the origin whose ray in each direction has a length.
+    pub(super) fn hull_of(sphere: Directions, length: impl Fn([f64; 3]) -> f64) -> Hull {
+        Hull {
+            center: [0.0; 3],
+            radii: sphere.directions.iter().map(|direction| length(*direction)).collect(),
+            directions: sphere.directions,
+            faces: sphere.faces,
+            coarse_faces: sphere.coarse_faces,
+            rays_at_bounds: 0,
+            tolerance: 1e-9,
+            points: 0,
+            feasible_points: 0,
+            status: Status::StarShaped,
+            rays_again: 0,
+            left_out: 0.0,
+            dimension: 3,
+        }
     }
 }

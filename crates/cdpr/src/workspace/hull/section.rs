@@ -45,27 +45,13 @@ impl Hull {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Hull;
     use super::super::sphere::icosphere;
-    use super::super::{Hull, Status};
+    use super::super::tests::hull_of;
 
-    /// A surface whose ray in each direction has a length.
+    /// A surface about a centre whose ray in each direction has a length.
     fn hull(center: [f64; 3], length: impl Fn([f64; 3]) -> f64) -> Hull {
-        let sphere = icosphere(3);
-        Hull {
-            center,
-            radii: sphere.directions.iter().map(|direction| length(*direction)).collect(),
-            directions: sphere.directions,
-            faces: sphere.faces,
-            coarse_faces: sphere.coarse_faces,
-            rays_at_bounds: 0,
-            tolerance: 1e-9,
-            points: 0,
-            feasible_points: 0,
-            status: Status::StarShaped,
-            rays_again: 0,
-            left_out: 0.0,
-            dimension: 3,
-        }
+        Hull { center, ..hull_of(icosphere(3), length) }
     }
 
     /// 642 rays are 8.9° apart at most, so that their polyhedron lies within 0.5 % of the sphere.

@@ -45,7 +45,7 @@ pub(super) fn icosphere(halvings: u32) -> Directions {
     sphere
 }
 
-fn icosahedron() -> Directions {
+pub(super) fn icosahedron() -> Directions {
     let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
     let mut directions = Vec::with_capacity(12);
     for axis in 0..3 {
@@ -98,7 +98,7 @@ pub(super) fn cross(a: &Point, b: &Point) -> Point {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-fn unit(vector: Point) -> Point {
+pub(super) fn unit(vector: Point) -> Point {
     let length = dot(&vector, &vector).sqrt();
     vector.map(|part| part / length)
 }

@@ -3,10 +3,13 @@
 //! The corners of large start cells are judged. On every edge of theirs whose ends differ the boundary is found by halving, down
 //! to an edge of the smallest cells; from the cell there it is followed through every face whose corners differ into the next
 //! cell, wherever it leads. All corners of every smallest cell that the boundary passes are judged, and no others near it.
-//! Parts of the region, and gaps in it, that fit between the corners of the start cells and touch nothing else are not found.
+//! Corners drawn at random, one from each cell of a coarse grid, are seeds besides: what they find is followed in the same way.
+//! Parts of the region, and gaps in it, that fit between all of these and touch nothing else are not found: an
+//! [`Audit`](super::Audit) tells how large they can be.
 
 mod nodes;
 mod outcome;
+mod seeds;
 mod surface;
 
 use nodes::{Node, Nodes};
@@ -39,12 +42,18 @@ const MOST_NODES: f64 = 5e9;
 
 /// Measures a region in a box.
 pub fn solve(region: &Region<'_>, bounds: &Bounds, settings: &Settings) -> Result<Outcome, WorkspaceError> {
-    let mut search = Search::new(region, bounds, settings)?;
-    search.follow_everywhere();
-    Ok(search.outcome())
+    Ok(search(region, bounds, settings)?.outcome())
 }
 
-struct Search<'a> {
+/// Looks for a region in a box.
+pub fn search<'a>(region: &'a Region<'a>, bounds: &Bounds, settings: &Settings) -> Result<Octree<'a>, WorkspaceError> {
+    let mut octree = Octree::new(region, bounds, settings)?;
+    octree.follow_everywhere();
+    Ok(octree)
+}
+
+/// Cells that were refined where the boundary of a region passes.
+pub struct Octree<'a> {
     region: &'a Region<'a>,
     bounds: Bounds,
     dimension: usize,
@@ -70,10 +79,26 @@ struct Cell {
     corners: u8,
 }
 
+/// A way along an axis whose ends differ.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    /// Its lower end.
+    node: Node,
+    axis: usize,
+    /// In smallest cells.
+    length: usize,
+}
+
+impl Edge {
+    fn middle(&self) -> Node {
+        further(self.node, self.axis, self.length / 2)
+    }
+}
+
 /// Corners of the lower and of the upper face across each axis.
 const FACES: [[u8; 2]; 3] = [[0b0101_0101, 0b1010_1010], [0b0011_0011, 0b1100_1100], [0b0000_1111, 0b1111_0000]];
 
-impl<'a> Search<'a> {
+impl<'a> Octree<'a> {
     fn new(region: &'a Region<'a>, bounds: &Bounds, settings: &Settings) -> Result<Self, WorkspaceError> {
         let halvings = settings.halvings.min(MOST_HALVINGS);
         let (dimension, start) = (bounds.dimension(), 1_usize << halvings);
@@ -131,7 +156,14 @@ impl<'a> Search<'a> {
     }
 
     fn follow_everywhere(&mut self) {
-        let mut front = self.crossed_cells();
+        let front = self.crossed_cells();
+        self.follow(front);
+        let front = self.seeded_cells();
+        self.follow(front);
+    }
+
+    /// Follows the boundary from these cells, wherever it leads.
+    fn follow(&mut self, mut front: Vec<Node>) {
         while !front.is_empty() {
             for &node in &front {
                 (0..1 << self.dimension)
@@ -153,29 +185,33 @@ impl<'a> Search<'a> {
         let corners: Vec<Node> = self.start_corners().collect();
         corners.iter().for_each(|&node| self.ask(node));
         self.judge();
-        let mut edges: Vec<(Node, usize)> = Vec::new();
+        let mut edges: Vec<Edge> = Vec::new();
         for node in corners {
             for axis in 0..self.dimension {
                 let end = further(node, axis, self.start);
                 if end[axis] <= self.counts[axis] && self.nodes.holds(end) != self.nodes.holds(node) {
-                    edges.push((node, axis));
+                    edges.push(Edge { node, axis, length: self.start });
                 }
             }
         }
-        let mut length = self.start;
-        while length > 1 {
-            length /= 2;
-            edges.iter().for_each(|&(node, axis)| self.ask(further(node, axis, length)));
+        self.cells_at(edges)
+    }
+
+    /// A smallest cell for each edge whose ends differ, where halving finds the boundary.
+    fn cells_at(&mut self, mut edges: Vec<Edge>) -> Vec<Node> {
+        while edges.iter().any(|edge| edge.length > 1) {
+            edges.iter().filter(|edge| edge.length > 1).for_each(|edge| self.ask(edge.middle()));
             self.judge();
-            for (node, axis) in &mut edges {
-                let middle = further(*node, *axis, length);
-                if self.nodes.holds(middle) == self.nodes.holds(*node) {
-                    *node = middle;
-                }
+            for edge in edges.iter_mut().filter(|edge| edge.length > 1) {
+                let (middle, half) = (edge.middle(), edge.length / 2);
+                *edge = match self.nodes.holds(middle) == self.nodes.holds(edge.node) {
+                    true => Edge { node: middle, length: edge.length - half, ..*edge },
+                    false => Edge { length: half, ..*edge },
+                };
             }
         }
         let mut cells = Vec::new();
-        for (node, _) in edges {
+        for Edge { node, .. } in edges {
             // edges on the upper faces of the box belong to the cells below
             self.reach([0, 1, 2].map(|axis| node[axis].min(self.counts[axis] - 1)), &mut cells);
         }

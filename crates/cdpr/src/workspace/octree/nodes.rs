@@ -59,17 +59,18 @@ impl Nodes {
 
     /// The answer at a corner; where it was not judged that of its neighbours, for both ends of an edge that the boundary
     /// crosses were judged.
-    pub(super) fn holds(&self, mut node: Node) -> bool {
-        loop {
-            match self.state(self.index(node)) {
-                HOLDS => return true,
-                FAILS => return false,
-                _ => {}
-            }
+    pub(super) fn holds(&self, node: Node) -> bool {
+        self.state(self.index(self.known_below(node))) == HOLDS
+    }
+
+    /// The first corner that was judged on the way down the first axis to its end, then down the next one.
+    pub(super) fn known_below(&self, mut node: Node) -> Node {
+        while !matches!(self.state(self.index(node)), HOLDS | FAILS) {
             match node.iter_mut().find(|place| **place > 0) {
                 Some(place) => *place -= 1,
-                None => return false,
+                None => break,
             }
         }
+        node
     }
 }

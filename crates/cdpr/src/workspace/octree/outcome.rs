@@ -1,6 +1,6 @@
 //! What the cells at the boundary add up to.
 
-use super::Search;
+use super::Octree;
 use crate::workspace::Point;
 
 /// What an octree says of a region.
@@ -25,8 +25,9 @@ pub struct Outcome {
     pub reaches_bounds: bool,
 }
 
-impl Search<'_> {
-    pub(super) fn outcome(&self) -> Outcome {
+impl Octree<'_> {
+    /// What its cells add up to.
+    pub fn outcome(&self) -> Outcome {
         let (mixed, corners) = (self.cells.len() as f64, (1 << self.dimension) as f64);
         let shares: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();
         let mixed_above = self.cells.iter().filter(|cell| cell.corners & 1 == 1).count();

@@ -1,6 +1,6 @@
 //! The boundary that an octree followed, as a mesh.
 
-use super::{Outcome, Search, Settings};
+use super::{Octree, Outcome, Settings, search};
 use crate::workspace::mesh::Mesh;
 use crate::workspace::surface::{self, Lattice};
 use crate::workspace::{Bounds, Region, WorkspaceError};
@@ -14,13 +14,13 @@ pub fn solve_with_surface(
     bounds: &Bounds,
     settings: &Settings,
 ) -> Result<(Outcome, Mesh), WorkspaceError> {
-    let mut search = Search::new(region, bounds, settings)?;
-    search.follow_everywhere();
-    Ok((search.outcome(), search.surface()))
+    let octree = search(region, bounds, settings)?;
+    Ok((octree.outcome(), octree.surface()))
 }
 
-impl Search<'_> {
-    fn surface(&self) -> Mesh {
+impl Octree<'_> {
+    /// The boundary as it runs through the smallest cells, closed; in a plane the area.
+    pub fn surface(&self) -> Mesh {
         let holds = |node| self.nodes.holds(node);
         let counts = [0, 1, 2].map(|axis| self.counts[axis] + usize::from(axis < self.dimension));
         let lattice = Lattice { region: self.region, bounds: &self.bounds, counts, inset: 0.0, holds: &holds };
