@@ -1,5 +1,6 @@
 //! Studies with their robots: what `accuracy`, `simulate` and `demo` run.
 
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 use cdpr::geometry::Pose;
@@ -7,12 +8,12 @@ use cdpr::identification::{Evaluation, evaluate};
 use cdpr::measurement::{Provenance, SensorSigmas, Sidecar, poses_from_csv};
 use cdpr::metamodel::accuracy::{Assessment, assess_operation};
 use cdpr::metamodel::branches::{Branches, branches};
-use cdpr::metamodel::reachable::{Reachable, Requirements};
+use cdpr::metamodel::reachable::Reachable;
 use cdpr::metamodel::sensitivity::{Offsets, Setting};
 use cdpr::metamodel::simulate::{Simulation, simulate_operation};
-use cdpr::metamodel::study::{CommandedPose, History, RobotModel, TensionMethod};
-use cdpr::metamodel::{Control, Driving, InputError, Operation, Study, initial_tensions, winch_offsets};
-use cdpr::model::{Composition, CompositionError, Model, StretchEffect};
+use cdpr::metamodel::study::{CommandedPose, RobotModel, TensionMethod};
+use cdpr::metamodel::{Driving, Experiment, InputError, Operation, Study};
+use cdpr::model::Model;
 use cdpr::reading::Size;
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -23,24 +24,24 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
 
-/// A study with its models and winch offsets.
+/// An experiment with the files it comes from; whatever the experiment refuses is the study's fault.
 pub(crate) struct Laboratory {
-    /// The study as its file states it.
-    pub(crate) study: Study,
-    /// The model that computes the lengths.
-    pub(crate) control: Model,
-    /// What answers.
-    pub(crate) machine: Model,
+    /// The study with its models and winch offsets.
+    pub(crate) experiment: Experiment,
     /// The model that is asked what emerges.
     pub(crate) prediction: Option<Model>,
-    /// The model in use when the winches were set, where it is not the control model.
-    former: Option<Model>,
-    /// What is added to the lengths (m).
-    pub(crate) offsets: Vec<f64>,
     /// Name of the study file, for messages.
     name: String,
     /// Paths in the study start here.
     folder: PathBuf,
+}
+
+impl Deref for Laboratory {
+    type Target = Experiment;
+
+    fn deref(&self) -> &Experiment {
+        &self.experiment
+    }
 }
 
 /// Where the robots of a study come from.
@@ -61,28 +62,17 @@ impl Laboratory {
         let control = model_of(&study, &study.control.robot_model(), robots)?;
         let machine = model_of(&study, &study.machine, robots)?;
         let prediction = study.prediction.as_ref().map(|side| model_of(&study, side, robots)).transpose()?;
-        let pose = study.initial_pose(machine.robot()).map_err(|error| Failure::refused(name, &error))?;
-        let former = study
-            .initial
-            .offset_robot
-            .as_ref()
-            .map(|robot| RobotModel { robot: robot.clone(), model: study.control.model.clone() });
-        let former = former.map(|side| model_of(&study, &side, robots)).transpose()?;
-        let offsets = winch_offsets(&study.initial, former.as_ref().unwrap_or(&control), &machine, &pose)
-            .map_err(|error| Failure::refused(name, &error))?;
-        let (name, folder) = (name.to_owned(), folder.to_owned());
-        Ok(Self { study, control, machine, prediction, former, offsets, name, folder })
+        let former = study.former().map(|side| model_of(&study, &side, robots)).transpose()?;
+        let experiment = Experiment::new(study, control, machine, former);
+        let experiment = experiment.map_err(|error| Failure::refused(name, &error))?;
+        Ok(Self { experiment, prediction, name: name.to_owned(), folder: folder.to_owned() })
     }
 
     /// The study with another way to choose tensions, where one is given.
     pub(crate) fn with_tension_method(mut self, method: Option<TensionMethod>) -> Self {
-        self.study.control.tension_method = method.or(self.study.control.tension_method);
+        let control = &mut self.experiment.study.control;
+        control.tension_method = method.or(control.tension_method);
         self
-    }
-
-    /// The control model with its way to choose tensions.
-    pub(crate) fn controller(&self) -> Control<'_> {
-        Control { model: &self.control, tension_method: self.study.control.tension_method.unwrap_or_default() }
     }
 
     /// Virtual measurements of all poses and tension tests.
@@ -115,15 +105,8 @@ impl Laboratory {
     }
 
     /// How the winches were set, and what deviations do to it.
-    pub(crate) fn setting(&self, offsets: Offsets) -> Result<Setting<'_>, Failure> {
-        let pose = self.study.initial_pose(self.machine.robot()).map_err(|error| self.refused(&error))?;
-        Ok(Setting { initial: &self.study.initial, pose, former: self.former.as_ref(), offsets })
-    }
-
-    /// How the machine comes to the poses, where its cables remember.
-    pub(crate) fn history(&self) -> Option<History> {
-        let remembers = self.machine.composition().stretch == StretchEffect::Hysteresis;
-        remembers.then(|| self.study.history.unwrap_or_default())
+    pub(crate) fn setting(&self, offsets: Offsets) -> Setting<'_> {
+        Setting { initial: &self.study.initial, pose: self.start, former: self.former.as_ref(), offsets }
     }
 
     /// How far apart branches lie at the poses, a hundred of them at the most; nothing without history.
@@ -133,29 +116,13 @@ impl Laboratory {
         let every = commands.len().div_ceil(100).max(1);
         let poses: Vec<Pose> = commands.iter().step_by(every).map(|command| command.pose).collect();
         let models = (self.controller(), &self.machine);
-        let found = branches(models, &self.offsets, (&history, &self.initial_pose()?), &poses, stroke);
+        let found = branches(models, &self.offsets, (&history, &self.start), &poses, stroke);
         found.map(Some).map_err(|error| self.refused(&error))
-    }
-
-    /// The pose at which the winches were set.
-    pub(crate) fn initial_pose(&self) -> Result<Pose, Failure> {
-        self.study.initial_pose(self.machine.robot()).map_err(|error| self.refused(&error))
     }
 
     /// The tensions at which the winches were set (N); nothing where the study states offsets, or cables have none.
     pub(crate) fn initial_tensions(&self) -> Result<Option<Vec<f64>>, Failure> {
-        let initial = &self.study.initial;
-        let models = [&self.machine, self.former.as_ref().unwrap_or(&self.control)];
-        let elastic = models.into_iter().find(|model| model.composition().depends_on_tension());
-        let Some(model) = elastic.filter(|_| initial.offset.is_none() && initial.offset_m.is_none()) else {
-            return Ok(None);
-        };
-        initial_tensions(initial, model, &self.initial_pose()?).map(Some).map_err(|error| self.refused(&error))
-    }
-
-    /// Tension limits of the machine, if they are known.
-    pub(crate) fn limits(&self) -> Option<Limits> {
-        Limits::of(self.machine.robot(), None, None).ok()
+        self.experiment.initial_tensions().map_err(|error| self.refused(&error))
     }
 
     /// Tension limits of the machine, or which key is missing.
@@ -163,29 +130,14 @@ impl Laboratory {
         Limits::of(self.machine.robot(), None, None).map_err(|error| self.refused(&InputError::Limits(error)))
     }
 
-    /// The model in use when the winches are set.
-    pub(crate) fn set_with(&self) -> &Model {
-        self.former.as_ref().unwrap_or(&self.control)
-    }
-
     /// The machine under its control model, to be asked from several threads.
     pub(crate) fn driving(&self) -> Result<Driving<'_>, Failure> {
-        let driving =
-            Driving::new(self.controller(), &self.machine, &self.offsets).map_err(|error| self.refused(&error))?;
-        Ok(match self.history() {
-            Some(history) => driving.with_history(&history, &self.initial_pose()?),
-            None => driving,
-        })
+        self.experiment.driving().map_err(|error| self.refused(&error))
     }
 
     /// Which poses count as reached.
     pub(crate) fn reachable(&self) -> Result<Reachable<'_>, Failure> {
-        let requirements = Requirements {
-            tensions: self.limits().filter(|_| self.machine.composition().depends_on_tension()),
-            position_error_max: self.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
-            rotation_error_max: self.study.limits.as_ref().and_then(|limits| limits.rotation_error_max_rad),
-        };
-        Reachable::new(self.driving()?, requirements).map_err(|error| self.refused(&error))
+        self.experiment.reachable(self.requirements()).map_err(|error| self.refused(&error))
     }
 
     /// Wrench feasibility of one of the models under the study's limits; nothing where load or limits are unknown.
@@ -195,13 +147,7 @@ impl Laboratory {
     }
 
     fn operation(&self) -> Result<Operation<'_>, Failure> {
-        let operation = Operation::new(self.controller(), &self.machine, &self.offsets);
-        let operation = operation.map_err(|error| self.refused(&error))?;
-        let start = self.initial_pose()?;
-        Ok(match self.history() {
-            Some(history) => operation.with_history(&history, &start),
-            None => operation,
-        })
+        self.experiment.operation().map_err(|error| self.refused(&error))
     }
 
     /// Something that is wrong with the study.
@@ -251,13 +197,20 @@ fn robot_path(robot: &str, folder: &Path) -> String {
 }
 
 fn model_of(study: &Study, side: &RobotModel, robots: RobotSource<'_>) -> Result<Model, Failure> {
-    let robot = study.limited(robots(&side.robot)?);
-    let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused(&side.robot, error);
-    let composition: Composition = side.model.parse().map_err(|error: CompositionError| refused(&error))?;
-    Model::new(robot, composition).map_err(|error| refused(&error))
+    study.model_of(side, robots(&side.robot)?).map_err(|error| Failure::refused(&side.robot, &error))
 }
 
 /// A robot with its model, as answers and figures name it.
 pub(crate) fn title(model: &Model) -> String {
     format!("{} ({})", model.robot().name, model.composition())
+}
+
+/// Why a share of the physical workspace may be above 100 %.
+pub(crate) const BEYOND_THE_WHOLE: &str = "more than 100 % of the physical workspace: a pose counts where it is commanded, and \
+    judged is what emerges; from some poses at which the machine could not be held the platform comes to rest beside them, where it can, and a \
+    rigid machine has no tensions that could break a limit";
+
+/// True for such a share.
+pub(crate) fn is_beyond_the_whole(share: Option<f64>) -> bool {
+    share.is_some_and(|share| share > 1.0 + 1e-9)
 }

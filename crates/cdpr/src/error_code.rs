@@ -273,6 +273,8 @@ impl ErrorCode for metamodel::InputError {
             Self::RigidMachine => "study::rigid-machine",
             Self::TensionsVaryTogether => "study::initial-tensions",
             Self::Model(error) => error.code(),
+            Self::Composition(error) => error.code(),
+            Self::InitialPose(error) => error.code(),
             Self::TooManyRobots { .. } => "study::too-many-robots",
             Self::NoPoses | Self::NoneFeasible { .. } => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
@@ -284,6 +286,19 @@ impl ErrorCode for metamodel::sweep::KeyError {
     fn code(&self) -> &'static str {
         match self {
             Self::Place { .. } | Self::Entry { .. } | Self::Nowhere { .. } => "sweep::value",
+        }
+    }
+}
+
+impl ErrorCode for metamodel::sweep::PointError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Key(error) => error.code(),
+            Self::Read(error) => error.code,
+            Self::Input(error) => error.code(),
+            Self::Workspace(error) => error.code(),
+            Self::Pulleys(error) => error.code(),
+            Self::SwivelAxis | Self::NoDirection | Self::NoSwivelAxis { .. } => "pulley::radius-or-axis",
         }
     }
 }

@@ -108,7 +108,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         history: laboratory.history(),
         branches,
         initial_tensions: laboratory.initial_tensions()?,
-        winch_offsets_m: laboratory.offsets,
+        winch_offsets_m: laboratory.offsets.clone(),
         seed: arguments.seed,
     })
 }

@@ -79,11 +79,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
     let commands = laboratory.untested_poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
-    let pose = laboratory.initial_pose()?;
+    let pose = laboratory.start;
     let limits = laboratory.known_limits()?;
     let progress = Progress::spinner("looking for initial tensions");
     let found = {
-        let Laboratory { machine, study, .. } = &laboratory;
+        let (machine, study) = (&laboratory.machine, &laboratory.study);
         let control = laboratory.controller();
         let set_with = laboratory.set_with();
         let task = Task { control, machine, set_with, pose, limits: &limits, history: laboratory.history() };
@@ -105,7 +105,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let (before, best, way) = found;
     let reached = size(&laboratory, &pose)?;
     let former =
-        State { offsets: std::mem::replace(&mut laboratory.offsets, best.offsets.clone()), fit: before, reached };
+        State { offsets: std::mem::replace(&mut laboratory.experiment.offsets, best.offsets.clone()), fit: before, reached };
     let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&laboratory, &pose)? };
     drop(progress);
     if !best.is_settled {

@@ -122,7 +122,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let machine = &laboratory.machine;
     let center = match &arguments.center {
         Some(numbers) => pose_of(machine.robot(), "--center", numbers)?,
-        None => laboratory.initial_pose()?,
+        None => laboratory.start,
     };
     let bounds = match &arguments.bounds {
         Some(numbers) => Bounds::new(machine.axes().len(), &numbers.0),

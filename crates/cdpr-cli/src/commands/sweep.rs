@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cdpr::metamodel::Study;
-use cdpr::metamodel::sweep::{Subjects, Sweep, row};
+use cdpr::metamodel::sweep::{Subjects, Sweep, check, row};
 use cdpr::reading::Size;
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
@@ -140,6 +140,7 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
         machine: robot(&study.machine.robot)?,
         offset_robot: study.initial.offset_robot.as_deref().map(robot).transpose()?,
     };
+    check(&sweep, &subjects).map_err(|error| Failure::refused(&name, &error))?;
     let plan = Plan::new(sweep, subjects);
     plan.write(out)?;
     let points = plan.points.len();

@@ -51,7 +51,7 @@ impl Found {
     pub(crate) fn of(laboratory: &Laboratory, tolerances: &Tolerances, asked: &Asked) -> Result<Self, Failure> {
         let refused = |error: InputError| laboratory.refused(&error);
         let machine = &laboratory.machine;
-        let setting = laboratory.setting(asked.offsets)?;
+        let setting = laboratory.setting(asked.offsets);
         let commanded = laboratory.untested_poses(asked.seed)?;
         if commanded.is_empty() {
             return Err(refused(InputError::NoPoses));

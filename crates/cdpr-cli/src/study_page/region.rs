@@ -133,7 +133,7 @@ fn angle(laboratory: &Laboratory, found: &Field) -> Result<Vec<f64>, Failure> {
     let is_shared = |pose: &Pose| found.samples.iter().all(|sample| sample.commanded.angle_to(pose) < 1e-9);
     let pose = match first.filter(is_shared) {
         Some(pose) => pose,
-        None => laboratory.initial_pose()?,
+        None => laboratory.start,
     };
     let pattern = robot.motion_pattern;
     Ok(pattern.pose_to_components(robot.plane, &pose)[pattern.translations()..].to_vec())

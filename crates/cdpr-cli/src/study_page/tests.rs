@@ -117,7 +117,7 @@ fn the_regions_of_the_page_hold_what_the_library_computes() {
 #[test]
 fn a_study_of_one_pose_has_a_page_and_its_region_is_the_whole_workspace() {
     let mut laboratory = laboratory("planar-wide-grid.toml");
-    let grid = laboratory.study.poses.as_mut().unwrap().grid.as_mut().unwrap();
+    let grid = laboratory.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap();
     grid.count = vec![1, 1];
     let data = data(&page(&laboratory, &found(&laboratory)));
     assert_eq!(data["samples"]["total"], 1);
@@ -155,7 +155,7 @@ fn the_slices_of_a_spatial_study_hold_what_the_library_computes() {
 fn poses_on_a_line_have_no_slice_and_those_in_an_upright_plane_an_upright_one() {
     let mut laboratory = laboratory("twin-nominal.toml");
     let mut planes = |count: [usize; 6]| {
-        laboratory.study.poses.as_mut().unwrap().grid.as_mut().unwrap().count = count.to_vec();
+        laboratory.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap().count = count.to_vec();
         let data = data(&page(&laboratory, &found(&laboratory)));
         let regions = data["regions"].as_array().unwrap();
         regions.iter().map(|region| (region["plane"].clone(), region["level_m"].as_f64())).collect::<Vec<_>>()

@@ -65,6 +65,11 @@ impl<'a> Driving<'a> {
         &self.offsets
     }
 
+    /// How cables that remember come to every pose, and from where.
+    pub(super) fn history(&self) -> Option<&(History, Pose)> {
+        self.history.as_ref()
+    }
+
     /// Work with an operation of its own; nothing if none can be made, which [`Driving::new`] has ruled out.
     pub(super) fn with<T>(&self, work: impl FnOnce(&mut Operation<'a>) -> T) -> Option<T> {
         let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);

@@ -4,7 +4,8 @@ use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
 use crate::equilibrium::elastostatics;
-use crate::model::{Model, ModelError, WinchError};
+use crate::geometry::PatternError;
+use crate::model::{CompositionError, Model, ModelError, WinchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
@@ -79,9 +80,15 @@ pub enum InputError {
     /// One initial tension cannot change alone.
     #[error("initial tensions balance the load, so that none of them changes alone: vary winch-offset instead")]
     TensionsVaryTogether,
-    /// A deviation that leaves no model.
+    /// A robot that lacks what its side of the study asks for, or a deviation that leaves no model.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// Effects that cannot be understood.
+    #[error(transparent)]
+    Composition(#[from] CompositionError),
+    /// An initial pose that does not fit the robot.
+    #[error("[initial] pose: {0}")]
+    InitialPose(#[from] PatternError),
     /// Tensions are asked of a machine that has none.
     #[error(
         "the machine's cables are rigid, so no tensions emerge: give [machine] an elastic model, e.g. model = \"elastic\""

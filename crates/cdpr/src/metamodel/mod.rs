@@ -7,6 +7,7 @@ mod control;
 mod driving;
 pub mod effects;
 pub mod errors;
+mod experiment;
 pub mod field;
 pub mod initial_tension;
 mod input_error;
@@ -24,6 +25,7 @@ mod winding;
 
 pub use control::Control;
 pub use driving::Driving;
+pub use experiment::Experiment;
 pub use input_error::InputError;
 pub use operate::{Operation, Outcome, Status, operate};
 pub use poorer::{missing_effects, remark_on_poorer};

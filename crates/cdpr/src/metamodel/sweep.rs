@@ -2,6 +2,7 @@
 
 mod key;
 mod point;
+mod set_up;
 #[cfg(test)]
 mod tests;
 
@@ -9,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 pub use key::{Key, KeyError};
 pub use point::{Row, Subjects, row};
+pub use set_up::{PointError, check};
 
 use super::study::TensionMethod;
 use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};

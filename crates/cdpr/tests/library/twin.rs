@@ -5,39 +5,25 @@
 
 use crate::support::builtin;
 use cdpr::geometry::Pose;
-use cdpr::metamodel::accuracy::{Accuracy, assess};
+use cdpr::metamodel::accuracy::{Accuracy, assess_operation};
 use cdpr::metamodel::study::CommandedPose;
-use cdpr::metamodel::{Operation, Status, Study, winch_offsets};
-use cdpr::model::Model;
+use cdpr::metamodel::{Experiment, Status, Study};
 use cdpr::nalgebra::{Matrix2, Vector2, Vector3};
 
 /// A study of the repository with its models and winch offsets.
-struct Rig {
-    study: Study,
-    control: Model,
-    machine: Model,
-    offsets: Vec<f64>,
+fn experiment(name: &str) -> Experiment {
+    let path = format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
+    let control = study.model_of(&study.control.robot_model(), builtin(&study.control.robot)).unwrap();
+    let machine = study.model_of(&study.machine, builtin(&study.machine.robot)).unwrap();
+    Experiment::new(study, control, machine, None).unwrap()
 }
 
-impl Rig {
-    fn of(name: &str) -> Self {
-        let path = format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
-        let model =
-            |robot: &str, model: &str| Model::new(study.limited(builtin(robot)), model.parse().unwrap()).unwrap();
-        let control = model(&study.control.robot, &study.control.model);
-        let machine = model(&study.machine.robot, &study.machine.model);
-        let pose = study.initial_pose(machine.robot()).unwrap();
-        let offsets = winch_offsets(&study.initial, &control, &machine, &pose).unwrap();
-        Self { study, control, machine, offsets }
-    }
-
-    fn accuracy(&self) -> Accuracy {
-        let poses = self.study.commanded_poses(self.machine.robot(), Vec::new(), 0).unwrap();
-        let accuracy = assess(&self.control, &self.machine, &self.offsets, &poses).unwrap().accuracy;
-        assert_eq!(accuracy.statuses.get("converged"), Some(&poses.len()), "{:?}", accuracy.statuses);
-        accuracy
-    }
+fn accuracy(experiment: &Experiment) -> Accuracy {
+    let poses = experiment.study.commanded_poses(experiment.machine.robot(), Vec::new(), 0).unwrap();
+    let accuracy = assess_operation(&mut experiment.operation().unwrap(), &poses).unwrap().accuracy;
+    assert_eq!(accuracy.statuses.get("converged"), Some(&poses.len()), "{:?}", accuracy.statuses);
+    accuracy
 }
 
 #[track_caller]
@@ -47,7 +33,7 @@ fn assert_near(found: f64, expected: f64, tolerance: f64) {
 
 #[test]
 fn the_nominal_controller_misses_on_the_twin_by_what_the_dissertation_measured_on_its_machine() {
-    let accuracy = Rig::of("twin-nominal").accuracy();
+    let accuracy = accuracy(&experiment("twin-nominal"));
     assert_eq!(accuracy.samples, 75);
     assert_near(1e3 * accuracy.position_error_m.mean, 38.8, 0.3);
     assert_near(accuracy.rotation_error_rad.mean.to_degrees(), 1.19, 0.02);
@@ -56,21 +42,21 @@ fn the_nominal_controller_misses_on_the_twin_by_what_the_dissertation_measured_o
 
 #[test]
 fn the_kinematic_calibration_leaves_four_millimetres_on_the_twin() {
-    assert_near(1e3 * Rig::of("twin-kinematic-calibrated").accuracy().position_error_m.mean, 4.07, 0.05);
+    assert_near(1e3 * accuracy(&experiment("twin-kinematic-calibrated")).position_error_m.mean, 4.07, 0.05);
 }
 
 #[test]
 fn the_planar_controller_misses_by_the_corrected_means_of_the_dissertation() {
     for (name, mean) in [("planar-wide-grid", 57.14), ("planar-low-grid", 117.83)] {
-        assert_near(1e3 * Rig::of(name).accuracy().position_error_m.mean, mean, 0.02);
+        assert_near(1e3 * accuracy(&experiment(name)).position_error_m.mean, mean, 0.02);
     }
 }
 
 /// A constant tension would give one zero of the error; tensions that fall with the length give three.
 #[test]
 fn the_planar_controller_is_exact_at_three_poses() {
-    let rig = Rig::of("planar-wide-grid");
-    let mut operation = Operation::new(&rig.control, &rig.machine, &rig.offsets).unwrap();
+    let experiment = experiment("planar-wide-grid");
+    let mut operation = experiment.operation().unwrap();
     let mut error = |x: Vector2<f64>| -> Vector2<f64> {
         let commanded = Pose { position: Vector3::new(x[0], x[1], 0.0), ..Pose::identity() };
         let outcome = operation.answer(&CommandedPose::at(commanded));

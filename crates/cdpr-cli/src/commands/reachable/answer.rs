@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::Differential;
 use crate::answer::Answer;
-use crate::laboratory::{Laboratory, title};
+use crate::laboratory::{BEYOND_THE_WHOLE, Laboratory, is_beyond_the_whole, title};
 use crate::number_format::significant;
 use crate::table::{Table, cell};
 
@@ -43,6 +43,9 @@ pub(super) struct ReachableAnswer {
     #[serde(flatten)]
     sizes: Map<String, Value>,
     share: Option<f64>,
+    /// What is odd about the share.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remark: Option<&'static str>,
     error_bound: Option<f64>,
     points: u64,
     feasible_points: u64,
@@ -98,6 +101,7 @@ impl ReachableAnswer {
             position_error_max_m: laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
             sizes,
             share: found.reached.and_then(share),
+            remark: is_beyond_the_whole(found.reached.and_then(share)).then_some(BEYOND_THE_WHOLE),
             error_bound: found.error_bound,
             points: found.points,
             feasible_points: found.feasible_points,
@@ -141,6 +145,9 @@ impl Answer for ReachableAnswer {
             row(format!("reachable to {} mm", significant(1e3 * most, 3)), Some(*size));
         }
         text.push_str(&format!("\n{}", table.text()));
+        if let Some(remark) = self.remark {
+            text.push_str(&format!("\n{remark}\n"));
+        }
         if let Some(bound) = self.error_bound {
             text.push_str(&format!(
                 "\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n",

@@ -37,7 +37,7 @@ pub(super) struct Differential {
 
 /// The number of this name; near ones are told.
 pub(super) fn cause_named(laboratory: &Laboratory, name: &str) -> Result<Cause, Failure> {
-    let setting = laboratory.setting(cdpr::metamodel::sensitivity::Offsets::Kept)?;
+    let setting = laboratory.setting(cdpr::metamodel::sensitivity::Offsets::Kept);
     let all = causes(&laboratory.control, &laboratory.machine, &setting);
     place_of(&all, &laboratory.machine, name, "--vary").map(|place| all[place])
 }

@@ -40,7 +40,7 @@ impl Plan {
     /// Writes the plan, unless the folder has another one with rows.
     pub(super) fn write(&self, folder: &Path) -> Result<(), Failure> {
         let path = folder.join("plan.json");
-        let has_rows = folder.join("rows").exists();
+        let has_rows = !RowFile::all(folder)?.is_empty();
         if has_rows
             && files::read_if_there(&path, Size::Table)?.is_some()
             && Self::read(folder)?.fingerprint != self.fingerprint
@@ -113,15 +113,20 @@ impl RowFile {
 
     /// Rows in the folder that belong to no point of the plan.
     pub(super) fn strangers(folder: &Path, plan: &Plan) -> Result<usize, Failure> {
+        let own: std::collections::BTreeSet<PathBuf> =
+            (0..plan.points.len()).map(|point| Self::path(folder, plan, point)).collect();
+        Ok(Self::all(folder)?.iter().filter(|path| !own.contains(*path)).count())
+    }
+
+    /// All rows in the folder, of whatever plan.
+    fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         let rows = folder.join("rows");
         let listed = match std::fs::read_dir(&rows) {
             Ok(listed) => listed,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(0),
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
             Err(error) => return Err(Failure::io("read", &rows.display().to_string(), &error)),
         };
-        let own: std::collections::BTreeSet<PathBuf> =
-            (0..plan.points.len()).map(|point| Self::path(folder, plan, point)).collect();
         let is_row = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "json");
-        Ok(listed.flatten().map(|entry| entry.path()).filter(|path| is_row(path) && !own.contains(path)).count())
+        Ok(listed.flatten().map(|entry| entry.path()).filter(is_row).collect())
     }
 }

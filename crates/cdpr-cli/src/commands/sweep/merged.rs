@@ -10,6 +10,7 @@ use crate::answer::Answer;
 use crate::failure::Failure;
 use crate::figures::{ShareCurve, Shares};
 use crate::files;
+use crate::laboratory::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::number_format::{short, significant};
 use crate::table::Table;
 
@@ -21,6 +22,9 @@ pub(super) struct Merged {
     position_error_max_m: Vec<f64>,
     rows: Vec<MergedRow>,
     files: Vec<String>,
+    /// What is odd about the shares.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remark: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -68,12 +72,15 @@ impl Merged {
             let help = format!("compute them: cdpr sweep run {}", folder.display());
             return Err(Failure::input("sweep::incomplete", message, help));
         }
+        let rows: Vec<MergedRow> = rows.into_iter().flatten().map(MergedRow::of).collect();
+        let is_beyond = rows.iter().any(|row| is_beyond_the_whole(row.share));
         let mut merged = Self {
             status: "merged",
             plan: plan.fingerprint.clone(),
             parameters: plan.sweep.parameter.iter().map(|parameter| parameter.key.clone()).collect(),
             position_error_max_m: plan.sweep.position_error_max_m.clone(),
-            rows: rows.into_iter().flatten().map(MergedRow::of).collect(),
+            remark: is_beyond.then_some(BEYOND_THE_WHOLE),
+            rows,
             files: vec!["result.json".to_owned(), "result.csv".to_owned()],
         };
         let figure = merged.figure();
@@ -163,6 +170,9 @@ impl Answer for Merged {
             table.row(cells);
         }
         let mut text = format!("reached share of the physical workspace\n\n{}", table.text());
+        if let Some(remark) = &self.remark {
+            text.push_str(&format!("\n{remark}\n"));
+        }
         if let Some(reason) = self.rows.iter().find_map(|row| row.row.reason.as_ref()) {
             let failed = self.rows.iter().filter(|row| row.row.reason.is_some()).count();
             text.push_str(&format!("\n{failed} points have no answer, the first because {reason}\n"));

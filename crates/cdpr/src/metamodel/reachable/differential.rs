@@ -1,11 +1,12 @@
 //! The differential hull of the reachable workspace: how its boundary moves with any number of control model, machine and winches.
 
 use super::{Reachable, Requirements};
+use crate::geometry::Pose;
 use crate::metamodel::control::Control;
 use crate::metamodel::driving::Driving;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::sensitivity::{Cause, Kind, Side};
-use crate::metamodel::study::TensionMethod;
+use crate::metamodel::study::{History, TensionMethod};
 use crate::model::{Model, ModelError};
 use crate::workspace::Region;
 use crate::workspace::differential::{Differences, Motion, motion};
@@ -17,6 +18,7 @@ pub struct Varied {
     tension_method: TensionMethod,
     machine: Model,
     offsets: Vec<f64>,
+    history: Option<(History, Pose)>,
     requirements: Requirements,
 }
 
@@ -44,14 +46,18 @@ impl Varied {
             tension_method: driving.control().tension_method,
             machine: varied(driving.machine(), Side::Machine)?,
             offsets,
+            history: driving.history().copied(),
             requirements: reachable.requirements().clone(),
         })
     }
 
-    /// What is reached with the change; machines with history come to every pose at once.
+    /// What is reached with the change; machines with history come to every pose as without it.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
         let control = Control { model: &self.control, tension_method: self.tension_method };
-        let driving = Driving::new(control, &self.machine, &self.offsets)?;
+        let mut driving = Driving::new(control, &self.machine, &self.offsets)?;
+        if let Some((history, start)) = &self.history {
+            driving = driving.with_history(history, start);
+        }
         Reachable::new(driving, self.requirements.clone())
     }
 }
