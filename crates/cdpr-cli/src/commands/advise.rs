@@ -79,7 +79,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     let missing = supported.missing.iter().map(|(effect, reason)| format!("{effect}: {reason}")).collect();
     let timing = Timing { command_ns };
-    output.answer(&Advised::new(&machine, &advice, &task, poses.len(), arguments.accuracy, missing, timing))
+    output.answer(&Advised::new(&machine, &advice, &task, arguments.accuracy, missing, timing))
 }
 
 /// The box of the task.

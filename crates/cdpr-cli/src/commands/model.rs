@@ -3,8 +3,11 @@
 use std::process::ExitCode;
 
 use cdpr::geometry::Pose;
-use cdpr::metamodel::effects::{Contribution, Displacement, Method, State, contributions, cost, largest};
+use cdpr::metamodel::effects::{
+    Contribution, Displacement, Method, State, contributions, cost, largest, parameter_count,
+};
 use cdpr::model::{Composition, Model, Supported};
+use cdpr::robot::Robot;
 use cdpr::statics::{Load, balanced_wrench};
 use clap::Args;
 use serde::Serialize;
@@ -128,7 +131,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let load = load(&model, &pose, &arguments)?;
     let state = State { pose, load, tensions };
     let found = contributions(&model, &supported, &state).map_err(|error| Failure::refused("ROBOT", &error))?;
-    answer.effects = found.iter().map(|contribution| EffectAnswer::new(contribution, model.cable_count())).collect();
+    answer.effects = found.iter().map(|contribution| EffectAnswer::new(contribution, model.robot())).collect();
     answer.tensions = state.tensions;
     output.answer(&answer)
 }
@@ -171,7 +174,7 @@ impl ModelAnswer {
 }
 
 impl EffectAnswer {
-    fn new(contribution: &Contribution, cable_count: usize) -> Self {
+    fn new(contribution: &Contribution, robot: &Robot) -> Self {
         let Contribution { lengths, distribution, platform, lengths_beyond_home, platform_beyond_home, .. } =
             contribution;
         let reasons = [
@@ -188,7 +191,6 @@ impl EffectAnswer {
             }
         }
         let effect = contribution.effect;
-        let (per_cable, cost) = cost(effect);
         Self {
             effect,
             replaced_by: contribution.replaced_by,
@@ -198,8 +200,8 @@ impl EffectAnswer {
             platform: platform.as_ref().ok().map(PlatformChange::new),
             length_change_beyond_home_m: lengths_beyond_home.as_deref().ok().map(LengthChange::new),
             platform_beyond_home: platform_beyond_home.as_ref().ok().map(PlatformChange::new),
-            parameter_count: per_cable * cable_count,
-            cost,
+            parameter_count: parameter_count(effect, robot),
+            cost: cost(effect),
             reasons: told,
         }
     }

@@ -5,38 +5,44 @@ mod tests;
 
 use super::control::Control;
 use super::driving::Driving;
-use super::effects;
+use super::effects::parameter_count;
 use super::errors::PoseError;
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
-use super::study::{Initial, TensionMethod};
+use super::poorer::richness;
+use super::study::{History, Initial, TensionMethod};
 use super::winches::winch_offsets;
 use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, StretchEffect, Supported};
 use crate::tension::Limits;
 
 /// What a control model does on the machine over the poses of a task.
+///
+/// Errors are those at the poses that are compared: where every candidate has an answer ([`Advice::compared`]), so that they are of
+/// the same poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// Effects of the control model.
     pub control: Composition,
     /// Effects of the machine that it leaves out, or has in a simpler form.
     pub left_out: Vec<&'static str>,
-    /// Distance between commanded and emerging position (m) over the poses at which the platform comes to rest.
+    /// Distance between commanded and emerging position (m).
     pub position_error: PoseError,
     /// Angle between commanded and emerging orientation (rad).
     pub rotation_error: PoseError,
     /// Emerging tensions minus those that a control model like the machine brings about: mean over poses of the 2-norm (N);
     /// nothing for a rigid machine.
     pub tension_error: Option<f64>,
-    /// Share of the poses that are reached: the platform comes to rest with tensions within their limits and a position error of
-    /// at most the accuracy.
-    pub reached_share: f64,
+    /// Poses at which the platform comes to rest.
+    pub answered: usize,
+    /// Poses that are reached: the platform comes to rest with tensions within their limits and a position error of at most the
+    /// accuracy.
+    pub reached: usize,
     /// The same, whatever the error.
-    pub commanded_share: f64,
-    /// Parameters that its effects leave to be identified, anchors not counted.
+    pub commanded: usize,
+    /// Numbers that its effects need, from identification or a test bench, anchors not counted.
     pub parameter_count: usize,
-    /// Why no pose has an answer, if none has.
+    /// Why the first pose without an answer has none, if there is one.
     pub reason: Option<String>,
 }
 
@@ -45,11 +51,29 @@ pub struct Candidate {
 pub struct Advice {
     /// Effects of the machine.
     pub machine: Composition,
-    /// From the simplest to the richest.
+    /// From the simplest to the richest, which has the effects of the machine.
     pub candidates: Vec<Candidate>,
+    /// Poses of the task.
+    pub poses: usize,
+    /// Poses at which every candidate has an answer that has one anywhere.
+    pub compared: usize,
+    /// Poses that at least one candidate reaches.
+    pub attainable: usize,
     /// Index of the simplest candidate that reaches as many poses as the one like the machine; nothing where that one reaches
     /// none.
     pub recommended: Option<usize>,
+}
+
+impl Advice {
+    /// The candidate with the effects of the machine.
+    pub fn like_the_machine(&self) -> Option<&Candidate> {
+        self.candidates.iter().find(|candidate| candidate.control == self.machine)
+    }
+
+    /// What a candidate reaches, as a share of what any of them could; 0 where none reaches anything.
+    pub fn reached_share(&self, candidate: &Candidate) -> f64 {
+        candidate.reached as f64 / self.attainable.max(1) as f64
+    }
 }
 
 /// What cannot be advised on.
@@ -78,8 +102,8 @@ pub enum AdviceError {
 /// Compares control models on the machine with the richest composition that the robot's file supports.
 ///
 /// Winches are set at the home pose with the tensions nearest to the middle of the limits, with each control model in its turn:
-/// all have the same robot, so that what differs is what they leave out. `accuracy` is the largest position error (m); those
-/// that command tensions choose them by `tension_method`.
+/// all have the same robot, so that what differs is what they leave out. A machine whose cables remember comes to every pose from
+/// there. `accuracy` is the largest position error (m); those that command tensions choose them by `tension_method`.
 pub fn advise(
     machine: &Model,
     supported: &Supported,
@@ -90,35 +114,36 @@ pub fn advise(
     if poses.is_empty() {
         return Err(AdviceError::NoPoses);
     }
-    let robot = machine.robot();
-    let home = robot.home.ok_or(AdviceError::NoHome)?;
+    let home = machine.robot().home.ok_or(AdviceError::NoHome)?;
     let full = machine.composition();
     if full == Composition::STANDARD {
         let missing = supported.missing.iter().map(|(effect, reason)| format!("{effect}: {reason}"));
         return Err(AdviceError::NothingToChoose { missing: missing.collect::<Vec<_>>().join("; ") });
     }
+    let mut runs = Vec::new();
+    for control in compositions(full, supported) {
+        let model = Model::new(machine.robot().clone(), control)?;
+        runs.push((control, outcomes(Control { model: &model, tension_method }, machine, &home, poses)?));
+    }
+    // of as many effects the one nearest to a real cable last, which is the machine's
+    runs.sort_by_key(|(control, _)| (control.effect_count(), richness(control.stretch)));
+    Ok(Task::new(machine, poses, accuracy, &runs).advice(&runs))
+}
+
+/// What emerges at each pose under a control model with which the winches were set at the home pose.
+fn outcomes(control: Control<'_>, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
     let initial = Initial {
         tension_method: Some(TensionMethod::Qp),
-        offset: (!full.depends_on_tension()).then(|| "none".to_owned()),
+        offset: (!machine.composition().depends_on_tension()).then(|| "none".to_owned()),
         ..Initial::default()
     };
-    let limits = Limits::of(robot, None, None).ok();
-    let outcomes = |control: &Model| -> Result<Vec<Outcome>, InputError> {
-        let offsets = winch_offsets(&initial, control, machine, &home)?;
-        Ok(Driving::new(Control { model: control, tension_method }, machine, &offsets)?.outcomes(poses))
+    let offsets = winch_offsets(&initial, control.model, machine, home)?;
+    let driving = Driving::new(control, machine, &offsets)?;
+    let driving = match History::of(machine, None) {
+        Some(history) => driving.with_history(&history, home),
+        None => driving,
     };
-    let reference = outcomes(machine)?;
-    let task = Task { poses, accuracy, limits: limits.as_ref(), reference: &reference };
-    let mut candidates = Vec::new();
-    for control in compositions(full, supported) {
-        let model = Model::new(robot.clone(), control)?;
-        let outcomes = if control == full { reference.clone() } else { outcomes(&model)? };
-        candidates.push(task.judge(machine, control, &outcomes));
-    }
-    candidates.sort_by_key(|candidate| (candidate.control.effect_count(), candidate.parameter_count));
-    let best = candidates.last().map_or(0.0, |full| full.reached_share);
-    let recommended = candidates.iter().position(|candidate| best > 0.0 && candidate.reached_share >= best);
-    Ok(Advice { machine: full, candidates, recommended })
+    Ok(driving.outcomes(poses))
 }
 
 /// Compositions of effects that the machine has, each as the machine has it, in a simpler form, or not at all.
@@ -135,57 +160,105 @@ fn compositions(full: Composition, supported: &Supported) -> impl Iterator<Item 
     })
 }
 
+/// A control model with what emerges under it, pose by pose.
+type Run = (Composition, Vec<Outcome>);
+
 /// What all candidates are judged by.
 struct Task<'a> {
+    machine: &'a Model,
     poses: &'a [Pose],
     accuracy: f64,
-    limits: Option<&'a Limits>,
+    limits: Option<Limits>,
     /// What emerges under a control model like the machine.
     reference: &'a [Outcome],
+    /// Poses at which all have an answer.
+    compared: Vec<usize>,
 }
 
-impl Task<'_> {
-    fn judge(&self, machine: &Model, control: Composition, outcomes: &[Outcome]) -> Candidate {
-        let answered = || {
-            let all = self.poses.iter().zip(outcomes);
-            all.filter(|(_, outcome)| outcome.status == Status::Converged)
+impl<'a> Task<'a> {
+    fn new(machine: &'a Model, poses: &'a [Pose], accuracy: f64, runs: &'a [Run]) -> Self {
+        let is_settled = |outcome: &Outcome| outcome.status == Status::Converged;
+        // a model that answers nowhere says so itself, and leaves the others to be compared
+        let answering = || runs.iter().map(|(_, outcomes)| outcomes).filter(|outcomes| outcomes.iter().any(is_settled));
+        let all_answer = |pose: &usize| answering().all(|outcomes| is_settled(&outcomes[*pose]));
+        let full = machine.composition();
+        Self {
+            machine,
+            poses,
+            accuracy,
+            limits: Limits::of(machine.robot(), None, None).ok(),
+            reference: runs.iter().find(|(control, _)| *control == full).map_or(&[], |(_, outcomes)| outcomes),
+            compared: (0..poses.len()).filter(all_answer).collect(),
+        }
+    }
+
+    fn advice(&self, runs: &[Run]) -> Advice {
+        let candidates: Vec<Candidate> =
+            runs.iter().map(|(control, outcomes)| self.judge(*control, outcomes)).collect();
+        let is_reached = |pose: usize| runs.iter().any(|(_, outcomes)| self.reaches(pose, &outcomes[pose]));
+        let mut advice = Advice {
+            machine: self.machine.composition(),
+            poses: self.poses.len(),
+            compared: self.compared.len(),
+            attainable: (0..self.poses.len()).filter(|&pose| is_reached(pose)).count(),
+            recommended: None,
+            candidates,
         };
-        let position = |pose: &Pose, outcome: &Outcome| (outcome.pose.position - pose.position).norm();
-        let errors: Vec<f64> = answered().map(|(pose, outcome)| position(pose, outcome)).collect();
-        let angles: Vec<f64> = answered().map(|(pose, outcome)| outcome.pose.angle_to(pose)).collect();
-        let is_within = |outcome: &Outcome| match (self.limits, &outcome.tensions) {
-            (Some(limits), Some(tensions)) => limits.contain(tensions, limits.tolerance()),
-            _ => true,
-        };
-        let commanded: Vec<bool> = answered().map(|(_, outcome)| is_within(outcome)).collect();
-        let reached =
-            commanded.iter().zip(&errors).filter(|(within, error)| **within && **error <= self.accuracy).count();
-        let share = |count: usize| count as f64 / self.poses.len() as f64;
-        let words = machine.composition().words();
+        let best = advice.like_the_machine().map_or(0, |full| full.reached);
+        advice.recommended = advice.candidates.iter().position(|one| best > 0 && one.reached >= best);
+        advice
+    }
+
+    fn judge(&self, control: Composition, outcomes: &[Outcome]) -> Candidate {
+        let is_settled = |outcome: &&Outcome| outcome.status == Status::Converged;
+        let answered = outcomes.iter().filter(is_settled).count();
+        let compared = || self.compared.iter().copied().filter(|_| answered > 0);
+        let errors: Vec<f64> = compared().map(|pose| self.position_error(pose, &outcomes[pose])).collect();
+        let angles: Vec<f64> = compared().map(|pose| outcomes[pose].pose.angle_to(&self.poses[pose])).collect();
+        let all = || outcomes.iter().enumerate();
+        let words = self.machine.composition().words();
         let left_out: Vec<&'static str> = words.filter(|word| !control.words().any(|own| own == *word)).collect();
-        let per_cable: usize = control.words().map(|effect| effects::cost(effect).0).sum();
+        let unanswered = outcomes.iter().find(|outcome| !is_settled(outcome));
         Candidate {
             control,
             left_out,
             position_error: PoseError::of(&errors),
             rotation_error: PoseError::of(&angles),
-            tension_error: self.tension_error(outcomes),
-            reached_share: share(reached),
-            commanded_share: share(commanded.iter().filter(|within| **within).count()),
-            parameter_count: per_cable * machine.cable_count(),
-            reason: errors.is_empty().then(|| outcomes.iter().find_map(|outcome| outcome.reason.clone())).flatten(),
+            tension_error: self.tension_error(outcomes).filter(|_| answered > 0),
+            answered,
+            reached: all().filter(|(pose, outcome)| self.reaches(*pose, outcome)).count(),
+            commanded: all().filter(|(_, outcome)| self.keeps_limits(outcome)).count(),
+            parameter_count: control.words().map(|word| parameter_count(word, self.machine.robot())).sum(),
+            reason: unanswered
+                .map(|outcome| outcome.reason.clone().unwrap_or_else(|| "the machine comes to no rest".to_owned())),
         }
     }
 
+    fn position_error(&self, pose: usize, outcome: &Outcome) -> f64 {
+        (outcome.pose.position - self.poses[pose].position).norm()
+    }
+
+    /// True where the platform comes to rest with tensions within their limits.
+    fn keeps_limits(&self, outcome: &Outcome) -> bool {
+        let is_within = match (&self.limits, &outcome.tensions) {
+            (Some(limits), Some(tensions)) => limits.contain(tensions, limits.tolerance()),
+            _ => true,
+        };
+        outcome.status == Status::Converged && is_within
+    }
+
+    fn reaches(&self, pose: usize, outcome: &Outcome) -> bool {
+        self.keeps_limits(outcome) && self.position_error(pose, outcome) <= self.accuracy
+    }
+
     fn tension_error(&self, outcomes: &[Outcome]) -> Option<f64> {
-        let pairs = outcomes.iter().zip(self.reference).filter_map(|(outcome, reference)| {
-            let is_settled = outcome.status == Status::Converged && reference.status == Status::Converged;
-            let (found, wanted) = (outcome.tensions.as_ref()?, reference.tensions.as_ref()?);
+        let norm = |&pose: &usize| {
+            let (found, wanted) = (outcomes[pose].tensions.as_ref()?, self.reference.get(pose)?.tensions.as_ref()?);
             let squares: f64 =
                 found.iter().zip(wanted).map(|(found, wanted)| (found - wanted) * (found - wanted)).sum();
-            is_settled.then(|| squares.sqrt())
-        });
-        let norms: Vec<f64> = pairs.collect();
+            Some(squares.sqrt())
+        };
+        let norms: Vec<f64> = self.compared.iter().filter_map(norm).collect();
         (!norms.is_empty()).then(|| norms.iter().sum::<f64>() / norms.len() as f64)
     }
 }

@@ -10,6 +10,7 @@ mod displacement;
 use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, Supported, WinchError};
+use crate::robot::{Cable, HysteresisTable, Robot};
 use crate::statics::{Load, controlled_lengths};
 use crate::tension::Limits;
 
@@ -158,21 +159,41 @@ impl Comparison<'_> {
     }
 }
 
-/// Parameters of one cable that identification would have to find for an effect, and what else has to be known, in words.
-pub fn cost(effect: &str) -> (usize, &'static str) {
+/// Numbers of all cables together that an effect needs, by identification or from a test bench: those of the laws that the robot's
+/// file states.
+pub fn parameter_count(effect: &str, robot: &Robot) -> usize {
+    let of_cable = |cable: &Cable| match effect {
+        "pulley" | "elastic" => 1,
+        "drum" => 2,
+        "polynomial" => cable.tension_of_strain.as_ref().map_or(0, Vec::len),
+        "hysteresis" => cable.hysteresis.as_ref().map_or(0, measured_numbers),
+        _ => 0,
+    };
+    robot.cables.iter().map(of_cable).sum()
+}
+
+/// Numbers of a table that a test bench measures: both branches, which begin at zero tension, and what leads from one to the other.
+fn measured_numbers(table: &HysteresisTable) -> usize {
+    let (slopes, shares) = ([&table.loading_slope_N, &table.unloading_slope_N], &table.transition_share);
+    let branches = [&table.loading_N, &table.unloading_N].map(|branch| branch.len().saturating_sub(1));
+    branches.iter().sum::<usize>()
+        + slopes.into_iter().flatten().map(Vec::len).sum::<usize>()
+        + table.transition_strain.len()
+        // the shares add up to 1
+        + shares.as_ref().map_or(0, |shares| shares.len().saturating_sub(1))
+}
+
+/// What has to be known for an effect, in words.
+pub fn cost(effect: &str) -> &'static str {
     match effect {
-        "pulley" => (1, "a radius per cable; swivel axes and entry points from the drawing"),
-        "drum" => (2, "radius and start length per cable; pitch, axis and place of the drum from the drawing"),
-        "elastic" => {
-            (1, "a compliance per cable, and the load; a hidden length where the winch stands far from the outlet")
-        }
-        "polynomial" => (0, "the coefficients from a test bench (`cdpr test-bench`), and the load"),
-        "hysteresis" => {
-            (0, "both branches from a test bench (`cdpr test-bench`), the load, and the order of the motions")
-        }
-        "catenary" => (0, "nothing to identify: weigh a metre of cable; lengths follow from an iteration"),
-        "finite-element" => (0, "nothing to identify: as `catenary`, and slower the more elements there are"),
-        _ => (0, ""),
+        "pulley" => "a radius per cable; swivel axes and entry points from the drawing",
+        "drum" => "radius and start length per cable; pitch, axis and place of the drum from the drawing",
+        "elastic" => "a compliance per cable, and the load; a hidden length where the winch stands far from the outlet",
+        "polynomial" => "the coefficients from a test bench (`cdpr test-bench`), and the load",
+        "hysteresis" => "both branches from a test bench (`cdpr test-bench`), the load, and the order of the motions",
+        "catenary" => "nothing to identify: weigh a metre of cable; lengths follow from an iteration",
+        "finite-element" => "nothing to identify: as `catenary`, and slower the more elements there are",
+        _ => "",
     }
 }
 

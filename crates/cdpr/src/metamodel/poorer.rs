@@ -16,7 +16,8 @@ pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'stat
     control.words().filter(is_missing).collect()
 }
 
-fn richness(stretch: StretchEffect) -> u8 {
+/// How much a way to stretch tells of a real cable, in order.
+pub(super) fn richness(stretch: StretchEffect) -> u8 {
     match stretch {
         StretchEffect::Rigid => 0,
         StretchEffect::Linear => 1,

@@ -19,6 +19,10 @@ pub(super) struct Advised {
     machine: String,
     task_m: Vec<f64>,
     poses: usize,
+    /// Poses that the errors are those of: every model has an answer there.
+    compared_poses: usize,
+    /// Poses that at least one model reaches.
+    attainable_poses: usize,
     accuracy_m: f64,
     recommended: Option<String>,
     must_be_modelled: Vec<EffectAnswer>,
@@ -57,6 +61,9 @@ struct CandidateAnswer {
     rotation_error_rad: PoseError,
     #[serde(rename = "tension_error_N")]
     tension_error: Option<f64>,
+    answered_poses: usize,
+    reached_poses: usize,
+    /// Of the poses that any model reaches.
     reached_share: f64,
     share_within_tension_limits: f64,
     parameter_count: usize,
@@ -68,13 +75,11 @@ impl Advised {
         machine: &Model,
         advice: &Advice,
         task: &Bounds,
-        poses: usize,
         accuracy: f64,
         missing: Vec<String>,
         timing: Timing,
     ) -> Self {
-        let full = advice.candidates.last();
-        let best = full.map_or(0.0, |full| full.reached_share);
+        let best = advice.like_the_machine().map_or(0, |full| full.reached);
         let recommended = advice.recommended.map(|index| advice.candidates[index].control.to_string());
         let mut effects = [Vec::new(), Vec::new()];
         for effect in advice.machine.words() {
@@ -82,44 +87,72 @@ impl Advised {
             let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else {
                 continue;
             };
-            let answer = EffectAnswer::new(effect, candidate, machine.cable_count());
-            effects[usize::from(candidate.reached_share >= best)].push(answer);
+            effects[usize::from(candidate.reached >= best)].push(EffectAnswer::new(effect, candidate, advice, machine));
         }
         let [must_be_modelled, may_be_left_out] = effects;
-        let reason = (best < 1.0).then(|| {
-            let why = full.and_then(|full| full.reason.clone()).map_or_else(String::new, |why| format!(": {why}"));
-            format!("even a control model like the machine reaches only {:.1} % of the task{why}", 100.0 * best)
-        });
+        let reason = (best < advice.poses).then(|| out_of_reach(advice, best));
         Self {
             status: if reason.is_none() { "advised" } else { "out-of-reach" },
             reason,
             robot: machine.robot().name.clone(),
             machine: advice.machine.to_string(),
             task_m: task.ends(),
-            poses,
+            poses: advice.poses,
+            compared_poses: advice.compared,
+            attainable_poses: advice.attainable,
             accuracy_m: accuracy,
             recommended,
             must_be_modelled,
             may_be_left_out,
-            candidates: advice.candidates.iter().map(CandidateAnswer::new).collect(),
+            candidates: advice.candidates.iter().map(|candidate| CandidateAnswer::new(candidate, advice)).collect(),
             missing,
             timing,
         }
     }
+
+    /// What the errors are those of, where models lack answers.
+    fn comparison(&self) -> Option<String> {
+        let all = self.candidates.iter().all(|candidate| candidate.answered_poses == self.poses);
+        let lacking = self.candidates.iter().find(|candidate| candidate.answered_poses < self.poses);
+        (!all).then(|| {
+            let why = lacking.and_then(|candidate| candidate.reason.as_ref().map(|reason| (&candidate.model, reason)));
+            let why = why.map_or_else(String::new, |(model, reason)| format!("; `{model}`: {reason}"));
+            match self.compared_poses {
+                0 => format!("there is no pose at which every model has an answer, so that errors cannot be compared{why}"),
+                compared => format!(
+                    "errors are those at the {compared} of {} poses where every model that answers at all has an answer{why}",
+                    self.poses
+                ),
+            }
+        })
+    }
+}
+
+/// Why not all of the task is reached.
+fn out_of_reach(advice: &Advice, best: usize) -> String {
+    let Advice { poses, attainable, .. } = *advice;
+    let why = advice.like_the_machine().and_then(|full| full.reason.clone());
+    let why = why.map_or_else(String::new, |why| format!(": {why}"));
+    match attainable {
+        0 => format!("no control model reaches any of the {poses} poses of the task{why}"),
+        _ if best == attainable => {
+            format!("{} of the {poses} poses of the task are out of reach of every control model{why}", poses - best)
+        }
+        _ => format!("even a control model like the machine reaches only {best} of the {poses} poses of the task{why}"),
+    }
 }
 
 impl EffectAnswer {
-    fn new(effect: &'static str, without: &Candidate, cables: usize) -> Self {
-        let (per_cable, cost) = effects::cost(effect);
+    fn new(effect: &'static str, without: &Candidate, advice: &Advice, machine: &Model) -> Self {
         Self {
             effect,
             position_error_mean_m: without.position_error.mean,
             position_error_max_m: without.position_error.max,
             rotation_error_max_rad: without.rotation_error.max,
             tension_error: without.tension_error,
-            reached_share: without.reached_share,
-            parameter_count: per_cable * cables,
-            cost,
+            reached_share: advice.reached_share(without),
+            parameter_count: effects::parameter_count(effect, machine.robot()),
+            cost: effects::cost(effect),
         }
     }
 
@@ -133,7 +166,7 @@ impl EffectAnswer {
             count => format!("{count} parameters, "),
         };
         format!(
-            "  {}: left out it costs up to {} mm{turn}{tension} and leaves {:.0} % of the task; with it: {parameters}{}\n",
+            "  {}: left out it costs up to {} mm{turn}{tension} and leaves {:.0} % of what can be reached; with it: {parameters}{}\n",
             self.effect,
             significant(1e3 * self.position_error_max_m, 3),
             100.0 * self.reached_share,
@@ -143,15 +176,17 @@ impl EffectAnswer {
 }
 
 impl CandidateAnswer {
-    fn new(candidate: &Candidate) -> Self {
+    fn new(candidate: &Candidate, advice: &Advice) -> Self {
         Self {
             model: candidate.control.to_string(),
             left_out: candidate.left_out.clone(),
             position_error_m: candidate.position_error,
             rotation_error_rad: candidate.rotation_error,
             tension_error: candidate.tension_error,
-            reached_share: candidate.reached_share,
-            share_within_tension_limits: candidate.commanded_share,
+            answered_poses: candidate.answered,
+            reached_poses: candidate.reached,
+            reached_share: advice.reached_share(candidate),
+            share_within_tension_limits: candidate.commanded as f64 / advice.poses as f64,
             parameter_count: candidate.parameter_count,
             reason: candidate.reason.clone(),
         }
@@ -171,8 +206,12 @@ impl Answer for Advised {
             self.poses,
             significant(1e3 * self.accuracy_m, 3)
         );
-        let mut table =
-            Table::new(["control model", "mean mm", "max mm", "max °", "tension N", "reached", "parameters", "ns"]);
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}\n\n"));
+        }
+        let heading =
+            ["control model", "mean mm", "max mm", "max °", "tension N", "answers", "reached", "parameters", "ns"];
+        let mut table = Table::new(heading);
         for (candidate, time) in self.candidates.iter().zip(&self.timing.command_ns) {
             let finite = |number: f64| Some(number).filter(|number| number.is_finite());
             let mark = if self.recommended.as_ref() == Some(&candidate.model) { " ←" } else { "" };
@@ -182,14 +221,21 @@ impl Answer for Advised {
                 cell(finite(1e3 * candidate.position_error_m.max), 3),
                 cell(finite(candidate.rotation_error_rad.max.to_degrees()), 4),
                 cell(candidate.tension_error, 1),
+                format!("{}/{}", candidate.answered_poses, self.poses),
                 format!("{:.0} %", 100.0 * candidate.reached_share),
                 candidate.parameter_count.to_string(),
                 cell(finite(*time), 0),
             ]);
         }
         text.push_str(&table.text());
-        if let Some(reason) = &self.reason {
-            text.push_str(&format!("\n{reason}\n"));
+        if let Some(comparison) = self.comparison() {
+            text.push_str(&format!("\n{comparison}\n"));
+        }
+        if self.attainable_poses < self.poses && self.attainable_poses > 0 {
+            text.push_str(&format!(
+                "\nreached: of the {} poses that any of the models reaches\n",
+                self.attainable_poses
+            ));
         }
         if let Some(recommended) = &self.recommended {
             text.push_str(&format!(

@@ -1,5 +1,5 @@
 use super::*;
-use crate::robot::Robot;
+use crate::robot::{HysteresisTable, Robot};
 
 fn task(robot: &Robot, half: f64, count: usize) -> Vec<Pose> {
     let home = robot.home.unwrap();
@@ -30,7 +30,7 @@ fn the_simplest_model_that_reaches_the_task_is_recommended() {
     let full = strict.candidates.last().unwrap();
     assert_eq!(full.control, strict.machine);
     assert!(full.position_error.max < 1e-9 && full.left_out.is_empty(), "{full:?}");
-    assert_eq!(full.reached_share, 1.0);
+    assert_eq!((full.reached, strict.attainable, strict.compared), (25, 25, 25));
     let chosen = |advice: &Advice| advice.candidates[advice.recommended.unwrap()].control;
     assert_eq!(chosen(&loose), Composition::STANDARD);
     assert!(chosen(&strict).is_elastic(), "{strict:?}");
@@ -39,7 +39,7 @@ fn the_simplest_model_that_reaches_the_task_is_recommended() {
     }
     let standard = &strict.candidates[0];
     assert!(standard.left_out.contains(&"elastic") && standard.tension_error.unwrap() > 1.0, "{standard:?}");
-    assert!(standard.reached_share < 1.0);
+    assert!(standard.reached < 25 && strict.reached_share(standard) < 1.0);
 }
 
 #[test]
@@ -58,4 +58,55 @@ fn a_file_without_effects_leaves_nothing_to_choose() {
     let machine = Model::new(robot, supported.richest).unwrap();
     let error = advise(&machine, &supported, &poses, 0.01, TensionMethod::Qp).unwrap_err();
     assert!(matches!(error, AdviceError::NothingToChoose { .. }), "{error}");
+}
+
+/// The planar example with the keys that `cdpr test-bench` writes beside the stiffness: a table with hysteresis, of strokes 2 % apart.
+fn with_hysteresis() -> Robot {
+    let mut robot = Robot::builtin("planar-example").unwrap();
+    for cable in &mut robot.cables {
+        cable.hysteresis = Some(HysteresisTable {
+            strain: vec![0.0, 0.02, 0.1],
+            loading_N: vec![0.0, 4050.0, 22000.0],
+            unloading_N: vec![0.0, 3950.0, 22000.0],
+            transition_strain: vec![0.002],
+            ..HysteresisTable::default()
+        });
+    }
+    robot
+}
+
+/// Of the models of one effect the one with hysteresis is the machine's: it comes last, its table counts as what has to be known, and
+/// nothing is out of reach that it reaches.
+#[test]
+fn the_machine_is_judged_by_the_model_that_is_like_it() {
+    let robot = with_hysteresis();
+    let supported = Composition::supported(&robot).unwrap();
+    assert_eq!(supported.richest.to_string(), "hysteresis");
+    let poses = task(&robot, 0.5, 5);
+    let machine = Model::new(robot, supported.richest).unwrap();
+    let advice = advise(&machine, &supported, &poses, 0.03, TensionMethod::Qp).unwrap();
+    let names: Vec<String> = advice.candidates.iter().map(|candidate| candidate.control.to_string()).collect();
+    assert_eq!(names, ["standard", "elastic", "hysteresis"]);
+    let full = advice.like_the_machine().unwrap();
+    assert_eq!(full, advice.candidates.last().unwrap());
+    // two tensions beyond zero on either branch, and one transition, of each of four cables
+    assert_eq!((full.parameter_count, advice.candidates[1].parameter_count), (20, 4));
+    assert_eq!((full.reached, advice.attainable), (25, 25), "{advice:?}");
+    // its memory of the way is what even this model leaves
+    assert!(full.position_error.max > 1e-6 && full.position_error.max < advice.candidates[1].position_error.max);
+}
+
+/// A task that leaves the workspace: the models give up at different poses, and are compared at those where all have an answer.
+#[test]
+fn errors_are_compared_at_the_same_poses() {
+    let advice = advice("planar-example", 4.5, 1.0);
+    let answered: Vec<usize> = advice.candidates.iter().map(|candidate| candidate.answered).collect();
+    let (least, most) = (answered.iter().min().unwrap(), answered.iter().max().unwrap());
+    assert!(least < most && advice.compared <= *least && advice.compared > 0, "{answered:?} {}", advice.compared);
+    let full = advice.like_the_machine().unwrap();
+    assert!(full.position_error.max < 1e-9 && full.tension_error.unwrap() < 1e-3, "{full:?}");
+    assert!(full.reason.is_some(), "{full:?}");
+    // whatever any of them reaches is all there is to reach
+    assert!(advice.attainable < advice.poses && advice.attainable >= full.reached, "{advice:?}");
+    assert!(advice.candidates.iter().all(|candidate| advice.reached_share(candidate) <= 1.0));
 }
