@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     study: PathBuf,
 
     /// Tensions wanted at every pose: closed-form (the middle of the limits, eq. 3.41) | minimum | another method of `cdpr tension`
-    /// | one tension per cable (N).
+    /// | one tension per cable (N), projected at every pose onto those that balance the load there.
     #[arg(long, value_name = "TARGET", default_value = "closed-form", allow_hyphen_values = true)]
     target: TargetArgument,
 
@@ -86,7 +86,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         let (machine, study) = (&laboratory.machine, &laboratory.study);
         let control = laboratory.controller();
         let set_with = laboratory.set_with();
-        let task = Task { control, machine, set_with, pose, limits: &limits, history: laboratory.history() };
+        let (history, now) = (laboratory.history(), laboratory.initial_tensions()?);
+        let task = Task { control, machine, set_with, pose, limits: &limits, history, now };
         let (method, tensions) = match &arguments.target {
             TargetArgument::Method(method) => (Some(*method), None),
             TargetArgument::Tensions(tensions) => (None, Some(tensions.clone())),
@@ -104,8 +105,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let (before, best, way) = found;
     let reached = size(&laboratory, &pose)?;
-    let former =
-        State { offsets: std::mem::replace(&mut laboratory.experiment.offsets, best.offsets.clone()), fit: before, reached };
+    let former = State {
+        offsets: std::mem::replace(&mut laboratory.experiment.offsets, best.offsets.clone()),
+        fit: before,
+        reached,
+    };
     let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&laboratory, &pose)? };
     drop(progress);
     if !best.is_settled {

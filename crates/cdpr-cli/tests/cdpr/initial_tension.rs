@@ -1,6 +1,6 @@
 //! `cdpr initial-tension`: winches set for the poses of a study.
 
-use super::cdpr;
+use super::{cdpr, cdpr_in};
 
 /// The repository's study of this name.
 fn study(name: &str) -> String {
@@ -40,5 +40,44 @@ fn targets_that_are_none_are_refused() {
         let run = cdpr(&format!("initial-tension {} --target {target}", study("planar-small-circle")));
         assert_eq!(run.exit_code, code, "{}", run.stderr);
         assert!(run.stderr.contains(words), "{}", run.stderr);
+    }
+}
+
+/// Where a target of one's own, brought into balance, would let a cable push there is none: the answer names the poses. What they
+/// leave counts.
+#[test]
+fn poses_without_a_target_are_named() {
+    let run =
+        |more: &str| cdpr(&format!("initial-tension {} --target 200,200,4000,4000 {more}", study("planar-wide-grid")));
+    let answer = run("--format json").json_with(&["poses_without_target", "no_target", "starts", "starts_agreeing"]);
+    let missing = answer["poses_without_target"].as_array().unwrap();
+    let counted = answer["after"]["poses"].as_u64().unwrap() as usize;
+    assert!(!missing.is_empty() && counted + missing.len() == 25, "{answer}");
+    assert!(answer["no_target"].as_str().unwrap().contains("push"), "{answer}");
+    let words = run("").stdout;
+    assert!(words.contains(&format!("{} of 25 poses have no target and do not count", missing.len())), "{words}");
+}
+
+/// At the initial pose alone the winches cannot be set better than by the target itself; random poses in a box of their own need no grid.
+#[test]
+fn nothing_to_gain_is_said_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(study("planar-wide-grid")).unwrap();
+    let head = text.split("[poses").next().unwrap();
+    let write = |poses: &str| std::fs::write(folder.path().join("study.toml"), format!("{head}{poses}")).unwrap();
+    write("[poses.random]\nmin = [0, 5.2]\nmax = [0, 5.2]\ncount = 2\n");
+    let run = cdpr_in(folder.path(), "initial-tension study.toml");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    assert!(run.stdout.starts_with("nothing to gain") && run.stdout.lines().count() == 1, "{}", run.stdout);
+    let answer = cdpr_in(folder.path(), "initial-tension study.toml --format json").json();
+    assert_eq!((answer["status"].as_str(), answer["poses"].as_u64()), (Some("nothing-to-gain"), Some(2)), "{answer}");
+    for (poses, words) in [
+        ("[poses.random]\ncount = 2\n", "add min and max here, or [poses.grid]"),
+        ("[poses.random]\nmin = [0, 5.2]\ncount = 2\n", "a box has two corners"),
+        ("[poses.random]\nmin = [0, 6]\nmax = [0, 5]\ncount = 2\n", "above max"),
+    ] {
+        write(poses);
+        let run = cdpr_in(folder.path(), "initial-tension study.toml");
+        assert!(run.exit_code == 2 && run.stderr.contains(words), "{words}: {}", run.stderr);
     }
 }

@@ -7,6 +7,7 @@
 
 mod approach;
 mod descent;
+mod starts;
 #[cfg(test)]
 mod tests;
 
@@ -38,10 +39,15 @@ pub struct Task<'a> {
     pub limits: &'a Limits,
     /// How a machine with history comes to the poses.
     pub history: Option<History>,
+    /// Tensions that are set now (N), where they are known: one more start of the search.
+    pub now: Option<Vec<f64>>,
 }
 
-/// Which tensions are wanted at every pose, f_ref: tensions of their own (N, brought into balance by the smallest change), or
-/// those of a method, `closed-form` for the middle of the limits (eq. 3.41), `minimum` for the least.
+/// Which tensions are wanted at every pose, f_ref: tensions of their own (N), or those of a method, `closed-form` for the middle of
+/// the limits (eq. 3.41), `minimum` for the least.
+///
+/// Tensions of their own are projected: those that balance the load at the pose and are nearest to them count, within the limits or
+/// not. A pose at which they would let a cable push has no target ([`Fit::without_target`]).
 pub type Target = Initial;
 
 /// How well emerging tensions follow the target.
@@ -53,6 +59,12 @@ pub struct Fit {
     pub largest: f64,
     /// Poses that count: the machine comes to rest there, and there is a target.
     pub poses: usize,
+    /// Poses (0-based) that have no target.
+    pub without_target: Vec<usize>,
+    /// Why the first of those has none.
+    pub no_target: Option<InputError>,
+    /// Poses (0-based) at which the machine comes to no rest.
+    pub without_rest: Vec<usize>,
     /// Poses at which a tension breaks its limits.
     pub outside: usize,
     /// The worst of those.
@@ -82,8 +94,12 @@ pub struct Optimum {
     pub fit: Fit,
     /// Cables (0-based) whose initial tension stands at a limit.
     pub at_limits: Vec<usize>,
-    /// Steps taken.
+    /// Steps taken from the best start.
     pub iterations: u32,
+    /// Tensions that the search has started from.
+    pub starts: usize,
+    /// Starts that led to these tensions.
+    pub agreeing: usize,
     /// False where the steps did not come to rest: better tensions may exist.
     pub is_settled: bool,
 }
@@ -104,24 +120,19 @@ fn given(tensions: &[f64]) -> Initial {
     Initial { tensions_N: Some(tensions.to_vec()), ..Initial::default() }
 }
 
-/// f_ref at each pose; nothing where the load cannot be balanced so. Refuses a target that no pose has.
-fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Option<Vec<f64>>>, InputError> {
+/// f_ref at a pose, or why there is none.
+type Wanted = Result<Vec<f64>, InputError>;
+
+/// f_ref at each pose. Refuses a target that no pose has.
+fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Wanted>, InputError> {
     if !task.machine.composition().depends_on_tension() {
         return Err(InputError::RigidMachine);
     }
-    let (mut wanted, mut refused) = (Vec::with_capacity(poses.len()), None);
-    for pose in poses {
-        match initial_tensions(target, task.machine, pose) {
-            Ok(tensions) => wanted.push(Some(tensions)),
-            Err(error) => {
-                refused.get_or_insert(error);
-                wanted.push(None);
-            }
-        }
-    }
-    match (wanted.iter().all(Option::is_none), refused) {
-        (true, refused) => Err(refused.unwrap_or(InputError::NoPoses)),
-        (false, _) => Ok(wanted),
+    let wanted: Vec<Wanted> = poses.iter().map(|pose| initial_tensions(target, task.machine, pose)).collect();
+    match wanted.first() {
+        None => Err(InputError::NoPoses),
+        Some(Err(refused)) if wanted.iter().all(Result::is_err) => Err(refused.clone()),
+        Some(_) => Ok(wanted),
     }
 }
 
@@ -141,8 +152,18 @@ fn driving<'a>(task: &Task<'a>, offsets: &[f64]) -> Result<Driving<'a>, InputErr
 }
 
 impl Fit {
-    fn of(emerging: &[Option<Vec<f64>>], wanted: &[Option<Vec<f64>>], limits: &Limits) -> Self {
-        let mut fit = Self { rms: 0.0, largest: 0.0, poses: 0, outside: 0, worst: None };
+    fn of(emerging: &[Option<Vec<f64>>], wanted: &[Wanted], limits: &Limits) -> Self {
+        let all = 0..wanted.len();
+        let mut fit = Self {
+            rms: f64::NAN,
+            largest: 0.0,
+            poses: 0,
+            without_target: all.clone().filter(|&pose| wanted[pose].is_err()).collect(),
+            no_target: wanted.iter().find_map(|wanted| wanted.as_ref().err().cloned()),
+            without_rest: all.filter(|&pose| emerging[pose].is_none()).collect(),
+            outside: 0,
+            worst: None,
+        };
         let (mut squares, mut count, mut worst_excess) = (0.0, 0, limits.tolerance());
         for (pose, (tensions, target)) in emerging.iter().zip(wanted).enumerate() {
             let Some(tensions) = tensions else { continue };
@@ -153,7 +174,7 @@ impl Fit {
                     (worst_excess, fit.worst) = (excess, Some(Outside { pose, cable, tension }));
                 }
             }
-            let Some(target) = target else { continue };
+            let Ok(target) = target else { continue };
             fit.poses += 1;
             for (tension, wanted) in tensions.iter().zip(target) {
                 let away = (tension - wanted).abs();
@@ -161,7 +182,9 @@ impl Fit {
                 fit.largest = fit.largest.max(away);
             }
         }
-        fit.rms = if count > 0 { (squares / f64::from(count)).sqrt() } else { f64::NAN };
+        if count > 0 {
+            fit.rms = (squares / f64::from(count)).sqrt();
+        }
         fit
     }
 }

@@ -162,7 +162,7 @@ pub struct Poses {
     pub grid: Option<Grid>,
     /// A file with one pose a row.
     pub file: Option<PoseFile>,
-    /// Random poses in the box of the grid.
+    /// Random poses in a box of their own, or that of the grid.
     pub random: Option<Random>,
     /// Single cables shortened at some poses, for elastic machines: what tells stiffness from geometry.
     pub tension_tests: Option<TensionTests>,
@@ -202,13 +202,17 @@ pub struct PoseFile {
     pub set: Option<String>,
 }
 
-/// Random poses, uniform in the box of the grid.
+/// Random poses, uniform in a box.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Random {
     /// How many.
     pub count: usize,
-    /// Each angle is uniform within ± this (rad), one per rotation of the pattern; the grid's box counts when missing.
+    /// Lower corner of the box (m, rad); that of the grid when missing.
+    pub min: Option<Vec<f64>>,
+    /// Upper corner of the box (m, rad); that of the grid when missing.
+    pub max: Option<Vec<f64>>,
+    /// Each angle is uniform within ± this (rad), one per rotation of the pattern; the box counts when missing.
     pub rotation_rad: Option<Vec<f64>>,
     /// Written to the column `set` of the samples.
     pub set: Option<String>,

@@ -8,7 +8,7 @@ use crate::equilibrium::distribution::{self, DistributionError};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::Load;
-use crate::tension::{Limits, Options, Solver, closed_form};
+use crate::tension::{Limits, Options, Reference, Solver, closed_form};
 
 /// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose with the
 /// initial tensions, q_off = φ̂(x_ini, f_ini) − φ(x_ini).
@@ -78,7 +78,9 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
             nearest_to(&Limits::new(tensions.clone(), tensions.clone())?)?
         }
         (None, Some(TensionMethod::ClosedForm)) => nearest_to(&aim(initial, model)?)?,
-        (None, Some(method)) => chosen_by(method, &aim(initial, model)?, model, pose, wrench.as_slice())?,
+        (None, Some(method)) => {
+            chosen_by((method, &Options::default()), &aim(initial, model)?, model, pose, wrench.as_slice())?
+        }
         (None, None) => return Err(InputError::NoTensions),
     };
     match tensions.iter().position(|&tension| tension < 0.0) {
@@ -90,11 +92,17 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
     }
 }
 
-/// The tensions within limits nearest to their middle, in balance with the load (N).
-pub(super) fn tensions_within(limits: &Limits, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
+/// The tensions within limits nearest to a reference, in balance with the load (N).
+pub(super) fn tensions_within(
+    limits: &Limits,
+    reference: Reference<'_>,
+    model: &Model,
+    pose: &Pose,
+) -> Result<Vec<f64>, InputError> {
     model.structure_matrix(pose)?;
     let wrench = Load::of(model.robot())?.in_pattern(model, pose);
-    chosen_by(TensionMethod::Qp, limits, model, pose, wrench.as_slice())
+    let options = Options { reference, ..Options::default() };
+    chosen_by((TensionMethod::Qp, &options), limits, model, pose, wrench.as_slice())
 }
 
 /// What the initial tensions shall lie between: what the study says, or the limits of the robot's file.
@@ -107,7 +115,7 @@ pub(super) fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError
 
 /// Tensions by a method that keeps the limits.
 fn chosen_by(
-    method: TensionMethod,
+    (method, options): (TensionMethod, &Options<'_>),
     limits: &Limits,
     model: &Model,
     pose: &Pose,
@@ -117,7 +125,7 @@ fn chosen_by(
     let mut found = (Vec::new(), None);
     let balance = distribution::balance(model, pose, wrench, &mut |matrix, wrench| {
         solver.forget();
-        let answer = solver.solve(matrix, wrench, limits, &Options::default())?;
+        let answer = solver.solve(matrix, wrench, limits, options)?;
         found = (answer.tensions.clone(), answer.reason());
         Ok(found.1.is_none().then(|| found.0.clone()))
     });

@@ -27,6 +27,14 @@ pub(super) struct InitialTensionAnswer {
     /// Cables from 1 whose initial tension stands at a limit.
     at_limits: Vec<usize>,
     iterations: u32,
+    starts: usize,
+    /// Starts of the search that led to these tensions.
+    starts_agreeing: usize,
+    /// Poses from 1 that have no target and do not count in the distances from it.
+    poses_without_target: Vec<usize>,
+    /// Why the first of those has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_target: Option<String>,
     before: Value,
     after: Value,
     approach: Value,
@@ -46,10 +54,10 @@ impl InitialTensionAnswer {
         let is_planar = laboratory.machine.axes().len() == 2;
         let size = if is_planar { "reachable_area_m2" } else { "reachable_volume_m3" };
         let state = |state: &State| {
-            let Fit { rms, largest, poses, outside, .. } = &state.fit;
+            let Fit { rms, largest, poses, outside, without_rest, .. } = &state.fit;
             let rms = rms.is_finite().then_some(rms);
             json!({ "winch_offsets_m": state.offsets, "rms_N": rms, "largest_N": largest, "poses": poses,
-                    "poses_outside_limits": outside, size: state.reached })
+                    "poses_outside_limits": outside, "poses_without_rest": from_one(without_rest), size: state.reached })
         };
         let stage = |stage: &cdpr::metamodel::initial_tension::Stage| {
             let moves = stage.moves.iter();
@@ -58,22 +66,26 @@ impl InitialTensionAnswer {
             json!({ "winch_offsets_m": stage.offsets, "tensions_N": stage.tensions, "moves": moves.collect::<Vec<_>>() })
         };
         let [least, most] = way.tensions;
-        let reason = states[1].fit.worst.map(|worst| {
-            let (outside, pose, name) = (states[1].fit.outside, worst.pose + 1, &names[worst.cable]);
-            format!(
-                "no initial tensions follow the target within the limits everywhere: at {outside} of {poses} poses a tension breaks \
-                 them, worst at pose {pose}, cable {name} with {:.0} N",
-                worst.tension
-            )
-        });
+        let [former, latter] = [&states[0].fit, &states[1].fit];
+        let reason = shortcoming(latter, poses, &names);
+        let status = match reason {
+            Some(_) if !latter.without_rest.is_empty() => "without-rest",
+            Some(_) => "outside-limits",
+            None if gains_nothing(former, latter) => "nothing-to-gain",
+            None => "found",
+        };
         Self {
-            status: if reason.is_none() { "found" } else { "outside-limits" },
+            status,
             reason,
             poses,
             initial_tensions: best.tensions,
             winch_offsets_m: best.offsets,
             at_limits: best.at_limits.iter().map(|cable| cable + 1).collect(),
             iterations: best.iterations,
+            starts: best.starts,
+            starts_agreeing: best.agreeing,
+            poses_without_target: from_one(&latter.without_target),
+            no_target: latter.no_target.as_ref().map(ToString::to_string),
             before: state(&states[0]),
             after: state(&states[1]),
             approach: json!({
@@ -102,6 +114,42 @@ impl InitialTensionAnswer {
     }
 }
 
+/// A study's own winches follow the target as well as the best ones when nothing but this share of the distance is gained.
+const NOTHING: f64 = 1e-3;
+
+/// True where the winches stay as the study sets them.
+fn gains_nothing(before: &Fit, after: &Fit) -> bool {
+    // of less than a newton nothing is left to gain
+    before.poses >= after.poses
+        && before.outside <= after.outside
+        && before.rms - after.rms <= NOTHING * before.rms.max(1.0)
+}
+
+/// Numbers of poses as people count them.
+fn from_one(poses: &[usize]) -> Vec<usize> {
+    poses.iter().map(|pose| pose + 1).collect()
+}
+
+/// Why no initial tensions do everywhere.
+fn shortcoming(fit: &Fit, poses: usize, names: &[String]) -> Option<String> {
+    if let Some(first) = fit.without_rest.first() {
+        let count = fit.without_rest.len();
+        return Some(format!(
+            "at {count} of {poses} poses the machine comes to no rest with the initial tensions that follow the target best, first at pose {}: \
+             they do not count below, and `cdpr accuracy` tells why",
+            first + 1
+        ));
+    }
+    fit.worst.map(|worst| {
+        let (outside, pose, name) = (fit.outside, worst.pose + 1, &names[worst.cable]);
+        format!(
+            "no initial tensions follow the target within the limits everywhere: at {outside} of {poses} poses a tension breaks \
+             them, worst at pose {pose}, cable {name} with {:.0} N",
+            worst.tension
+        )
+    })
+}
+
 impl Answer for InitialTensionAnswer {
     fn is_negative(&self) -> bool {
         self.reason.is_some()
@@ -111,6 +159,20 @@ impl Answer for InitialTensionAnswer {
         let mut text = String::new();
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n\n"));
+        }
+        if let (Some(why), count) = (&self.no_target, self.poses_without_target.len()) {
+            text.push_str(&format!(
+                "{count} of {} poses have no target and do not count in the distances below, first pose {}: {why}\n\n",
+                self.poses, self.poses_without_target[0]
+            ));
+        }
+        if self.status == "nothing-to-gain" {
+            let [before, best] = [&self.states[0], &self.states[1]].map(|state| state.fit.rms);
+            text.push_str(&format!(
+                "nothing to gain: the winches as the study sets them follow the target as well as any initial tensions within the limits, \
+                 {before:.1} N off in the root mean square against {best:.1} N\n"
+            ));
+            return text;
         }
         let heading = format!("over {} poses", self.poses);
         let mut table = Table::new([heading.as_str(), "as the study sets them", "best"]);
@@ -122,6 +184,7 @@ impl Answer for InitialTensionAnswer {
         row("poses with tensions outside the limits", &|state| state.fit.outside.to_string());
         row(&format!("reachable workspace ({})", self.unit), &|state| cell(Some(state.reached), 3));
         text.push_str(&table.text());
+        text.push_str(&self.search());
         let mut table = Table::new(["cable", "f_ini (N)", "winch offset (mm)", "before (mm)"]);
         for (cable, name) in self.names.iter().enumerate() {
             let at_limit = if self.at_limits.contains(&(cable + 1)) { " at a limit" } else { "" };
@@ -163,6 +226,22 @@ impl Answer for InitialTensionAnswer {
 }
 
 impl InitialTensionAnswer {
+    /// How the best was found, and what is odd about it.
+    fn search(&self) -> String {
+        let [before, after] = [&self.states[0].fit, &self.states[1].fit];
+        let mut text = match self.starts_agreeing == self.starts {
+            true => String::new(),
+            false => format!(
+                "\n{} of {} starts of the search led to the best, the others to worse\n",
+                self.starts_agreeing, self.starts
+            ),
+        };
+        if before.poses >= after.poses && before.rms < after.rms {
+            text.push_str("\nthe winches as the study sets them follow the target better: their initial tensions break the limits\n");
+        }
+        text
+    }
+
     /// The cables in the order in which winches turn.
     fn order(&self) -> String {
         let names: Vec<&str> = self.way.order.iter().map(|&cable| self.names[cable].as_str()).collect();

@@ -2,10 +2,10 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::{Fit, Optimum, Target, Task, emerging, offsets_of, wanted};
+use super::starts::starts;
+use super::{Fit, Optimum, Target, Task, Wanted, emerging, offsets_of, wanted};
 use crate::geometry::Pose;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::winches::tensions_within;
 use crate::tension::{Limits, null_space, quadratic};
 
 /// Steps at most; tensions follow f_ini almost linearly, so that few are needed.
@@ -14,65 +14,73 @@ const STEPS: u32 = 30;
 const DIFFERENCE: f64 = 1e-4;
 /// A step below this share of the range is the last.
 const SETTLED: f64 = 1e-7;
+/// Ends nearer to each other than this share of the range are one optimum.
+const AGREEING: f64 = 1e-4;
 /// How much more the fit counts than the way from one step to the next, in squared tensions.
 const WEIGHT: f64 = 100.0;
 /// Part of the largest curvature that keeps what the poses do not determine where it is.
 const RIDGE: f64 = 1e-9;
 
-/// f_ini within the limits whose emerging tensions are nearest to the target over these poses (eq. 3.42).
+/// f_ini within the limits whose emerging tensions are nearest to the target over these poses (eq. 3.42), the best that several starts
+/// lead to.
 ///
 /// Refuses rigid machines, targets that no pose has, and limits that no balanced tensions
 /// at the initial pose keep.
 pub fn optimum(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Optimum, InputError> {
     let wanted = wanted(task, target, poses)?;
-    let search =
-        Search { task, poses, wanted: &wanted, basis: null_space(&task.machine.structure_matrix(&task.pose)?)? };
     let ranges = task.limits.minimum().iter().zip(task.limits.maximum()).map(|(least, largest)| largest - least);
     let range = ranges.fold(1.0, f64::max);
-    let mut here = search.at(tensions_within(task.limits, task.machine, &task.pose)?)?;
-    let (mut iterations, mut is_settled) = (0, false);
-    while iterations < STEPS && !is_settled {
-        iterations += 1;
-        let (step, root) = search.step(&here, DIFFERENCE * range)?;
-        let goal = search.within(&here.tensions, &step, &root)?;
-        let way: Vec<f64> = goal.iter().zip(&here.tensions).map(|(goal, from)| goal - from).collect();
-        let mut share = 1.0;
-        loop {
-            let size = way.iter().fold(0.0_f64, |most, part| most.max((share * part).abs()));
-            if size <= SETTLED * range {
-                is_settled = true;
-                break;
-            }
-            let tensions = here.tensions.iter().zip(&way).map(|(from, part)| from + share * part).collect();
-            let there = search.at(tensions)?;
-            if there.cost() < here.cost() {
-                here = there;
-                break;
-            }
-            share *= 0.25;
+    let basis = null_space(&task.machine.structure_matrix(&task.pose)?)?;
+    let search = Search { task, poses, wanted: &wanted, basis, range };
+    let starts = starts(task, target, range)?;
+    let mut ends = Vec::with_capacity(starts.len());
+    for start in &starts {
+        ends.push(search.descend(start.clone())?);
+    }
+    let mut best = 0;
+    for other in 1..ends.len() {
+        if ends[other].trial.is_better_than(&ends[best].trial) {
+            best = other;
         }
     }
+    let agrees = |end: &&End| {
+        let pairs = end.trial.tensions.iter().zip(&ends[best].trial.tensions);
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) <= AGREEING * range
+    };
+    let agreeing = ends.iter().filter(agrees).count();
+    let End { trial, iterations, is_settled } = ends.swap_remove(best);
     let tolerance = 1e-6 * range;
     let is_at = |&cable: &usize| {
-        let f = here.tensions[cable];
+        let f = trial.tensions[cable];
         f <= task.limits.minimum()[cable] + tolerance || f >= task.limits.maximum()[cable] - tolerance
     };
     Ok(Optimum {
-        at_limits: (0..here.tensions.len()).filter(is_at).collect(),
-        fit: Fit::of(&here.emerging, &wanted, task.limits),
-        offsets: here.offsets,
-        tensions: here.tensions,
+        at_limits: (0..trial.tensions.len()).filter(is_at).collect(),
+        fit: Fit::of(&trial.emerging, &wanted, task.limits),
+        offsets: trial.offsets,
+        tensions: trial.tensions,
         iterations,
+        starts: starts.len(),
+        agreeing,
         is_settled,
     })
+}
+
+/// Where the steps from one start end.
+struct End {
+    trial: Trial,
+    iterations: u32,
+    is_settled: bool,
 }
 
 struct Search<'a> {
     task: &'a Task<'a>,
     poses: &'a [Pose],
-    wanted: &'a [Option<Vec<f64>>],
+    wanted: &'a [Wanted],
     /// H at the initial pose.
     basis: DMatrix<f64>,
+    /// The widest range of the limits (N).
+    range: f64,
 }
 
 /// Initial tensions and what emerges with them.
@@ -87,13 +95,49 @@ struct Trial {
 }
 
 impl Trial {
-    /// Mean square over the poses that count; nothing is better where fewer poses have an answer.
+    /// Mean square over the poses that count.
     fn cost(&self) -> f64 {
         if self.counted == 0 { f64::INFINITY } else { self.residual.norm_squared() / self.counted as f64 }
+    }
+
+    /// Nothing is better where fewer poses have an answer.
+    fn is_better_than(&self, other: &Self) -> bool {
+        self.counted > other.counted || (self.counted == other.counted && self.cost() < other.cost())
     }
 }
 
 impl Search<'_> {
+    /// Steps from one start until they come to rest.
+    fn descend(&self, start: Vec<f64>) -> Result<End, InputError> {
+        let mut end = End { trial: self.at(start)?, iterations: 0, is_settled: false };
+        while end.iterations < STEPS && !end.is_settled {
+            end.iterations += 1;
+            let here = &end.trial;
+            let (step, root) = self.step(here, DIFFERENCE * self.range)?;
+            let goal = self.within(&here.tensions, &step, &root)?;
+            let way: Vec<f64> = goal.iter().zip(&here.tensions).map(|(goal, from)| goal - from).collect();
+            match self.along(here, &way)? {
+                Some(there) => end.trial = there,
+                None => end.is_settled = true,
+            }
+        }
+        Ok(end)
+    }
+
+    /// The first better place on a way, its end or a quarter of the way and so on; nothing where only places next to here are left.
+    fn along(&self, here: &Trial, way: &[f64]) -> Result<Option<Trial>, InputError> {
+        let size = way.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        let mut share = 1.0;
+        while share * size > SETTLED * self.range {
+            let there = self.at(here.tensions.iter().zip(way).map(|(from, part)| from + share * part).collect())?;
+            if there.is_better_than(here) {
+                return Ok(Some(there));
+            }
+            share *= 0.25;
+        }
+        Ok(None)
+    }
+
     fn at(&self, tensions: Vec<f64>) -> Result<Trial, InputError> {
         let offsets = offsets_of(self.task, &tensions)?;
         let emerging = emerging(self.task, &offsets, self.poses)?;
@@ -101,7 +145,7 @@ impl Search<'_> {
         let mut residual = DVector::zeros(cables * self.poses.len());
         let mut counted = 0;
         for (pose, (tensions, wanted)) in emerging.iter().zip(self.wanted).enumerate() {
-            let (Some(tensions), Some(wanted)) = (tensions, wanted) else { continue };
+            let (Some(tensions), Ok(wanted)) = (tensions, wanted) else { continue };
             counted += 1;
             for cable in 0..cables {
                 residual[pose * cables + cable] = tensions[cable] - wanted[cable];

@@ -22,7 +22,15 @@ impl Planar {
     fn task(&self) -> Task<'_> {
         let pose = self.at(0.0, 5.2);
         let (control, machine) = (&self.control, &self.machine);
-        Task { control: control.into(), machine, set_with: control, pose, limits: &self.limits, history: None }
+        Task {
+            control: control.into(),
+            machine,
+            set_with: control,
+            pose,
+            limits: &self.limits,
+            history: None,
+            now: None,
+        }
     }
 
     fn at(&self, x: f64, y: f64) -> Pose {
@@ -91,6 +99,25 @@ fn no_neighbour_of_the_optimum_follows_a_circle_better() {
         let better = if method == Method::Minimum { 1.0 + 1e-9 } else { 0.95 };
         assert!(found.fit.rms <= better * cost(&plain), "{} {}", found.fit.rms, cost(&plain));
     }
+}
+
+/// A circle beyond what the least tensions reach: cables go slack, and the way from the middle of the limits ends in a hollow at 610.2 N.
+#[test]
+fn several_starts_leave_the_hollow_that_one_ends_in() {
+    let planar = Planar::new();
+    let task = Task { pose: planar.at(0.697596, 3.46791), ..planar.task() };
+    let angle = |k: u32| std::f64::consts::TAU * f64::from(k) / 12.0;
+    let at = |k: u32| planar.at(1.69808 + 2.83244 * angle(k).cos(), 3.47587 + 2.83244 * angle(k).sin());
+    let poses: Vec<Pose> = (0..12).map(at).collect();
+    let found = optimum(&task, &by_method(Method::Minimum), &poses).unwrap();
+    assert!(found.is_settled && found.agreeing < found.starts, "{found:?}");
+    assert!(found.fit.rms < 607.0, "{found:?}");
+    // one pose of the circle has no tensions that balance the load within the limits
+    assert_eq!((found.fit.poses, found.fit.without_target.len()), (11, 1), "{found:?}");
+    // what is found is a start that leads to itself
+    let again = Task { now: Some(found.tensions.clone()), ..task };
+    let again = optimum(&again, &by_method(Method::Minimum), &poses).unwrap();
+    assert!((again.fit.rms - found.fit.rms).abs() < 1e-3, "{again:?}");
 }
 
 /// Tensions of 3000 N all over leave less than 2300 N to the lower cables: the optimum stands at a limit, not beyond.

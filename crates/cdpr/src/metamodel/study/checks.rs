@@ -1,6 +1,6 @@
 //! What a study file may not say, with the place where it says it.
 
-use super::{Grid, Study, TensionTests, Tolerances};
+use super::{Grid, Random, Study, TensionTests, Tolerances};
 use crate::model::Composition;
 use crate::reading::{ReadError, Step, TomlDocument};
 
@@ -145,18 +145,41 @@ fn check_tension_tests(study: &Study, tests: &TensionTests, place: &Place<'_>) -
 
 fn check_poses(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
     let Some(poses) = &study.poses else { return Ok(()) };
-    let Some(grid) = &poses.grid else {
-        return match poses.random {
-            Some(_) => Err(place.error(&["poses", "random"], "random poses need the box of [poses.grid]".to_owned())),
-            None => Ok(()),
-        };
+    let points = match &poses.grid {
+        None => 0,
+        Some(grid) => {
+            check_grid(grid).map_err(|message| place.error(&["poses", "grid"], message))?;
+            grid.count.iter().try_fold(1_usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX)
+        }
     };
-    let error = |message: String| place.error(&["poses", "grid"], message);
-    check_grid(grid).map_err(error)?;
-    let points = grid.count.iter().try_fold(1_usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX);
+    if let Some(random) = &poses.random {
+        check_random(random, poses.grid.as_ref()).map_err(|message| place.error(&["poses", "random"], message))?;
+    }
     let random = poses.random.as_ref().map_or(0, |random| random.count);
-    if points.saturating_add(random) > POSE_LIMIT {
-        return Err(error(format!("the study asks for more than {POSE_LIMIT} poses")));
+    match points.saturating_add(random) > POSE_LIMIT {
+        true => Err(place.error(&["poses"], format!("the study asks for more than {POSE_LIMIT} poses"))),
+        false => Ok(()),
+    }
+}
+
+fn check_random(random: &Random, grid: Option<&Grid>) -> Result<(), String> {
+    if random.min.is_some() != random.max.is_some() {
+        return Err("a box has two corners: min and max".to_owned());
+    }
+    match random.corners(grid) {
+        Some([min, max]) => check_corners(min, max),
+        None => Err("random poses need a box: add min and max here, or [poses.grid]".to_owned()),
+    }
+}
+
+fn check_corners(min: &[f64], max: &[f64]) -> Result<(), String> {
+    if min.len() != max.len() {
+        return Err(format!("min has {} components, max {}; they must be equally many", min.len(), max.len()));
+    }
+    for (index, (min, max)) in min.iter().zip(max).enumerate() {
+        if !(min <= max) {
+            return Err(format!("component {}: min {min} is above max {max}", index + 1));
+        }
     }
     Ok(())
 }
@@ -166,10 +189,5 @@ fn check_grid(grid: &Grid) -> Result<(), String> {
     if max != dimension || count != dimension {
         return Err(format!("min has {dimension} components, max {max}, count {count}; they must be equally many"));
     }
-    for (index, (min, max)) in grid.min.iter().zip(&grid.max).enumerate() {
-        if !(min <= max) {
-            return Err(format!("component {}: min {min} is above max {max}", index + 1));
-        }
-    }
-    Ok(())
+    check_corners(&grid.min, &grid.max)
 }

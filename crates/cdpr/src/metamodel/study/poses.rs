@@ -54,17 +54,20 @@ impl Study {
         let in_set = |pose: Pose, set: &Option<String>| CommandedPose { set: set.clone(), ..CommandedPose::at(pose) };
         let file_set = poses.file.as_ref().and_then(|file| file.set.clone());
         let mut all: Vec<CommandedPose> = from_file.into_iter().map(|pose| in_set(pose, &file_set)).collect();
-        let Some(grid) = &poses.grid else { return Ok(all) };
         let pattern = robot.motion_pattern;
-        for components in grid.points() {
-            all.push(in_set(pattern.pose(robot.plane, &components)?, &grid.set));
+        if let Some(grid) = &poses.grid {
+            for components in grid.points() {
+                all.push(in_set(pattern.pose(robot.plane, &components)?, &grid.set));
+            }
+            // an empty grid still has to fit the pattern
+            pattern.pose(robot.plane, &grid.min)?;
         }
-        // an empty grid still has to fit the pattern
-        pattern.pose(robot.plane, &grid.min)?;
-        if let Some(random) = &poses.random {
+        let random = poses.random.as_ref();
+        if let Some((random, corners)) = random.and_then(|random| Some((random, random.corners(poses.grid.as_ref())?)))
+        {
             let mut rng = ChaCha8Rng::seed_from_u64(seed);
             for _ in 0..random.count {
-                let components = random.components(grid, pattern.translations(), &mut rng);
+                let components = random.components(corners, pattern.translations(), &mut rng);
                 all.push(in_set(pattern.pose(robot.plane, &components)?, &random.set));
             }
         }
@@ -103,13 +106,20 @@ impl Grid {
 }
 
 impl Random {
-    fn components(&self, grid: &Grid, translations: usize, rng: &mut ChaCha8Rng) -> Vec<f64> {
+    /// Lower and upper corner of the box: its own, or those of the grid.
+    pub(super) fn corners<'a>(&'a self, grid: Option<&'a Grid>) -> Option<[&'a [f64]; 2]> {
+        let of_grid = || grid.map(|grid| [&grid.min[..], &grid.max[..]]);
+        let own = self.min.as_deref().zip(self.max.as_deref());
+        own.map(|(min, max)| [min, max]).or_else(of_grid)
+    }
+
+    fn components(&self, [min, max]: [&[f64]; 2], translations: usize, rng: &mut ChaCha8Rng) -> Vec<f64> {
         let mut uniform = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();
         let component = |(index, (&min, &max)): (usize, (&f64, &f64))| {
             let angle = index.checked_sub(translations).and_then(|angle| self.rotation_rad.as_ref()?.get(angle));
             angle.map_or_else(|| (min, max), |&limit| (-limit.abs(), limit.abs()))
         };
-        let ranges: Vec<(f64, f64)> = grid.min.iter().zip(&grid.max).enumerate().map(component).collect();
+        let ranges: Vec<(f64, f64)> = min.iter().zip(max).enumerate().map(component).collect();
         ranges.into_iter().map(|(low, high)| uniform(low, high)).collect()
     }
 }
