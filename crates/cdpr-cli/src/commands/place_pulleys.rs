@@ -20,7 +20,7 @@ use crate::table::{Table, cell};
 const EXAMPLES: &str = "\
 Examples:
   cdpr place-pulleys cogiro --axis 0,0,1 --radius 0.05 --out with-pulleys.toml
-  cdpr place-pulleys planar-example --axis 0,1 --out with-pulleys.toml
+  cdpr place-pulleys planar-example --axis 0,1 --axis 0,1 --axis=-1,0 --axis 1,0 --out with-pulleys.toml
   cdpr ik with-pulleys.toml --model pulley --pose 0,4";
 
 /// Give every cable a swivelling pulley whose contact point, at one pose, is the anchor of the file.
@@ -33,9 +33,10 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     robot: RobotArgument,
 
-    /// Swivel axis from the winch into the pulley, one for all cables (world; of any length).
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    axis: NumberList,
+    /// Swivel axis from the winch into the pulley (world; of any length): once for all cables, or once a cable in their order; those of
+    /// the file when left out.
+    #[arg(long = "axis", value_name = "AXIS", allow_hyphen_values = true)]
+    axes: Vec<NumberList>,
 
     /// Pulley radius of every cable (m); that of the file when left out.
     #[arg(long, value_name = "RADIUS", value_parser = number_from_zero, allow_hyphen_values = true)]
@@ -70,10 +71,10 @@ struct PlacedCable {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let robot = arguments.robot.read()?;
-    let axis = swivel_axis(&robot, &arguments.axis)?;
+    let axes = swivel_axes(&robot, &arguments.axes)?;
     let pose = pose_or_home(&robot, "--pose", arguments.pose.as_ref())?;
     let radius = |(index, cable): (usize, &cdpr::robot::Cable)| {
-        arguments.radius.or(cable.pulley_radius).map(|radius| (radius, axis)).ok_or_else(|| {
+        arguments.radius.or(cable.pulley_radius).map(|radius| (radius, axes[index])).ok_or_else(|| {
             let message = format!("cable {} (\"{}\") has no pulley_radius_m", index + 1, cable.name);
             Failure::input(
                 "model::missing-key",
@@ -101,7 +102,29 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     })
 }
 
-/// The axis as a unit vector of the world.
+/// The axis of every cable as a unit vector of the world.
+fn swivel_axes(robot: &Robot, given: &[NumberList]) -> Result<Vec<Vector3<f64>>, Failure> {
+    let cables = robot.cable_count();
+    let refused = |message: String, help: &str| Err(Failure::input("pulley::radius-or-axis", message, help));
+    match given {
+        [] => match robot.cables.iter().position(|cable| cable.pulley_swivel_axis.is_none()) {
+            None => Ok(robot.cables.iter().filter_map(|cable| cable.pulley_swivel_axis).collect()),
+            Some(lacking) => {
+                let (number, name) = (lacking + 1, &robot.cables[lacking].name);
+                let message = format!("cable {number} (\"{name}\") has no pulley_swivel_axis, and no --axis is given");
+                refused(message, "give one axis for all, --axis 0,0,1, or --axis once a cable")
+            }
+        },
+        [one] => Ok(vec![swivel_axis(robot, one)?; cables]),
+        each if each.len() == cables => each.iter().map(|axis| swivel_axis(robot, axis)).collect(),
+        each => {
+            let message = format!("--axis is given {} times; the robot has {cables} cables", each.len());
+            refused(message, "give it once for all cables, or once a cable")
+        }
+    }
+}
+
+/// An axis as a unit vector of the world.
 fn swivel_axis(robot: &Robot, numbers: &NumberList) -> Result<Vector3<f64>, Failure> {
     let axis = match (robot.motion_pattern.is_planar(), numbers.0.as_slice()) {
         (true, &[first, second]) => robot.plane.embed([first, second]),

@@ -6,7 +6,7 @@ use cdpr::cable::DegenerateCourse;
 use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
-use cdpr::statics::Load;
+use cdpr::statics::{Load, StaticsError};
 use cdpr::tension::{self, Limits, Method, Solver, Status};
 use clap::Args;
 use serde::Serialize;
@@ -166,10 +166,16 @@ fn find(
         let answer = solver.solve(matrix, wrench, &limits, &options)?;
         Ok(is_shown(answer).then(|| answer.tensions.clone()).filter(|f| f.iter().all(|tension| *tension >= 0.0)))
     });
-    let balance = balance.map_err(|error| match error {
-        DistributionError::Tension(error) => refused(&error),
-        error => Failure::numerical(error.to_string()),
-    })?;
+    let balance = match balance {
+        Ok(balance) => balance,
+        // a cable that hangs in no shape is an answer about the pose
+        Err(DistributionError::Statics(ref error @ StaticsError::Hold { reason, .. })) if !reason.is_overflow() => {
+            let reason = Some(error.to_string());
+            return Ok((Found { status: "no-shape", reason, wrench: Some(wrench), ..Found::default() }, limits));
+        }
+        Err(DistributionError::Tension(error)) => return Err(refused(&error)),
+        Err(error) => return Err(Failure::numerical(error.to_string())),
+    };
     if let Some(reason) = balance.reason {
         let (status, reason) = (reason.status(), Some(reason.words().to_owned()));
         return Ok((Found { status, reason, wrench: Some(wrench), ..Found::default() }, limits));

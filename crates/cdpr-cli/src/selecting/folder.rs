@@ -54,7 +54,8 @@ struct InputEntry {
     sha256: String,
 }
 
-/// Writes the result into a folder, which is made where it does not exist; files of the same names are replaced.
+/// Writes the result into a folder, which is made where it does not exist; files of the same names are replaced, and calibrated robots
+/// of a former result go.
 ///
 /// All files are written before the first is put in its place; `result.json` comes last, so that a folder that has it is
 /// complete. Of two processes that write into one folder the second waits for the first.
@@ -75,7 +76,34 @@ pub(crate) fn write_folder(folder: &Path, compared: &Compared, more: Vec<NamedFi
     let paths: Vec<PathBuf> = all.iter().map(|file| folder.join(&file.name)).collect();
     let pairs: Vec<(&Path, &[u8])> =
         paths.iter().map(PathBuf::as_path).zip(all.iter().map(|file| &file.content[..])).collect();
-    files::write_all(&pairs)
+    files::write_all(&pairs)?;
+    remove_former(folder, &paths)
+}
+
+/// Removes the calibrated robots that another result left here: they are named as ours are, and none of ours.
+fn remove_former(folder: &Path, ours: &[PathBuf]) -> Result<(), Failure> {
+    let calibrated = folder.join("calibrated");
+    let unreadable = |error: std::io::Error| Failure::io("read", &calibrated.display().to_string(), &error);
+    let mut former = vec![folder.join("calibrated.toml")];
+    for entry in std::fs::read_dir(&calibrated).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let is_numbered = name
+            .split_once('-')
+            .is_some_and(|(number, _)| number.len() >= 2 && number.chars().all(|digit| digit.is_ascii_digit()));
+        if is_numbered && name.ends_with(".toml") {
+            former.push(path);
+        }
+    }
+    for path in former.iter().filter(|path| !ours.contains(*path)) {
+        match std::fs::remove_file(path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(Failure::io("remove", &path.display().to_string(), &error));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// Robots of all judged candidates, and the recommended one at the top.

@@ -213,6 +213,23 @@ fn pulleys_that_the_controller_does_not_know_cost_reachable_workspace_and_force_
     }
 }
 
+/// Sec. 4.5: around 74 % of the physical workspace with pulleys of 0.15 m and 200 kN; on cells of 10 cm.
+#[test]
+fn soft_cables_over_pulleys_reach_the_printed_share() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(study("sweep-planar-pulleys-soft")).unwrap();
+    let text = text
+        .replace("step_m = 0.05", "step_m = 0.1")
+        .replace("\"planar-pulleys.toml\"", &format!("'{}'", study("planar-pulleys")));
+    std::fs::write(folder.path().join("sweep.toml"), text).unwrap();
+    let run = cdpr_in(folder.path(), "sweep all sweep.toml --out out --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let merged = run.json();
+    for (row, share) in merged["rows"].as_array().unwrap().iter().zip([0.728, 0.744, 0.767]) {
+        assert_near(&row["share"], share, 0.005);
+    }
+}
+
 /// What the sweep of this name draws, and the chart of the chapter.
 fn assert_drawn(name: &str) {
     let folder = tempfile::tempdir().unwrap();

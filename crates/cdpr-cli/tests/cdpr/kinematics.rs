@@ -4,6 +4,41 @@ use serde_json::json;
 
 use super::{SQUARE, cdpr, cdpr_in, file_with, listed, numbers};
 
+/// The upper cables of the planar example come up their posts, the lower ones along the ground: each has an axis of its own, and the
+/// lengths at the pose differ from those of the point model by the wrapped arcs alone.
+#[test]
+fn every_cable_may_have_its_own_swivel_axis() {
+    let folder = tempfile::tempdir().unwrap();
+    let axes = "--axis 0,1 --axis 0,1 --axis=-1,0 --axis 1,0";
+    let place = |more: &str| {
+        cdpr_in(folder.path(), &format!("place-pulleys planar-example --radius 0.15 --out placed.toml {more}"))
+    };
+    let run = place(axes);
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let placed =
+        cdpr::robot::Robot::from_toml(&std::fs::read_to_string(folder.path().join("placed.toml")).unwrap(), "p")
+            .unwrap();
+    let found: Vec<[f64; 2]> =
+        placed.cables.iter().map(|cable| cable.pulley_swivel_axis.unwrap()).map(|axis| [axis.x, axis.y]).collect();
+    assert_eq!(found, [[0.0, 1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]]);
+    let angle = |cable: usize| -> f64 {
+        let run = cdpr_in(folder.path(), "ik placed.toml --model pulley --format json");
+        let (with, without) = (run.json(), cdpr("ik planar-example --format json").json());
+        let length = |answer: &serde_json::Value| super::numbers(&answer["cable_lengths_m"])[cable];
+        (length(&with) - length(&without)) / 0.15
+    };
+    // an arc of at most half a turn around each pulley
+    assert!((0..4).map(angle).all(|angle| (0.0..std::f64::consts::PI).contains(&angle)));
+    // once written, the file's own axes serve
+    assert_eq!(cdpr_in(folder.path(), "place-pulleys placed.toml --out again.toml").exit_code, 0);
+    for (more, words) in
+        [("", "no pulley_swivel_axis"), ("--axis 0,1 --axis 0,1", "given 2 times; the robot has 4 cables")]
+    {
+        let run = place(more);
+        assert!(run.exit_code == 2 && run.stderr.contains(words), "{more}: {}", run.stderr);
+    }
+}
+
 #[test]
 fn every_built_in_robot_passes_its_check() {
     let robots = cdpr("robots --format json").json()["robots"].as_array().unwrap().clone();

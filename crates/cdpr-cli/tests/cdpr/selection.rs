@@ -127,6 +127,30 @@ fn what_cannot_be_compared_is_refused_before_anything_is_written() {
     }
 }
 
+/// A folder tells of one result: the calibrated robots of the one before go, whatever else lies there stays.
+#[test]
+fn a_folder_holds_the_calibrated_robots_of_its_own_result_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    cdpr_in(folder.path(), "demo --out data");
+    let calibrated = || -> Vec<String> {
+        let entries = std::fs::read_dir(folder.path().join("result/calibrated")).unwrap();
+        let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    };
+    let select = |arguments: &str| {
+        cdpr_in(folder.path(), &format!("select data/robot.toml data/training.csv --out result {arguments}"))
+    };
+    select("--candidates standard;standard:frame-anchor");
+    assert_eq!(calibrated(), ["01-standard.toml", "02-standard_frame-anchor.toml"]);
+    std::fs::write(folder.path().join("result/calibrated/mine.toml"), "").unwrap();
+    assert!(folder.path().join("result/calibrated.toml").exists());
+    let run = select("--candidates standard --require position_mean_m=0.000001");
+    assert_eq!(run.exit_code, 1, "{}", run.stderr);
+    assert_eq!(calibrated(), ["01-standard.toml", "mine.toml"]);
+    assert!(!folder.path().join("result/calibrated.toml").exists(), "nothing is recommended");
+}
+
 #[test]
 fn a_study_that_says_something_wrong_is_placed() {
     let study = include_str!("../../src/commands/demo/training.toml");

@@ -173,3 +173,23 @@ fn check_tells_whether_the_home_pose_can_be_held() {
     assert!(run["home"]["feasible"].is_null());
     assert!(run["home"]["feasible_note"].as_str().unwrap().contains("gravity_m_s2"), "{run}");
 }
+
+/// Forces whose squares no computer holds are an overflow, told in words; a cable that only cannot hang so would be a negative answer.
+#[test]
+fn cables_pulled_beyond_all_numbers_are_told_without_one() {
+    let robot = include_str!("../../../cdpr/robots/planar-example.toml");
+    let key = "axial_stiffness_EA_N = 200000.0";
+    let (folder, _) =
+        file_with("robot.toml", robot.replace(key, &format!("{key}\nlinear_density_kg_per_m = 0.1")).as_bytes());
+    for (command, code) in [
+        ("tension robot.toml --pose 0,4 --min 1e299 --max 1e300", 3),
+        ("ik robot.toml --pose 0,4 --tensions 1e300,1e300,1e300,1e300", 2),
+    ] {
+        for model in ["catenary", "elastic+finite-element"] {
+            let run = cdpr_in(folder.path(), &format!("{command} --model {model}"));
+            assert_eq!(run.exit_code, code, "{command} {model}: {}{}", run.stdout, run.stderr);
+            assert!(run.stderr.contains("too large to calculate with"), "{command} {model}: {}", run.stderr);
+            assert!(!run.stderr.contains("NaN") && !run.stderr.contains("inf m"), "{command} {model}: {}", run.stderr);
+        }
+    }
+}

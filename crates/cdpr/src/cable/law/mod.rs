@@ -140,13 +140,31 @@ pub enum HoldError {
     #[error("the cable has no unique course over its pulley")]
     NoCourse,
     /// The iteration ended without an answer.
-    #[error("no shape of the cable was found after {iterations} steps: {gap:.3e} m are missing")]
+    #[error("no shape of the cable was found after {iterations} steps: {}", missing(*.gap))]
     NotConverged {
         /// Steps tried.
         iterations: u32,
-        /// What is left (m).
+        /// What is left (m); NaN where the iteration left the numbers of a computer.
         gap: f64,
     },
+}
+
+/// What an iteration left over, in words.
+fn missing(gap: f64) -> String {
+    match gap.is_finite() {
+        true => format!("{gap:.3e} m are missing"),
+        false => {
+            "its forces and lengths are too large to calculate with; check the units of tensions (N) and lengths (m)"
+                .to_owned()
+        }
+    }
+}
+
+impl HoldError {
+    /// True where numbers left the range that a computer represents: not the cable is at fault, but what was asked.
+    pub fn is_overflow(&self) -> bool {
+        matches!(self, Self::NotConverged { gap, .. } if !gap.is_finite())
+    }
 }
 
 impl CableLaw {
