@@ -4,7 +4,7 @@ mod answer;
 
 use std::process::ExitCode;
 
-use answer::ForwardAnswer;
+use answer::{ForwardAnswer, Start};
 use cdpr::equilibrium::forward_problem::ForwardProblem;
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
@@ -83,7 +83,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             return Err(Failure::input("usage::missing-argument", message, help));
         }
     };
-    output.answer(&answer)
+    output.answer(&answer.sought_from(Start::new(model.robot(), arguments.guess.is_some())))
 }
 
 impl Arguments {
@@ -112,8 +112,9 @@ impl Arguments {
             return Ok(ForwardAnswer::of_equilibrium(model, solution));
         }
         let settings = forward_kinematics::Settings::default();
-        let solution = forward_kinematics::solve(model, &lengths, guess, &settings).map_err(|error| refused(&error))?;
-        let mut answer = ForwardAnswer::of_lengths(model, solution);
+        let mut solver = forward_kinematics::Solver::new(model, &settings).map_err(|error| refused(&error))?;
+        let solution = solver.solve(&lengths, guess).map_err(|error| refused(&error))?.clone();
+        let mut answer = ForwardAnswer::of_lengths(model, solution).with_alternative(model, solver.alternative());
         if let (true, Err(error)) = (model.cable_count() < model.dof(), own_load) {
             answer.remark(&error.to_string());
         }

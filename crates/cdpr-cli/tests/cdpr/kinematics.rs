@@ -108,6 +108,29 @@ fn fk_finds_the_pose_that_ik_came_from() {
     }
 }
 
+/// From guesses turned upside down some searches end where lengths fit badly: the answer stays there, and the pose that the lengths
+/// were made of is the alternative, in JSON and in words.
+#[test]
+fn a_better_fit_elsewhere_is_told_beside_the_pose_that_belongs_to_the_guess() {
+    let robot = "cablerobot-simulator-helicopter";
+    let ik = cdpr(&format!("ik {robot} --pose 0.2,-0.1,0.3,0,0,0 --format json")).json();
+    let lengths = listed(&numbers(&ik["controlled_lengths_m"]));
+    let mut told = 0;
+    for turn in ["2.8,0,0", "0,2.8,0", "0,0,2.8", "2,2,0", "0,2,2", "2,0,2"] {
+        let command = format!("fk {robot} --lengths {lengths} --guess 1,1,1,{turn}");
+        let fk = cdpr(&format!("{command} --format json")).json();
+        assert_eq!(fk["sought_from"], "guess");
+        let Some(alternative) = fk.get("alternative") else { continue };
+        told += 1;
+        assert!(alternative["residual_rms_m"].as_f64().unwrap() < fk["residual_rms_m"].as_f64().unwrap(), "{fk}");
+        let words = cdpr(&command).stdout;
+        assert!(words.contains("fit better elsewhere") && words.contains("belongs to --guess"), "{words}");
+    }
+    assert!(told > 0, "no guess of these leads elsewhere");
+    let home = cdpr(&format!("fk {robot} --lengths {lengths}")).stdout;
+    assert!(home.contains("sought from the home pose") && !home.contains("elsewhere"), "{home}");
+}
+
 /// Scale 2 and offset 0.5 m of cable a: the record says 2 q + 0.5.
 #[test]
 fn recorded_lengths_carry_the_scale_and_offset_of_the_file() {

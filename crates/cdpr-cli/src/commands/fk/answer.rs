@@ -3,6 +3,7 @@
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
+use cdpr::robot::Robot;
 use serde::Serialize;
 
 use crate::answer::Answer;
@@ -19,6 +20,46 @@ enum Status {
     Unstable,
 }
 
+/// Where the search started.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Start {
+    /// `--guess`.
+    Guess,
+    /// The home pose of the file.
+    HomePose,
+    /// The mean of the frame anchors, where the file has no home pose.
+    MiddleOfAnchors,
+}
+
+impl Start {
+    pub(super) fn new(robot: &Robot, is_guess_given: bool) -> Self {
+        match (is_guess_given, robot.home) {
+            (true, _) => Self::Guess,
+            (false, Some(_)) => Self::HomePose,
+            (false, None) => Self::MiddleOfAnchors,
+        }
+    }
+
+    /// Nothing for those who know because they said so.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Guess => "",
+            Self::HomePose => "sought from the home pose, since no --guess is given\n",
+            Self::MiddleOfAnchors => {
+                "sought from the middle of the frame anchors, since no --guess is given and the file has no home pose\n"
+            }
+        }
+    }
+}
+
+/// A pose elsewhere that fits the lengths better.
+#[derive(Debug, Serialize)]
+struct AlternativeAnswer {
+    pose: PoseAnswer,
+    residual_rms_m: f64,
+}
+
 #[derive(Debug, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the contract, units included")]
 pub(crate) struct ForwardAnswer {
@@ -26,7 +67,11 @@ pub(crate) struct ForwardAnswer {
     model: String,
     status: Status,
     reason: Option<String>,
+    sought_from: Start,
     pose: PoseAnswer,
+    /// A better fit elsewhere than the pose that belongs to the start of the search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alternative: Option<AlternativeAnswer>,
     #[serde(skip_serializing_if = "Option::is_none")]
     residuals_m: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -53,7 +98,9 @@ impl ForwardAnswer {
             model: model.composition().to_string(),
             status,
             reason,
+            sought_from: Start::Guess,
             pose: PoseAnswer::new(robot, pose),
+            alternative: None,
             residuals_m: None,
             residual_rms_m: None,
             tensions_N: None,
@@ -118,6 +165,33 @@ impl ForwardAnswer {
         }
     }
 
+    /// Tells where the search started.
+    pub(super) fn sought_from(self, start: Start) -> Self {
+        Self { sought_from: start, ..self }
+    }
+
+    /// Tells of a better fit elsewhere.
+    pub(super) fn with_alternative(self, model: &Model, alternative: Option<forward_kinematics::Alternative>) -> Self {
+        let alternative = alternative.map(|found| AlternativeAnswer {
+            pose: PoseAnswer::new(model.robot(), &found.pose),
+            residual_rms_m: found.residual_rms,
+        });
+        Self { alternative, ..self }
+    }
+
+    /// The better fit elsewhere in a sentence.
+    fn alternative_words(&self) -> String {
+        let (Some(alternative), Some(rms)) = (&self.alternative, self.residual_rms_m) else { return String::new() };
+        format!(
+            "the lengths fit better elsewhere, {} mm rms instead of {} mm: {}; the answer is the pose that belongs to {}: make sure \
+             that the platform is there\n",
+            cell(Some(1e3 * alternative.residual_rms_m), 3),
+            cell(Some(1e3 * rms), 3),
+            alternative.pose.words(),
+            if self.sought_from == Start::Guess { "--guess" } else { "the start of the search" },
+        )
+    }
+
     /// Adds a sentence to the reason.
     pub(super) fn remark(&mut self, text: &str) {
         self.reason = Some(self.reason.take().map_or_else(|| text.to_owned(), |reason| format!("{reason}; {text}")));
@@ -162,6 +236,8 @@ impl Answer for ForwardAnswer {
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n"));
         }
+        text.push_str(&self.alternative_words());
+        text.push_str(self.sought_from.words());
         let best = if self.is_negative() { "best pose found" } else { "pose" };
         text.push_str(&format!("{best}: {}\n\n{}", self.pose.words(), self.table().text()));
         if let Some(rms) = self.residual_rms_m {

@@ -2,9 +2,13 @@
 //!
 //! min over x of ½ ‖q(x) − q_θ‖², by a damped Gauss–Newton iteration on the manifold of poses. With more cables than
 //! degrees of freedom (m > n) there is no exact solution in general and the least-squares pose is the answer; with
-//! m = n only a vanishing residual is; with m < n lengths do not determine the pose. When the first descent ends
-//! far from the lengths, the search starts again from other poses before it gives up.
+//! m = n only a vanishing residual is; with m < n lengths do not determine the pose.
+//!
+//! The pose that the descent from the guess leads to is the answer: lengths carry errors, so a residual alone is no reason to
+//! leave it for a pose elsewhere that happens to fit better. [`Solver::alternative`] tells of such a pose. Only where the
+//! descent from the guess ends without an answer, the search starts again from other poses before it gives up.
 
+mod alternative;
 pub mod batch;
 mod curvature;
 mod descent;
@@ -12,6 +16,7 @@ mod descent;
 mod tests;
 mod verdict;
 
+pub use alternative::Alternative;
 use descent::{Problem, Residuals};
 use thiserror::Error;
 
@@ -29,10 +34,10 @@ pub struct Settings {
     pub length_tolerance: f64,
     /// Steps allowed for each start.
     pub max_iterations: u32,
-    /// Other starts that may be tried when the first one ends far from the lengths; 0 searches only from the guess.
+    /// Other starts that may be tried when the descent from the guess ends without an answer; 0 searches only from the guess.
     pub max_restarts: u32,
-    /// For m > n: a stationary point with a larger rms residual, relative to the mean length, is suspected to be a wrong
-    /// local minimum, and other starts are tried.
+    /// For m > n: an rms residual, relative to the mean length, that errors of measurement explain. A larger one is reason to
+    /// look for an alternative; among other starts than the guess the first with a smaller one ends the search.
     pub suspicious_residual: f64,
     /// For m > n: a larger rms residual, relative to the mean length, means that the lengths do not belong to the robot.
     pub plausible_residual: f64,
@@ -161,6 +166,7 @@ pub struct Solver<'a> {
     platform_radius: f64,
     /// Given lengths, packed like the model's groups.
     targets: Vec<[f64; LANES]>,
+    mean_length: f64,
     residuals: Residuals,
     /// Lengths of one item of a batch.
     lengths: Vec<f64>,
@@ -177,6 +183,7 @@ impl<'a> Solver<'a> {
             settings: settings.clone(),
             platform_radius: model.platform_radius(),
             targets: room.clone(),
+            mean_length: f64::NAN,
             residuals: Residuals { accepted: room.clone(), trial: room },
             lengths: vec![f64::NAN; model.cable_count()],
             solution: Solution {
@@ -203,11 +210,12 @@ impl<'a> Solver<'a> {
                 target[lane] = chunk[lane.min(chunk.len() - 1)];
             }
         }
+        self.mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
         let problem = Problem {
             model: self.model,
             settings: &self.settings,
             targets: &self.targets,
-            mean_length: lengths.iter().sum::<f64>() / lengths.len() as f64,
+            mean_length: self.mean_length,
             platform_radius: self.platform_radius,
         };
         search(&problem, guess, &mut self.residuals, &mut self.solution);
@@ -215,12 +223,12 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// Descends from the guess, and from other starts while the lengths are not met.
+/// Descends from the guess, and from other starts where that leads to no answer.
 fn search(problem: &Problem<'_>, guess: &Pose, residuals: &mut Residuals, solution: &mut Solution) {
     let mut best = problem.descend(guess, residuals);
     residuals.unpack(&mut solution.residuals);
     (solution.iterations, solution.restarts) = (best.iterations, 0);
-    if !problem.is_good(&best) {
+    if !problem.is_answer(&best) {
         for start in restart_poses(problem.model, guess).take(problem.settings.max_restarts as usize) {
             let other = problem.descend(&start, residuals);
             solution.iterations += other.iterations;

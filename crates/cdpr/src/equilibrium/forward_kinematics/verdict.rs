@@ -7,10 +7,20 @@ use crate::geometry::Pose;
 /// Residual relative to the mean length from which on a converged answer is remarked upon.
 const REMARKABLE_RESIDUAL: f64 = 0.01;
 
+/// Smallest pivot of the scaled normal equations with which lengths determine a pose.
+const REGULAR: f64 = 1e-12;
+
 impl Problem<'_> {
-    /// True when nothing suggests that another start would do better.
+    /// True where the lengths are met so well that no other start can do better.
     pub(super) fn is_good(&self, end: &End) -> bool {
         end.stop == Stop::Stationary && end.rms <= self.good_residual()
+    }
+
+    /// True for what belongs to its start, whatever other starts lead to: a pose that is good, or one that the lengths determine
+    /// as well as their errors allow.
+    pub(super) fn is_answer(&self, end: &End) -> bool {
+        let fits = !self.is_square() && end.rms <= self.settings.plausible_residual * self.mean_length;
+        self.is_good(end) || (end.stop == Stop::Stationary && end.pivot_ratio >= REGULAR && fits)
     }
 
     fn is_square(&self) -> bool {
@@ -47,7 +57,7 @@ impl Problem<'_> {
                     self.settings.max_iterations
                 )),
             ),
-            _ if end.pivot_ratio < 1e-12 => (
+            _ if end.pivot_ratio < REGULAR => (
                 Status::Singular,
                 Some("the structure matrix has lost rank: the pose can move while all cable lengths stay".to_owned()),
             ),
@@ -64,24 +74,31 @@ impl Problem<'_> {
                     "no step lowers the residual of {rms:.3e} m rms any further, though the steps are not yet small"
                 )),
             ),
-            Stop::Stationary => (Status::Converged, self.remark(rms)),
+            Stop::Stationary => (Status::Converged, self.remark(rms, restarts)),
         }
     }
 
-    /// With m = n there may be other exact solutions; for m > n a least-squares pose of lengths that contradict each other
-    /// by more than a percent deserves a word.
-    fn remark(&self, rms: f64) -> Option<String> {
+    /// With m = n there may be other exact solutions; a pose that belongs to another start than the guess, and for m > n a
+    /// least-squares pose of lengths that contradict each other by more than a percent, deserve a word.
+    fn remark(&self, rms: f64, restarts: u32) -> Option<String> {
         if self.is_square() {
             let text = "exact: the pose has these lengths; with as many cables as degrees of freedom other poses may have them too";
             return Some(text.to_owned());
         }
-        (rms > REMARKABLE_RESIDUAL * self.mean_length).then(|| {
+        let elsewhere = (restarts > 0).then(|| {
+            format!("the guess leads to no answer: the pose was found from other starts, {restarts} of them, and may not be the only one")
+        });
+        let contradicts = (rms > REMARKABLE_RESIDUAL * self.mean_length).then(|| {
             let share = 100.0 * rms / self.mean_length;
             format!(
                 "the lengths contradict each other by {rms:.3} m rms ({share:.1} % of their mean): this is the pose that fits \
-                 them best; an uncalibrated scale or offset, or the wrong robot, would explain it"
+                 them best near its start; an uncalibrated scale or offset, or the wrong robot, would explain it"
             )
-        })
+        });
+        match (elsewhere, contradicts) {
+            (Some(elsewhere), Some(contradicts)) => Some(format!("{elsewhere}; {contradicts}")),
+            (elsewhere, contradicts) => elsewhere.or(contradicts),
+        }
     }
 
     fn degenerate_reason(&self, pose: &Pose) -> String {

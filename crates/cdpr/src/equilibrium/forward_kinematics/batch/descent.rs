@@ -166,12 +166,12 @@ impl Descents<'_> {
         let one = lanes.constant(1.0);
         let settings = self.settings;
         let rms = (state.cost / lanes.constant(self.lengths.len() as f64)).sqrt();
-        let good = match self.lengths.len() == self.model.dof() {
-            true => lanes.constant(settings.length_tolerance) * mean_length.max(one),
-            false => lanes.constant(settings.suspicious_residual) * mean_length,
-        };
         let plausible = lanes.constant(settings.plausible_residual) * mean_length;
-        let is_good = (one - flag(one, good.is_less(rms))) * (one - flag(one, plausible.is_less(rms)));
+        let most = match self.lengths.len() == self.model.dof() {
+            true => plausible.min(lanes.constant(settings.length_tolerance) * mean_length.max(one)),
+            false => plausible,
+        };
+        let is_good = one - flag(one, most.is_less(rms));
         let is_done = (state.is_done * is_good).to_array();
         self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
         rms.store(&mut self.solutions[RMS].0);
