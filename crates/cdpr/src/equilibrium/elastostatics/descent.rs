@@ -130,7 +130,8 @@ impl<const N: usize> Kernel for Search<'_, N> {
                     break Stop::Stationary;
                 }
                 point = next;
-            } else if size <= tolerance {
+            } else if size <= tolerance && self.is_balanced(&point) {
+                // rounding hides what is left to gain; a step that damping made short says nothing of the kind
                 break Stop::Stationary;
             } else if damping > 1e9 {
                 break Stop::Stalled;
@@ -205,6 +206,13 @@ impl<const N: usize> Search<'_, N> {
             sum += entry * entry;
         }
         sum
+    }
+
+    /// True where what is out of balance is nothing beside the forces at work.
+    #[inline(never)] // seldom needed: the kernel stays small without it
+    fn is_balanced(&self, point: &Point<N>) -> bool {
+        let undecided = self.problem.undecided(self.tensions);
+        self.size_of(&point.right) <= undecided * undecided
     }
 
     /// A step counts when energy falls, or when the residual wrench is halved: near the end, where rounding hides energies.

@@ -16,6 +16,7 @@ mod descent;
 mod multipliers;
 mod polish;
 mod search;
+mod softening;
 mod stability;
 #[cfg(test)]
 mod tests;
@@ -41,6 +42,9 @@ pub struct Settings {
     pub pose_tolerance: f64,
     /// For rigid cables: how much longer than its controlled length a cable may remain (m).
     pub length_tolerance: f64,
+    /// Size of Aᵀ f + w that counts as balance, beside the forces at work; moments divided by the platform radius. A tension
+    /// this small beside the others cannot be told from none.
+    pub wrench_tolerance: f64,
     /// Steps allowed for each descent.
     pub max_iterations: u32,
     /// Other starts that may be tried when the first one does not lead to a stable equilibrium.
@@ -54,6 +58,7 @@ impl Default for Settings {
         Self {
             pose_tolerance: 1e-11,
             length_tolerance: 1e-10,
+            wrench_tolerance: 1e-7,
             max_iterations: 200,
             max_restarts: 16,
             remarkable_strain: 0.1,
@@ -131,6 +136,7 @@ impl Settings {
         for (name, value) in [
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),
+            ("wrench_tolerance", self.wrench_tolerance),
             ("remarkable_strain", self.remarkable_strain),
         ] {
             if !(value > 0.0 && value.is_finite()) {

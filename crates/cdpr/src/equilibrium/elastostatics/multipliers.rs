@@ -52,7 +52,7 @@ pub(super) fn attempt(
         let mut end = Problem { springs, ..*base }.descend(&pose, tensions);
         iterations += end.iterations;
         end.iterations = iterations;
-        let mut excess = 0.0_f64;
+        let (mut excess, mut is_polished) = (0.0_f64, false);
         for cable in rigid.cables() {
             let (group, lane) = (cable / LANES, cable % LANES);
             let spring = &mut springs[group];
@@ -70,15 +70,17 @@ pub(super) fn attempt(
                 for (cable, tension) in exact.iter().enumerate() {
                     tensions.accepted[cable / LANES][cable % LANES] = *tension;
                 }
-                (end, excess) = (polished, 0.0);
+                (end, excess, is_polished) = (polished, 0.0, true);
             }
         }
         let done = excess <= base.settings.length_tolerance;
         let hopeless = end.stop != Stop::Stationary || correction >= MAX_CORRECTIONS || stiffening > 1e6;
         if done || hopeless {
-            let stability = stability::beside_rigid_cables(base, rigid, tensions, &end);
+            let problem = Problem { springs, ..*base };
+            let undecided = problem.undecided(tensions);
+            let stability = stability::beside_rigid_cables(&problem, rigid, tensions, &end, is_polished);
             reset(rigid, springs, stiffening);
-            return Attempt { end, stability, excess };
+            return Attempt { end, stability, excess, undecided };
         }
         let slow = excess > SLOW * last_excess && excess > base.settings.length_tolerance;
         let stiffer = if slow { 10.0 } else { 1.0 };

@@ -8,6 +8,9 @@ use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
 
+/// Relative error of a length, a few roundings, in [`Problem::undecided`].
+pub(super) const ROUNDING: f64 = 1e-14;
+
 /// What one start led to.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
@@ -16,6 +19,8 @@ pub(super) struct Attempt {
     pub(super) stability: f64,
     /// Largest excess of a rigid cable over its controlled length (m).
     pub(super) excess: f64,
+    /// Wrench that balance leaves undecided (N).
+    pub(super) undecided: f64,
 }
 
 impl Attempt {
@@ -26,7 +31,9 @@ impl Attempt {
 
     /// True where forces balance and rigid cables have their lengths.
     pub(super) fn is_equilibrium(&self, problem: &Problem<'_>) -> bool {
-        self.end.stop == Stop::Stationary && self.excess <= problem.settings.length_tolerance
+        self.end.stop == Stop::Stationary
+            && self.excess <= problem.settings.length_tolerance
+            && problem.wrench_size(&self.end.residual) <= self.undecided
     }
 
     /// Equilibria before others, then by stability or by what is left.
@@ -57,9 +64,28 @@ impl Problem<'_> {
         sum.sqrt()
     }
 
-    /// Stiffness below which a direction counts as free (N/m).
+    /// Wrench that balance leaves undecided (N): a share of the forces at work, and what rounding of the lengths makes of the
+    /// cables' stiffness.
+    pub(super) fn undecided(&self, tensions: &Tensions) -> f64 {
+        let pull: f64 = tensions.accepted.as_flattened().iter().map(|tension| tension.abs()).sum();
+        let stiffness: f64 = self.springs.iter().flat_map(|springs| springs.stiffness).sum();
+        self.settings.wrench_tolerance * (pull + self.force()) + ROUNDING * stiffness * self.mean_length
+    }
+
+    /// Sum of the forces that load the platform (N).
+    pub(super) fn force(&self) -> f64 {
+        let size = |force: &[f64]| force.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+        size(&self.load.constant[..3]) + size(&self.load.weight)
+    }
+
+    /// Stiffness below which a direction counts as free (N/m): nothing beside the cables, and nothing beside the load, which
+    /// holds a pendulum on stiff cables; never less than rounding.
     pub(super) fn indifferent_stiffness(&self) -> f64 {
-        1e-9 * self.stiffness_scale
+        let by_load = match self.force() {
+            0.0 => f64::INFINITY,
+            force => 1e-6 * force / self.mean_length,
+        };
+        f64::min(1e-9 * self.stiffness_scale, by_load).max(1e-12 * self.stiffness_scale)
     }
 
     /// Descends from one start, first with cables that may push, then as cables.
@@ -72,10 +98,10 @@ impl Problem<'_> {
             iterations = end.iterations;
             if end.stop == Stop::Stationary {
                 if tensions.accepted.as_flattened().iter().all(|&tension| tension >= 0.0) {
-                    return self.attempt(end, iterations);
+                    return self.attempt(end, iterations, tensions);
                 }
                 if self.only_taut {
-                    return self.attempt(End { stop: Stop::Pushes, ..end }, iterations);
+                    return self.attempt(End { stop: Stop::Pushes, ..end }, iterations, tensions);
                 }
                 from = end.pose;
             }
@@ -86,13 +112,22 @@ impl Problem<'_> {
             end = self.descend(start, tensions);
             iterations += end.iterations;
         }
-        self.attempt(end, iterations)
+        self.attempt(end, iterations, tensions)
     }
 
-    fn attempt(&self, end: End, iterations: u32) -> Attempt {
-        let stability = stability::stability(self, &end.stiffness);
-        Attempt { end: End { iterations, ..end }, stability, excess: 0.0 }
+    pub(super) fn attempt(&self, end: End, iterations: u32, tensions: &Tensions) -> Attempt {
+        let undecided = self.undecided(tensions);
+        let stability = stability::of_cables(self, tensions, &end, undecided);
+        Attempt { end: End { iterations, ..end }, stability, excess: 0.0, undecided }
     }
+}
+
+/// How cables stretch on the way from a start.
+#[derive(Clone, Copy)]
+enum Way {
+    Direct,
+    /// Soft at first, then stiffer by and by.
+    FromSoft,
 }
 
 impl Solver<'_> {
@@ -117,18 +152,21 @@ impl Solver<'_> {
             only_taut: self.only_taut,
         };
         let rigid = Rigid { lengths, is_rigid };
-        let mut attempt = |start: &Pose, tensions: &mut Tensions| match rigid.any() {
-            true => multipliers::attempt(&base, &rigid, start, springs, tensions),
-            false => Problem { springs, ..base }.elastic_attempt(start, tensions),
+        let mut attempt = |start: &Pose, way: Way, tensions: &mut Tensions| match way {
+            _ if rigid.any() => Some(multipliers::attempt(&base, &rigid, start, springs, tensions)),
+            Way::Direct => Some(Problem { springs, ..base }.elastic_attempt(start, tensions)),
+            Way::FromSoft => Problem { springs, ..base }.attempt_from_soft(start, tensions),
         };
-        let mut best = attempt(guess, tensions);
+        let Some(mut best) = attempt(guess, Way::Direct, tensions) else { return };
         solution.take_tensions(tensions);
         (solution.iterations, solution.restarts) = (best.end.iterations, 0);
         if !best.is_good(&base) && best.end.stop != Stop::Pushes {
-            let escapes = stability::escapes(&base, &best);
-            let starts = escapes.into_iter().flatten().chain(restart_poses(model, guess));
-            for start in starts.take(settings.max_restarts as usize) {
-                let other = attempt(&start, tensions);
+            let from_soft = (!rigid.any()).then_some((*guess, Way::FromSoft));
+            let escapes = stability::escapes(&base, &best).into_iter().flatten();
+            let starts =
+                from_soft.into_iter().chain(escapes.chain(restart_poses(model, guess)).map(|pose| (pose, Way::Direct)));
+            for (start, way) in starts.take(settings.max_restarts as usize) {
+                let Some(other) = attempt(&start, way, tensions) else { continue };
                 solution.iterations += other.end.iterations;
                 solution.restarts += 1;
                 if other.is_better(&best, &base) {

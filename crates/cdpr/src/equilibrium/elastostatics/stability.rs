@@ -2,13 +2,14 @@
 
 use nalgebra::DMatrix;
 
-use super::Problem;
 use super::descent::{End, Stop, Tensions};
 use super::multipliers::Rigid;
 use super::search::Attempt;
+use super::{Problem, Settings};
 use crate::geometry::{Pose, Twist};
 use crate::scalar::LANES;
 use crate::scalar::decomposition::{smallest_eigenvalue, smallest_eigenvalue_of, svd, symmetric_eigen};
+use crate::tension::{Limits, quadratic};
 
 /// How far from an unstable equilibrium to start again, relative to the mean length.
 const ESCAPE: f64 = 0.02;
@@ -33,39 +34,147 @@ fn radius(problem: &Problem<'_>, entry: usize) -> f64 {
     if entry < problem.model.axes().len() { 1.0 } else { problem.platform_radius }
 }
 
-/// Smallest eigenvalue of the stiffness on the motions that leave the lengths of taut rigid cables as they are: −K_G − ∂w/∂x
-/// and what elastic cables add. Infinite where there is no such motion.
-pub(super) fn beside_rigid_cables(problem: &Problem<'_>, rigid: &Rigid<'_>, tensions: &Tensions, end: &End) -> f64 {
+/// Smallest eigenvalue of the stiffness where elastic cables rest (N/m).
+///
+/// A cable between slack and taut holds to one side only: it counts where others hold what it cannot.
+pub(super) fn of_cables(problem: &Problem<'_>, tensions: &Tensions, end: &End, undecided: f64) -> f64 {
+    let touches = |cable: &usize| {
+        let (group, lane) = (cable / LANES, cable % LANES);
+        let least = problem.springs[group].rest_length[lane] - problem.settings.length_tolerance;
+        tensions.accepted[group][lane].abs() <= undecided && tensions.accepted_lengths[group][lane] >= least
+    };
+    let mut touching = (0..problem.model.cable_count()).filter(touches).peekable();
+    if touching.peek().is_none() {
+        return stability(problem, &end.stiffness);
+    }
+    let touching: Vec<usize> = touching.collect();
+    let Some(columns) = columns(problem, &end.pose) else { return f64::NAN };
+    let beside = without(problem, &touching, &end.pose);
     let n = problem.model.dof();
-    let taut: Vec<usize> =
-        rigid.cables().filter(|cable| tensions.accepted[cable / LANES][cable % LANES] > 0.0).collect();
-    let Ok(structure_matrix) = problem.model.structure_matrix(&end.pose) else { return f64::NAN };
-    let held = DMatrix::from_fn(n, n, |row, column| {
-        let of = |cable: &usize| structure_matrix[(row, *cable)] / radius(problem, row);
-        taut.get(column).map_or(0.0, of)
-    });
+    match weakest(problem, &DMatrix::identity(n, n), beside.clone(), &columns.select_columns(&touching)) {
+        Weakest::Held(_) => {
+            let add = |mut sum: DMatrix<f64>, cable: usize| {
+                let column = columns.column(cable);
+                sum.ger(problem.springs[cable / LANES].stiffness[cable % LANES], &column, &column, 1.0);
+                sum
+            };
+            smallest_eigenvalue(touching.into_iter().fold(beside, add))
+        }
+        Weakest::Free(smallest) => smallest,
+    }
+}
+
+/// The stiffness of all cables but these at a pose (N/m).
+fn without(problem: &Problem<'_>, cables: &[usize], pose: &Pose) -> DMatrix<f64> {
+    let mut springs = problem.springs.to_vec();
+    for &cable in cables {
+        springs[cable / LANES].stiffness[cable % LANES] = 0.0;
+    }
+    let settings = Settings { max_iterations: 0, ..problem.settings.clone() };
+    let still = Problem { springs: &springs, settings: &settings, ..*problem };
+    let end = still.descend(pose, &mut Tensions::new(springs.len()));
+    whole(problem, &end.stiffness)
+}
+
+/// Smallest eigenvalue of the stiffness on the motions that leave the lengths of taut rigid cables as they are: −K_G − ∂w/∂x
+/// and what elastic cables add. Infinite where there is no such motion. Cables that are just taut hold to one side only.
+///
+/// The stiffness of a polished end is that of elastic cables alone; others have virtual springs, whose share must not count.
+pub(super) fn beside_rigid_cables(
+    problem: &Problem<'_>,
+    rigid: &Rigid<'_>,
+    tensions: &Tensions,
+    end: &End,
+    is_polished: bool,
+) -> f64 {
+    let n = problem.model.dof();
+    let Some(columns) = columns(problem, &end.pose) else { return f64::NAN };
+    let tension = |cable: usize| tensions.accepted[cable / LANES][cable % LANES];
+    let undecided = problem.undecided(tensions);
+    let (taut, slack): (Vec<usize>, Vec<usize>) = rigid.cables().partition(|&cable| tension(cable) > undecided);
+    let stiffness = match is_polished {
+        true => whole(problem, &end.stiffness),
+        false => without(problem, &slack, &end.pose),
+    };
+    let touches = |cable: &usize| {
+        let (course, _) = problem.model.course_or_nan(*cable, &end.pose);
+        course.length >= rigid.lengths[*cable] - problem.settings.length_tolerance
+    };
+    let touching: Vec<usize> = slack.into_iter().filter(touches).collect();
     // A square matrix, so that the decomposition has all n directions.
+    let held = DMatrix::from_fn(n, n, |row, column| taut.get(column).map_or(0.0, |&cable| columns[(row, cable)]));
     let Some(directions) = svd(held, true, false).and_then(|decomposition| decomposition.u) else { return f64::NAN };
-    let singular_values = DMatrix::from_fn(n, 1, |column, _| {
-        taut.iter()
-            .map(|&cable| {
-                let along: f64 = (0..n)
-                    .map(|row| directions[(row, column)] * structure_matrix[(row, cable)] / radius(problem, row))
-                    .sum();
-                along * along
-            })
-            .sum::<f64>()
-            .sqrt()
-    });
-    let free: Vec<usize> = (0..n).filter(|&column| singular_values[column] < 1e-9).collect();
+    let along = |direction: usize| {
+        let of = |&cable: &usize| directions.column(direction).dot(&columns.column(cable));
+        taut.iter().map(|cable| of(cable).powi(2)).sum::<f64>().sqrt()
+    };
+    let free: Vec<usize> = (0..n).filter(|&direction| along(direction) < 1e-9).collect();
     if free.is_empty() {
         return f64::INFINITY;
     }
     let kernel = directions.select_columns(&free);
-    let stiffness = DMatrix::from_fn(n, n, |row, column| {
-        end.stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
-    });
-    smallest_eigenvalue(kernel.transpose() * stiffness * kernel)
+    match weakest(problem, &kernel, stiffness, &columns.select_columns(&touching)) {
+        Weakest::Held(others) => others,
+        Weakest::Free(smallest) => smallest,
+    }
+}
+
+/// What holds the weakest motions.
+enum Weakest {
+    /// Cables that are just taut, some of which every such motion makes longer; the smallest eigenvalue of the other motions
+    /// (N/m), infinite where there are none.
+    Held(f64),
+    /// Nothing but the stiffness: its smallest eigenvalue (N/m).
+    Free(f64),
+}
+
+/// Looks whether cables that are just taut hold the motions, combinations of the columns of `motions`, that a stiffness leaves free.
+fn weakest(problem: &Problem<'_>, motions: &DMatrix<f64>, stiffness: DMatrix<f64>, touching: &DMatrix<f64>) -> Weakest {
+    let Some(eigen) = symmetric_eigen(motions.transpose() * stiffness * motions) else {
+        return Weakest::Free(f64::NAN);
+    };
+    let values = &eigen.eigenvalues;
+    let is_weak = |index: &usize| values[*index] <= problem.indifferent_stiffness();
+    let (weak, strong): (Vec<usize>, Vec<usize>) = (0..values.len()).partition(is_weak);
+    if weak.is_empty() || touching.ncols() <= weak.len() {
+        return Weakest::Free(values.min());
+    }
+    let free = motions * eigen.eigenvectors.select_columns(&weak);
+    match blocks_all(&(free.transpose() * touching)) {
+        true => Weakest::Held(strong.into_iter().map(|index| values[index]).fold(f64::INFINITY, f64::min)),
+        false => Weakest::Free(values.min()),
+    }
+}
+
+/// True where every motion makes some cable longer, of which the columns are minus the lengthening by each motion: where tensions
+/// above zero balance each other and the columns span all motions.
+fn blocks_all(columns: &DMatrix<f64>) -> bool {
+    let largest = columns.amax();
+    let Some(decomposition) = svd(columns.clone(), false, false) else { return false };
+    if !(decomposition.singular_values.min() > 1e-9 * largest) {
+        return false;
+    }
+    let no_wrench = vec![0.0; columns.nrows()];
+    let Ok(limits) = Limits::uniform(columns.ncols(), 1.0, 1e6) else { return false };
+    let balance = quadratic::solve(&(columns / largest), &no_wrench, &limits, None);
+    balance.is_ok_and(|found| found.status == quadratic::Status::Feasible)
+}
+
+/// The structure matrix, turns as the way at the platform radius; nothing where a cable has no course.
+fn columns(problem: &Problem<'_>, pose: &Pose) -> Option<DMatrix<f64>> {
+    let mut columns = problem.model.structure_matrix(pose).ok()?;
+    for (row, mut entries) in columns.row_iter_mut().enumerate() {
+        entries /= radius(problem, row);
+    }
+    Some(columns)
+}
+
+/// Both triangles of the stiffness, turns as the way at the platform radius (N/m).
+fn whole(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> DMatrix<f64> {
+    let n = problem.model.dof();
+    DMatrix::from_fn(n, n, |row, column| {
+        stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
+    })
 }
 
 /// Two poses beside an unstable equilibrium, along the direction in which it falls; nothing beside other ends.
@@ -73,11 +182,7 @@ pub(super) fn escapes(problem: &Problem<'_>, attempt: &Attempt) -> [Option<Pose>
     if attempt.end.stop != Stop::Stationary || attempt.stability.is_nan() {
         return [None; 2];
     }
-    let n = problem.model.dof();
-    let stiffness = DMatrix::from_fn(n, n, |row, column| {
-        attempt.end.stiffness[row.max(column)][row.min(column)] / (radius(problem, row) * radius(problem, column))
-    });
-    let Some(eigen) = symmetric_eigen(stiffness) else { return [None; 2] };
+    let Some(eigen) = symmetric_eigen(whole(problem, &attempt.end.stiffness)) else { return [None; 2] };
     let weakest = eigen.eigenvectors.column(eigen.eigenvalues.imin());
     let mut twist = Twist::zeros();
     for (index, direction) in problem.model.twist_basis().iter().enumerate() {

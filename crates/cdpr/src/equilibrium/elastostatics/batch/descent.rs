@@ -4,6 +4,7 @@ use super::unsymmetric::unsymmetric;
 use super::{ITERATIONS, STATUS, TENSIONS, code_of};
 use crate::equilibrium::descents::{displaced, flag, settles, sum};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, stiffness_terms};
+use crate::equilibrium::elastostatics::search::ROUNDING;
 use crate::equilibrium::elastostatics::{LoadParts, Settings, Status};
 use crate::geometry::{POSE_ROWS, in_lanes};
 use crate::model::Model;
@@ -129,7 +130,7 @@ impl Kernel for Descents<'_> {
             last = settles(size, size / state.last_size, tolerance);
             trial = displaced(lanes, &state.pose, &step);
         }
-        self.conclude(lanes, &state, stiffness, stiffness_scale)
+        self.conclude(lanes, &state, stiffness, [stiffness_scale, mean_length])
     }
 }
 
@@ -271,7 +272,13 @@ impl Descents<'_> {
 
     /// Writes the solutions and tells what they are.
     #[inline(always)]
-    fn conclude<L: Lanes>(self, lanes: L, state: &State<L>, mut stiffness: [[L; 6]; 6], scale: L) -> [Ending; LANES] {
+    fn conclude<L: Lanes>(
+        self,
+        lanes: L,
+        state: &State<L>,
+        mut stiffness: [[L; 6]; 6],
+        [scale, mean_length]: [L; 2],
+    ) -> [Ending; LANES] {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let least = lanes.constant(STABLE) * scale;
         for row in 0..6 {
@@ -279,11 +286,25 @@ impl Descents<'_> {
             stiffness[row][row] = stiffness[row][row] - least * lanes.constant(radius * radius);
         }
         let is_stable = ldl::solve_in_lanes(self.model.dof(), &mut stiffness, &mut [zero; 6]);
-        let mut pushes = zero;
+        let load = |force: &[f64]| lanes.constant(force.iter().map(|entry| entry * entry).sum::<f64>().sqrt());
+        let mut pull = load(&self.load.constant[..3]) + load(&self.load.weight);
+        let (mut pushes, mut least_tension) = (zero, lanes.constant(f64::INFINITY));
         for tension in &state.tensions[..self.lengths.len()] {
-            pushes = one.select(lanes.load(&tension.0).is_less(zero), pushes);
+            let tension = lanes.load(&tension.0);
+            pushes = one.select(tension.is_less(zero), pushes);
+            pull = pull + tension.abs();
+            least_tension = least_tension.min(tension);
         }
-        let is_solved = state.is_done * is_stable * (one - pushes);
+        // clearly in balance and clearly taut; what is not clear is the single pose's to decide
+        let undecided = lanes.constant(self.settings.wrench_tolerance) * pull;
+        let most = lanes.constant(0.25) * undecided * undecided;
+        let is_clear = flag(one, state.residual_squared.is_less(most))
+            * flag(
+                one,
+                (lanes.constant(2.0) * (undecided + lanes.constant(ROUNDING) * scale * mean_length))
+                    .is_less(least_tension),
+            );
+        let is_solved = state.is_done * is_stable * is_clear * (one - pushes);
         self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
         state.iterations.store(&mut self.solutions[ITERATIONS].0);
         self.solutions[STATUS].0 = [code_of(Status::Converged); LANES];

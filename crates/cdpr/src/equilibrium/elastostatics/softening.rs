@@ -1,0 +1,40 @@
+//! From soft cables to stiff ones: the way round the narrow valleys that stiff cables make of the energy.
+
+use super::Problem;
+use super::descent::{Stop, Tensions};
+use super::search::Attempt;
+use crate::geometry::Pose;
+
+/// Stiffness of the softest cables that are tried, times the mean length and beside the load.
+const SOFTEST: f64 = 100.0;
+/// Each time so much stiffer.
+const STIFFER: f64 = 10.0;
+
+impl Problem<'_> {
+    /// Descends with no cable stiffer than a limit, which is raised until it limits none; nothing where cables are soft anyway or
+    /// no load pulls on them.
+    pub(super) fn attempt_from_soft(&self, start: &Pose, tensions: &mut Tensions) -> Option<Attempt> {
+        let stiffest = self.springs.iter().flat_map(|springs| springs.stiffness).fold(0.0, f64::max);
+        let mut limit = SOFTEST * self.force() / self.mean_length;
+        if !(limit > 0.0 && limit < stiffest) {
+            return None;
+        }
+        let mut springs = self.springs.to_vec();
+        let (mut pose, mut iterations) = (*start, 0);
+        while limit < stiffest {
+            for (soft, own) in springs.iter_mut().zip(self.springs) {
+                soft.stiffness = own.stiffness.map(|stiffness| stiffness.min(limit));
+            }
+            let stiffness_scale = springs.iter().flat_map(|springs| springs.stiffness).sum();
+            let end = Problem { springs: &springs, stiffness_scale, ..*self }.descend(&pose, tensions);
+            iterations += end.iterations;
+            if end.stop == Stop::Degenerate {
+                return None;
+            }
+            pose = end.pose;
+            limit *= STIFFER;
+        }
+        let end = self.descend(&pose, tensions);
+        Some(self.attempt(end, iterations + end.iterations, tensions))
+    }
+}
