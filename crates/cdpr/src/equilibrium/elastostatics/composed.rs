@@ -2,8 +2,9 @@
 //!
 //! Each cable is solved for its controlled length at the pose, which leaves the residual wrench as a function of the pose.
 //! Newton steps with the tangents ∂t/∂p_B of the cables, shortened until the residual falls, find its zero. The first start is
-//! the guess; if that leads nowhere, the pose at which straight cables of linear stretch come to rest. Sagging cables that do
-//! not stretch start from a compliance that is taken away by and by, since too short ones have no shape.
+//! the guess; if that leads to no stable equilibrium, the pose at which straight cables of linear stretch come to rest. Sagging cables
+//! that do not stretch start from a compliance that is taken away by and by, since too short ones have no shape; where that ends
+//! early, from a larger one.
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
@@ -19,6 +20,8 @@ use crate::statics::Held;
 /// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.
 const FIRST_COMPLIANCE: f64 = 1e-7;
 const LAST_COMPLIANCE: f64 = 1e-14;
+/// Compliance with which it begins again where it ended early (1/N).
+const SOFT_COMPLIANCE: f64 = 1e-5;
 /// Longest step, relative to the mean cable length.
 const LONGEST_STEP: f64 = 0.1;
 
@@ -100,35 +103,54 @@ impl Composed {
         let radius = model.platform_radius();
         let problem = Problem { model, load, settings, lengths, radius, mean_length };
         (solution.iterations, solution.restarts, solution.reason) = (0, 0, None);
-        self.states.fill(None);
-        let mut found = self.search(&problem, guess, &mut solution.iterations);
-        if found.is_err() {
+        let (mut best, failure) = match self.search(&problem, guess, FIRST_COMPLIANCE, solution) {
+            Ok(status) if status == Status::Converged || settings.max_restarts == 0 => return Ok(()),
+            Ok(_) => (Some(solution.clone()), None),
+            Err(failure) => (None, Some(failure)),
+        };
+        let straight = straight_pose(&problem, guess)?;
+        let softer = self.is_rigid && settings.max_restarts > 0;
+        let starts = [(&straight, FIRST_COMPLIANCE), (&straight, SOFT_COMPLIANCE), (guess, SOFT_COMPLIANCE)];
+        for (start, softest) in starts.into_iter().take(if softer { 3 } else { 1 }) {
             solution.restarts += 1;
-            let start = straight_pose(&problem, guess)?;
-            self.states.fill(None);
-            found = self.search(&problem, &start, &mut solution.iterations).or(found);
+            match self.search(&problem, start, softest, solution) {
+                Ok(Status::Converged) => return Ok(()),
+                Ok(_) if best.is_none() => best = Some(solution.clone()),
+                _ => {}
+            }
         }
-        match found {
-            Ok(point) => self.judge(&problem, &point, solution),
-            Err(failure) => self.give_up(&problem, guess, failure, solution),
+        let (iterations, restarts) = (solution.iterations, solution.restarts);
+        if let Some(best) = best {
+            *solution = Solution { iterations, restarts, ..best };
+        } else if let Some(failure) = failure {
+            self.give_up(&problem, guess, failure, solution);
         }
         Ok(())
     }
 
-    fn search(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
-        if !self.is_rigid {
-            return self.newton(problem, start, iterations);
-        }
+    /// Searches from one start and judges the end.
+    fn search(
+        &mut self,
+        problem: &Problem<'_>,
+        start: &Pose,
+        softest: f64,
+        solution: &mut Solution,
+    ) -> Result<Status, Failure> {
+        self.states.fill(None);
         let mut pose = *start;
-        let mut compliance = FIRST_COMPLIANCE;
-        while compliance > LAST_COMPLIANCE {
-            self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Linear(compliance));
-            let reached = self.newton(problem, &pose, iterations);
-            self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Rigid);
-            pose = reached?.pose;
-            compliance *= 0.1;
+        if self.is_rigid {
+            let mut compliance = softest;
+            while compliance > LAST_COMPLIANCE {
+                self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Linear(compliance));
+                let reached = self.newton(problem, &pose, &mut solution.iterations);
+                self.laws.iter_mut().for_each(|law| law.stretch = Stretch::Rigid);
+                pose = reached?.pose;
+                compliance *= 0.1;
+            }
         }
-        self.newton(problem, &pose, iterations)
+        let point = self.newton(problem, &pose, &mut solution.iterations)?;
+        self.judge(problem, &point, solution);
+        Ok(solution.status)
     }
 
     fn newton(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
