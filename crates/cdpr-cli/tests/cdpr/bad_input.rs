@@ -53,13 +53,13 @@ fn bytes_that_are_no_text_are_refused_everywhere() {
 
 #[test]
 fn mistakes_in_measurements_are_placed_and_nothing_is_written() {
-    let heading = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
+    let heading = "x_m,z_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
     let row = "5,4,6.4,6.4,6.4,6.4\n";
     let renamed = |from: &str, to: &str| heading.replace(from, to) + row;
     for (text, place, message) in [
         (String::new(), "data.csv", "the file is empty"),
         (heading.to_owned(), "data.csv", "no rows"),
-        (renamed("y_m,", "depth,"), "data.csv:1:1", "`y_m` is missing"),
+        (renamed("z_m,", "depth,"), "data.csv:1:1", "`z_m` is missing"),
         (renamed("x_m,", "x_furlong,"), "data.csv:1:1", "furlong"),
         (renamed(",cable_length_m_4", ",other"), "data.csv:1:1", "cables, robot"),
         (heading.to_owned() + row + "5,4,6.4,6.4,6.4\n", "data.csv:3:13", "5 fields"),

@@ -66,7 +66,7 @@ fn interrupted(mut child: Child, signal: &str) -> Option<i32> {
 fn folder_with_a_pipe() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("robot.toml"), SQUARE).unwrap();
-    let mut data = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n".to_owned();
+    let mut data = "x_m,z_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n".to_owned();
     for (x, y) in [(5.0, 4.0), (4.0, 3.0), (6.0, 5.0), (3.0, 5.0), (7.0, 2.0)] {
         let length = |a: f64, b: f64| f64::hypot(x - a, y - b);
         let lengths = [length(0.0, 0.0), length(10.0, 0.0), length(10.0, 8.0), length(0.0, 8.0)];

@@ -7,7 +7,7 @@ use super::{Run, SQUARE, cdpr_in, file_with};
 /// Samples of the square robot on a 5 × 5 grid whose winches read `offset` metres too much.
 fn samples_with(offset: f64) -> String {
     let anchors: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]];
-    let mut text = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4,set\n".to_owned();
+    let mut text = "x_m,z_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4,set\n".to_owned();
     for row in 0..25 {
         let (x, z): (f64, f64) = (2.0 + 1.5 * f64::from(row % 5), 2.0 + f64::from(row / 5));
         write!(text, "{x},{z}").unwrap();

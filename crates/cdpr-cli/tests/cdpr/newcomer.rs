@@ -2,7 +2,7 @@
 
 use super::{Run, SQUARE, cdpr_in, file_with};
 
-const HEADER: &str = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
+const HEADER: &str = "x_m,z_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
 const ROW: &str = "5,4,6.403,6.403,6.403,6.403\n";
 
 /// `cdpr evaluate` of the square robot on these measurements.
@@ -50,12 +50,12 @@ fn a_byte_order_mark_crlf_blanks_and_a_nameless_last_column_do_no_harm() {
 #[test]
 fn a_column_that_is_nearly_named_right_is_shown_with_its_right_name() {
     for (wrong, place, words) in [
-        (HEADER.replace("y_m", "y"), "data.csv:1:5", ["`y_m` is missing; is it this one, `y`?", "name it `y_m`"]),
+        (HEADER.replace("z_m", "z"), "data.csv:1:5", ["`z_m` is missing; is it this one, `z`?", "name it `z_m`"]),
         (HEADER.replace("x_m", "X [mm]"), "data.csv:1:1", ["`X [mm]`?", "also accepted: mm"]),
         (HEADER.replace("length_m_", "length_"), "data.csv:1:9", ["`cable_length_1`?", "name it `cable_length_m_1`"]),
         (HEADER.replace("cable_length_m_", "L"), "data.csv:1:9", ["`L1`?", "name it `cable_length_m_1`"]),
         (HEADER.to_uppercase(), "data.csv:1:1", ["`X_M`?", "small letters"]),
-        (HEADER.replace("y_m", "depth"), "data.csv:1:1", ["`y_m` is missing", "columns x_m, y_m, cable_length_m_1 …"]),
+        (HEADER.replace("z_m", "depth"), "data.csv:1:1", ["`z_m` is missing", "columns x_m, z_m, cable_length_m_1 …"]),
         (
             HEADER.replace("length_m", "length_cm"),
             "data.csv:1:9",
@@ -167,7 +167,7 @@ fn degrees_in_a_column_of_radians_are_recognised() {
     }
     let (folder, _) = file_with("turning.toml", turned.as_bytes());
     let evaluated = |column: &str| {
-        let data = HEADER.replace("y_m,", &format!("y_m,{column},")) + &rows;
+        let data = HEADER.replace("z_m,", &format!("z_m,{column},")) + &rows;
         std::fs::write(folder.path().join("data.csv"), data).unwrap();
         cdpr_in(folder.path(), "evaluate turning.toml data.csv")
     };
@@ -223,4 +223,95 @@ fn anchors_in_millimetres_are_a_warning_of_check() {
     };
     warned(SQUARE.replace("[10.0, ", "[10000.0, ").replace(", 8.0]", ", 8000.0]"), "are they millimetres?");
     warned(SQUARE.replacen("platform_anchor_m = [0.0, 0.0]", "platform_anchor_m = [200.0, 0.0]", 1), "in a frame of");
+}
+
+/// Commands that write positions of the square robot, which moves in the plane xz, and those that read them.
+#[test]
+fn data_of_a_plane_carry_the_names_of_its_axes_and_older_files_are_read() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let study = "[control]\nrobot = \"square.toml\"\n[machine]\nrobot = \"square.toml\"\n[initial]\npose = [5, 4]\n\
+                 offset = \"none\"\n[poses.file]\npath = \"poses.csv\"\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    for heading in ["x_m,z_m", "x_m,y_m", "z_mm,x_m"] {
+        let row = if heading == "z_mm,x_m" { "3000,4" } else { "4,3" };
+        std::fs::write(folder.path().join("poses.csv"), format!("{heading}\n{row}\n")).unwrap();
+        let run = cdpr_in(folder.path(), "simulate study.toml --out data.csv");
+        assert_eq!(run.exit_code, 0, "{heading}: {}", run.stderr);
+        let data = std::fs::read_to_string(folder.path().join("data.csv")).unwrap();
+        assert!(data.starts_with("x_m,z_m,cable_length_m_1,") && data.contains("\n4,3,5,"), "{heading}: {data}");
+    }
+    let plain = evaluated(format!("{HEADER}{ROW}"));
+    let former = evaluated(format!("{}{ROW}", HEADER.replace("z_m", "y_m")));
+    assert_eq!((former.exit_code, &former.stdout), (0, &plain.stdout), "{}", former.stderr);
+    assert!(former.stderr.contains("plane xz of the robot; name the columns x_m, z_m"), "{}", former.stderr);
+    assert!(plain.stderr.is_empty(), "{}", plain.stderr);
+    for (header, row, place, words) in [
+        (
+            "x_m,y_m,z_m,",
+            "5,4,4,",
+            "data.csv:1:5",
+            ["three coordinates, but the robot's are x_m, z_m", "remove the column `y_m`"],
+        ),
+        ("y_m,z_m,", "5,4,", "data.csv:1:1", ["the column `x_m` is missing", "columns x_m, z_m, cable_length_m_1"]),
+    ] {
+        let data = HEADER.replace("x_m,z_m,", header) + &ROW.replace("5,4,", row);
+        assert_answered(&evaluated(data), place, &words);
+    }
+    // the plane of the example is xy: a third coordinate is across it, whatever file it is from
+    let example =
+        "x_m,y_m,z_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n0,5,0,7.2,6.4,7.2,6.4\n";
+    std::fs::write(folder.path().join("example.csv"), example).unwrap();
+    let run = cdpr_in(folder.path(), "evaluate planar-example example.csv");
+    assert!(run.stderr.contains("ignored column `z_m`, across the robot's plane"), "{}", run.stderr);
+}
+
+/// A platform that all cables hold at one point turns freely about it.
+#[test]
+fn a_singular_home_is_a_negative_answer_of_check() {
+    let turning = SQUARE.replace("2T", "1R2T").replace("position_m = [5.0, 4.0]", "position_m = [5.0, 4.0]\nangle_rad = 0.0");
+    let (folder, _) = file_with("turning.toml", turning.as_bytes());
+    let run = cdpr_in(folder.path(), "check turning.toml --format json");
+    let answer = run.json();
+    assert_eq!((run.exit_code, answer["status"].as_str()), (1, Some("singular")), "{answer}");
+    assert!(answer["reason"].as_str().unwrap().contains("only 2 of 3 degrees of freedom"), "{answer}");
+    let fine = cdpr_in(folder.path(), "check planar-example --format json");
+    assert_eq!((fine.exit_code, fine.json()["status"].as_str()), (0, Some("checked")));
+}
+
+#[test]
+fn check_lists_the_models_that_a_file_supports_and_what_it_lacks() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let run = cdpr_in(folder.path(), "check square.toml");
+    assert!(run.stdout.contains("models            standard\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("\nnot supported\n  pulley: ") && run.stdout.contains("elastic: "), "{}", run.stdout);
+    let models = cdpr_in(folder.path(), "check planar-example --format json").json()["models"].clone();
+    assert_eq!((models["richest"].as_str(), &models["effects"]), (Some("elastic"), &serde_json::json!(["elastic"])));
+    let missing = models["missing"].as_array().unwrap();
+    let catenary = missing.iter().find(|entry| entry["effect"] == "catenary").unwrap();
+    assert!(catenary["reason"].as_str().unwrap().contains("linear_density_kg_per_m"), "{catenary}");
+}
+
+/// Two cables hold a loaded point in space where lengths and load put it: `fk` finds it, and `check` says no other.
+#[test]
+fn fewer_cables_than_degrees_of_freedom_are_no_singular_home() {
+    let (kept, _) = SQUARE.split_once("[[cable]]\nname = \"c\"").unwrap();
+    let spatial = kept
+        .replace("2T", "3T")
+        .replace("axes = \"xz\"\n", "")
+        .replace("[5.0, 4.0]", "[5.0, 0.0, -4.0]")
+        .replace("[0.0, 0.0]", "[0.0, 0.0, 0.0]")
+        .replace("[10.0, 0.0]", "[10.0, 0.0, 0.0]");
+    let loaded = spatial.replace("[home_pose]", "gravity_m_s2 = [0.0, 0.0, -9.81]\n\n[platform]\nmass_kg = 10.0\n\n[home_pose]");
+    let (folder, _) = file_with("loaded.toml", loaded.as_bytes());
+    std::fs::write(folder.path().join("unloaded.toml"), spatial).unwrap();
+    for (file, words, status) in
+        [("loaded.toml", "poses follow from lengths and load together", "converged"), ("unloaded.toml", "does not state", "singular")]
+    {
+        let check = cdpr_in(folder.path(), &format!("check {file} --format json"));
+        let warnings = check.json()["warnings"].to_string();
+        assert_eq!(check.exit_code, 0, "{warnings}");
+        assert!(warnings.contains("2 cables leave 1 of 3 degrees of freedom to the load") && warnings.contains(words), "{warnings}");
+        let fk = cdpr_in(folder.path(), &format!("fk {file} --lengths 6.4,6.4 --format json")).json();
+        assert_eq!(fk["status"], status, "{fk}");
+    }
 }

@@ -54,7 +54,7 @@ fn there_is_a_man_page_of_every_command_with_its_examples() {
 #[test]
 fn quiet_leaves_the_answer_and_drops_the_notes() {
     let (folder, _) = super::file_with("square.toml", super::SQUARE.as_bytes());
-    let heading = "x_m,y_m,mood,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
+    let heading = "x_m,z_m,mood,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n";
     std::fs::write(folder.path().join("data.csv"), format!("{heading}5,4,1,6.4,6.4,6.4,6.4\n")).unwrap();
     let loud = cdpr_in(folder.path(), "evaluate square.toml data.csv");
     assert!(loud.stderr.contains("mood"), "{}", loud.stderr);

@@ -91,6 +91,11 @@ impl Plane {
         [self.first, self.second].iter().map(|&index| ["x", "y", "z"][index]).collect()
     }
 
+    /// The two axes as indices of world coordinates.
+    pub(crate) fn indices(self) -> [usize; 2] {
+        [self.first, self.second]
+    }
+
     /// e₁ (unit, world).
     pub fn first_axis(self) -> Vector3<f64> {
         Vector3::ith(self.first, 1.0)

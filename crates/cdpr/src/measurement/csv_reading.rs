@@ -1,13 +1,14 @@
 //! Reader of measurement CSV files; every mistake with its line and column.
 
 mod complaints;
+mod plane_columns;
 
 use std::collections::BTreeMap;
 
 use csv::{ByteRecord, ReaderBuilder};
 
 use super::Samples;
-use super::columns::{Column, Quantity, meaning};
+use super::columns::{Column, Quantity, meaning, position_columns};
 use super::header_mistakes;
 use super::magnitudes::{self, Finding};
 use crate::geometry::{MotionPattern, Pose};
@@ -174,13 +175,13 @@ impl CsvFile<'_> {
         if !ignored.is_empty() {
             notices.push(format!("{}: ignored columns {}", self.file_name, ignored.join(", ")));
         }
-        Ok(columns)
+        self.in_plane(&row, columns, notices)
     }
 
     fn check_pose_columns(&self, columns: &Columns) -> Result<(), ReadError> {
         let pattern = self.robot.motion_pattern;
-        for axis in 0..pattern.translations() {
-            self.require(columns, Quantity::Position(axis), ["x_m", "y_m", "z_m"][axis])?;
+        for (axis, name) in position_columns(self.robot, "m").iter().enumerate() {
+            self.require(columns, Quantity::Position(axis), name)?;
         }
         match pattern {
             MotionPattern::Planar => self.require(columns, Quantity::Angle, "angle_rad"),

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::Samples;
+use super::columns::position_columns;
 use crate::geometry::MotionPattern;
 use crate::robot::Robot;
 
@@ -10,8 +11,7 @@ impl Samples {
     /// The samples as a measurement CSV; numbers in the shortest form that reads back to the same bits.
     pub fn to_csv(&self, robot: &Robot) -> String {
         let pattern = robot.motion_pattern;
-        let mut names: Vec<String> =
-            ["x_m", "y_m", "z_m"][..pattern.translations()].iter().map(|&n| n.into()).collect();
+        let mut names = position_columns(robot, "m");
         match pattern {
             MotionPattern::Planar => names.push("angle_rad".to_owned()),
             MotionPattern::Spatial => names.extend(["qx", "qy", "qz", "qw"].map(str::to_owned)),

@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use super::Samples;
-use super::columns::Quantity;
+use super::columns::{Quantity, position_columns};
 use crate::geometry::{MotionPattern, Pose};
 use crate::robot::Robot;
 
@@ -30,7 +30,7 @@ pub(super) enum Finding {
     /// Another reading fits better, but not so that it must be meant.
     Doubtful(String),
     /// Another unit is meant; the quantity names a column at fault.
-    Wrong { quantity: Quantity, message: String, help: &'static str },
+    Wrong { quantity: Quantity, message: String, help: String },
 }
 
 /// Another way to read the file.
@@ -41,6 +41,7 @@ struct Alternative {
     length: f64,
     rotation: Rotation,
     words: &'static str,
+    /// How to mend it; `{positions_mm}` stands for the columns of the robot's positions in mm.
     help: &'static str,
 }
 
@@ -78,7 +79,7 @@ const ALTERNATIVES: &[Alternative] = &[
         1e-3,
         1.0,
         "the positions look like millimetres: the cable lengths fit a thousandth of them",
-        "name the columns x_mm, y_mm, z_mm, and they are converted",
+        "name the columns {positions_mm}, and they are converted",
     ),
     lengths(
         1e-2,
@@ -154,7 +155,8 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Fi
     if misfit > CERTAIN * as_written || alternative.help.is_empty() {
         return Finding::Doubtful(words);
     }
-    Finding::Wrong { quantity: alternative.quantity, message: words, help: alternative.help }
+    let help = alternative.help.replace("{positions_mm}", &position_columns(robot, "mm").join(", "));
+    Finding::Wrong { quantity: alternative.quantity, message: words, help }
 }
 
 /// The largest length or coordinate that a sample of this robot can have (m); infinite when its anchors are one point.

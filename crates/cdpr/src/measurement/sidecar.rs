@@ -89,7 +89,8 @@ impl Sidecar {
 /// JSON Schema of sidecar files; its description tells the columns of the CSV beside it.
 pub fn schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(Sidecar);
-    let columns = "Sidecar `<data>.meta.toml` of a measurement CSV. Columns of the CSV: x_m, y_m(, z_m) position; qx, qy, qz, qw \
+    let columns = "Sidecar `<data>.meta.toml` of a measurement CSV. Columns of the CSV: x_m, y_m, z_m position, of planar \
+                   robots the two of their axes (x_m, z_m in the plane xz; files with x_m, y_m are read, too); qx, qy, qz, qw \
                    unit quaternion, or rx_rad, ry_rad, rz_rad with R = Rx Ry Rz (3R3T), or angle_rad (1R2T); \
                    cable_length_m_1…m, or motor_angle_rad_1…m of the winches in their place; optional tension_N_1…m, set, t_s. _mm, _deg and _kN are accepted and converted; \
                    other columns are ignored with a notice.";

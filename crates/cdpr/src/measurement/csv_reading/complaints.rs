@@ -2,7 +2,7 @@
 
 use super::{Columns, CsvFile, Row};
 use crate::geometry::MotionPattern;
-use crate::measurement::columns::{Quantity, meaning};
+use crate::measurement::columns::{Quantity, meaning, position_columns};
 use crate::measurement::header_mistakes;
 use crate::reading::{Place, ReadError};
 
@@ -16,8 +16,8 @@ impl CsvFile<'_> {
     }
 
     pub(super) fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
-        let first = self.first_line();
-        self.error(code, message).at(Place::on_line(first, 1, 1, first.chars().count().max(1)))
+        // the line as a whole: carets under all of it would say no more
+        self.error(code, message).at(Place::on_line(self.first_line(), 1, 1, 1))
     }
 
     /// An error at a field: the column counts characters of the line, as an editor does.
@@ -73,7 +73,7 @@ impl CsvFile<'_> {
             MotionPattern::Spatial => ", qx, qy, qz, qw (or rx_rad, ry_rad, rz_rad)",
             _ => "",
         };
-        let positions = ["x_m", "y_m", "z_m"][..pattern.translations()].join(", ");
+        let positions = position_columns(self.robot, "m").join(", ");
         format!("{positions}{rotation}, cable_length_m_1 … cable_length_m_{}", self.robot.cable_count())
     }
 
