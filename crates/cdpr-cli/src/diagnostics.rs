@@ -4,8 +4,16 @@ use std::io::{self, Write};
 
 use cdpr::reading::{Place, ReadError};
 
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
 use crate::console;
 use crate::failure::Failure;
+
+/// Most characters of a source line that are shown: what leaves room for the margin in a usual terminal.
+const SHOWN: usize = 90;
+
+/// Most carets: a mistake that is wider is meant as a whole.
+const UNDERLINED: usize = 40;
 
 /// Escape sequences, empty when colour is not wanted.
 struct Colours {
@@ -72,12 +80,25 @@ fn place_text(read_error: &ReadError, colours: &Colours) -> String {
     text
 }
 
-/// The source line and the carets below it, without characters that would control the terminal.
+/// The part of the source line around the mistake that fits into a line of the terminal, and the carets below it, without
+/// characters that would control the terminal.
 fn snippet(place: &Place) -> (String, String) {
-    let snippet = place.snippet();
-    let (source_line, carets) = snippet.split_once('\n').unwrap_or((&snippet, ""));
     let plain = |character: char| if character.is_control() && character != '\t' { '\u{fffd}' } else { character };
-    (source_line.chars().map(plain).collect(), carets.to_owned())
+    let line: Vec<char> = place.source_line().chars().map(plain).collect();
+    let caret = place.caret().min(line.len());
+    let skipped =
+        if line.len() <= SHOWN || caret <= SHOWN / 2 { 0 } else { (caret - SHOWN / 2).min(line.len() - SHOWN) };
+    let end = line.len().min(skipped + SHOWN);
+    let part = |from: usize, to: usize| line[from..to].iter().collect::<String>();
+    let (before, after) = (if skipped > 0 { "…" } else { "" }, if end < line.len() { "…" } else { "" });
+    let blank = |character: &char| match character {
+        '\t' => "\t".to_owned(),
+        wide => " ".repeat(wide.width().unwrap_or(0)),
+    };
+    let padding: String =
+        before.chars().map(|_| ' ').collect::<String>() + &line[skipped..caret].iter().map(blank).collect::<String>();
+    let meant = part(caret, end.min(caret + place.width())).width().clamp(1, UNDERLINED);
+    (format!("{before}{}{after}", part(skipped, end)), padding + &"^".repeat(meant))
 }
 
 #[cfg(test)]
@@ -100,6 +121,22 @@ error[toml::unknown-key]: unknown key `nam`
   = more: cdpr explain toml::unknown-key
 ";
         assert_eq!(failure_text(&error.into(), &Colours::NONE), expected);
+    }
+
+    /// 30 columns of 22 characters, of which the twentieth is wrong, or the line as a whole.
+    #[test]
+    fn a_long_line_is_shown_around_the_mistake_and_carets_end() {
+        let line = (1..=30).map(|cable| format!("cable_length_furlong_{cable:02}")).collect::<Vec<_>>().join(",");
+        let middle = snippet(&Place::on_line(&line[..150], 1, 121, 23));
+        assert!(middle.0.starts_with('…') && middle.0.chars().count() <= SHOWN + 2, "{middle:?}");
+        let caret = middle.1.find('^').unwrap();
+        let marked: String = middle.0.chars().skip(caret).take(middle.1.len() - caret).collect();
+        assert_eq!(marked, "cable_length_furlong_06");
+        let whole = snippet(&Place::on_line(&line, 1, 1, line.len()));
+        assert_eq!(whole.1, "^".repeat(UNDERLINED));
+        assert!(whole.0.ends_with('…') && whole.0.chars().count() == SHOWN + 1, "{whole:?}");
+        let wide = snippet(&Place::on_line("机器人 = 3", 1, 7, 1));
+        assert_eq!(wide.1, "         ^", "each of the three characters takes two columns");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Tables for people: columns aligned by spaces, fitted to the terminal.
 
+use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
+
 use crate::console;
 
 /// Rows of cells under a heading; the first column is aligned left, the others right unless asked for.
@@ -82,7 +84,7 @@ impl Table {
         for part in 0..height {
             let pieces = cells.iter().zip(widths).enumerate().map(|(column, (pieces, width))| {
                 let piece = pieces.get(part).map_or("", String::as_str);
-                let padding = " ".repeat(width.saturating_sub(piece.chars().count()));
+                let padding = " ".repeat(width.saturating_sub(length(piece)));
                 if self.left.contains(&column) { format!("{piece}{padding}") } else { format!("{padding}{piece}") }
             });
             text.push_str(pieces.collect::<Vec<_>>().join(&" ".repeat(GAP)).trim_end());
@@ -92,9 +94,9 @@ impl Table {
     }
 }
 
-/// Characters of a cell.
+/// Columns of the terminal that a cell takes: two for a wide character, none for one that joins the one before.
 fn length(cell: &str) -> usize {
-    cell.chars().count()
+    cell.width()
 }
 
 /// Spaces between columns.
@@ -103,10 +105,10 @@ const GAP: usize = 2;
 /// Columns are not wrapped to less than this.
 const LEAST_WIDTH: usize = 12;
 
-/// The words of a cell in lines of this many characters; names break after their separators, at hyphens and in the middle of
+/// The words of a cell in lines of this many columns; names break after their separators, at hyphens and in the middle of
 /// words only where a piece alone is too long.
 fn wrapped(cell: &str, width: usize) -> Vec<String> {
-    if cell.chars().count() <= width || width == 0 {
+    if length(cell) <= width || width == 0 {
         return vec![cell.to_owned()];
     }
     // a marker or an indentation before the words: the other lines start below the words
@@ -115,7 +117,7 @@ fn wrapped(cell: &str, width: usize) -> Vec<String> {
     let (cell, width) = (&cell[marker.len()..], width - indent);
     let mut lines = vec![String::new()];
     for piece in cell.split_inclusive([' ', ',', '+', ':', '/', ';']) {
-        let separators: &[char] = if piece.trim_end().chars().count() > width { &['-'] } else { &[] };
+        let separators: &[char] = if length(piece.trim_end()) > width { &['-'] } else { &[] };
         piece.split_inclusive(separators).for_each(|piece| append(&mut lines, piece, width));
     }
     let lines = lines.iter().map(|line| line.trim_end()).filter(|line| !line.is_empty()).enumerate();
@@ -126,12 +128,13 @@ fn wrapped(cell: &str, width: usize) -> Vec<String> {
 
 /// Appends to the last line what fits there, else to a new one.
 fn append(lines: &mut Vec<String>, piece: &str, width: usize) {
-    let last = lines.last().map_or(0, |line| line.chars().count());
-    if last > 0 && last + piece.trim_end().chars().count() > width {
+    let last = lines.last().map_or(0, |line| length(line));
+    if last > 0 && last + length(piece.trim_end()) > width {
         lines.push(String::new());
     }
     for character in piece.chars() {
-        if lines.last().is_some_and(|line| line.chars().count() >= width) {
+        let own = character.width().unwrap_or(0);
+        if lines.last().is_some_and(|line| !line.is_empty() && length(line) + own > width) {
             lines.push(String::new());
         }
         // a line does not start with the space that ended the one before
@@ -165,6 +168,15 @@ mod tests {
         table.row(vec!["é".to_owned(), "–".to_owned()]);
         table.row(vec!["long".to_owned(), "12.5".to_owned()]);
         assert_eq!(table.text(), "name  σ mm\né        –\nlong  12.5\n");
+    }
+
+    /// A terminal draws 机 in two columns, and an accent that joins its letter in none.
+    #[test]
+    fn columns_align_where_characters_are_wide_or_join() {
+        let mut table = Table::new(["cable", "N"]);
+        table.row(vec!["机器人".to_owned(), "1".to_owned()]);
+        table.row(vec!["e\u{301}le\u{301}vation".to_owned(), "2".to_owned()]);
+        assert_eq!(table.text(), "cable      N\n机器人     1\ne\u{301}le\u{301}vation  2\n");
     }
 
     #[test]

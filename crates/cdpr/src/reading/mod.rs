@@ -170,6 +170,11 @@ impl Place {
         &self.source_line
     }
 
+    /// Characters of [`Self::source_line`] before the mistake.
+    pub fn caret(&self) -> usize {
+        self.caret as usize
+    }
+
     /// Two lines for people: the source line, and carets under the mistake.
     pub fn snippet(&self) -> String {
         let caret = self.caret as usize;
