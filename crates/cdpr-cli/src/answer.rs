@@ -1,5 +1,6 @@
 //! What a command answers, and how it is written.
 
+use std::cell::RefCell;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -7,6 +8,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use crate::diagnostics;
+use crate::envelope::Envelope;
 use crate::failure::Failure;
 
 /// How an answer is written.
@@ -42,26 +44,41 @@ pub(crate) trait Answer: Serialize {
 /// Where answers and remarks go.
 pub(crate) struct Output {
     format: Format,
+    /// Name of the robot that is asked about.
+    robot: RefCell<Option<String>>,
+    /// What was told so far that is not part of the answer.
+    remarks: RefCell<Vec<String>>,
 }
 
 impl Output {
     pub(crate) fn new(format: Format) -> Self {
-        Self { format }
+        Self { format, robot: RefCell::default(), remarks: RefCell::default() }
+    }
+
+    /// Names the robot that the command asks about, for answers without a key `robot`.
+    pub(crate) fn about(&self, robot: &str) {
+        *self.robot.borrow_mut() = Some(robot.to_owned());
     }
 
     /// Writes the answer to stdout and tells the exit code.
     pub(crate) fn answer(&self, answer: &impl Answer) -> Result<ExitCode, Failure> {
         let text = match self.format {
             Format::Text => answer.words(),
-            Format::Json => json(answer)?,
+            Format::Json => self.json(answer, status(answer))?,
         };
         to_stdout(&text)?;
         Ok(ExitCode::from(u8::from(answer.is_negative())))
     }
 
-    /// Tells something that is not part of the answer, on stderr.
+    /// Tells something that is not part of the answer, on stderr and among the warnings of a JSON answer.
     pub(crate) fn remark(&self, text: &str) {
         diagnostics::remark(text);
+        self.remarks.borrow_mut().push(text.to_owned());
+    }
+
+    /// All that was told so far besides the answer, for pages and files.
+    pub(crate) fn remarks(&self) -> Vec<String> {
+        self.remarks.borrow().clone()
     }
 
     /// Tells the failure on stderr, and as an object on stdout when JSON was asked for.
@@ -73,17 +90,31 @@ impl Output {
     /// The failure as an object on stdout when JSON was asked for.
     pub(crate) fn mirror(&self, failure: &Failure) -> ExitCode {
         if self.format == Format::Json
-            && let Ok(text) = json(&failure.object())
+            && let Ok(text) = self.json(&failure.object(), "error")
         {
             // the exit code already tells that something failed
             let _ = to_stdout(&text);
         }
         ExitCode::from(failure.exit_code())
     }
+
+    /// The answer as a file keeps it, with all that was told so far besides it.
+    pub(crate) fn file(&self, answer: &impl Answer, name: &str) -> Result<String, Failure> {
+        let (robot, remarks) = (self.robot.borrow(), self.remarks.borrow());
+        let envelope = Envelope { robot: robot.as_deref(), remarks: &remarks, status: status(answer) };
+        envelope.file(answer).map_err(|error| Failure::unwritable(name, &error))
+    }
+
+    fn json(&self, value: &impl Serialize, status: &str) -> Result<String, Failure> {
+        let (robot, remarks) = (self.robot.borrow(), self.remarks.borrow());
+        let envelope = Envelope { robot: robot.as_deref(), remarks: &remarks, status };
+        envelope.line(value).map_err(|error| Failure::unwritable("the answer", &error))
+    }
 }
 
-fn json(value: &impl Serialize) -> Result<String, Failure> {
-    serde_json::to_string(value).map_err(|error| Failure::unwritable("the answer", &error))
+/// The status of an answer that has no words of its own for it.
+fn status(answer: &impl Answer) -> &'static str {
+    if answer.is_negative() { "negative" } else { "done" }
 }
 
 fn to_stdout(text: &str) -> Result<(), Failure> {

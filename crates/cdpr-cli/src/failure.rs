@@ -95,6 +95,16 @@ impl Failure {
         self
     }
 
+    /// The failure with the value of an argument in place of its name, where the message starts with that.
+    pub(crate) fn with_value(mut self, argument: &str, value: &str) -> Self {
+        if let Self::Input { message, .. } = &mut self
+            && let Some(rest) = message.strip_prefix(argument).filter(|rest| rest.starts_with(": "))
+        {
+            *message = format!("{value}{rest}");
+        }
+        self
+    }
+
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::File(_) | Self::Input { .. } => 2,

@@ -20,6 +20,8 @@ use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::workspace::criterion::WrenchFeasible;
 
+use crate::answer::Output;
+use crate::envelope::PROGRAM;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
@@ -55,6 +57,12 @@ impl Laboratory {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let from_folder = |robot: &str| robot_of_study(robot, &folder);
         Self::new(study, &name, &folder, &from_folder)
+    }
+
+    /// Tells which robot the study is about, and the remarks on the study.
+    pub(crate) fn introduce(&self, output: &Output) {
+        output.about(&self.machine.robot().name);
+        self.study.remarks().iter().for_each(|remark| output.remark(remark));
     }
 
     /// A study whose robots a caller provides.
@@ -162,7 +170,7 @@ impl Laboratory {
             sigmas: self.study.noise.unwrap_or_default(),
             frames: None,
             provenance: Some(Provenance {
-                source: Some(format!("simulated by cdpr {}", env!("CARGO_PKG_VERSION"))),
+                source: Some(format!("simulated by {PROGRAM}")),
                 robot: Some(self.machine.robot().name.clone()),
                 seed: Some(seed),
                 ..Provenance::default()

@@ -4,6 +4,7 @@ mod answer;
 mod commands;
 mod console;
 mod diagnostics;
+mod envelope;
 mod error_table;
 mod explanations;
 mod failure;
@@ -15,6 +16,7 @@ mod interruption;
 mod laboratory;
 mod measurements;
 mod meshes;
+mod missing_effects;
 mod number_format;
 mod numbers;
 mod options;
@@ -35,8 +37,9 @@ mod wrench_answer;
 use std::process::ExitCode;
 
 use answer::Output;
-use clap::Parser;
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
 use commands::Command;
+use failure::Failure;
 use options::GlobalOptions;
 
 /// Calibration and model selection for cable-driven parallel robots.
@@ -62,14 +65,24 @@ Examples:
   cdpr identify --help";
 
 fn main() -> ExitCode {
-    let parsed = match CommandLine::try_parse() {
+    let matches = match CommandLine::command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) => return usage::exit(&error),
+    };
+    let parsed = match CommandLine::from_arg_matches(&matches) {
         Ok(parsed) => parsed,
         Err(error) => return usage::exit(&error),
     };
     interruption::watch();
     let mut output = Output::new(parsed.options.format);
     let exit = parsed.options.settle().and_then(|()| parsed.command.run(&mut output));
-    exit.unwrap_or_else(|failure| output.fail(&failure))
+    exit.unwrap_or_else(|failure| output.fail(&named(failure, &matches)))
+}
+
+/// The failure with the robot's file in place of the word `ROBOT`.
+fn named(failure: Failure, matches: &ArgMatches) -> Failure {
+    let robot = matches.subcommand().and_then(|(_, own)| own.try_get_one::<String>("robot").ok().flatten());
+    robot.map_or(failure.clone(), |robot| failure.with_value("ROBOT", robot))
 }
 
 /// The command as it was given, quoted for a shell, without the options that do not touch the result.

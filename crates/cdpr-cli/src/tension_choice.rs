@@ -53,7 +53,7 @@ fn limits_of(model: &Model) -> Result<Limits, Failure> {
     Limits::of(model.robot(), None, None).map_err(|error| match error {
         LimitsError::MissingKey { robot, cable, name, key, .. } => Failure::input(
             "limits::missing-key",
-            format!("without --tensions they are chosen within limits, and cable {cable} (\"{name}\") of \"{robot}\" has no {key}"),
+            format!("ROBOT: without --tensions they are chosen within limits, and cable {cable} (\"{name}\") of \"{robot}\" has no {key}"),
             "add the key to its [[cable]] table, or give --tensions",
         ),
         error => Failure::refused("ROBOT", &error),

@@ -85,7 +85,7 @@ struct Prediction {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let progress = Progress::spinner("driving the machine");
     let assessment = laboratory.assess(arguments.seed)?;
     let prediction = laboratory.predict(arguments.seed)?;

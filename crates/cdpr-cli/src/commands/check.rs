@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use cdpr::cable::DegenerateCourse;
 use cdpr::equilibrium::forward_problem::ForwardProblem;
 use cdpr::geometry::Pose;
-use cdpr::model::{Composition, Model};
+use cdpr::model::{Composition, Model, Supported};
 use cdpr::nalgebra::DMatrix;
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -17,6 +17,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::RobotArgument;
+use crate::missing_effects::{self, MissingEffect, missing_effects};
 use crate::pose_answer::PoseAnswer;
 
 const EXAMPLES: &str = "\
@@ -27,9 +28,10 @@ Examples:
 /// No cable robot has frame anchors farther apart (m); the largest, FAST, has 600 m.
 const LARGEST_FRAME: f64 = 2000.0;
 
-/// Read a robot file, judge the geometry at the home pose and tell what is missing.
+/// Read a robot file, judge the geometry at the home pose, list the models that the file supports and tell what is missing.
 ///
-/// Rank and condition are those of the structure matrix at home, moment rows divided by the mean platform radius.
+/// Rank and condition are those of the structure matrix at home, moment rows divided by the mean platform radius. The answer
+/// is negative (exit code 1) when the home pose is singular.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -39,13 +41,28 @@ pub(crate) struct Arguments {
 
 #[derive(Serialize)]
 struct Check {
+    robot: String,
+    /// `checked`, or `singular` for a home pose that the cables do not hold.
+    status: &'static str,
+    reason: Option<String>,
     name: String,
     title: Option<String>,
     motion_pattern: &'static str,
     degrees_of_freedom: usize,
     cable_count: usize,
     home: Home,
+    models: Models,
     warnings: Vec<String>,
+}
+
+/// What `--model` can be for this file.
+#[derive(Serialize)]
+struct Models {
+    /// As many effects as the file supports at once.
+    richest: String,
+    /// All effects that it supports, also those that exclude each other.
+    effects: Vec<&'static str>,
+    missing: Vec<MissingEffect>,
 }
 
 #[derive(Serialize)]
@@ -59,29 +76,53 @@ struct Home {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let robot = arguments.robot.read()?;
+    let supported = Composition::supported(&robot).map_err(|error| Failure::refused("ROBOT", &error))?;
     let model = Model::new(robot, Composition::STANDARD).map_err(|error| Failure::refused("ROBOT", &error))?;
     let robot = model.robot();
     let pose = robot.home_or_middle();
     let mut warnings = file_warnings(robot);
-    let (mut rank, mut condition) = (None, None);
-    match scaled_structure_matrix(&model, &pose) {
+    warnings.extend(load_warning(&model));
+    let (rank, condition, reason) = match scaled_structure_matrix(&model, &pose) {
         Ok(matrix) => {
-            let (found, number) = rank_and_condition(&matrix);
-            warnings.extend(rank_warning(&model, found));
-            (rank, condition) = (Some(found), Some(number));
+            let (rank, condition) = rank_and_condition(&matrix);
+            (Some(rank), Some(condition), singular(&model, rank))
         }
-        Err(reason) => warnings.push(format!("the home pose is singular: {reason}")),
-    }
+        Err(reason) => (None, None, Some(format!("the home pose is singular: {reason}"))),
+    };
+    warnings.extend(reason.clone());
     let (feasible, feasible_note) = feasibility(&model, &pose);
     output.answer(&Check {
+        robot: robot.name.clone(),
+        status: if reason.is_none() { "checked" } else { "singular" },
+        reason,
         name: robot.name.clone(),
         title: robot.title.clone(),
         motion_pattern: robot.motion_pattern.name(),
         degrees_of_freedom: model.dof(),
         cable_count: model.cable_count(),
         home: Home { pose: PoseAnswer::new(robot, &pose), rank, condition, feasible, feasible_note },
+        models: Models::new(&supported),
         warnings,
     })
+}
+
+impl Models {
+    fn new(supported: &Supported) -> Self {
+        let others = supported.alternatives.iter().map(|(effect, _)| *effect);
+        Self {
+            richest: supported.richest.to_string(),
+            effects: supported.richest.words().chain(others).collect(),
+            missing: missing_effects(supported),
+        }
+    }
+
+    fn words(&self) -> String {
+        match self.effects.as_slice() {
+            [] => "standard".to_owned(),
+            [only] => format!("standard, {only}"),
+            several => format!("standard, {}; at most {}", several.join(", "), self.richest),
+        }
+    }
 }
 
 /// Whether tensions within limits balance the load, and why (not), or what is missing for an answer.
@@ -128,23 +169,25 @@ fn rank_and_condition(matrix: &DMatrix<f64>) -> (usize, f64) {
     (rank, if rank == matrix.nrows() { largest / smallest } else { f64::INFINITY })
 }
 
-fn rank_warning(model: &Model, rank: usize) -> Option<String> {
+/// Said of robots with fewer cables than degrees of freedom.
+fn load_warning(model: &Model) -> Option<String> {
     let (dof, cables) = (model.dof(), model.cable_count());
-    match (rank < dof, cables < dof) {
-        (false, _) => None,
-        (true, true) => {
-            let answer = match ForwardProblem::of(model, Load::of(model.robot()).is_ok()) {
-                ForwardProblem::Equilibrium => "`fk` answers where cables and load are in equilibrium",
-                ForwardProblem::LeastSquares => "while the file states no load, `fk` calls it singular",
-            };
-            Some(format!(
-                "{cables} cables cannot hold {dof} degrees of freedom: the pose also depends on the load; {answer}"
-            ))
-        }
-        (true, false) => Some(format!(
-            "at the home pose the cables resist only {rank} of {dof} degrees of freedom: it is a singular pose"
-        )),
+    if cables >= dof {
+        return None;
     }
+    let answer = match ForwardProblem::of(model, Load::of(model.robot()).is_ok()) {
+        ForwardProblem::Equilibrium => "`fk` answers where cables and load are in equilibrium",
+        ForwardProblem::LeastSquares => "while the file states no load, `fk` calls it singular",
+    };
+    Some(format!("{cables} cables cannot hold {dof} degrees of freedom: the pose also depends on the load; {answer}"))
+}
+
+/// Why the home pose is singular; fewer cables than degrees of freedom can hold no more than their number of them.
+fn singular(model: &Model, rank: usize) -> Option<String> {
+    let (dof, cables) = (model.dof(), model.cable_count());
+    (rank < dof.min(cables)).then(|| {
+        format!("at the home pose the cables resist only {rank} of {dof} degrees of freedom: it is a singular pose")
+    })
 }
 
 /// What the file leaves open or states strangely.
@@ -202,6 +245,10 @@ fn warnings_about_size(robot: &Robot) -> Vec<String> {
 }
 
 impl Answer for Check {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
     fn words(&self) -> String {
         let Self { name, motion_pattern, degrees_of_freedom, cable_count, home, .. } = self;
         let title = self.title.as_ref().map(|title| format!(": {title}")).unwrap_or_default();
@@ -214,10 +261,12 @@ impl Answer for Check {
         };
         let mut text = format!(
             "{name}{title}\n\nmotion pattern    {motion_pattern}\ncables            {cable_count}\n\
-             home pose         {}\nstructure matrix  {structure}\ntensions          {}\n",
+             home pose         {}\nstructure matrix  {structure}\ntensions          {}\nmodels            {}\n",
             home.pose.words(),
-            home.feasible_note
+            home.feasible_note,
+            self.models.words(),
         );
+        text.push_str(&missing_effects::section(&self.models.missing));
         if self.warnings.is_empty() {
             text.push_str("\nno warnings\n");
         } else {

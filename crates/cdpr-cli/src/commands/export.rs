@@ -58,6 +58,8 @@ struct Figure {
 
 #[derive(Serialize)]
 struct Exported {
+    status: &'static str,
+    reason: Option<String>,
     result: String,
     candidate: Option<String>,
     out: String,
@@ -73,6 +75,7 @@ struct Skipped {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let data = ResultData::read(&arguments.result)?;
+    data.robot.iter().for_each(|robot| output.about(robot));
     let figures = match arguments.kind {
         Kind::Svg => drawings::all(&data),
         Kind::Csv => tables::all(&data),
@@ -92,7 +95,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pairs: Vec<(&Path, &[u8])> = files.iter().map(|(path, _, content)| (&**path, content.as_bytes())).collect();
     files::write_all(&pairs)?;
     let written = files.iter().map(|(_, name, _)| (*name).to_owned()).collect();
+    let reason = files.is_empty().then(|| {
+        let why: Vec<String> = skipped.iter().map(|one| format!("{}: {}", one.figure, one.reason)).collect();
+        format!("nothing of the result can be shown: {}", why.join("; "))
+    });
     output.answer(&Exported {
+        status: if reason.is_none() { "written" } else { "empty" },
+        reason,
         result: arguments.result.display().to_string(),
         candidate: data.shown,
         out: shown_path(&folder),
@@ -114,6 +123,6 @@ impl Answer for Exported {
 
     /// A result of which nothing can be shown.
     fn is_negative(&self) -> bool {
-        self.files.is_empty()
+        self.reason.is_some()
     }
 }

@@ -133,7 +133,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let result = task.identify(other.as_ref())?;
     let calibrated = result.fit.model.robot().to_toml();
     let answer = task.answer(result)?;
-    let page = arguments.report.as_ref().map(|_| report::page(&task, other.as_ref(), &answer.reason)).transpose()?;
+    let page = arguments
+        .report
+        .as_ref()
+        .map(|_| report::page(&task, other.as_ref(), &answer.reason, &output.remarks()))
+        .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
     let report_file = arguments.report.as_deref().zip(page.as_deref().map(str::as_bytes));

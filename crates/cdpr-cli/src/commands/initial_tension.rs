@@ -76,7 +76,7 @@ impl FromStr for TargetArgument {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let mut laboratory = Laboratory::read(&arguments.study)?;
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let commands = laboratory.untested_poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
     let pose = laboratory.start;

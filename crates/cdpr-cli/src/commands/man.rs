@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use crate::CommandLine;
 use crate::answer::{Answer, Output};
+use crate::envelope::PROGRAM;
 use crate::failure::Failure;
 use crate::files;
 
@@ -84,8 +85,7 @@ fn page(command: &Command) -> Vec<u8> {
 }
 
 fn write_page(command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
-    let source = format!("cdpr {}", env!("CARGO_PKG_VERSION"));
-    let man = Man::new(command.clone()).source(source).manual("cdpr");
+    let man = Man::new(command.clone()).source(PROGRAM).manual("cdpr");
     man.render_title(page)?;
     man.render_name_section(page)?;
     man.render_synopsis_section(page)?;

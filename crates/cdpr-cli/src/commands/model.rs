@@ -15,6 +15,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{RobotArgument, load_of, pose_of};
+use crate::missing_effects::{self, MissingEffect, missing_effects};
 use crate::numbers::NumberList;
 use crate::pose_answer::PoseAnswer;
 use crate::statics_failure::refused;
@@ -65,13 +66,7 @@ struct ModelAnswer {
     tensions: Option<Vec<f64>>,
     effects: Vec<EffectAnswer>,
     /// Effects that the file does not support.
-    missing: Vec<Missing>,
-}
-
-#[derive(Serialize)]
-struct Missing {
-    effect: &'static str,
-    reason: String,
+    missing: Vec<MissingEffect>,
 }
 
 /// One effect; what cannot be told is null, with its reason among the `reasons`.
@@ -158,8 +153,6 @@ fn load(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Result<Load
 
 impl ModelAnswer {
     fn new(model: &Model, supported: &Supported, pose: &Pose) -> Self {
-        let missing =
-            supported.missing.iter().map(|(effect, reason)| Missing { effect, reason: reason.to_string() }).collect();
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
@@ -168,7 +161,7 @@ impl ModelAnswer {
             pose: PoseAnswer::new(model.robot(), pose),
             tensions: None,
             effects: Vec::new(),
-            missing,
+            missing: missing_effects(supported),
         }
     }
 }
@@ -287,13 +280,7 @@ impl Answer for ModelAnswer {
         } else if self.reason.is_none() {
             text.push_str("without any, there is nothing to leave out: the model is `standard`\n");
         }
-        if !self.missing.is_empty() {
-            text.push_str("\nnot supported\n");
-            self.missing
-                .iter()
-                .for_each(|missing| text.push_str(&format!("  {}: {}\n", missing.effect, missing.reason)));
-        }
-        text
+        text + &missing_effects::section(&self.missing)
     }
 }
 

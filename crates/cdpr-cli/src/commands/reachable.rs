@@ -113,7 +113,7 @@ pub(crate) enum Method {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let thresholds = thresholds(&arguments)?;
     check_options(&arguments)?;
     let change = arguments.vary.as_ref().zip(arguments.change);

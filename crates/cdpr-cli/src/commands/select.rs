@@ -73,7 +73,7 @@ impl Arguments {
         let reader = reader_of(&robot, self.robot.model(Composition::STANDARD)?);
         let samples = self.data.read(&reader, output)?;
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
-        let Parted { samples, folds, words } = match &self.validation {
+        let Parted { samples, data_count, folds, words } = match &self.validation {
             Some(path) => {
                 let other = self.data.read_other(path, &reader, output)?;
                 two_files(&samples, &other, &path.display().to_string())?
@@ -87,11 +87,12 @@ impl Arguments {
         Ok(Comparison {
             robot,
             samples,
+            data_count,
             folds,
             data_name: self.data.name(),
             validation_name: words,
             command: command_line(),
-            warnings: Vec::new(),
+            warnings: output.remarks(),
             inputs,
         })
     }

@@ -21,7 +21,7 @@ Examples:
   cdpr sensitivity study.toml
   cdpr sensitivity study.toml --accuracy 0.005 --csv maps.csv
   cdpr sensitivity study.toml --robots 0 --map \"machine frame-anchor[1].x\" --svg anchor.svg
-  cdpr sensitivity studies/planar-tolerances.toml --engine linear --format json";
+  cdpr sensitivity studies/twin-tolerances.toml --engine linear --format json";
 
 /// Tell how the emerging pose and its tensions follow every number of the control model, of the machine, and of how the
 /// winches were set.
@@ -107,7 +107,7 @@ fn positive(text: &str) -> Result<f64, String> {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let tolerances = laboratory.study.tolerances.clone().unwrap_or_default();
     let offsets = match arguments.offsets {
         None => tolerances.offsets,

@@ -61,7 +61,7 @@ struct Simulated {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.study.remarks().iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let progress = Progress::spinner("measuring");
     let Simulation { mut samples, left_out, .. } = laboratory.record(arguments.seed)?;
     drop(progress);

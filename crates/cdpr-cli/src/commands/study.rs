@@ -76,8 +76,7 @@ struct Run<'a> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let bytes = files::read(&arguments.study, Size::Text)?;
     let laboratory = Laboratory::read(&arguments.study)?;
-    let mut remarks = laboratory.study.remarks();
-    remarks.iter().for_each(|remark| output.remark(remark));
+    laboratory.introduce(output);
     let commands = laboratory.untested_poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
     if poses.is_empty() {
@@ -86,11 +85,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let driving = laboratory.driving()?;
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
-    let out_of_reach = found.remark(&laboratory.machine);
-    out_of_reach.iter().for_each(|remark| output.remark(remark));
-    remarks.extend(out_of_reach);
+    found.remark(&laboratory.machine).iter().for_each(|remark| output.remark(remark));
     let reason = reason(&found);
-    let page = page(&laboratory, &arguments, &found, remarks.into_iter().chain(reason.clone()).collect())?;
+    let page = page(&laboratory, &arguments, &found, output.remarks().into_iter().chain(reason.clone()).collect())?;
     drop(progress);
     let mut made = tables::maps(&found, &laboratory.machine);
     made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
@@ -116,8 +113,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         seed: arguments.seed,
         files: made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect(),
     };
-    let json = serde_json::to_vec_pretty(&answer).map_err(|error| Failure::unwritable("result.json", &error))?;
-    made.push(NamedFile::new("result.json", json));
+    made.push(NamedFile::new("result.json", output.file(&answer, "result.json")?));
     write(&arguments.out, &made)?;
     output.answer(&answer)
 }

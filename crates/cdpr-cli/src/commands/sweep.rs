@@ -113,15 +113,24 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     match arguments.step {
         StepOfSweep::All { sweep, out } => {
             plan(&sweep, &out, output)?;
-            compute(&out, Shard { number: 1, count: 1 })?;
-            output.answer(&Merged::of(&out, &Plan::read(&out)?)?)
+            let plan = Plan::read(&out)?;
+            compute(&out, &plan, Shard { number: 1, count: 1 })?;
+            output.answer(&Merged::of(&out, &plan, output)?)
         }
         StepOfSweep::Plan { sweep, out } => {
             let planned = plan(&sweep, &out, output)?;
             output.answer(&planned)
         }
-        StepOfSweep::Run { folder, shard } => output.answer(&compute(&folder, shard)?),
-        StepOfSweep::Merge { folder } => output.answer(&Merged::of(&folder, &Plan::read(&folder)?)?),
+        StepOfSweep::Run { folder, shard } => {
+            let plan = Plan::read(&folder)?;
+            plan.introduce(output)?;
+            output.answer(&compute(&folder, &plan, shard)?)
+        }
+        StepOfSweep::Merge { folder } => {
+            let plan = Plan::read(&folder)?;
+            plan.introduce(output)?;
+            output.answer(&Merged::of(&folder, &plan, output)?)
+        }
     }
 }
 
@@ -131,7 +140,6 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
     let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
     let study_bytes = files::read(&study_path, Size::Text)?;
     let study = Study::from_toml_bytes(&study_bytes, &study_path.display().to_string())?;
-    study.remarks().iter().for_each(|remark| output.remark(remark));
     let folder = study_path.parent().unwrap_or(Path::new(""));
     let robot = |name: &str| Ok::<String, Failure>(robot_of_study(name, folder)?.to_toml());
     let subjects = Subjects {
@@ -142,6 +150,7 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
     };
     check(&sweep, &subjects).map_err(|error| Failure::refused(&name, &error))?;
     let plan = Plan::new(sweep, subjects);
+    plan.introduce(output)?;
     plan.write(out)?;
     let points = plan.points.len();
     Ok(Progressed {
@@ -157,17 +166,16 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
     })
 }
 
-fn compute(folder: &Path, shard: Shard) -> Result<Progressed, Failure> {
-    let plan = Plan::read(folder)?;
+fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<Progressed, Failure> {
     let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
     let progress = Progress::of(mine.len(), "sweeping");
     let (mut computed, mut already_there) = (0, 0);
     for &point in &mine {
-        match RowFile::read(folder, &plan, point)? {
+        match RowFile::read(folder, plan, point)? {
             Some(_) => already_there += 1,
             None => {
                 let row = row(&plan.sweep, &plan.subjects, point, &plan.points[point]);
-                RowFile::write(folder, &plan, row)?;
+                RowFile::write(folder, plan, row)?;
                 computed += 1;
             }
         }

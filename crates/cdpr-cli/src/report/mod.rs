@@ -16,6 +16,8 @@ mod table;
 mod tests;
 mod verdict;
 
+pub(crate) use verdict::times;
+
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::selection::{Criterion, Judgement, Selection};
 use cdpr::measurement::{Fold, Samples, SensorSigmas};
@@ -46,6 +48,8 @@ pub(crate) struct Report<'a> {
     pub(crate) robot: &'a Robot,
     /// All samples, those of the fit and those of the validation.
     pub(crate) samples: &'a Samples,
+    /// How many of the samples `data_name` has.
+    pub(crate) data_count: usize,
     /// How the samples were parted.
     pub(crate) folds: &'a [Fold],
     /// False where the model is judged by the data that it was fitted to.
@@ -79,7 +83,7 @@ struct Shown<'a> {
     index: usize,
     name: &'a str,
     judgement: &'a Judgement,
-    /// The robot without free parameters, if that is a candidate.
+    /// The model that the robot runs without calibration, if that is a candidate.
     as_given: Option<Named<'a>>,
 }
 
@@ -93,10 +97,7 @@ impl<'a> Shown<'a> {
         let all = || 0..selection.candidates.len();
         let index = selection.recommended.or(selection.best).or_else(|| all().find(|&k| judged(k).is_some()))?;
         let Named { name, judgement, .. } = judged(index)?;
-        let own = selection.candidates[index].candidate.composition;
-        let is_given = |k: &usize| selection.candidates[*k].candidate.free.is_empty() && judged(*k).is_some();
-        let same = all().filter(is_given).find(|&k| selection.candidates[k].candidate.composition == own);
-        let as_given = same.or_else(|| all().find(is_given)).and_then(judged);
+        let as_given = selection.as_given().and_then(judged);
         Some(Self { index, name, judgement, as_given })
     }
 }
@@ -173,7 +174,7 @@ fn facts(input: &Report<'_>) -> Value {
         ("Cables", robot.cable_count().to_string()),
         ("Motion pattern", pattern_words(robot.motion_pattern)),
         ("Data", input.data_name.to_owned()),
-        ("Samples", input.samples.len().to_string()),
+        ("Samples", input.data_count.to_string()),
         ("Validation", input.validation_name.to_owned()),
         ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
         ("Criterion", format!("{} on {}", input.criterion.words(), input.data_words())),

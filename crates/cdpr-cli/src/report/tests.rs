@@ -119,6 +119,7 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
         robot,
         samples,
+        data_count: samples.len(),
         folds: &fifths(samples.len()),
         is_held_out: true,
         data_name: "data.csv",

@@ -30,7 +30,7 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     };
     let requirements: Value = judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
-    context! { class, heading, name, line => line(report, shown), comparison => comparison(report, shown), requirements,
+    context! { class, heading, name, line => line(report, shown), comparison => prose(&comparison(report, shown)), requirements,
     reason }
 }
 
@@ -72,13 +72,17 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
         _ => (given.judgement.criterion, shown.judgement.criterion),
     };
     let ratio = before / after;
-    let times = match ratio.is_finite() && ratio > 0.0 {
-        true if ratio >= 1.0 => format!(", {} times as large", number::significant(ratio, 2)),
-        true => format!(", smaller by the factor {}", number::significant(ratio, 2)),
-        false => String::new(),
-    };
     let before = criterion::words(report.criterion, before).unwrap_or_else(|| "no value".to_owned());
-    format!("as given: {before}{times}")
+    format!("today, `{}` as given: {before}{}", given.name, times(ratio))
+}
+
+/// How an error compares with the one of the verdict, `ratio` times as large; nothing where one of them is unknown.
+pub(crate) fn times(ratio: f64) -> String {
+    match ratio.is_finite() && ratio > 0.0 {
+        true if ratio >= 1.0 => format!(", {} times as large", number::significant(ratio, 2)),
+        true => format!(", smaller by the factor {}", number::significant(1.0 / ratio, 2)),
+        false => String::new(),
+    }
 }
 
 fn requirement(outcome: &RequirementOutcome) -> Value {

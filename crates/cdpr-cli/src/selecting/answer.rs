@@ -1,14 +1,14 @@
 //! The answer of a comparison, for scripts and for people.
 
 use cdpr::identification::fit::{Estimate, Status};
-use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome};
+use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome, Selection};
 use cdpr::identification::{Coverage, ErrorBlocks, coverage};
 use serde::Serialize;
 
 use super::Compared;
 use crate::answer::Answer;
 use crate::error_table::convergence_remark;
-use crate::report::Report;
+use crate::report::{Report, times};
 use crate::table::{Table, cell};
 
 /// What `select` and `demo` answer.
@@ -17,6 +17,7 @@ pub(crate) struct Selected {
     status: &'static str,
     robot: String,
     data: String,
+    /// Of `data`; samples of a file for validation are told in `validation`.
     samples: usize,
     validation: String,
     criterion: Criterion,
@@ -24,6 +25,9 @@ pub(crate) struct Selected {
     best: Option<String>,
     recommended: Option<String>,
     reason: String,
+    /// The model that the robot runs before any calibration, against the recommended, else the best one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_given: Option<AsGiven>,
     /// Poses of the fit and of the validation.
     coverage: Coverage,
     seed: u64,
@@ -79,6 +83,26 @@ struct JudgedAnswer {
     caution_words: String,
 }
 
+/// The criterion of the model as given, and how many times as large it is.
+#[derive(Serialize)]
+struct AsGiven {
+    name: String,
+    criterion: f64,
+    ratio: f64,
+}
+
+impl AsGiven {
+    /// Nothing where the verdict is about the model as given itself, or that is no candidate or cannot be judged.
+    fn of(selection: &Selection) -> Option<Self> {
+        let chosen = selection.recommended.or(selection.best)?;
+        let given = selection.as_given().filter(|given| *given != chosen)?;
+        let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok().map(|judged| judged.criterion);
+        let (before, after) = (judged(given)?, judged(chosen)?);
+        let name = selection.candidates[given].name.clone();
+        (before.is_finite() && after.is_finite()).then(|| Self { name, criterion: before, ratio: before / after })
+    }
+}
+
 #[derive(Serialize)]
 struct FoldAnswer {
     name: String,
@@ -99,20 +123,24 @@ impl Selected {
     pub(crate) fn new(told: &Report<'_>) -> Self {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
+        let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
+        let mut warnings = told.warnings.to_vec();
+        warnings.extend(chosen.iter().flat_map(|judgement| &judgement.fit.warnings).cloned());
         Self {
             status: if selection.recommended.is_some() { "recommended" } else { "none-good-enough" },
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
-            samples: told.samples.len(),
+            samples: told.data_count,
             validation: told.validation_name.to_owned(),
             criterion: told.criterion,
             candidates: selection.candidates.iter().map(CandidateAnswer::new).collect(),
             best: name(selection.best),
             recommended: name(selection.recommended),
             reason: selection.reason.clone(),
+            as_given: AsGiven::of(selection),
             coverage: coverage(told.robot, told.samples, told.folds),
             seed: told.seed,
-            warnings: told.warnings.to_vec(),
+            warnings,
             out: None,
             timing: None,
         }
@@ -189,13 +217,16 @@ impl Answer for Selected {
             Some(name) => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
             None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
         }
+        if let Some(AsGiven { name, criterion, ratio }) = &self.as_given {
+            let value = self.criterion.format(*criterion);
+            text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
+        }
         let chosen = self.candidates.iter().find(|candidate| Some(&candidate.name) == self.recommended.as_ref());
         let own = chosen.and_then(|candidate| candidate.judged.as_ref());
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
         }
-        let remarks = self.warnings.iter().chain(own.iter().flat_map(|judged| &judged.warnings));
-        for (index, remark) in remarks.enumerate() {
+        for (index, remark) in self.warnings.iter().enumerate() {
             text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
         }
         if let Some(out) = &self.out {

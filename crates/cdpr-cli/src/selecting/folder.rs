@@ -8,6 +8,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::{Compared, Selected, figure_tables};
+use crate::envelope::Envelope;
 use crate::failure::Failure;
 use crate::files;
 use crate::report::render;
@@ -152,8 +153,8 @@ fn run_file(compared: &Compared) -> Result<String, Failure> {
 }
 
 fn result(compared: &Compared) -> Result<String, Failure> {
-    serde_json::to_string_pretty(&Selected::with_timing(compared))
-        .map(|text| text + "\n")
+    Envelope::default()
+        .file(&Selected::with_timing(compared))
         .map_err(|error| Failure::unwritable("result.json", &error))
 }
 

@@ -85,6 +85,8 @@ impl From<CriterionName> for Criterion {
 pub(crate) struct Comparison {
     pub(crate) robot: Robot,
     pub(crate) samples: Samples,
+    /// How many of the samples `data_name` has; the others are of another file, for validation alone.
+    pub(crate) data_count: usize,
     pub(crate) folds: Vec<Fold>,
     /// Where the samples come from.
     pub(crate) data_name: String,
@@ -119,6 +121,7 @@ impl Compared {
             command: &comparison.command,
             robot: &comparison.robot,
             samples: &comparison.samples,
+            data_count: comparison.data_count,
             folds: &comparison.folds,
             is_held_out: true,
             data_name: &comparison.data_name,
@@ -214,6 +217,8 @@ fn time_inverse(judged: &cdpr::identification::selection::Judged, samples: &Samp
 /// Samples, folds and words for the way validation data were chosen.
 pub(crate) struct Parted {
     pub(crate) samples: Samples,
+    /// How many of the samples are of the first file.
+    pub(crate) data_count: usize,
     pub(crate) folds: Vec<Fold>,
     pub(crate) words: String,
 }
@@ -226,7 +231,8 @@ pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Re
         train: (0..train.len()).collect(),
         validation: (train.len()..samples.len()).collect(),
     };
-    Ok(Parted { samples, folds: vec![fold], words: format!("{} samples of {name}", validation.len()) })
+    let words = format!("{} samples of {name}", validation.len());
+    Ok(Parted { samples, data_count: train.len(), folds: vec![fold], words })
 }
 
 /// Training and validation data from one file: by the split asked for, else by the column `set` where it tells, else by
@@ -245,5 +251,5 @@ pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Res
         Split::KFold(count) => format!("{count} random parts, each held out in turn"),
         Split::Region(count) => format!("{count} regions of the workspace, each held out in turn"),
     };
-    Ok(Parted { samples, folds, words })
+    Ok(Parted { data_count: samples.len(), samples, folds, words })
 }

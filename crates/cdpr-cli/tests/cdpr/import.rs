@@ -3,7 +3,7 @@
 use super::{Run, cdpr_in, numbers};
 
 /// A platform in three cables, one of them a passive spring.
-fn model() -> tempfile::TempDir {
+pub(crate) fn model() -> tempfile::TempDir {
     let bodies = r#"<bodies_system><links><link_rigid num="1" name="Plate">
 <joint type="T_XYZ" q_initial="1 1 1" q_min="0 0 0" q_max="2 2 2"/>
 <physical><mass>2</mass><com_location>0 0 0</com_location><end_location>0 0 1</end_location>

@@ -10,6 +10,7 @@ mod criteria;
 mod dissertation;
 mod effects;
 mod elastic_models;
+mod envelope;
 mod equilibrium;
 mod explanations;
 mod export;

@@ -45,7 +45,7 @@ fn what_is_missing_or_wrong_is_named() {
     let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
     for (arguments, faults) in [
         ("--pose 5,4", vec!["gravity_m_s2", "--wrench"]),
-        ("--pose 5,4 --wrench 0,-10", vec!["cable 2", "tension_min_N", "--min"]),
+        ("--pose 5,4 --wrench 0,-10", vec!["square.toml: the tension limits of cable 2", "tension_min_N", "--min"]),
         ("--pose 5,4 --wrench 0,-10 --min 1", vec!["cable 2", "tension_max_N", "--max"]),
         ("--pose 5,4 --wrench 0,-10 --min 9 --max 1", vec!["--min", "above the largest 1 N"]),
         ("--pose 5,4 --wrench 0,-10,0", vec!["takes the wrench components fx,fy, found 3 numbers"]),

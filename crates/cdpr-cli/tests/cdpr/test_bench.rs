@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{SQUARE, cdpr_in, file_with};
 
 /// Two cycles of a stiffening cable with friction, by Bouc's and Wen's equation, in millimetres and kilonewtons.
-fn record() -> String {
+pub(crate) fn record() -> String {
     let mut text = "t_s,elongation_mm,tension_kN\n".to_owned();
     let (mut before, mut z) = (0.0, -1.0_f64);
     for row in 0..1204 {

@@ -14,7 +14,7 @@ use super::candidate::Candidate;
 use super::evaluation::{ErrorBlocks, Evaluation, evaluate_fitted};
 use super::fit::{self, Fit, fit};
 use crate::measurement::{Fold, Samples};
-use crate::model::Model;
+use crate::model::{Composition, Model};
 use crate::robot::Robot;
 
 /// How candidates are compared.
@@ -85,6 +85,17 @@ pub struct Selection {
     pub recommended: Option<usize>,
     /// The reason in words and numbers.
     pub reason: String,
+}
+
+impl Selection {
+    /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
+    /// freed, else the first with nothing freed.
+    pub fn as_given(&self) -> Option<usize> {
+        let is_given = |judged: &Judged| judged.candidate.free.is_empty() && judged.outcome.is_ok();
+        let is_plain = |judged: &Judged| judged.candidate.composition == Composition::STANDARD;
+        let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
+        plain.or_else(|| self.candidates.iter().position(is_given))
+    }
 }
 
 /// A comparison that cannot be made.

@@ -19,6 +19,7 @@ pub(super) struct ResultData {
     pub(super) criterion: Criterion,
     /// The candidates, from simple to complex; none for an identification.
     pub(super) candidates: Vec<CandidateData>,
+    pub(super) robot: Option<String>,
     pub(super) best: Option<String>,
     pub(super) recommended: Option<String>,
     /// The candidate that all other figures are about.
@@ -84,6 +85,7 @@ struct ResultFile {
     best: Option<String>,
     recommended: Option<String>,
     model: Option<String>,
+    robot: Option<String>,
     rank: Option<usize>,
     #[serde(default)]
     parameters: Vec<ParameterData>,
@@ -116,6 +118,7 @@ impl ResultData {
             folder,
             criterion: criterion(answer.criterion.as_deref()),
             rank: own.and_then(|candidate| candidate.rank).or(answer.rank).unwrap_or(0),
+            robot: answer.robot,
             best: answer.best,
             recommended: answer.recommended,
             shown,

@@ -17,10 +17,12 @@ pub(super) fn page(
     task: &Task<'_>,
     other: Option<&cdpr::measurement::Samples>,
     reason: &str,
+    warnings: &[String],
 ) -> Result<String, Failure> {
     let arguments = task.arguments;
     let name = arguments.data.name();
     let all: Vec<usize> = (0..task.samples.len()).collect();
+    let data_count = task.samples.len();
     let (samples, folds) = match (other, arguments.split) {
         (Some(other), _) => {
             let parted = two_files(task.samples, other, &task.validation_name().unwrap_or_default())?;
@@ -58,6 +60,7 @@ pub(super) fn page(
         command: &command_line(),
         robot: task.model.robot(),
         samples: &samples,
+        data_count,
         folds: &folds,
         is_held_out: validation.is_some(),
         data_name: &name,
@@ -66,7 +69,7 @@ pub(super) fn page(
         criterion: Criterion::default(),
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
-        warnings: &[],
+        warnings,
     };
     render(&report).map_err(|error| Failure::unwritable("the report", &error))
 }

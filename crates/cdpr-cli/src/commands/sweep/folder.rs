@@ -2,11 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use cdpr::metamodel::Study;
 use cdpr::metamodel::sweep::{Row, Subjects, Sweep};
 use cdpr::reading::Size;
+use cdpr::robot::Robot;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::answer::Output;
+use crate::envelope::PROGRAM;
 use crate::failure::Failure;
 use crate::files;
 
@@ -25,7 +29,7 @@ pub(super) struct Plan {
 
 impl Plan {
     pub(super) fn new(sweep: Sweep, subjects: Subjects) -> Self {
-        let program = format!("cdpr {}", env!("CARGO_PKG_VERSION"));
+        let program = PROGRAM.to_owned();
         let points = sweep.points();
         let mut plan = Self { fingerprint: String::new(), program, sweep, subjects, points };
         plan.fingerprint = plan.digest();
@@ -35,6 +39,15 @@ impl Plan {
     fn digest(&self) -> String {
         let rest = serde_json::json!([self.program, self.sweep, self.subjects, self.points]);
         Sha256::digest(rest.to_string()).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}"))
+    }
+
+    /// Tells which robot the study is about, and the remarks on the study.
+    pub(super) fn introduce(&self, output: &Output) -> Result<(), Failure> {
+        let Subjects { study, machine, .. } = &self.subjects;
+        output.about(&Robot::from_toml_bytes(machine.as_bytes(), "the machine of the plan")?.name);
+        let study = Study::from_toml_bytes(study.as_bytes(), "the study of the plan")?;
+        study.remarks().iter().for_each(|remark| output.remark(remark));
+        Ok(())
     }
 
     /// Writes the plan, unless the folder has another one with rows.

@@ -6,7 +6,7 @@ use cdpr::metamodel::sweep::Row;
 use serde::Serialize;
 
 use super::folder::{Plan, RowFile};
-use crate::answer::Answer;
+use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::figures::{ShareCurve, Shares};
 use crate::files;
@@ -17,6 +17,8 @@ use crate::table::Table;
 #[derive(Serialize)]
 pub(super) struct Merged {
     status: &'static str,
+    /// Why no point has an answer.
+    reason: Option<String>,
     plan: String,
     parameters: Vec<String>,
     position_error_max_m: Vec<f64>,
@@ -51,7 +53,7 @@ impl MergedRow {
 
 impl Merged {
     /// Reads all rows and writes the result beside them; refuses rows of other plans and gaps.
-    pub(super) fn of(folder: &Path, plan: &Plan) -> Result<Self, Failure> {
+    pub(super) fn of(folder: &Path, plan: &Plan, output: &Output) -> Result<Self, Failure> {
         let strangers = RowFile::strangers(folder, plan)?;
         if strangers > 0 {
             let message = format!(
@@ -74,8 +76,10 @@ impl Merged {
         }
         let rows: Vec<MergedRow> = rows.into_iter().flatten().map(MergedRow::of).collect();
         let is_beyond = rows.iter().any(|row| is_beyond_the_whole(row.share));
+        let reason = nowhere(&rows);
         let mut merged = Self {
-            status: "merged",
+            status: if reason.is_none() { "merged" } else { "no-answers" },
+            reason,
             plan: plan.fingerprint.clone(),
             parameters: plan.sweep.parameter.iter().map(|parameter| parameter.key.clone()).collect(),
             position_error_max_m: plan.sweep.position_error_max_m.clone(),
@@ -87,10 +91,10 @@ impl Merged {
         if figure.is_some() {
             merged.files.push("result.svg".to_owned());
         }
-        let json = serde_json::to_vec_pretty(&merged).map_err(|error| Failure::unwritable("the result", &error))?;
+        let json = output.file(&merged, "result.json")?;
         let csv = merged.csv();
         let paths: Vec<_> = merged.files.iter().map(|name| folder.join(name)).collect();
-        let contents = [Some(json), Some(csv.into_bytes()), figure.map(String::into_bytes)];
+        let contents = [Some(json.into_bytes()), Some(csv.into_bytes()), figure.map(String::into_bytes)];
         let contents: Vec<Vec<u8>> = contents.into_iter().flatten().collect();
         let all: Vec<(&Path, &[u8])> =
             paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
@@ -135,6 +139,13 @@ impl Merged {
     }
 }
 
+/// Why no point of the sweep has an answer, by the first of them.
+fn nowhere(rows: &[MergedRow]) -> Option<String> {
+    let first = rows.first()?.row.reason.as_deref()?;
+    let is_none = rows.iter().all(|row| row.row.reason.is_some());
+    is_none.then(|| format!("none of {} points has an answer; the first: {first}", rows.len()))
+}
+
 /// A key as the label of an axis: its last word with its unit, and whose it is.
 fn axis_label(key: &str) -> String {
     let (owner, name) = key.rsplit_once('.').map_or(("", key), |(owner, name)| (owner, name));
@@ -150,7 +161,7 @@ fn axis_label(key: &str) -> String {
 
 impl Answer for Merged {
     fn is_negative(&self) -> bool {
-        self.rows.iter().all(|row| row.row.reason.is_some())
+        self.reason.is_some()
     }
 
     fn words(&self) -> String {
