@@ -242,7 +242,7 @@ pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Res
     let split = match (split, &by_column) {
         (Some(split), _) => split,
         (None, Ok(_)) => Split::Column,
-        (None, Err(_)) => Split::Blocks(5.min(samples.len())),
+        (None, Err(_)) => Split::Blocks(samples.len().clamp(2, 5)),
     };
     let folds = split.folds(&samples, seed).map_err(|error| Failure::refused("--split", &error))?;
     let words = match split {

@@ -51,7 +51,11 @@ fn a_byte_order_mark_crlf_blanks_and_a_nameless_last_column_do_no_harm() {
 fn a_column_that_is_nearly_named_right_is_shown_with_its_right_name() {
     for (wrong, place, words) in [
         (HEADER.replace("z_m", "z"), "data.csv:1:5", ["`z_m` is missing; is it this one, `z`?", "name it `z_m`"]),
-        (HEADER.replace("x_m", "X [mm]"), "data.csv:1:1", ["`X [mm]`?", "also accepted: mm"]),
+        (
+            HEADER.replace("x_m", "X [mm]"),
+            "data.csv:1:1",
+            ["`X [mm]`?", "name it `x_mm`; names are in small letters with the unit at its place (also accepted: mm"],
+        ),
         (HEADER.replace("length_m_", "length_"), "data.csv:1:9", ["`cable_length_1`?", "name it `cable_length_m_1`"]),
         (HEADER.replace("cable_length_m_", "L"), "data.csv:1:9", ["`L1`?", "name it `cable_length_m_1`"]),
         (HEADER.to_uppercase(), "data.csv:1:1", ["`X_M`?", "small letters"]),

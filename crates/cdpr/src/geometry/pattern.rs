@@ -137,7 +137,7 @@ pub enum PatternError {
         /// Name of the pattern.
         pattern: &'static str,
         /// The components it takes.
-        components: &'static str,
+        components: String,
         /// How many numbers were given.
         found: usize,
     },
@@ -168,13 +168,22 @@ impl MotionPattern {
         basis
     }
 
-    /// Pose from the components of [`MotionPattern::pose_components`] (m, rad).
+    /// Names of the pose components, of a planar robot with the letters of its plane.
+    pub fn component_names(self, plane: Plane) -> Vec<String> {
+        let mut names: Vec<String> = self.pose_components().split(',').map(str::to_owned).collect();
+        if self.is_planar() {
+            plane.axes().chars().zip(&mut names).for_each(|(axis, name)| *name = axis.to_string());
+        }
+        names
+    }
+
+    /// Pose from the components of [`MotionPattern::component_names`] (m, rad).
     pub fn pose(self, plane: Plane, components: &[f64]) -> Result<Pose, PatternError> {
         let (expected, found) = (self.dof(), components.len());
         if expected != found {
             return Err(PatternError::ComponentCount {
                 pattern: self.name(),
-                components: self.pose_components(),
+                components: self.component_names(plane).join(","),
                 found,
             });
         }

@@ -66,12 +66,8 @@ pub fn coverage(robot: &Robot, samples: &Samples, folds: &[Fold]) -> Coverage {
 /// Names of the pose's components with their units; translations of a planar robot have the letters of its plane.
 fn names(robot: &Robot) -> Vec<(String, &'static str)> {
     let translations = robot.motion_pattern.translations();
-    let mut letters: Vec<String> = robot.motion_pattern.pose_components().split(',').map(str::to_owned).collect();
-    if robot.motion_pattern.is_planar() {
-        letters.iter_mut().zip(robot.plane.axes().chars()).for_each(|(name, letter)| *name = letter.to_string());
-    }
     let unit = |k: usize| if k < translations { "m" } else { "rad" };
-    letters.into_iter().enumerate().map(|(k, name)| (name, unit(k))).collect()
+    robot.motion_pattern.component_names(robot.plane).into_iter().enumerate().map(|(k, name)| (name, unit(k))).collect()
 }
 
 fn range(all: &[Vec<f64>], samples: &[usize], component: usize) -> (f64, f64) {

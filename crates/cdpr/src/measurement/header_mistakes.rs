@@ -80,6 +80,15 @@ pub(super) fn probably_meant<'a>(missing: &str, unclaimed: &[&'a str]) -> Option
     unclaimed.iter().copied().find(|name| is_meant(name)).or_else(alike)
 }
 
+/// The name of a missing column in the unit that the column meant by it has, e.g. `angle_deg` for `phi_deg`.
+pub(super) fn in_its_unit(missing: &str, meant: &str) -> String {
+    let meant = meant.to_lowercase();
+    let has = |unit: &str| meant.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == unit);
+    let other = [("m", "mm"), ("rad", "deg"), ("N", "kN")].into_iter().find(|(_, unit)| has(&unit.to_lowercase()));
+    let Some((si, unit)) = other else { return missing.to_owned() };
+    missing.split('_').map(|part| if part == si { unit } else { part }).collect::<Vec<_>>().join("_")
+}
+
 /// Whether what follows a stem is nothing or `_` and a unit.
 fn is_unit(rest: &str) -> bool {
     rest.is_empty() || rest.starts_with('_') && UNITS.contains(&rest[1..].to_lowercase().as_str())
@@ -105,6 +114,18 @@ mod tests {
         }
         assert_eq!(probably_meant("z_m", &["time", "operator", ""]), None);
         assert_eq!(probably_meant("cable_length_m_2", &["l1", "l3"]), None);
+    }
+
+    #[test]
+    fn the_unit_of_the_column_that_was_meant_is_kept() {
+        for (missing, meant, named) in [
+            ("x_m", "X [mm]", "x_mm"),
+            ("angle_rad", "phi_deg", "angle_deg"),
+            ("tension_N_3", "Force3_kN", "tension_kN_3"),
+            ("cable_length_m_2", "L2 (m)", "cable_length_m_2"),
+        ] {
+            assert_eq!(in_its_unit(missing, meant), named);
+        }
     }
 
     #[test]

@@ -210,10 +210,14 @@ pub fn did_you_mean<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -
     (best.0 > 0.8).then_some(best.1)
 }
 
-/// Help for a name that is not known: the probable one, and all that are allowed.
+/// Most names that stand beside the one that was probably meant.
+const LISTED: usize = 12;
+
+/// Help for a name that is not known: the probable one, and all that are allowed unless they are many.
 pub fn help_for_unknown(wrong: &str, known: &[&str]) -> String {
     let allowed = format!("allowed: {}", known.join(", "));
     match did_you_mean(wrong, known.iter().copied()) {
+        Some(meant) if known.len() > LISTED => format!("did you mean `{meant}`?"),
         Some(meant) => format!("did you mean `{meant}`? {allowed}"),
         None => allowed,
     }

@@ -53,7 +53,8 @@ impl CsvFile<'_> {
                 .error(code, format!("the column `{name}` is missing; is it this one, `{meant}`?"))
                 .at(place)
                 .with_help(format!(
-                    "name it `{name}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN)"
+                    "name it `{}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN)",
+                    header_mistakes::in_its_unit(name, meant)
                 ));
         }
         let robot = self.robot;
