@@ -40,16 +40,21 @@ impl Envelope<'_> {
         let Keys(own) = serde_json::from_str(answer)?;
         let mut warnings: Vec<String> = Vec::new();
         let (mut status, mut robot) = (to_raw_value(self.status)?, self.robot.map(to_raw_value).transpose()?);
+        let mut own_remark: Option<String> = None;
         let mut rest = Vec::new();
         for (key, value) in own {
             match key.as_str() {
                 "status" => status = value,
                 "robot" => robot = Some(value),
                 "warnings" => warnings = serde_json::from_str(value.get())?,
+                "remark" => {
+                    own_remark = serde_json::from_str(value.get())?;
+                    rest.push((key, value));
+                }
                 _ => rest.push((key, value)),
             }
         }
-        for remark in self.remarks {
+        for remark in own_remark.iter().chain(self.remarks) {
             if !warnings.contains(remark) {
                 warnings.push(remark.clone());
             }
@@ -110,17 +115,18 @@ mod tests {
         zeta: f64,
         status: &'static str,
         warnings: [&'static str; 1],
+        remark: &'static str,
         alpha: [u8; 2],
     }
 
-    const OWN: Own = Own { zeta: f64::NAN, status: "found", warnings: ["own"], alpha: [1, 2] };
+    const OWN: Own = Own { zeta: f64::NAN, status: "found", warnings: ["own"], remark: "odd", alpha: [1, 2] };
 
     #[test]
     fn own_keys_keep_their_order_and_win_and_remarks_follow_own_warnings() {
         let remarks = ["own".to_owned(), "told".to_owned()];
         let line = Envelope { robot: Some("crane"), remarks: &remarks, status: "done" }.line(&OWN).unwrap();
         let expected = format!(
-            r#"{{"program":"{PROGRAM}","layout_version":1,"status":"found","robot":"crane","zeta":null,"alpha":[1,2],"warnings":["own","told"]}}"#
+            r#"{{"program":"{PROGRAM}","layout_version":1,"status":"found","robot":"crane","zeta":null,"remark":"odd","alpha":[1,2],"warnings":["own","odd","told"]}}"#
         );
         assert_eq!(line, expected);
     }

@@ -266,13 +266,12 @@ impl Answer for Check {
             home.feasible_note,
             self.models.words(),
         );
-        text.push_str(&missing_effects::section(&self.models.missing));
         if self.warnings.is_empty() {
             text.push_str("\nno warnings\n");
         } else {
             text.push_str("\nwarnings\n");
             self.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
         }
-        text
+        text + &missing_effects::section(&self.models.missing)
     }
 }
