@@ -107,7 +107,7 @@ fn no_anchor_of_the_planar_example_moves_the_platform_by_more_than_itself() {
 #[test]
 fn the_printed_error_and_the_printed_areas_belong_to_different_stiffnesses() {
     assert_near(&answer("accuracy", "planar-stiff", "")["position_error_m"]["max"], 0.0227, 1e-4);
-    let stiff = answer("reachable", "planar-stiff", "--method hull --rays 36");
+    let stiff = answer("reachable", "planar-stiff", "--method hull --rays 36 --bounds=-6,6,-1,9");
     assert_near(&stiff["share"], 0.709, 0.001);
     let soft = answer("reachable", "planar-wide-grid", "--method hull --rays 36");
     assert_near(&soft["share"], 0.733, 0.001);

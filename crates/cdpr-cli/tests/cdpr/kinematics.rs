@@ -22,8 +22,8 @@ fn every_cable_may_have_its_own_swivel_axis() {
         placed.cables.iter().map(|cable| cable.pulley_swivel_axis.unwrap()).map(|axis| [axis.x, axis.y]).collect();
     assert_eq!(found, [[0.0, 1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]]);
     let angle = |cable: usize| -> f64 {
-        let run = cdpr_in(folder.path(), "ik placed.toml --model pulley --format json");
-        let (with, without) = (run.json(), cdpr("ik planar-example --format json").json());
+        let run = cdpr_in(folder.path(), "ik placed.toml --model pulley --pose 0,5.2 --format json");
+        let (with, without) = (run.json(), cdpr("ik planar-example --pose 0,5.2 --format json").json());
         let length = |answer: &serde_json::Value| super::numbers(&answer["cable_lengths_m"])[cable];
         (length(&with) - length(&without)) / 0.15
     };
