@@ -14,7 +14,7 @@ const MADE: [&str; 4] = ["notices.txt", "viewer.css", "viewer.js", "viewer.stamp
 
 /// Passes when the bundle is what its sources make and every page is as it should be; says why where it cannot look.
 pub(crate) fn check(root: &Path) -> Outcome {
-    let tools = match Tools::find().or_else(|missing| Tools::install(&missing)) {
+    let tools = match Tools::found_or_installed() {
         Ok(tools) => tools,
         Err(reason) => return skipped(&reason),
     };
@@ -31,6 +31,12 @@ pub(crate) fn check(root: &Path) -> Outcome {
         Ok(pages) => Outcome { passed: 1 + pages, ..Outcome::default() },
         Err(complaint) => Outcome::of(vec![complaint]),
     }
+}
+
+/// Sees to it that there are a browser, Node and the packages of `viewer/`.
+pub(crate) fn fetch(root: &Path) -> Result<(), String> {
+    Tools::found_or_installed()?;
+    packages(root)
 }
 
 /// Builds the viewer into the folder of the command.
@@ -55,6 +61,10 @@ struct Tools {
 }
 
 impl Tools {
+    fn found_or_installed() -> Result<Self, String> {
+        Self::find().or_else(|missing| Self::install(&missing))
+    }
+
     /// The programs on the search path, or what is missing.
     fn find() -> Result<Self, String> {
         let chromium = std::env::var_os("CDPR_CHROMIUM")

@@ -30,7 +30,7 @@ const BUILDS: [Build; 2] = [
 
 /// Complains of work that takes noticeably more instructions than the committed counts say.
 pub(crate) fn check(root: &Path) -> Outcome {
-    if let Err(reason) = callgrind() {
+    if let Err(reason) = fetch() {
         return skipped(&reason);
     }
     let reference = std::fs::read_to_string(root.join(REFERENCE)).map_err(|error| format!("{REFERENCE}: {error}"));
@@ -49,7 +49,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
 
 /// Makes the counts of now the committed ones.
 pub(crate) fn accept(root: &Path) -> Result<(), String> {
-    callgrind()?;
+    fetch()?;
     let counts = counts(root)?;
     std::fs::write(root.join(REFERENCE), counts.to_toml()).map_err(|error| format!("{REFERENCE}: {error}"))?;
     println!("wrote {REFERENCE}");
@@ -66,7 +66,7 @@ fn skipped(reason: &str) -> Outcome {
 }
 
 /// Sees to it that there is a valgrind.
-fn callgrind() -> Result<(), String> {
+pub(crate) fn fetch() -> Result<(), String> {
     if on_path("valgrind").is_some() {
         return Ok(());
     }

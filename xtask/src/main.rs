@@ -1,6 +1,7 @@
 //! Development tasks of the workspace. `cargo xtask test` checks everything that a change has to pass.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a terminal program that talks to its developer")]
 
+mod ahead;
 mod book;
 mod browser;
 mod cargo;

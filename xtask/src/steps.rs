@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{book, browser, cargo, command, documents, examples, format, generated, instructions, judge, layers};
 
@@ -129,14 +130,21 @@ const STEPS: &[Step] = &[
     },
 ];
 
+/// Steps that need what is fetched ahead.
+const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];
+
 /// Runs all steps, or one; prints the closing line `N passed, N failed`.
 pub(crate) fn run(root: &Path, only: Option<&str>) -> Result<(), String> {
     let steps: Vec<&Step> = STEPS.iter().filter(|step| only.is_none_or(|name| name == step.name)).collect();
     if steps.is_empty() {
         return Err(format!("no step is called `{}`; there are: {}", only.unwrap_or_default(), names().join(", ")));
     }
+    let mut ahead = if only.is_none() { Ahead::start(root) } else { Ahead::nothing() };
     let (mut passed, mut failed) = (0, 0);
     for step in steps {
+        if FETCHED_FOR.contains(&step.name) {
+            ahead.wait();
+        }
         println!("\n── {} {}", step.name, "─".repeat(60_usize.saturating_sub(step.name.len())));
         let start = Instant::now();
         let outcome = step.action.run(root);
@@ -186,6 +194,12 @@ impl Action {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A step renamed would run without what is fetched for it.
+    #[test]
+    fn what_is_fetched_ahead_is_for_steps_that_exist() {
+        FETCHED_FOR.iter().for_each(|name| assert!(names().contains(name), "{name}"));
+    }
 
     /// `--only` could not tell two steps of one name apart.
     #[test]
