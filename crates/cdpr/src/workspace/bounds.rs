@@ -81,8 +81,8 @@ impl Bounds {
         Self::new(ends.len(), ends.as_flattened())
     }
 
-    /// The box of frame anchors, travel and home position, wider where a region reaches beyond it on a coarse grid of the box
-    /// [around](Self::around) the robot; that box itself where it holds no point of the grid, or where the grid has more points
+    /// The box of frame anchors, travel and home position, wider where a region reaches out of it, or so near to its faces that a coarse
+    /// grid of the box [around](Self::around) the robot cannot tell (one and a half of its cells); that box itself where it holds no point of the grid, or where the grid has more points
     /// than these.
     pub fn about(region: &Region<'_>, model: &Model, most_points: f64) -> Result<Self, WorkspaceError> {
         let around = Self::around(model)?;
@@ -221,7 +221,7 @@ mod tests {
 
     /// A ball in the middle of the frame is looked for in the frame, one that reaches out of it a little further.
     #[test]
-    fn the_box_about_a_region_is_that_of_the_frame_unless_the_region_reaches_out_of_it() {
+    fn the_box_about_a_region_is_that_of_the_frame_unless_the_region_may_reach_out_of_it() {
         struct Ball(f64);
         impl Criterion for Ball {
             fn name(&self) -> &str {
@@ -246,7 +246,7 @@ mod tests {
             Bounds::about(&region, &model, 1e6).unwrap().ends()
         };
         let frame = [-5.461, 5.218, -6.509, 7.677, -1.242, 6.642];
-        assert_eq!(ends(2.0), frame);
+        assert_eq!(ends(1.0), frame);
         let wider = ends(3.0);
         assert!(wider[4] < -2.0 && wider[4] > -3.6 && wider[5] == frame[5] && wider[..4] == frame[..4], "{wider:?}");
         assert_eq!(ends(0.0), Bounds::around(&model).unwrap().ends());
