@@ -40,7 +40,7 @@ impl Criterion {
         }
     }
 
-    /// Name of the error figure that [`Requirement`] limits, without its unit.
+    /// Name of the error figure that [`Requirement`](super::Requirement) limits, without its unit.
     pub fn metric(self) -> &'static str {
         match self {
             Self::Position => "position_mean",
