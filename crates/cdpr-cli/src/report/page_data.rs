@@ -1,7 +1,7 @@
 //! The data that the script of the page draws from: one JSON block. `viewer/src/data.ts` is its reader.
 //!
-//! SI units, named in the keys. The block holds `result.json` without wall times, and what charts need besides: the robot as given
-//! and calibrated, and the judged samples with the errors of both models. No physics is left to the script.
+//! SI units, named in the keys. The block holds `result.json` without wall times and the marks of a JSON answer, and what charts need
+//! besides: the robot as given and calibrated, and the judged samples with the errors of both models. No physics is left to the script.
 
 use cdpr::geometry::Pose;
 use cdpr::identification::Evaluation;

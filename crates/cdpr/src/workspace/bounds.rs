@@ -246,7 +246,7 @@ mod tests {
             Bounds::about(&region, &model, 1e6).unwrap().ends()
         };
         let frame = [-5.461, 5.218, -6.509, 7.677, -1.242, 6.642];
-        assert_eq!(ends(1.0), frame);
+        assert_eq!(ends(0.9), frame);
         let wider = ends(3.0);
         assert!(wider[4] < -2.0 && wider[4] > -3.6 && wider[5] == frame[5] && wider[..4] == frame[..4], "{wider:?}");
         assert_eq!(ends(0.0), Bounds::around(&model).unwrap().ends());
