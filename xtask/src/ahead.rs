@@ -1,4 +1,5 @@
-//! What later steps wait for, fetched while the first steps compile: programs of the machine, packages of the viewer and of the judges, mdbook.
+//! Fetches what later steps wait for while the first steps compile: programs of the machine, packages of the viewer and of the judges,
+//! mdbook.
 
 use std::path::Path;
 use std::thread::{self, JoinHandle};

@@ -55,8 +55,9 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
     outcome
 }
 
-/// The examples, with the features of the step `library`, so that they link what it built.
-const EXAMPLES: [&str; 6] = ["-p", "cdpr", "--no-default-features", "--features", "parallel", "--examples"];
+/// The library without the wide vectors, which give the same bits and take as long to compile as all the rest: its tests from outside, its
+/// doc tests and its examples link one build.
+pub(crate) const PORTABLE_LIBRARY: &[&str] = &["-p", "cdpr", "--no-default-features", "--features", "parallel"];
 
 /// Builds the command alone and for release, as users do, and tells where it is: together with the tests of the library its
 /// dependencies would have features that users do not get.
@@ -67,8 +68,7 @@ pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {
 
 /// Builds the examples and tells where one of them is.
 fn example(root: &Path, name: &str) -> Result<PathBuf, String> {
-    let arguments: Vec<&str> = ["build", "--quiet"].into_iter().chain(EXAMPLES).collect();
-    succeed(root, &arguments).into_result()?;
+    succeed(root, &[&["build", "--quiet", "--examples"], PORTABLE_LIBRARY].concat()).into_result()?;
     Ok(built(root, "debug/examples", name))
 }
 

@@ -46,7 +46,7 @@ pub(crate) struct Output {
     format: Format,
     /// Name of the robot that is asked about.
     robot: RefCell<Option<String>>,
-    /// What was told so far that is not part of the answer.
+    /// Remarks told so far that are not part of the answer.
     remarks: RefCell<Vec<String>>,
 }
 

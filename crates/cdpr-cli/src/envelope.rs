@@ -1,4 +1,4 @@
-//! What every JSON answer says besides its own keys: program, layout, status, robot, warnings.
+//! Keys of every JSON answer besides its own: program, layout, status, robot, warnings.
 
 use std::fmt;
 
@@ -12,12 +12,12 @@ pub(crate) const PROGRAM: &str = concat!("cdpr ", env!("CARGO_PKG_VERSION"));
 /// Version of the keys of JSON answers: raised when a key goes or changes its meaning, not when one is added.
 const LAYOUT_VERSION: u32 = 1;
 
-/// What a run knows besides the answer of its command.
+/// Facts of a run besides the answer of its command.
 #[derive(Default)]
 pub(crate) struct Envelope<'a> {
     /// Name of the robot that the command asks about.
     pub(crate) robot: Option<&'a str>,
-    /// What was told on stderr.
+    /// Remarks told on stderr.
     pub(crate) remarks: &'a [String],
     /// The status of an answer that states none.
     pub(crate) status: &'a str,

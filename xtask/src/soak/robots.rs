@@ -9,7 +9,7 @@ pub(super) struct RobotFile {
     pub(super) tables: Vec<Vec<String>>,
 }
 
-/// What the commands need to know of a robot.
+/// Sizes of a robot that the commands need.
 #[derive(Clone, Copy)]
 pub(super) struct Size {
     /// Components of a pose.
@@ -146,9 +146,9 @@ fn sections(random: &mut Random, size: Size, wild: f64) -> Vec<Vec<String>> {
     tables
 }
 
-/// What the cables of one robot have in common.
+/// Common traits of the cables of one robot.
 struct Style {
-    /// Where anchors stand: around, in one plane, on a line, in one of two points, symmetric, or anywhere.
+    /// Places of the anchors: around, in one plane, on a line, in one of two points, symmetric, or anywhere.
     geometry: usize,
     centre: f64,
     /// Part of the numbers that are extreme.

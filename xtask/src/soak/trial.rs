@@ -22,7 +22,7 @@ struct Case {
     commands: Vec<String>,
 }
 
-/// What a command must not do.
+/// Behaviour that a command must not show.
 #[derive(Clone, Debug, PartialEq)]
 enum Fault {
     /// An exit code that no page of the book names, such as that of a panic.
@@ -42,7 +42,7 @@ pub(super) struct Trial<'a> {
     pub(super) most: usize,
 }
 
-/// What came of it.
+/// Outcome of a trial.
 pub(super) struct Tried {
     /// Commands that ran.
     pub(super) commands: usize,
@@ -145,7 +145,7 @@ impl Case {
     }
 }
 
-/// What one command did that it must not do, and what it said.
+/// The fault that one command showed, and its words.
 fn fault_of(program: &Path, folder: &Path, words: &str) -> Result<Option<(Fault, String)>, String> {
     let mut command = if cfg!(unix) {
         let mut shell = Command::new("sh");

@@ -55,7 +55,7 @@ struct Check {
     warnings: Vec<String>,
 }
 
-/// What `--model` can be for this file.
+/// Models that `--model` can name for this file.
 #[derive(Serialize)]
 struct Models {
     /// As many effects as the file supports at once.

@@ -1,4 +1,4 @@
-//! What every JSON answer says, whichever command gives it: program, layout, status, robot, warnings.
+//! Keys of every JSON answer, whichever command gives it: program, layout, status, robot, warnings.
 
 use std::collections::BTreeSet;
 use std::path::Path;

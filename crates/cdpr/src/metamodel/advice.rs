@@ -70,7 +70,7 @@ impl Advice {
         self.candidates.iter().find(|candidate| candidate.control == self.machine)
     }
 
-    /// What a candidate reaches, as a share of what any of them could; 0 where none reaches anything.
+    /// Poses that a candidate reaches, as a share of those that any candidate reaches; 0 where none reaches anything.
     pub fn reached_share(&self, candidate: &Candidate) -> f64 {
         candidate.reached as f64 / self.attainable.max(1) as f64
     }
@@ -130,7 +130,7 @@ pub fn advise(
     Ok(Task::new(machine, poses, accuracy, &runs).advice(&runs))
 }
 
-/// What emerges at each pose under a control model with which the winches were set at the home pose.
+/// Emerging states at each pose under a control model with which the winches were set at the home pose.
 fn outcomes(control: Control<'_>, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
     let initial = Initial {
         tension_method: Some(TensionMethod::Qp),

@@ -183,7 +183,7 @@ fn measured_numbers(table: &HysteresisTable) -> usize {
         + shares.as_ref().map_or(0, |shares| shares.len().saturating_sub(1))
 }
 
-/// What has to be known for an effect, in words.
+/// Data that an effect needs, in words.
 pub fn cost(effect: &str) -> &'static str {
     match effect {
         "pulley" => "a radius per cable; swivel axes and entry points from the drawing",

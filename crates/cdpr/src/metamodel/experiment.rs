@@ -19,13 +19,13 @@ pub struct Experiment {
     pub study: Study,
     /// The model that computes the lengths.
     pub control: Model,
-    /// What answers.
+    /// The model that answers.
     pub machine: Model,
     /// The model in use when the winches were set, where it is not the control model.
     pub former: Option<Model>,
     /// The pose at which the winches were set.
     pub start: Pose,
-    /// What is added to the lengths (m).
+    /// Winch offsets added to the commanded lengths, one a cable (m).
     pub offsets: Vec<f64>,
 }
 
@@ -97,7 +97,7 @@ impl Experiment {
         Limits::of(self.machine.robot(), None, None).ok()
     }
 
-    /// What the study asks of a pose that counts as reached.
+    /// Requirements of the study on a pose that counts as reached.
     pub fn requirements(&self) -> Requirements {
         let limits = self.study.limits.as_ref();
         Requirements {

@@ -16,7 +16,7 @@ pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'stat
     control.words().filter(is_missing).collect()
 }
 
-/// How much a way to stretch tells of a real cable, in order.
+/// Rank of a stretch effect by how much of a real cable it tells.
 pub(super) fn richness(stretch: StretchEffect) -> u8 {
     match stretch {
         StretchEffect::Rigid => 0,

@@ -13,7 +13,7 @@ pub(super) struct Polytope {
     work: u64,
 }
 
-/// What came of the recursion.
+/// Outcome of the recursion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Centroid<'a> {
     /// The centroid.

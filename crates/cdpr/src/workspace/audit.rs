@@ -106,7 +106,7 @@ impl Audit {
         least.abs().max(largest.abs())
     }
 
-    /// What chance leaves open of that (m², m³): more points make it smaller, a better finding does not.
+    /// Width that chance leaves to the difference (m², m³): more points make it smaller, a better finding does not.
     pub fn uncertainty(&self) -> f64 {
         let [least, largest] = self.difference();
         0.5 * (largest - least)
@@ -124,7 +124,7 @@ impl Audit {
         [(mean - away).max(apart[0]), (mean + away).min(apart[1])].map(|count| count * self.share())
     }
 
-    /// What was missed of the region, at least (m², m³), with [`CONFIDENCE`].
+    /// Least size of the part of the region that was missed (m², m³), with [`CONFIDENCE`].
     pub fn missed_at_least(&self) -> f64 {
         limits(self.missed as f64, surprise())[0] * self.share()
     }

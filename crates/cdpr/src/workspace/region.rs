@@ -35,7 +35,7 @@ pub enum Archetype {
     },
 }
 
-/// What the size of a region says of that which is meant, for orientations are samples.
+/// Side on which the size of a region bounds the size that is meant, for orientations are samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// It is that size.
@@ -120,7 +120,7 @@ impl<'a> Region<'a> {
         self.archetype
     }
 
-    /// What its size says of the archetype's, whose set of orientations may have more than were judged.
+    /// Side on which its size bounds the archetype's, whose set of orientations may have more than were judged.
     pub fn side(&self) -> Side {
         self.side
     }

@@ -409,7 +409,7 @@ impl RandomRobots {
     }
 }
 
-/// What is out of balance beside the forces at work, by the public formulas.
+/// Wrench out of balance beside the forces at work, by the public formulas.
 fn imbalance(model: &Model, lengths: &[f64], load: &Load, pose: &Pose) -> f64 {
     let tension = |cable: usize| {
         let length = model.course(cable, pose).unwrap().0.length;

@@ -13,6 +13,7 @@ use cdpr::workspace::{Archetype, Bounds, Point, Region};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::support::property::seeds;
 use crate::support::{builtin, random_direction};
 
 /// A robot with anchors anywhere on or in a box, and a load and limits that may leave much or nothing.
@@ -153,17 +154,13 @@ fn tallies(seed: u64, robots: usize, effort: f64, points: usize) -> [Tally; 3] {
     [grids, octrees, hulls]
 }
 
+/// Bounds hold with 99.9 %: of fewer than fifty robots none may lie outside; of the many of a soak one in fifty, which chance gives to
+/// one round in some hundred at most.
 #[test]
 fn sizes_of_random_robots_lie_within_their_bounds() {
-    for tally in tallies(15, 16, 6e4, 30_000) {
-        assert!(tally.outside.is_empty(), "{:?}", tally.outside);
-    }
-}
-
-#[test]
-#[ignore = "takes a minute or more"]
-fn sizes_of_many_random_robots_lie_within_their_bounds() {
-    for tally in tallies(1515, 360, 6e4, 30_000) {
-        assert!(tally.outside.is_empty(), "{:?}", tally.outside);
+    let seeds = seeds(16);
+    let robots = (seeds.end - seeds.start) as usize;
+    for tally in tallies(15 + seeds.start, robots, 6e4, 30_000) {
+        assert!(tally.outside.len() <= robots / 50, "{:?}", tally.outside);
     }
 }

@@ -110,7 +110,7 @@ impl Advised {
         }
     }
 
-    /// What the errors are those of, where models lack answers.
+    /// Poses at which errors are compared, in words, where models lack answers.
     fn comparison(&self) -> Option<String> {
         let all = self.candidates.iter().all(|candidate| candidate.answered_poses == self.poses);
         let lacking = self.candidates.iter().find(|candidate| candidate.answered_poses < self.poses);

@@ -20,7 +20,7 @@ enum Status {
     Unstable,
 }
 
-/// Where the search started.
+/// Start of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Start {

@@ -43,7 +43,7 @@ pub(super) struct ReachableAnswer {
     #[serde(flatten)]
     sizes: Map<String, Value>,
     share: Option<f64>,
-    /// What is odd about the share.
+    /// Remark on a share above 100 %.
     #[serde(skip_serializing_if = "Option::is_none")]
     remark: Option<&'static str>,
     error_bound: Option<f64>,

@@ -24,7 +24,7 @@ pub(super) struct Merged {
     position_error_max_m: Vec<f64>,
     rows: Vec<MergedRow>,
     files: Vec<String>,
-    /// What is odd about the shares.
+    /// Remark on shares above 100 %.
     #[serde(skip_serializing_if = "Option::is_none")]
     remark: Option<&'static str>,
 }

@@ -158,7 +158,7 @@ fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<
     answer
 }
 
-/// What keeps the bound of the error above the part of the size that is wanted.
+/// Reason why the bound of the error stays above the part of the size that is wanted.
 fn limit(question: &Question<'_>, audit: &Audit, size: f64) -> Option<String> {
     let wanted = question.goal.share;
     let is_small = audit.error_bound() <= wanted * size || (size == 0.0 && audit.missed == 0);

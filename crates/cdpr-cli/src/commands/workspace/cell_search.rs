@@ -21,7 +21,7 @@ pub(super) struct CellSearch<'a> {
     comparing: Option<Progress>,
 }
 
-/// What a count found.
+/// Result of a count of cells.
 pub(super) struct Counted {
     pub(super) grid: Grid,
     pub(super) count: Count,

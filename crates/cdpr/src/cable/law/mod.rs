@@ -144,12 +144,12 @@ pub enum HoldError {
     NotConverged {
         /// Steps tried.
         iterations: u32,
-        /// What is left (m); NaN where the iteration left the numbers of a computer.
+        /// Length still missing (m); NaN where numbers overflowed.
         gap: f64,
     },
 }
 
-/// What an iteration left over, in words.
+/// The gap that an iteration left, in words.
 fn missing(gap: f64) -> String {
     match gap.is_finite() {
         true => format!("{gap:.3e} m are missing"),

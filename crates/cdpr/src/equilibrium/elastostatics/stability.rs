@@ -119,7 +119,7 @@ pub(super) fn beside_rigid_cables(
     }
 }
 
-/// What holds the weakest motions.
+/// Holder of the weakest motions.
 enum Weakest {
     /// Cables that are just taut, some of which every such motion makes longer; the smallest eigenvalue of the other motions
     /// (N/m), infinite where there are none.

@@ -66,7 +66,7 @@ pub fn optimum(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Optim
     })
 }
 
-/// Where the steps from one start end.
+/// End of the steps from one start.
 struct End {
     trial: Trial,
     iterations: u32,

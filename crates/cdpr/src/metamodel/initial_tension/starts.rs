@@ -1,4 +1,4 @@
-//! Where the search for initial tensions starts.
+//! Starts of the search for initial tensions.
 
 use super::{Target, Task};
 use crate::metamodel::input_error::InputError;

@@ -51,7 +51,7 @@ impl Varied {
         })
     }
 
-    /// What is reached with the change; machines with history come to every pose as without it.
+    /// Reachable workspace with the change; machines with history come to every pose as without it.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
         let control = Control { model: &self.control, tension_method: self.tension_method };
         let mut driving = Driving::new(control, &self.machine, &self.offsets)?;

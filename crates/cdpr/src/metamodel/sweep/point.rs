@@ -43,7 +43,7 @@ pub struct Row {
     pub reason: Option<String>,
 }
 
-/// What a point asks of a pose: nothing of its error, which the thresholds judge in the census, unless that alone can be asked.
+/// Requirements of a point on a pose: none on its error, which the thresholds judge in the census, unless that alone can be asked.
 pub(super) fn whatever_the_error(experiment: &Experiment) -> Requirements {
     let asked = experiment.requirements();
     Requirements { position_error_max: asked.tensions.is_none().then_some(f64::MAX), ..asked }

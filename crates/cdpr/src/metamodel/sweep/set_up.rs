@@ -117,7 +117,7 @@ struct Files<'a> {
     pulleys: Option<(f64, Option<&'a [f64]>)>,
 }
 
-/// What the files say.
+/// Contents of the files.
 struct Read {
     study: Study,
     control: Robot,

@@ -52,7 +52,7 @@ pub struct Files<'a> {
     pub cables_name: &'a str,
 }
 
-/// What is asked for.
+/// Choices of an import.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options<'a> {
     /// Which of the cable sets; the file's default when left out.

@@ -5,10 +5,10 @@ use crate::workspace::{Audit, Bounds, Point, Region, WorkspaceError};
 
 /// Cells of the coarse grid along the longest side of the box.
 const CELLS: f64 = 24.0;
-/// What points are drawn from where the grid finds none.
+/// Seed of the points that are drawn where the grid finds none.
 const SEED: u64 = 0xce27;
 
-/// What a search for a centre ends with.
+/// Outcome of the search for a centre.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Center {
     /// Here.

@@ -26,7 +26,7 @@ pub struct Outcome {
 }
 
 impl Octree<'_> {
-    /// What its cells add up to.
+    /// Sums over its cells.
     pub fn outcome(&self) -> Outcome {
         let (mixed, corners) = (self.cells.len() as f64, (1 << self.dimension) as f64);
         let shares: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();

@@ -9,7 +9,7 @@ use crate::workspace::audit::strata;
 
 /// Seeds, about: one from each cell of a grid of 64 by 64 in a plane, of 16 by 16 by 16 in space.
 const SEEDS: u64 = 4096;
-/// What the numbers are drawn from.
+/// Seed of the random numbers.
 const SEED: u64 = 0x5eed;
 
 impl Octree<'_> {

@@ -9,9 +9,9 @@ use crate::workspace::{Bounds, Point, Region, WorkspaceError};
 /// Cells of a box, counted.
 #[derive(Clone, Copy)]
 pub struct ByGrid<'a> {
-    /// What is measured.
+    /// Region to be measured.
     pub region: &'a Region<'a>,
-    /// Where.
+    /// Box that is searched.
     pub bounds: &'a Bounds,
     /// Largest side of a cell at first (m); a refinement halves it.
     pub step: f64,
@@ -20,9 +20,9 @@ pub struct ByGrid<'a> {
 /// Cells refined at the boundary.
 #[derive(Clone, Copy)]
 pub struct ByOctree<'a> {
-    /// What is measured.
+    /// Region to be measured.
     pub region: &'a Region<'a>,
-    /// Where.
+    /// Box that is searched.
     pub bounds: &'a Bounds,
     /// Largest side of a smallest cell at first (m); a refinement halves it.
     pub step: f64,
@@ -31,11 +31,11 @@ pub struct ByOctree<'a> {
 /// Rays from a centre.
 #[derive(Clone)]
 pub struct ByHull<'a> {
-    /// What is measured.
+    /// Region to be measured.
     pub region: &'a Region<'a>,
-    /// Where.
+    /// Box that is searched.
     pub bounds: &'a Bounds,
-    /// Where rays start (m).
+    /// Point from which rays start (m).
     pub center: Point,
     /// Settings at first; a refinement halves the distance of rays.
     pub settings: hull::Settings,

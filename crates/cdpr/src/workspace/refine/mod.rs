@@ -9,12 +9,12 @@ use super::{Audit, Bounds, Point, Region};
 
 /// A way to find a region, ever finer.
 pub trait Search {
-    /// What it finds.
+    /// Finding of a search.
     type Found;
     /// Why it cannot.
     type Error;
 
-    /// What it finds after so many refinements.
+    /// Searches with so many refinements.
     fn find(&mut self, refinement: u32) -> Result<Self::Found, Self::Error>;
 
     /// Points that it judges more of with each refinement, as a factor.
@@ -46,20 +46,20 @@ pub struct Goal {
 pub enum Stop {
     /// The bound of the error is as small as wanted.
     Reached,
-    /// What was asked for was found.
+    /// The finding is as exact as was asked for.
     AsAsked,
-    /// What was found has no size, and finer it has none either.
+    /// The finding has no size, and finer it has none either.
     NoSize,
     /// More would take more poses than the goal allows.
     Effort,
 }
 
-/// What was found, and how far it can be from the truth.
+/// A finding, and how far it can be from the truth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined<T> {
-    /// What was found.
+    /// Finding of the search.
     pub found: T,
-    /// What random points say of it.
+    /// Comparison of the finding with random points.
     pub audit: Audit,
     /// Why it was refined no further.
     pub stop: Stop,
@@ -67,7 +67,7 @@ pub struct Refined<T> {
 
 /// Fewest and most points of the first audit.
 const AUDIT: [f64; 2] = [4096.0, 4_194_304.0];
-/// What may be left of a box of which nothing was found.
+/// Share of a box that may be left open where nothing was found.
 const EMPTY_SHARE: f64 = 1e-4;
 
 impl Goal {
