@@ -1,18 +1,22 @@
-//! Fetches what later steps wait for while the first steps compile: programs of the machine, packages of the viewer and of the judges,
-//! mdbook.
+//! What later steps wait for, while the first steps run: programs of the machine, packages of the viewer and of the judges and mdbook are
+//! fetched, and the builds for release are made, which have a lock of their own. Compiling alone leaves a core idle half of the time.
 
 use std::path::Path;
 use std::thread::{self, JoinHandle};
 
-use crate::{book, browser, instructions, judge};
+use crate::{book, browser, command, instructions, judge};
 
-/// Fetching on a thread of its own.
-pub(crate) struct Ahead(Option<JoinHandle<()>>);
+/// Work on threads of its own.
+#[derive(Default)]
+pub(crate) struct Ahead {
+    fetching: Option<JoinHandle<()>>,
+    building: Option<JoinHandle<()>>,
+}
 
 impl Ahead {
-    /// Begins to fetch. What cannot be had is left to the step that needs it, which says why.
+    /// Begins. What cannot be had is left to the step that needs it, which says why.
     pub(crate) fn start(root: &Path) -> Self {
-        let root = root.to_path_buf();
+        let (root, builds) = (root.to_path_buf(), root.to_path_buf());
         let fetch = move || {
             // one after the other: Debian's packages have one lock
             let fetched: [(&str, Result<(), String>); 4] = [
@@ -27,19 +31,23 @@ impl Ahead {
                 }
             }
         };
-        Self(Some(thread::spawn(fetch)))
+        Self { fetching: Some(thread::spawn(fetch)), building: Some(thread::spawn(move || command::build(&builds))) }
     }
 
-    /// Nothing is fetched ahead: steps fetch what they need.
-    pub(crate) fn nothing() -> Self {
-        Self(None)
+    /// Waits until everything is fetched.
+    pub(crate) fn fetched(&mut self) {
+        wait(&mut self.fetching);
     }
 
-    /// Waits until everything is there.
-    pub(crate) fn wait(&mut self) {
-        if let Some(thread) = self.0.take() {
-            // a panic of its own was printed, and the step that lacks something says so
-            let _ = thread.join();
-        }
+    /// Waits until the builds for release are there.
+    pub(crate) fn built(&mut self) {
+        wait(&mut self.building);
+    }
+}
+
+fn wait(thread: &mut Option<JoinHandle<()>>) {
+    if let Some(thread) = thread.take() {
+        // a panic of its own was printed, and the step that lacks something says so
+        let _ = thread.join();
     }
 }

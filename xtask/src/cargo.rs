@@ -59,10 +59,13 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
 /// doc tests and its examples link one build.
 pub(crate) const PORTABLE_LIBRARY: &[&str] = &["-p", "cdpr", "--no-default-features", "--features", "parallel"];
 
-/// Builds the command alone and for release, as users do, and tells where it is: together with the tests of the library its
-/// dependencies would have features that users do not get.
+/// Builds for release what needs no dependency of tests: the command as users get it, and the program whose instructions are counted.
+/// Together with the tests of the library their dependencies would have features that users do not get.
+pub(crate) const RELEASE: &[&str] = &["build", "--quiet", "--release", "-p", "cdpr-cli", "-p", "instructions"];
+
+/// Builds the command for release and tells where it is.
 pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {
-    succeed(root, &["build", "--quiet", "--release", "-p", "cdpr-cli"]).into_result()?;
+    succeed(root, RELEASE).into_result()?;
     Ok(built(root, "release", "cdpr"))
 }
 

@@ -1,6 +1,7 @@
 //! The tests of the command, run on the program that users get.
 
 use std::path::Path;
+use std::process::Stdio;
 
 use crate::cargo;
 use crate::outcome::Outcome;
@@ -12,7 +13,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
         Ok(program) => program,
         Err(complaint) => return Outcome::of(vec![complaint]),
     };
-    let mut outcome = cargo::count_tests(root, &["test", "--release", "-p", "cdpr-cli", "--no-fail-fast"]);
+    let mut outcome = cargo::count_tests(root, &[TESTS, &["--no-fail-fast"]].concat());
     let same = match read(&cargo::built(root, "release", "cdpr")) {
         Ok(tested) if tested == users_program => Outcome::of(Vec::new()),
         Ok(_) => Outcome::of(vec![ANOTHER.to_owned()]),
@@ -22,6 +23,16 @@ pub(crate) fn check(root: &Path) -> Outcome {
     outcome.failed += same.failed;
     outcome.complaints.extend(same.complaints);
     outcome
+}
+
+const TESTS: &[&str] = &["test", "--release", "-p", "cdpr-cli"];
+
+/// Compiles what [`check`] runs, without a word: where that fails, `check` says why.
+pub(crate) fn build(root: &Path) {
+    for arguments in [cargo::RELEASE, &[TESTS, &["--no-run"]].concat()] {
+        let mut command = cargo::command(root, arguments);
+        let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+    }
 }
 
 const ANOTHER: &str = "the tests ran a `cdpr` whose dependencies have other features than users get: compare \

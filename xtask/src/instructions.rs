@@ -14,20 +14,16 @@ const REFERENCE: &str = "xtask/instructions/counts.toml";
 /// The function of the program that holds the work, as callgrind names it.
 const COUNTED: &str = "instructions::counted";
 
-/// A build of the counted program.
-struct Build {
-    /// Arguments of cargo besides the package.
+/// A run of the counted program.
+struct Run {
     arguments: &'static [&'static str],
     /// Whether a valgrind may stumble over it: the one of Debian 12 does not know every AVX2 instruction that compilers choose.
     may_be_unknown: bool,
 }
 
-/// For the vectors that every machine of the target has, and as the command is built: together with it, so that both link one library. The
-/// first may not fail.
-const BUILDS: [Build; 2] = [
-    Build { arguments: &["--no-default-features"], may_be_unknown: false },
-    Build { arguments: &["-p", "cdpr-cli"], may_be_unknown: true },
-];
+/// On the vectors that every machine of the target has, and on the widest that valgrind has. The first may not fail.
+const RUNS: [Run; 2] =
+    [Run { arguments: &["--portable"], may_be_unknown: false }, Run { arguments: &[], may_be_unknown: true }];
 
 /// Complains of work that takes noticeably more instructions than the committed counts say.
 pub(crate) fn check(root: &Path) -> Outcome {
@@ -77,19 +73,22 @@ pub(crate) fn fetch() -> Result<(), String> {
     install(&["valgrind"])
 }
 
-/// Counts of every build that this valgrind understands.
+/// Counts of every unit that this valgrind understands.
 fn counts(root: &Path) -> Result<Reference, String> {
     let mut rustc = Command::new("rustc");
     rustc.arg("--version").current_dir(root);
     let mut now = Reference { compiler: output(rustc)?.trim().to_owned(), units: Vec::new() };
-    for build in &BUILDS {
-        let program = build.program(root)?;
-        match count(root, &program) {
-            // where the machine has no wider vectors both builds count the same
+    let program = program(root)?;
+    for run in &RUNS {
+        match count(root, &program, run.arguments) {
+            Ok(counts) if !run.may_be_unknown && counts.unit != "Portable" => {
+                return Err(format!("`instructions {}` ran on {}", run.arguments.join(" "), counts.unit));
+            }
+            // where the machine has no wider vectors both count the same
             Ok(counts) if now.unit(&counts.unit).is_none() => now.units.push(counts),
             Ok(_) => {}
-            Err(reason) if build.may_be_unknown => {
-                println!("not counted as the command is built, this valgrind does not know it: {reason}");
+            Err(reason) if run.may_be_unknown => {
+                println!("not counted on wider vectors, this valgrind does not know them: {reason}");
             }
             Err(reason) => return Err(reason),
         }
@@ -98,7 +97,7 @@ fn counts(root: &Path) -> Result<Reference, String> {
 }
 
 /// Runs the program under callgrind, which writes one file after each return of the counted function.
-fn count(root: &Path, program: &Path) -> Result<Counts, String> {
+fn count(root: &Path, program: &Path, arguments: &[&str]) -> Result<Counts, String> {
     let folder = root.join("target/instructions");
     match std::fs::remove_dir_all(&folder) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
@@ -109,7 +108,7 @@ fn count(root: &Path, program: &Path) -> Result<Counts, String> {
     let mut valgrind = Command::new("valgrind");
     valgrind.args(["--quiet", "--tool=callgrind", "--collect-atstart=no"]).env("RAYON_NUM_THREADS", "1");
     valgrind.args([format!("--toggle-collect={COUNTED}"), format!("--dump-after={COUNTED}")]);
-    valgrind.arg(format!("--callgrind-out-file={}", folder.join("part").display())).arg(program);
+    valgrind.arg(format!("--callgrind-out-file={}", folder.join("part").display())).arg(program).args(arguments);
     let printed = output(valgrind)?;
     let mut counts = Counts::default();
     for line in printed.lines() {
@@ -123,20 +122,10 @@ fn count(root: &Path, program: &Path) -> Result<Counts, String> {
     Ok(counts)
 }
 
-impl Build {
-    /// Compiles the program and tells where it is.
-    fn program(&self, root: &Path) -> Result<PathBuf, String> {
-        let arguments = [&["build", "--release", "-p", "instructions"], self.arguments].concat();
-        println!("$ cargo {}", arguments.join(" "));
-        let messages =
-            output(cargo::command(root, &[&arguments[..], &["--message-format=json-render-diagnostics"]].concat()))?;
-        let programs =
-            messages.lines().filter_map(|line| Some(line.split_once("\"executable\":\"")?.1.split_once('"')?.0));
-        let mut programs = programs.map(PathBuf::from);
-        programs
-            .find(|path| path.file_stem().is_some_and(|name| name == "instructions"))
-            .ok_or_else(|| "cargo names no program of the package `instructions`".to_owned())
-    }
+/// Compiles the program together with the command, so that both link one library, and tells where it is.
+fn program(root: &Path) -> Result<PathBuf, String> {
+    cargo::succeed(root, cargo::RELEASE).into_result()?;
+    Ok(cargo::built(root, "release", "instructions"))
 }
 
 fn total(part: &Path) -> Result<u64, String> {

@@ -36,6 +36,8 @@ const PROPERTIES: &[&str] = &[
     "tensions_stay_between_the_branches",
     "every_sample_is_validated_once_and_never_by_its_own_fit",
     "sizes_of_random_robots_lie_within_their_bounds",
+    "random_poses_of_eight_robots_get_the_right_verdict_and_the_optimum",
+    "batches_decide_as_an_interior_point_solver_does",
 ];
 
 /// The builds that hold them, as the steps of `cargo xtask test` make them.

@@ -78,8 +78,7 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "no-default-features",
-        // for release, because the step `instructions` counts there
-        action: Action::Cargo(&["build", "--release", "-p", "instructions", "--no-default-features"]),
+        action: Action::Cargo(&["check", "-p", "cdpr", "--no-default-features"]),
         remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
     },
     Step {
@@ -113,17 +112,23 @@ const STEPS: &[Step] = &[
 /// Steps that need what is fetched ahead.
 const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];
 
+/// The first step that needs the builds for release; all steps after it may.
+const BUILT_FOR: &str = "command";
+
 /// Runs all steps, or one; prints the closing line `N passed, N failed`.
 pub(crate) fn run(root: &Path, only: Option<&str>) -> Result<(), String> {
     let steps: Vec<&Step> = STEPS.iter().filter(|step| only.is_none_or(|name| name == step.name)).collect();
     if steps.is_empty() {
         return Err(format!("no step is called `{}`; there are: {}", only.unwrap_or_default(), names().join(", ")));
     }
-    let mut ahead = if only.is_none() { Ahead::start(root) } else { Ahead::nothing() };
+    let mut ahead = if only.is_none() { Ahead::start(root) } else { Ahead::default() };
     let (mut passed, mut failed) = (0, 0);
     for step in steps {
         if FETCHED_FOR.contains(&step.name) {
-            ahead.wait();
+            ahead.fetched();
+        }
+        if step.name == BUILT_FOR {
+            ahead.built();
         }
         println!("\n── {} {}", step.name, "─".repeat(60_usize.saturating_sub(step.name.len())));
         let start = Instant::now();
@@ -177,8 +182,8 @@ mod tests {
 
     /// A step renamed would run without what is fetched for it.
     #[test]
-    fn what_is_fetched_ahead_is_for_steps_that_exist() {
-        FETCHED_FOR.iter().for_each(|name| assert!(names().contains(name), "{name}"));
+    fn what_is_made_ahead_is_for_steps_that_exist() {
+        FETCHED_FOR.iter().chain([&BUILT_FOR]).for_each(|name| assert!(names().contains(name), "{name}"));
     }
 
     /// `--only` could not tell two steps of one name apart.

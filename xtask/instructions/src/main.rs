@@ -2,7 +2,7 @@
 //! callgrind and compares with `counts.toml`.
 //!
 //! A package of its own, so that no dependency of the library's tests is compiled for it; run with `RAYON_NUM_THREADS=1`, because callgrind
-//! tells the threads apart. Without callgrind it does the work twice.
+//! tells the threads apart. Without callgrind it does the work twice. `--portable`: on the vector unit that every machine of the target has.
 #![expect(clippy::print_stdout, reason = "the names in the order of the counts")]
 
 use std::hint::black_box;
@@ -23,6 +23,9 @@ const ELASTIC: &str = "cablerobot-simulator-helicopter-elastostatic-calibrated";
 const RIGID: &str = "cablerobot-simulator-helicopter";
 
 fn main() {
+    if std::env::args().nth(1).as_deref() == Some("--portable") {
+        Unit::limit(Unit::Portable);
+    }
     let unit = Unit::available().pop().expect("every machine has the portable one");
     println!("unit {unit:?}");
     inverse_kinematics();

@@ -7,7 +7,7 @@ mod picture;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use answer::{Found, ReachableAnswer};
+use answer::{AtBounds, Found, ReachableAnswer};
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
 use cdpr::metamodel::sensitivity::Cause;
 use cdpr::model::Model;
@@ -195,21 +195,27 @@ impl Search<'_> {
         let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
         let by_accuracy = thresholds.iter().map(|&most| (most, grid::outcome(&grid, &census.reached(Some(most))).size));
         let by_accuracy = by_accuracy.collect();
-        let feasible = |model: &Model| -> Option<f64> {
+        let feasible = |model: &Model| -> Option<grid::Outcome> {
             let criterion = self.laboratory.feasible(model)?;
             let region = self.region.with_criterion(&criterion);
-            Some(grid::count(&region, &grid).outcome(&grid).size)
+            Some(grid::count(&region, &grid).outcome(&grid))
         };
+        let [physical, model] = [&self.laboratory.machine, &self.laboratory.control].map(feasible);
+        let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
         let found = Found {
             method: "grid",
             reached: Some(reached.size),
             error_bound: Some(reached.error_bound),
-            physical: feasible(&self.laboratory.machine),
-            model: feasible(&self.laboratory.control),
+            at_bounds: AtBounds {
+                physical: reaches(&physical),
+                model: reaches(&model),
+                reachable: reached.reaches_bounds,
+            },
+            physical: physical.map(|outcome| outcome.size),
+            model: model.map(|outcome| outcome.size),
             emerging: Some(emerging_size(reachable, self.region, &grid, &cells)),
             points: grid.points(),
             feasible_points: cells.len() as u64,
-            reaches_bounds: reached.reaches_bounds,
             parts: Some(parts.iter().map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
             by_accuracy,
             outlines: None,
@@ -243,7 +249,8 @@ impl Search<'_> {
             solve(&self.region.with_criterion(&criterion)).ok()
         };
         let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
-        let physical = feasible(&self.laboratory.machine);
+        let [physical, model] = [&self.laboratory.machine, &self.laboratory.control].map(feasible);
+        let reaches = |hull: &Hull| hull.rays_at_bounds > 0;
         if let Some(path) = &arguments.svg {
             let picture = Picture {
                 laboratory: self.laboratory,
@@ -259,11 +266,15 @@ impl Search<'_> {
             reached: measure.filter(|_| found.is_star_shaped()).map(|measure| measure.size),
             error_bound: measure.map(|measure| measure.error_bound),
             physical: physical.as_ref().and_then(size),
-            model: feasible(&self.laboratory.control).as_ref().and_then(size),
+            model: model.as_ref().and_then(size),
             emerging: image.as_ref().map(|image| image.size),
             points: found.points,
             feasible_points: found.feasible_points,
-            reaches_bounds: found.rays_at_bounds > 0,
+            at_bounds: AtBounds {
+                physical: physical.as_ref().is_some_and(reaches),
+                model: model.as_ref().is_some_and(reaches),
+                reachable: reaches(&found),
+            },
             parts: None,
             by_accuracy: Vec::new(),
             outlines: (found.dimension() == 2).then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),

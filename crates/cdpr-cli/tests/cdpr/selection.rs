@@ -38,6 +38,11 @@ fn the_demo_recommends_the_machines_model_and_writes_everything_a_result_has() {
         one["validation"]["position_error_m"]["mean"].as_f64().unwrap()
     };
     assert!(mean("standard") > 0.025 && mean(answer["recommended"].as_str().unwrap()) < 0.003);
+    // the verdict compares with what the robot runs today
+    let of_candidate = |name: &str| mean(name) / mean(answer["recommended"].as_str().unwrap());
+    assert_eq!(answer["as_given"]["name"], "standard");
+    let ratio = answer["as_given"]["ratio"].as_f64().unwrap();
+    assert!((ratio / of_candidate("standard") - 1.0).abs() < 1e-12, "{ratio}");
     let keys =
         ["name", "model", "free", "parameter_count", "train", "validation", "standard_error", "rank", "condition"];
     for candidate in answer["candidates"].as_array().unwrap().iter().filter(|one| one["failure"].is_null()) {

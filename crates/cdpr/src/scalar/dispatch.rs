@@ -1,5 +1,7 @@
 //! Running a computation on the widest vector unit of the machine, found at run time.
 
+use std::sync::atomic::{AtomicU8, Ordering};
+
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use pulp::NullaryFnOnce;
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
@@ -8,6 +10,9 @@ use pulp::x86::{V3, V4};
 use super::{LANES, Lanes, Portable};
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use super::{avx2::Avx2, avx512::Avx512};
+
+/// The widest unit that may be used, as a number in the order of [`Unit`].
+static WIDEST: AtomicU8 = AtomicU8::new(Unit::Avx512 as u8);
 
 /// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
 ///
@@ -76,14 +81,25 @@ impl Unit {
         }
     }
 
-    /// Whether this machine has the unit.
+    /// From now on this process uses no wider unit, as on a machine that has none: to measure it, or to rule a unit out. Results do not
+    /// depend on it.
+    pub fn limit(widest: Self) {
+        WIDEST.store(widest as u8, Ordering::Relaxed);
+    }
+
+    #[inline(always)]
+    fn is_allowed(self) -> bool {
+        WIDEST.load(Ordering::Relaxed) >= self as u8
+    }
+
+    /// Whether this machine has the unit, and no [limit](Unit::limit) rules it out.
     pub fn is_available(self) -> bool {
         match self {
             Self::Portable => true,
             #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-            Self::Avx2 => V3::is_available(),
+            Self::Avx2 => self.is_allowed() && V3::is_available(),
             #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-            Self::Avx512 => V4::is_available(),
+            Self::Avx512 => self.is_allowed() && V4::is_available(),
             #[cfg(not(all(feature = "vectors", target_arch = "x86_64")))]
             Self::Avx2 | Self::Avx512 => false,
         }
@@ -94,7 +110,9 @@ impl Unit {
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-    if let Some(token) = V4::try_new() {
+    if Unit::Avx512.is_allowed()
+        && let Some(token) = V4::try_new()
+    {
         return on_avx512(token, kernel);
     }
     dispatch_narrow(kernel)
@@ -105,7 +123,9 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 #[inline]
 pub fn dispatch_narrow<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-    if let Some(token) = V3::try_new() {
+    if Unit::Avx2.is_allowed()
+        && let Some(token) = V3::try_new()
+    {
         return on_avx2(token, kernel);
     }
     on_portable(kernel)
@@ -127,7 +147,7 @@ pub fn dispatch_on<K: Kernel>(unit: Unit, kernel: K) -> Option<K::Output> {
 
 #[inline(always)]
 fn on_portable<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run(Portable([0.0; LANES]))
+    kernel.run(Portable::new([0.0; LANES]))
 }
 
 /// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.

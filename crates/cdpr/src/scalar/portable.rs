@@ -1,56 +1,66 @@
-//! Eight lanes on whatever the compiler makes of an array: the reference that the vector units must match bit for bit.
+//! Eight lanes in four pairs, for the vector instructions that every machine of the target has.
+//!
+//! Pairs, not an array: an array's operations are loops, which the compiler would unroll again at every place.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use wide::{bytemuck, f64x2};
 
 use super::angle::full_angle;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
-/// Eight numbers in an array.
+/// Eight numbers in pairs.
 #[derive(Clone, Copy, Debug)]
-pub struct Portable(pub [f64; LANES]);
+pub struct Portable([f64x2; LANES / 2]);
 
-macro_rules! elementwise {
-    ($trait:ident, $method:ident, $operator:tt) => {
+impl Portable {
+    /// These eight numbers.
+    #[inline(always)]
+    pub fn new(numbers: [f64; LANES]) -> Self {
+        Self(bytemuck::cast(numbers))
+    }
+
+    #[inline(always)]
+    fn each(self, operation: impl Fn(f64x2) -> f64x2) -> Self {
+        let [a, b, c, d] = self.0;
+        Self([operation(a), operation(b), operation(c), operation(d)])
+    }
+}
+
+macro_rules! pairwise {
+    ($trait:ident, $method:ident) => {
         impl $trait for Portable {
             type Output = Self;
             #[inline(always)]
-            fn $method(mut self, other: Self) -> Self {
-                for lane in 0..LANES {
-                    self.0[lane] $operator other.0[lane];
-                }
-                self
+            fn $method(self, other: Self) -> Self {
+                let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+                Self([a.$method(e), b.$method(f), c.$method(g), d.$method(h)])
             }
         }
     };
 }
-elementwise!(Add, add, +=);
-elementwise!(Sub, sub, -=);
-elementwise!(Mul, mul, *=);
-elementwise!(Div, div, /=);
+pairwise!(Add, add);
+pairwise!(Sub, sub);
+pairwise!(Mul, mul);
+pairwise!(Div, div);
 
 impl Neg for Portable {
     type Output = Self;
     #[inline(always)]
-    fn neg(mut self) -> Self {
-        for lane in &mut self.0 {
-            *lane = -*lane;
-        }
-        self
+    fn neg(self) -> Self {
+        self.each(|pair| pair ^ f64x2::splat(-0.0))
     }
 }
 
 impl Real for Portable {
     #[inline(always)]
     fn constant(self, x: f64) -> Self {
-        Self([x; LANES])
+        Self([f64x2::splat(x); LANES / 2])
     }
 
     #[inline(always)]
-    fn sqrt(mut self) -> Self {
-        for lane in &mut self.0 {
-            *lane = lane.sqrt();
-        }
-        self
+    fn sqrt(self) -> Self {
+        self.each(f64x2::sqrt)
     }
 
     #[inline(always)]
@@ -60,38 +70,29 @@ impl Real for Portable {
 }
 
 impl Select for Portable {
-    /// All bits set where the statement holds, none elsewhere: the shape that compilers turn into vector code.
-    type Mask = [u64; LANES];
+    /// All bits set where the statement holds, none elsewhere.
+    type Mask = [f64x2; LANES / 2];
 
     #[inline(always)]
     fn is_less(self, other: Self) -> Self::Mask {
-        let mut mask = [0; LANES];
-        for lane in 0..LANES {
-            mask[lane] = if self.0[lane] < other.0[lane] { u64::MAX } else { 0 };
-        }
-        mask
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+        [a.simd_lt(e), b.simd_lt(f), c.simd_lt(g), d.simd_lt(h)]
     }
 
     #[inline(always)]
-    fn select(mut self, mask: Self::Mask, otherwise: Self) -> Self {
-        for lane in 0..LANES {
-            let bits = (self.0[lane].to_bits() & mask[lane]) | (otherwise.0[lane].to_bits() & !mask[lane]);
-            self.0[lane] = f64::from_bits(bits);
-        }
-        self
+    fn select(self, mask: Self::Mask, otherwise: Self) -> Self {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, otherwise.0);
+        Self([mask[0].bitselect(a, e), mask[1].bitselect(b, f), mask[2].bitselect(c, g), mask[3].bitselect(d, h)])
     }
 
     #[inline(always)]
     fn any(self, mask: Self::Mask) -> bool {
-        mask.iter().fold(0, |either, lane| either | lane) != 0
+        ((mask[0] | mask[1]) | (mask[2] | mask[3])).any()
     }
 
     #[inline(always)]
-    fn abs(mut self) -> Self {
-        for lane in &mut self.0 {
-            *lane = lane.abs();
-        }
-        self
+    fn abs(self) -> Self {
+        self.each(f64x2::abs)
     }
 }
 
@@ -105,11 +106,11 @@ impl Lanes for Portable {
     fn load(self, source: &[f64]) -> Self {
         let mut lanes = [0.0; LANES];
         lanes.copy_from_slice(&source[..LANES]);
-        Self(lanes)
+        Self::new(lanes)
     }
 
     #[inline(always)]
     fn to_array(self) -> [f64; LANES] {
-        self.0
+        bytemuck::cast(self.0)
     }
 }

@@ -97,14 +97,17 @@ fn without_tension_tests_the_stiffness_of_some_cables_is_unknown_and_named() {
     assert!(without.1 > 2.0 * with_tests.1);
 }
 
-/// Intervals of 95 % hold the truth in 90 to 98 % of all cases, over all parameters of 100 machines whose platform anchors
+/// Machines drawn for coverage; the mean noise factor of so many deviates by 0.003.
+const MACHINES: u64 = 40;
+
+/// Intervals of 95 % hold the truth in 90 to 98 % of all cases, over all parameters of many machines whose platform anchors
 /// are drawn from the prior.
 #[test]
 fn intervals_cover_the_truth_when_the_prior_holds() {
     let file = builtin(MACHINE);
     let (mut inside, mut all) = (0, 0);
     let mut noise_factor = 0.0;
-    for seed in 0..100 {
+    for seed in 0..MACHINES {
         let mut rng = ChaCha8Rng::seed_from_u64(1000 + seed);
         let mut machine = file.clone();
         for cable in &mut machine.cables {
@@ -121,7 +124,7 @@ fn intervals_cover_the_truth_when_the_prior_holds() {
             inside += usize::from(error.abs() <= 1.96 * estimate.sigma.unwrap());
             all += 1;
         }
-        noise_factor += found.noise_factor / 100.0;
+        noise_factor += found.noise_factor / MACHINES as f64;
     }
     let share = inside as f64 / all as f64;
     println!("{:.1} % of {all} intervals hold the truth, noise factor {noise_factor:.3}", 100.0 * share);

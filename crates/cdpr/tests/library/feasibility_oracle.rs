@@ -1,10 +1,10 @@
-//! Wrench feasibility in batches against clarabel: 100 000 random poses of nine robots.
+//! Wrench feasibility in batches against clarabel: random poses of nine robots.
 //!
 //! How near a pose is to the boundary is measured by a linear programme, as a part of the largest limit
 //! ([`Problem::margin`]). Nearer than 1e-6 either verdict counts as right.
 
 use crate::distribution::{Opinion, Problem};
-use crate::support::{builtin, random_pose, within_pattern};
+use crate::support::{builtin, property, random_pose, within_pattern};
 use cdpr::equilibrium::feasibility::feasible;
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};
@@ -25,7 +25,8 @@ const ROBOTS: [(&str, [f64; 3]); 9] = [
     ("kntu-planar", [5.0, 100.0, -30.0]),
     ("planar-example", [100.0, 1000.0, -300.0]),
 ];
-const POSES: usize = 100_000;
+/// Poses of the usual run; `cargo xtask soak` draws four times as many in a round.
+const POSES: usize = 25_000;
 const BOUNDARY: f64 = 1e-6;
 
 /// Feasible and infeasible poses, those at the boundary, and what was wrong.
@@ -51,7 +52,7 @@ fn compare(name: &str, [least, largest, weight]: [f64; 3], seed: u64) -> Tally {
         let wrench = Wrench::new(part(), part() + down, size, 0.2 * part(), 0.2 * part(), 0.2 * part());
         let load = Load::constant(wrench);
         let pose = |_| within_pattern(&model, &home, &random_pose(model.robot(), 0.3, &mut rng));
-        let poses: Vec<Pose> = (0..POSES / ROBOTS.len() / 10 + 1).map(pose).collect();
+        let poses: Vec<Pose> = (0..property::sample(POSES) / ROBOTS.len() / 10 + 1).map(pose).collect();
         let mut answers = vec![false; poses.len()];
         feasible(&model, &load, &limits, &poses, &mut answers).expect("fits");
         for (pose, answer) in poses.iter().zip(answers) {
@@ -82,7 +83,7 @@ fn compare(name: &str, [least, largest, weight]: [f64; 3], seed: u64) -> Tally {
 fn batches_decide_as_an_interior_point_solver_does() {
     let tallies: Vec<Tally> = std::thread::scope(|scope| {
         let spawn = |(seed, &(name, numbers)): (usize, &(&'static str, [f64; 3]))| {
-            scope.spawn(move || compare(name, numbers, seed as u64))
+            scope.spawn(move || compare(name, numbers, property::first_seed() + seed as u64))
         };
         let running: Vec<_> = ROBOTS.iter().enumerate().map(spawn).collect();
         running.into_iter().map(|one| one.join().expect("compares")).collect()
@@ -93,5 +94,5 @@ fn batches_decide_as_an_interior_point_solver_does() {
         assert!(tally.feasible > 20 && tally.infeasible > 20, "{name}: a one-sided test: {tallies:?}");
         sums = [sums[0] + tally.feasible, sums[1] + tally.infeasible, sums[2] + tally.boundary];
     }
-    assert!(sums[0] > 10_000 && sums[1] > 10_000 && sums[2] < 20, "{sums:?}");
+    assert!(sums[0] > 2500 && sums[1] > 2500 && sums[2] < 20, "{sums:?}");
 }

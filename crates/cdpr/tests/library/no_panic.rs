@@ -261,7 +261,7 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
 }
 
 proptest! {
-    #![proptest_config(property::cases(256))]
+    #![proptest_config(property::cases(64))]
 
     #[test]
     fn no_robot_and_no_numbers_make_the_library_panic(

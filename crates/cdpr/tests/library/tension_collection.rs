@@ -1,10 +1,11 @@
-//! The exact programme on 100 000 random poses of eight robots of the shared collection: verdicts against a linear programme
+//! The exact programme on random poses of eight robots of the shared collection: verdicts against a linear programme
 //! of clarabel and against all vertices, optima against their conditions.
 
 use std::path::Path;
 
 use crate::distribution::{Opinion, Problem};
 use crate::problems::random_problem;
+use crate::support::property;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector};
 use cdpr::robot::Robot;
@@ -12,8 +13,8 @@ use cdpr::tension::quadratic::{Solver, Status};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// The same in every profile: half a minute in dev on two cores, where dependencies are optimised.
-const POSES: usize = 100_000;
+/// Poses of the usual run; `cargo xtask soak` draws four times as many in a round.
+const POSES: usize = 25_000;
 /// Part of the largest limit within which a problem is on the boundary.
 const BOUNDARY: f64 = 1e-6;
 
@@ -170,16 +171,17 @@ impl Tally {
 }
 
 #[test]
-fn a_hundred_thousand_poses_of_eight_robots_get_the_right_verdict_and_the_optimum() {
+fn random_poses_of_eight_robots_get_the_right_verdict_and_the_optimum() {
     let Some(models) = models() else { return };
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let poses = property::sample(POSES);
     let tallies = |first: usize| {
         let mut tallies: [Tally; 8] = Default::default();
         let mut solvers: Vec<Solver> =
             models.iter().map(|model| Solver::new(model.cable_count(), model.dof())).collect();
-        for case in (first..POSES).step_by(threads) {
+        for case in (first..poses).step_by(threads) {
             let robot = case % ROBOTS.len();
-            let mut rng = ChaCha8Rng::seed_from_u64(1_000_000 + case as u64);
+            let mut rng = ChaCha8Rng::seed_from_u64(property::first_seed() + 1_000_000 + case as u64);
             let problem = random_problem(&models[robot], &mut rng);
             tallies[robot].compare(ROBOTS[robot], &mut solvers[robot], &problem);
         }
@@ -203,9 +205,9 @@ fn a_hundred_thousand_poses_of_eight_robots_get_the_right_verdict_and_the_optimu
         total += feasible + infeasible;
         let wrong: Vec<&String> = parts.iter().flat_map(|part| &part[robot].wrong).collect();
         assert!(wrong.is_empty(), "{} wrong, first {}", wrong.len(), wrong[0]);
-        assert!(feasible > 1000 && infeasible > 1000, "a one-sided test of {name}");
+        assert!(feasible > 250 && infeasible > 250, "a one-sided test of {name}");
         assert!(boundary < 10, "an evasive test of {name}: {boundary}");
         assert_eq!(far, 0, "{name}: {far} optima further than 1e-6 N, the furthest {distance:e} N");
     }
-    assert_eq!(total, POSES);
+    assert_eq!(total, poses);
 }

@@ -11,7 +11,8 @@ use cdpr::tension::quadratic::{self, Status};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-const PROBLEMS: usize = 100_000;
+/// Problems of the usual run; `cargo xtask soak` draws four times as many in a round.
+const PROBLEMS: usize = 25_000;
 /// Part of the largest limit within which a problem is on the boundary.
 const BOUNDARY: f64 = 1e-6;
 
@@ -75,7 +76,7 @@ impl Tally {
 /// Every `step`-th problem from the `first` on, by redundancy.
 fn tallies(models: &[Model], first: usize, step: usize) -> [Tally; 7] {
     let mut tallies: [Tally; 7] = Default::default();
-    for case in (first..PROBLEMS).step_by(step) {
+    for case in (first..property::sample(PROBLEMS)).step_by(step) {
         let model = &models[case % models.len()];
         let mut rng = ChaCha8Rng::seed_from_u64(property::first_seed() + case as u64);
         tallies[model.cable_count() - model.dof()].compare(model, &random_problem(model, &mut rng));
@@ -103,11 +104,11 @@ fn verdicts_and_optima_are_those_of_an_interior_point_solver() {
     for tally in &sums {
         total += tally.feasible + tally.infeasible;
         assert!(tally.wrong.is_empty(), "{} wrong, first {}", tally.wrong.len(), tally.wrong[0]);
-        assert!(tally.feasible > 1000 && tally.infeasible > 1000, "a one-sided test: {tally:?}");
+        assert!(tally.feasible > 250 && tally.infeasible > 250, "a one-sided test: {tally:?}");
         assert!(tally.boundary < 10 && tally.unclear < 100, "an evasive test: {tally:?}");
         assert!(tally.cost < 1e-6, "{tally:?}");
         // the square root of clarabel's 1e-8, as the optimum is flat
         assert!(tally.tension < 1e-4, "{tally:?}");
     }
-    assert_eq!(total, PROBLEMS);
+    assert_eq!(total, property::sample(PROBLEMS));
 }

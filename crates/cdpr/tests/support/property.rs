@@ -29,6 +29,11 @@ pub(crate) fn seeds(count: u64) -> Range<u64> {
     first..first + count.saturating_mul(u64::from(factor())).min(1 << 32)
 }
 
+/// Size of a sample: what `cargo xtask test` draws, or as many times as many.
+pub(crate) fn sample(count: usize) -> usize {
+    count.saturating_mul(usize::try_from(factor()).unwrap_or(usize::MAX))
+}
+
 fn seed() -> Option<u64> {
     number("CDPR_SEED")
 }

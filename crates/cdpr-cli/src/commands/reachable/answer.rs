@@ -20,7 +20,7 @@ pub(super) struct Found {
     pub(super) emerging: Option<f64>,
     pub(super) points: u64,
     pub(super) feasible_points: u64,
-    pub(super) reaches_bounds: bool,
+    pub(super) at_bounds: AtBounds,
     /// Parts that do not touch, with a point of each (m).
     pub(super) parts: Option<Vec<(f64, Point)>>,
     /// Largest error (m) and what is reached with it.
@@ -29,6 +29,38 @@ pub(super) struct Found {
     pub(super) outlines: Option<[Vec<Point>; 2]>,
     pub(super) differential: Option<Differential>,
     pub(super) reason: Option<String>,
+}
+
+/// Which workspaces reach the faces of the box, so that more of them may lie outside.
+#[derive(Clone, Copy)]
+pub(super) struct AtBounds {
+    pub(super) physical: bool,
+    pub(super) model: bool,
+    pub(super) reachable: bool,
+}
+
+impl AtBounds {
+    fn names(self) -> Vec<&'static str> {
+        let all = [("physical", self.physical), ("model", self.model), ("reachable", self.reachable)];
+        all.into_iter().filter(|(_, reaches)| *reaches).map(|(name, _)| name).collect()
+    }
+
+    /// What to think of the sizes, if any is cut.
+    fn words(self) -> Option<String> {
+        let (list, ends) = match self.names().as_slice() {
+            [] => return None,
+            [one] => (format!("the {one} workspace"), "reaches"),
+            [rest @ .., last] => (format!("the {} and the {last} workspace", rest.join(", the ")), "reach"),
+        };
+        let them = if ends == "reaches" { "it" } else { "them" };
+        let share = match self.physical && !self.reachable {
+            true => "; the shares are those of the part inside",
+            false => "",
+        };
+        Some(format!(
+            "{list} {ends} the faces of the box, so that more of {them} may lie outside{share}: see --bounds\n"
+        ))
+    }
 }
 
 #[derive(Serialize)]
@@ -50,6 +82,8 @@ pub(super) struct ReachableAnswer {
     points: u64,
     feasible_points: u64,
     reaches_bounds: bool,
+    /// Workspaces that reach the faces of the box.
+    at_bounds: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     parts: Option<Vec<Value>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -105,7 +139,8 @@ impl ReachableAnswer {
             error_bound: found.error_bound,
             points: found.points,
             feasible_points: found.feasible_points,
-            reaches_bounds: found.reaches_bounds,
+            reaches_bounds: found.at_bounds.reachable,
+            at_bounds: found.at_bounds.names(),
             parts: found.parts.as_ref().map(|parts| parts.iter().map(part).collect()),
             by_accuracy: found.by_accuracy.iter().map(at).collect(),
             outline_m: outline(0),
@@ -174,9 +209,7 @@ impl Answer for ReachableAnswer {
                 parts[0].0
             ));
         }
-        if self.reaches_bounds {
-            text.push_str("it reaches the faces of the box, so that more of it may lie outside: see --bounds\n");
-        }
+        text.push_str(&found.at_bounds.words().unwrap_or_default());
         text
     }
 }

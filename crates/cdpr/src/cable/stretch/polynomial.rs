@@ -154,7 +154,7 @@ mod tests {
     fn lanes_agree_with_single_numbers() {
         let tensions = [-5.0, 0.0, 1.0, 10.0, 100.0, 1000.0, 9000.0, 20_000.0];
         for law in laws() {
-            let strains = law.strain(Portable(tensions)).0;
+            let strains = law.strain(Portable::new(tensions)).0;
             for (strain, tension) in strains.to_array().into_iter().zip(tensions) {
                 // a lane goes on until the slowest has arrived, so its last bit may differ
                 assert!((strain - law.strain(tension).0).abs() <= 4.0 * f64::EPSILON * f64::abs(strain));
