@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::geometry::{MotionPattern, Pose, Wrench};
+use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::reading::{Size, did_you_mean};
 use cdpr::robot::{Robot, builtin};
@@ -112,7 +112,8 @@ pub(crate) fn load_of(robot: &Robot, wrench: Option<&NumberList>) -> Result<Load
 pub(crate) fn wrench_of(robot: &Robot, option: &str, numbers: &NumberList) -> Result<Wrench, Failure> {
     let pattern = robot.motion_pattern;
     if numbers.0.len() != pattern.dof() {
-        let (name, components, found) = (pattern.name(), wrench_components(pattern), numbers.0.len());
+        let (name, found) = (pattern.name(), numbers.0.len());
+        let components = pattern.wrench_names(robot.plane).join(",");
         let message =
             format!("{option}: motion pattern {name} takes the wrench components {components}, found {found} numbers");
         return Err(Failure::input(
@@ -123,16 +124,6 @@ pub(crate) fn wrench_of(robot: &Robot, option: &str, numbers: &NumberList) -> Re
     }
     let basis = pattern.twist_basis(robot.plane);
     Ok(basis.iter().zip(&numbers.0).map(|(unit, number)| unit * *number).sum())
-}
-
-/// Names of the components of a wrench, as `--wrench` takes them.
-pub(crate) fn wrench_components(pattern: MotionPattern) -> &'static str {
-    match pattern {
-        MotionPattern::PlanarPoint => "fx,fy",
-        MotionPattern::SpatialPoint => "fx,fy,fz",
-        MotionPattern::Planar => "fx,fy,m",
-        _ => "fx,fy,fz,mx,my,mz",
-    }
 }
 
 /// The tension limits that `--min` and `--max` give, or the robot's own.

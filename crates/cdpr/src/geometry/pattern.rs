@@ -177,6 +177,18 @@ impl MotionPattern {
         names
     }
 
+    /// Names of the components of a wrench, of a planar robot with the letters of its plane: forces, then the moments about the platform origin.
+    pub fn wrench_names(self, plane: Plane) -> Vec<String> {
+        let letters = self.component_names(plane);
+        let forces = letters.iter().take(self.translations()).map(|axis| format!("f{axis}"));
+        let moments: &[&str] = match self {
+            Self::PlanarPoint | Self::SpatialPoint => &[],
+            Self::Planar => &["m"],
+            Self::Spatial => &["mx", "my", "mz"],
+        };
+        forces.chain(moments.iter().map(|name| (*name).to_owned())).collect()
+    }
+
     /// Pose from the components of [`MotionPattern::component_names`] (m, rad).
     pub fn pose(self, plane: Plane, components: &[f64]) -> Result<Pose, PatternError> {
         let (expected, found) = (self.dof(), components.len());
@@ -244,6 +256,16 @@ mod tests {
         let plane = Plane::from_axes("xz").unwrap();
         let pose = MotionPattern::Planar.pose(plane, &[0.0, 0.0, std::f64::consts::FRAC_PI_2]).unwrap();
         assert!((pose.transform(&Vector3::x()) - Vector3::z()).norm() < 1e-15);
+    }
+
+    #[test]
+    fn components_of_a_wrench_bear_the_letters_of_the_plane() {
+        let names =
+            |pattern: MotionPattern, axes: &str| pattern.wrench_names(Plane::from_axes(axes).unwrap()).join(",");
+        assert_eq!(names(MotionPattern::Planar, "xz"), "fx,fz,m");
+        assert_eq!(names(MotionPattern::PlanarPoint, "zy"), "fz,fy");
+        assert_eq!(names(MotionPattern::SpatialPoint, "xy"), "fx,fy,fz");
+        assert_eq!(names(MotionPattern::Spatial, "xy"), "fx,fy,fz,mx,my,mz");
     }
 
     #[test]
