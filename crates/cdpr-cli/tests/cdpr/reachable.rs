@@ -41,16 +41,19 @@ fn a_hull_of_36_rays_gives_the_area_that_the_dissertation_prints() {
     assert_eq!(numbers(&answer["winch_offsets_m"]).len(), 4);
 }
 
-/// The box down to the floor cuts the physical workspace, not the reachable one: without the remark the share would be taken for whole.
+/// The box of the robot ends at the floor and cuts all three; without a remark their sizes would be taken for whole.
 #[test]
 fn workspaces_that_the_box_cuts_are_named() {
     let asked = format!("reachable {} --method hull", study("planar-stiff"));
     let answer =
         cdpr(&format!("{asked} --format json")).json_with(&["at_bounds", "reaches_bounds", "physical_area_m2"]);
-    assert_eq!(answer["at_bounds"], serde_json::json!(["physical", "model"]), "{answer}");
-    assert_eq!(answer["reaches_bounds"], false);
+    assert_eq!(answer["at_bounds"], serde_json::json!(["physical", "model", "reachable"]), "{answer}");
+    assert_eq!(answer["reaches_bounds"], true);
     let words = cdpr(&asked).stdout;
-    assert!(words.contains("the physical and the model workspace reach the faces of the box"), "{words}");
+    assert!(
+        words.contains("the physical, the model and the reachable workspace reach the faces of the box"),
+        "{words}"
+    );
     let whole =
         cdpr(&format!("{asked} --bounds=-6,6,-1,9 --format json")).json_with(&["at_bounds", "physical_area_m2"]);
     assert_eq!(whole["at_bounds"], serde_json::json!([]));

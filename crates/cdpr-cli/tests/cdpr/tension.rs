@@ -48,7 +48,7 @@ fn what_is_missing_or_wrong_is_named() {
         ("--pose 5,4 --wrench 0,-10", vec!["square.toml: the tension limits of cable 2", "tension_min_N", "--min"]),
         ("--pose 5,4 --wrench 0,-10 --min 1", vec!["cable 2", "tension_max_N", "--max"]),
         ("--pose 5,4 --wrench 0,-10 --min 9 --max 1", vec!["--min", "above the largest 1 N"]),
-        ("--pose 5,4 --wrench 0,-10,0", vec!["takes the wrench components fx,fy, found 3 numbers"]),
+        ("--pose 5,4 --wrench 0,-10,0", vec!["takes the wrench components fx,fz, found 3 numbers"]),
         ("--pose 5,4 --wrench 0,nan", vec!["component 2: `nan` is not a finite number"]),
         ("--pose 5,4 --min -1", vec!["-1 is below 0"]),
         ("--pose 5,4 --method guess", vec!["there is no method `guess`", "nearest-wrench"]),
