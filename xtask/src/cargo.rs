@@ -55,24 +55,20 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
     outcome
 }
 
-/// The library without the wide vectors, which give the same bits and take as long to compile as all the rest: its tests from outside, its
-/// doc tests and its examples link one build.
-pub(crate) const PORTABLE_LIBRARY: &[&str] = &["-p", "cdpr", "--no-default-features", "--features", "parallel"];
+/// Builds for release what needs no dependency of tests: the command as users get it with its library, the program whose instructions are
+/// counted, and the examples. Together with the tests of the library their dependencies would have features that users do not get.
+pub(crate) const RELEASE: &[&str] =
+    &["build", "--quiet", "--release", "-p", "cdpr", "-p", "cdpr-cli", "-p", "instructions", "-p", "examples"];
 
-/// Builds for release what needs no dependency of tests: the command as users get it, and the program whose instructions are counted.
-/// Together with the tests of the library their dependencies would have features that users do not get.
-pub(crate) const RELEASE: &[&str] = &["build", "--quiet", "--release", "-p", "cdpr-cli", "-p", "instructions"];
+/// The tests of the library, from inside and from outside in one program, and those of the tasks. Without the wide vectors, which give the
+/// same bits (`xtask/instructions/tests`).
+pub(crate) const PORTABLE_TESTS: &[&str] =
+    &["test", "-p", "cdpr", "-p", "xtask", "--lib", "--bins", "--no-default-features", "--features", "cdpr/parallel"];
 
 /// Builds the command for release and tells where it is.
 pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {
     succeed(root, RELEASE).into_result()?;
     Ok(built(root, "release", "cdpr"))
-}
-
-/// Builds the examples and tells where one of them is.
-fn example(root: &Path, name: &str) -> Result<PathBuf, String> {
-    succeed(root, &[&["build", "--quiet", "--examples"], PORTABLE_LIBRARY].concat()).into_result()?;
-    Ok(built(root, "debug/examples", name))
 }
 
 /// Place of a program that cargo built.
@@ -83,7 +79,8 @@ pub(crate) fn built(root: &Path, folder: &str, name: &str) -> PathBuf {
 
 /// Builds and runs an example; its output goes to the terminal.
 pub(crate) fn run_example(root: &Path, name: &str, arguments: &[&str]) -> Result<(), String> {
-    let program = example(root, name)?;
+    succeed(root, RELEASE).into_result()?;
+    let program = built(root, "release", name);
     match Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("{name} ended with {status}")),

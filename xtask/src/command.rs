@@ -1,4 +1,4 @@
-//! The tests of the command, run on the program that users get.
+//! The tests of what users get: of the command, and of the library as it is compiled into it.
 
 use std::path::Path;
 use std::process::Stdio;
@@ -13,23 +13,30 @@ pub(crate) fn check(root: &Path) -> Outcome {
         Ok(program) => program,
         Err(complaint) => return Outcome::of(vec![complaint]),
     };
-    let mut outcome = cargo::count_tests(root, &[TESTS, &["--no-fail-fast"]].concat());
+    let mut outcome = Outcome::default();
+    for tests in TESTS {
+        outcome.add(cargo::count_tests(root, &[tests, &["--no-fail-fast"]].concat()));
+    }
     let same = match read(&cargo::built(root, "release", "cdpr")) {
         Ok(tested) if tested == users_program => Outcome::of(Vec::new()),
         Ok(_) => Outcome::of(vec![ANOTHER.to_owned()]),
         Err(complaint) => Outcome::of(vec![complaint]),
     };
-    outcome.passed += same.passed;
-    outcome.failed += same.failed;
-    outcome.complaints.extend(same.complaints);
+    outcome.add(same);
     outcome
 }
 
-const TESTS: &[&str] = &["test", "--release", "-p", "cdpr-cli"];
+/// Those that link the program and the library of users, and the command's unit tests, which link that library too: compiled with little
+/// optimisation themselves, in half of the time.
+const TESTS: [&[&str]; 2] = [
+    &["test", "--release", "-p", "cdpr-cli", "-p", "instructions", "--test", "*"],
+    &["test", "--release", "-p", "cdpr-cli", "--bins", "--config", "profile.release.package.cdpr-cli.opt-level=0"],
+];
 
 /// Compiles what [`check`] runs, without a word: where that fails, `check` says why.
 pub(crate) fn build(root: &Path) {
-    for arguments in [cargo::RELEASE, &[TESTS, &["--no-run"]].concat()] {
+    let tests = TESTS.map(|tests| [tests, &["--no-run"]].concat());
+    for arguments in [cargo::RELEASE].into_iter().chain(tests.iter().map(Vec::as_slice)) {
         let mut command = cargo::command(root, arguments);
         let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
     }

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use crate::outcome::Outcome;
 
 /// Folders with Rust files.
-const FOLDERS: [&str; 3] = ["crates", "fuzz", "xtask"];
+const FOLDERS: [&str; 5] = ["benches", "crates", "examples", "fuzz", "xtask"];
 
 /// Complains where `rustfmt` would change a file.
 pub(crate) fn check(root: &Path) -> Outcome {

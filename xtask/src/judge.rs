@@ -18,7 +18,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
 }
 
-/// The same from a release build, whose times are judged too.
+/// The same, and times are judged too.
 pub(crate) fn check_with_times(root: &Path) -> Outcome {
     all(root, true)
 }
@@ -41,25 +41,13 @@ fn all(root: &Path, with_times: bool) -> Outcome {
     for (example, script) in JUDGES {
         let cases = folder.join(example).with_extension("json");
         let is_untimed = example == TIMED && !with_times;
-        let one = match write_cases(root, example, &cases, with_times) {
+        let one = match cargo::run_example(root, example, &[&cases.display().to_string()]) {
             Ok(()) => judge(&root.join(script), &python, &cases, is_untimed),
             Err(complaint) => Outcome::of(vec![complaint]),
         };
-        sum.passed += one.passed;
-        sum.failed += one.failed;
-        sum.complaints.extend(one.complaints);
+        sum.add(one);
     }
     sum
-}
-
-/// Runs the example that writes the cases of a judge.
-fn write_cases(root: &Path, example: &str, file: &Path, with_times: bool) -> Result<(), String> {
-    let file = file.display().to_string();
-    if !(example == TIMED && with_times) {
-        return cargo::run_example(root, example, &[&file]);
-    }
-    let arguments = ["run", "--quiet", "--release", "-p", "cdpr", "--example", example, "--", &file];
-    cargo::succeed(root, &arguments).into_result()
 }
 
 /// Runs the judge, shows its table, and counts its verdicts.

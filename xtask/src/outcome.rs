@@ -18,6 +18,13 @@ impl Outcome {
         Self { passed: 1 - failed, failed, complaints }
     }
 
+    /// Counts and complaints of another part of the same step.
+    pub(crate) fn add(&mut self, part: Self) {
+        self.passed += part.passed;
+        self.failed += part.failed;
+        self.complaints.extend(part.complaints);
+    }
+
     /// The complaints as one error text.
     pub(crate) fn into_result(self) -> Result<(), String> {
         if self.failed == 0 { Ok(()) } else { Err(self.complaints.join("\n")) }

@@ -40,12 +40,6 @@ const PROPERTIES: &[&str] = &[
     "batches_decide_as_an_interior_point_solver_does",
 ];
 
-/// The builds that hold them, as the steps of `cargo xtask test` make them.
-const SELECTIONS: [&[&[&str]]; 2] = [
-    &[&["test", "-p", "cdpr", "-p", "xtask", "--lib", "--bins"]],
-    &[&["test", "--test", "library"], cargo::PORTABLE_LIBRARY],
-];
-
 /// Readers that libFuzzer feeds.
 const FUZZ_TARGETS: &[&str] = &["robot", "measurements", "study", "sidecar", "caspr-bodies", "caspr-cables"];
 
@@ -123,25 +117,23 @@ impl Wishes {
 /// The property tests with the cases of a seed; what failed, with the smallest case as the test prints it.
 fn properties(root: &Path, seed: u64) -> Vec<String> {
     let mut found = Vec::new();
-    for selection in SELECTIONS {
-        let mut arguments = selection.concat();
-        arguments.push("--");
-        arguments.extend(PROPERTIES);
-        let mut command = cargo::command(root, &arguments);
-        command.env("CDPR_SEED", seed.to_string()).env("CDPR_CASES", CASES);
-        let again = format!("CDPR_SEED={seed} CDPR_CASES={CASES} cargo {}", arguments.join(" "));
-        match command.stderr(Stdio::inherit()).output() {
-            Ok(output) => {
-                let text = String::from_utf8_lossy(&output.stdout).into_owned();
-                text.lines()
-                    .filter(|line| line.starts_with("test ") && !line.contains("result:"))
-                    .for_each(|line| println!("{line}"));
-                if !output.status.success() {
-                    found.push(format!("{}\n{again}", text.trim()));
-                }
+    let mut arguments = cargo::PORTABLE_TESTS.to_vec();
+    arguments.push("--");
+    arguments.extend(PROPERTIES);
+    let mut command = cargo::command(root, &arguments);
+    command.env("CDPR_SEED", seed.to_string()).env("CDPR_CASES", CASES);
+    let again = format!("CDPR_SEED={seed} CDPR_CASES={CASES} cargo {}", arguments.join(" "));
+    match command.stderr(Stdio::inherit()).output() {
+        Ok(output) => {
+            let text = String::from_utf8_lossy(&output.stdout).into_owned();
+            text.lines()
+                .filter(|line| line.starts_with("test ") && !line.contains("result:"))
+                .for_each(|line| println!("{line}"));
+            if !output.status.success() {
+                found.push(format!("{}\n{again}", text.trim()));
             }
-            Err(error) => found.push(format!("cannot start cargo: {error}")),
         }
+        Err(error) => found.push(format!("cannot start cargo: {error}")),
     }
     found
 }

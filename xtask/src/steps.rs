@@ -26,7 +26,11 @@ enum Action {
     Own(fn(&Path) -> Outcome),
 }
 
-/// Cheap steps first. Benches compile in `clippy`, which takes all targets.
+/// All targets, and the library's tests from outside as a program of its own, which nobody runs.
+const CLIPPY: &[&str] =
+    &["clippy", "--workspace", "--lib", "--bins", "--tests", "--benches", "--test", "library", "--", "-D", "warnings"];
+
+/// Cheap steps first. Benches compile in `clippy`.
 const STEPS: &[Step] = &[
     Step { name: "tools", action: Action::Own(cargo::tools), remedy: "install what is missing, as the message says" },
     Step {
@@ -46,30 +50,21 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "clippy",
-        action: Action::Cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]),
+        action: Action::Cargo(CLIPPY),
         remedy: "mend the code; an exception is `#[expect(lint, reason = \"…\")]` on the smallest item",
     },
     Step {
-        // with every vector unit of the machine: these tests compare the units bit by bit
-        name: "unit-tests",
-        action: Action::Tests(&[&["test", "-p", "cdpr", "-p", "xtask", "--lib", "--bins", "--no-fail-fast"]]),
-        remedy: "run the failing test alone: `cargo test -p CRATE NAME`",
-    },
-    Step {
+        // portable, which takes half as long to compile; what every vector unit makes of it is a test of the build for release
         name: "library",
-        action: Action::Tests(&[&["test", "--no-fail-fast", "--test", "*"], cargo::PORTABLE_LIBRARY]),
-        remedy: "run the failing test alone: `cargo test -p cdpr --test library NAME`",
+        action: Action::Tests(&[cargo::PORTABLE_TESTS, &["--no-fail-fast"]]),
+        remedy: "run the failing test alone: `cargo test -p CRATE NAME`",
     },
     Step {
         name: "command",
         action: Action::Own(command::check),
         remedy: "run the failing test alone: `cargo test --release -p cdpr-cli NAME`",
     },
-    Step {
-        name: "doc-tests",
-        action: Action::Tests(&[&["test", "--no-fail-fast", "--doc"], cargo::PORTABLE_LIBRARY]),
-        remedy: "mend the example in the doc comment",
-    },
+    Step { name: "doc-tests", action: Action::Own(documentation_tests), remedy: "mend the example in the doc comment" },
     Step {
         name: "docs",
         // Libraries only: the binary `cdpr` would write over the pages of the library of the same name.
@@ -89,7 +84,7 @@ const STEPS: &[Step] = &[
     Step {
         name: "examples",
         action: Action::Own(examples::run),
-        remedy: "run it alone: `cargo run -p cdpr --example NAME`",
+        remedy: "run it alone: `cargo run -p examples --bin NAME`",
     },
     Step { name: "book", action: Action::Own(book::check), remedy: "mend the page that mdbook names" },
     Step {
@@ -108,6 +103,16 @@ const STEPS: &[Step] = &[
         remedy: "look at target/browser/screenshots; `cargo xtask viewer` builds the viewer anew",
     },
 ];
+
+/// The tests in doc comments, with the library of the build for release: `cargo test --doc` would compile another one.
+fn documentation_tests(root: &Path) -> Outcome {
+    if let Err(complaint) = cargo::succeed(root, cargo::RELEASE).into_result() {
+        return Outcome::of(vec![complaint]);
+    }
+    let library = format!("cdpr={}", cargo::built(root, "release", "libcdpr").with_extension("rlib").display());
+    let folder = format!("dependency={}", cargo::built(root, "release", "deps").display());
+    cargo::count_tests(root, &["rustdoc", "-p", "cdpr", "--lib", "--", "--test", "--extern", &library, "-L", &folder])
+}
 
 /// Steps that need what is fetched ahead.
 const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];

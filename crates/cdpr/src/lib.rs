@@ -29,6 +29,9 @@
 //! [`statics`], [`equilibrium`], [`workspace`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
 //! file reader, [`error_code`] the stable name of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
+#[cfg(test)]
+extern crate self as cdpr;
+
 pub use nalgebra;
 
 pub mod cable;
@@ -44,8 +47,10 @@ pub mod notation {
     #![doc = include_str!("notation.md")]
 }
 #[cfg(test)]
-#[path = "../tests/support/property.rs"]
-mod property;
+#[path = "../tests/library/main.rs"]
+mod outside;
+#[cfg(test)]
+use outside::support::property;
 pub mod reading;
 pub mod robot;
 pub mod scalar;

@@ -10,8 +10,8 @@ use cdpr::tension::quadratic::{self, Status};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::distribution::Problem;
-use crate::support::{self, builtin as robot, random_direction, random_pose, within_pattern};
+use super::distribution::Problem;
+use super::support::{self, builtin as robot, random_direction, random_pose, within_pattern};
 
 /// All built-in robots (redundancy 0, 1 and 2), and made-up ones with redundancy 0 to 6.
 pub(crate) fn models() -> Vec<Model> {

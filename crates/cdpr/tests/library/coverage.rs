@@ -1,6 +1,6 @@
 //! Intervals mean what they say: 95 % intervals contain the truth in 95 % of repeated experiments.
 
-use crate::support::{builtin, measured, simulator};
+use super::support::{builtin, measured, simulator};
 use cdpr::identification::fit::{Prior, Settings, Status, fit};
 use cdpr::model::{Composition, FreeParameters, Model, ParameterKind};
 use rand::SeedableRng;

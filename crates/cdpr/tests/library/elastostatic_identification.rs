@@ -1,7 +1,7 @@
 //! Elastostatic identification of the dissertation's machine from virtual measurements: 75 poses of a grid, 16 turned ones,
 //! 64 tension tests, noise of the study `twin-measurements`.
 
-use crate::support::builtin;
+use super::support::builtin;
 use cdpr::identification::fit::{Fit, Prior, Settings, Status, fit};
 use cdpr::identification::{ErrorBlocks, evaluate};
 use cdpr::measurement::{Samples, SensorSigmas};

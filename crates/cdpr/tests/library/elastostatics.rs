@@ -1,6 +1,6 @@
 //! The elastostatic forward problem: every equilibrium is found again, and nothing that is none is called one.
 
-use crate::support::{builtin, displaced, random_pose, with_pulleys, within_pattern};
+use super::support::{builtin, displaced, random_pose, with_pulleys, within_pattern};
 use cdpr::equilibrium::elastostatics::{InputError, Settings, Solution, Solver, Status, solve};
 use cdpr::geometry::{MotionPattern, Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};
@@ -51,7 +51,7 @@ struct Tally {
 fn tally(robot: &Robot, composition: Composition, limits: [f64; 2]) -> Tally {
     let model = Model::new(robot.clone(), composition).unwrap();
     let load = Load::of(robot).unwrap();
-    let scale = size(robot) / size(&crate::support::simulator());
+    let scale = size(robot) / size(&super::support::simulator());
     let mut rng = ChaCha8Rng::seed_from_u64(2021);
     let mut solver = Solver::new(&model, &load, &Settings::default()).unwrap();
     let mut tally = Tally::default();

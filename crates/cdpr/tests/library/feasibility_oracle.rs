@@ -3,8 +3,8 @@
 //! How near a pose is to the boundary is measured by a linear programme, as a part of the largest limit
 //! ([`Problem::margin`]). Nearer than 1e-6 either verdict counts as right.
 
-use crate::distribution::{Opinion, Problem};
-use crate::support::{builtin, property, random_pose, within_pattern};
+use super::distribution::{Opinion, Problem};
+use super::support::{builtin, property, random_pose, within_pattern};
 use cdpr::equilibrium::feasibility::feasible;
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};

@@ -1,7 +1,7 @@
 //! The reader of CASPR's models meets damage made for XML: values between marks replaced, elements repeated, files cut.
 
-use crate::readers::caspr::{BODIES, CABLES, check};
-use crate::support::property;
+use super::readers::caspr::{BODIES, CABLES, check};
+use super::support::property;
 use cdpr::robot::caspr::{self, Files, Options};
 use proptest::prelude::*;
 

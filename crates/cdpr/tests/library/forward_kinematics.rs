@@ -1,6 +1,6 @@
 //! Forward kinematics from everywhere in the travel box, on robots of all sizes.
 
-use crate::support::{builtin, displaced, random_pose, with_pulleys};
+use super::support::{builtin, displaced, random_pose, with_pulleys};
 use cdpr::equilibrium::forward_kinematics::{Settings, Solver, Status, solve};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
@@ -30,7 +30,7 @@ struct Tally {
 
 fn tally(robot: &Robot, composition: Composition) -> Tally {
     let model = Model::new(robot.clone(), composition).unwrap();
-    let scale = size(robot) / size(&crate::support::simulator());
+    let scale = size(robot) / size(&super::support::simulator());
     let mut rng = ChaCha8Rng::seed_from_u64(2021);
     let mut tally = Tally::default();
     for _ in 0..POSES {
@@ -102,7 +102,7 @@ fn square_robots_find_an_exact_solution_or_say_why_not() {
 
 #[test]
 fn it_converges_from_afar() {
-    let robot = crate::support::simulator();
+    let robot = super::support::simulator();
     let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut solver = Solver::new(&model, &Settings::default()).unwrap();
@@ -126,7 +126,7 @@ fn it_converges_from_afar() {
 
 #[test]
 fn lengths_of_another_robot_are_told_so() {
-    let model = Model::new(crate::support::simulator(), Composition::STANDARD).unwrap();
+    let model = Model::new(super::support::simulator(), Composition::STANDARD).unwrap();
     let lengths = [1.0, 20.0, 1.0, 20.0, 1.0, 20.0, 1.0, 20.0];
     let solution = solve(&model, &lengths, &Pose::identity(), &Settings::default()).unwrap();
     assert_eq!(solution.status, Status::NotConverged);
@@ -136,7 +136,7 @@ fn lengths_of_another_robot_are_told_so() {
 
 #[test]
 fn too_few_cables_are_singular_in_words() {
-    let mut robot = crate::support::simulator();
+    let mut robot = super::support::simulator();
     robot.cables.truncate(5);
     let model = Model::new(robot, Composition::STANDARD).unwrap();
     let solution = solve(&model, &[8.0; 5], &Pose::identity(), &Settings::default()).unwrap();
@@ -159,7 +159,7 @@ fn a_singular_pose_is_named() {
 
 #[test]
 fn input_that_makes_no_sense_is_refused() {
-    let model = Model::new(crate::support::simulator(), Composition::STANDARD).unwrap();
+    let model = Model::new(super::support::simulator(), Composition::STANDARD).unwrap();
     let settings = Settings::default();
     assert!(solve(&model, &[1.0; 7], &Pose::identity(), &settings).is_err());
     for bad in [f64::NAN, f64::INFINITY, -1.0, 0.0] {
@@ -202,7 +202,7 @@ fn contradictory_lengths_lead_to_the_least_squares_pose_quickly() {
 
 /// A box on cables from its corners to those of a frame, half edges in metres.
 fn box_on_eight_cables(frame: Vector3<f64>, platform: Vector3<f64>) -> Robot {
-    let mut robot = crate::support::simulator();
+    let mut robot = super::support::simulator();
     for (index, cable) in robot.cables.iter_mut().enumerate() {
         let corner = Vector3::from_fn(|axis, _| if index >> axis & 1 == 0 { -1.0 } else { 1.0 });
         cable.frame_anchor = corner.component_mul(&frame);

@@ -1,6 +1,6 @@
 //! Forward statics: the pose that tensions and load leave the platform.
 
-use crate::support::{builtin, displaced, random_pose, within_pattern};
+use super::support::{builtin, displaced, random_pose, within_pattern};
 use cdpr::equilibrium::forward_statics::{Settings, Status, solve};
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};

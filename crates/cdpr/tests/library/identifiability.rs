@@ -1,6 +1,6 @@
 //! What data determine, and how that is told.
 
-use crate::support::{NOISE, measured, random_poses, simulator};
+use super::support::{NOISE, measured, random_poses, simulator};
 use cdpr::identification::fit::{Fit, Prior, Settings, Status, fit};
 use cdpr::measurement::Samples;
 use cdpr::metamodel::simulate::simulate;
@@ -91,7 +91,7 @@ fn a_prior_on_the_platform_anchors_closes_the_gap() {
 fn the_optimum_of_the_frame_anchors_is_unique() {
     use rand::{RngExt, SeedableRng};
     let samples = measured(
-        &crate::support::builtin("cablerobot-simulator-helicopter-kinematic-calibrated"),
+        &super::support::builtin("cablerobot-simulator-helicopter-kinematic-calibrated"),
         Composition::STANDARD,
         91,
         0.09,

@@ -6,14 +6,14 @@ use levenberg_marquardt::LevenbergMarquardt;
 /// Both stop when no digit is left to gain; 1e-9 m is far below what any sensor sees and far above what rounding leaves.
 #[test]
 fn cable_blocks_find_the_optimum_of_the_dense_problem() {
-    let (model, samples) = crate::dense::problem();
+    let (model, samples) = super::dense::problem();
     let free = "frame-anchor,platform-anchor".parse().unwrap();
     let blocks = optimal_parameters(&model, &samples, &free, &Settings::default()).unwrap();
     assert!(blocks.converged);
     let found: Vec<f64> = blocks.parameters.iter().map(|parameter| parameter.value(&blocks.model)).collect();
     // the defaults stop at 1e-14 of the cost, which leaves the parameters 1e-9 m off
     let to_the_last_digits = LevenbergMarquardt::new().with_ftol(0.0).with_gtol(0.0).with_xtol(1e-12);
-    let expected = crate::dense::solve(&model, &samples, to_the_last_digits);
+    let expected = super::dense::solve(&model, &samples, to_the_last_digits);
     assert_eq!(found.len(), expected.len());
     for ((found, expected), parameter) in found.iter().zip(&expected).zip(&blocks.parameters) {
         assert!((found - expected).abs() < 1e-9, "{}: {found} {expected}", parameter.name(model.robot()));

@@ -1,5 +1,5 @@
-//! The library's tests through its public interface, in one program: the library is linked once, and no core waits for the last test of a
-//! file. Only tests that replace the allocator stand beside it.
+//! The library's tests through its public interface, in the program of its unit tests (`src/lib.rs`): the library is compiled for tests
+//! once. As a program of its own, which `cargo clippy` checks and nobody runs, they see what users see.
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -16,7 +16,7 @@ mod problems;
 #[path = "../readers/mod.rs"]
 mod readers;
 #[path = "../support/mod.rs"]
-mod support;
+pub(crate) mod support;
 
 mod caspr_import;
 mod compositions;
@@ -33,6 +33,7 @@ mod identifiability;
 mod identification_oracle;
 mod irma4u;
 mod metamodel;
+mod no_allocation;
 mod no_panic;
 mod planar_pulleys;
 mod random_workspaces;

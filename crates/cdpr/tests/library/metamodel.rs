@@ -1,6 +1,6 @@
 //! Control models on machines: identity, winch offsets, initial tensions, what is recorded.
 
-use crate::support::{builtin, random_poses, simulator, with_pulleys};
+use super::support::{builtin, random_poses, simulator, with_pulleys};
 use cdpr::geometry::Pose;
 use cdpr::measurement::SensorSigmas;
 use cdpr::metamodel::accuracy::assess;

@@ -3,7 +3,7 @@
 //!
 //! Readers refuse most of these; programs that build a robot in memory do not pass through a reader.
 
-use crate::support::{builtin, property, simulator, with_pulleys};
+use super::support::{builtin, property, simulator, with_pulleys};
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::identification::candidate::{Ladder, defaults};

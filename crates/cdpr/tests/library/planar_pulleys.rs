@@ -1,6 +1,6 @@
 //! Pulleys that do not swivel on the planar example: published shrinking of its workspace, calibration, round trip of the file.
 
-use crate::support::builtin;
+use super::support::builtin;
 use cdpr::equilibrium::forward_kinematics::{self, Settings, Status};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, place_pulleys};

@@ -13,8 +13,8 @@ use cdpr::workspace::{Archetype, Bounds, Point, Region};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::support::property::seeds;
-use crate::support::{builtin, random_direction};
+use super::support::property::seeds;
+use super::support::{builtin, random_direction};
 
 /// A robot with anchors anywhere on or in a box, and a load and limits that may leave much or nothing.
 struct Random {

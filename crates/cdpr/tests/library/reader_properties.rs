@@ -1,12 +1,12 @@
 //! Readers meet arbitrary bytes: they never panic, and what they accept is finite and comes back unchanged.
 
-use crate::readers::{READERS, check_robot, mutated};
-use crate::support::{builtin, property};
+use super::readers::{READERS, check_robot, mutated};
+use super::support::{builtin, property};
 use cdpr::measurement::Samples;
 use cdpr::robot::{self, Robot};
 use proptest::prelude::*;
 
-/// Damaged files by the number of their seed; `cargo run --release -p cdpr --example mutate_readers` goes on from there.
+/// Damaged files by the number of their seed; `cargo run --release -p examples --bin mutate_readers` goes on from there.
 #[test]
 fn damaged_files_are_refused_or_make_sense() {
     for reader in READERS {

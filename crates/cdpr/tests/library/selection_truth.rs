@@ -1,6 +1,6 @@
 //! Model selection finds the machine that made the data.
 
-use crate::support::{measured, simulator, with_pulleys};
+use super::support::{measured, simulator, with_pulleys};
 use cdpr::identification::candidate;
 use cdpr::identification::selection::{Judgement, Selection, Settings, select};
 use cdpr::measurement::{Fold, Samples};

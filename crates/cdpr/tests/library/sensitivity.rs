@@ -1,6 +1,6 @@
 //! Every sensitivity is the central difference of the exact solve.
 
-use crate::support::{builtin, random_poses, simulator, with_drums, with_pulleys};
+use super::support::{builtin, random_poses, simulator, with_drums, with_pulleys};
 use cdpr::geometry::Pose;
 use cdpr::metamodel::sensitivity::{Cause, Kind, Offsets, Sensitivity, Setting, Side};
 use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};

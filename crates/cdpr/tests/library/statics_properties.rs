@@ -1,6 +1,6 @@
 //! Stiffness is that of the forward problem, and no numbers make the statics panic.
 
-use crate::support::{property, random_pose, simulator, with_pulleys};
+use super::support::{property, random_pose, simulator, with_pulleys};
 use cdpr::equilibrium::elastostatics::{self, Settings, Status};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};

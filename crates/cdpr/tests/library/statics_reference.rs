@@ -1,6 +1,6 @@
 //! Load estimation, winch offsets and section wrenches printed by Miermeister 2021, and that its misprints do not give them.
 
-use crate::support::builtin;
+use super::support::builtin;
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;

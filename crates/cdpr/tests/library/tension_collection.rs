@@ -3,9 +3,9 @@
 
 use std::path::Path;
 
-use crate::distribution::{Opinion, Problem};
-use crate::problems::random_problem;
-use crate::support::property;
+use super::distribution::{Opinion, Problem};
+use super::problems::random_problem;
+use super::support::property;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector};
 use cdpr::robot::Robot;

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::distribution::Problem;
-use crate::problems::{models, random_problem, random_problem_within};
-use crate::support::property;
+use super::distribution::Problem;
+use super::problems::{models, random_problem, random_problem_within};
+use super::support::property;
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
 use cdpr::tension::{Answer, Limits, Method, Options, Reference, Solver, Status, solve};

@@ -3,9 +3,9 @@
 //! How near a problem is to the boundary of what is feasible is measured by a linear programme: by how much of the largest
 //! limit all limits could be narrower, or would have to be wider ([`Problem::margin`]). Nearer than 1e-6 either verdict counts as right.
 
-use crate::distribution::{Opinion, Problem};
-use crate::problems::{models, random_problem};
-use crate::support::property;
+use super::distribution::{Opinion, Problem};
+use super::problems::{models, random_problem};
+use super::support::property;
 use cdpr::model::Model;
 use cdpr::tension::quadratic::{self, Status};
 use rand::SeedableRng;
@@ -106,7 +106,8 @@ fn verdicts_and_optima_are_those_of_an_interior_point_solver() {
         assert!(tally.wrong.is_empty(), "{} wrong, first {}", tally.wrong.len(), tally.wrong[0]);
         assert!(tally.feasible > 250 && tally.infeasible > 250, "a one-sided test: {tally:?}");
         assert!(tally.boundary < 10 && tally.unclear < 100, "an evasive test: {tally:?}");
-        assert!(tally.cost < 1e-6, "{tally:?}");
+        // clarabel keeps limits and balance to 1e-8, which steep multipliers make up to 1.1e-6 of the optimum in 4e5 problems of the soak
+        assert!(tally.cost < 1e-5, "{tally:?}");
         // the square root of clarabel's 1e-8, as the optimum is flat
         assert!(tally.tension < 1e-4, "{tally:?}");
     }

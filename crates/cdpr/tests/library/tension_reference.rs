@@ -1,6 +1,6 @@
 //! Tension distributions printed by Miermeister 2021, that its misprints do not give them, and laws for any problem.
 
-use crate::support::{builtin, property};
+use super::support::{builtin, property};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector, Vector3};

@@ -8,7 +8,7 @@ use cdpr::tension::{Limits, Method, Options, Solver, Status, solve};
 /// Tensions along a path through the workspace of the CableRobot Simulator, and their largest step and largest change of
 /// direction, both divided by the length of a step.
 fn along_path(method: Method, steps: usize) -> [f64; 2] {
-    let model = Model::new(crate::support::simulator(), Composition::STANDARD).expect("a model");
+    let model = Model::new(super::support::simulator(), Composition::STANDARD).expect("a model");
     let limits = Limits::uniform(8, 1000.0, 6000.0).expect("in order");
     let wrench = [300.0, -200.0, -7000.0, 200.0, 100.0, -50.0];
     let mut solver = Solver::new(method, 8, 6);

@@ -1,6 +1,6 @@
 //! Drawn robots against their first order, exact against linear, and the tolerances that an accuracy allows.
 
-use crate::support::{builtin, random_poses, simulator, with_pulleys};
+use super::support::{builtin, random_poses, simulator, with_pulleys};
 use cdpr::geometry::Pose;
 use cdpr::metamodel::sensitivity::{Cause, Kind, Offsets, PoseSensitivity, Sensitivity, Setting, Side};
 use cdpr::metamodel::study::{CommandedPose, Distribution, Initial, Shortening, TensionMethod};

@@ -3,7 +3,7 @@
 //! The studies are those of the folder `studies`; the numbers were recomputed from the dissertation's printed parameters with
 //! an independent implementation and stand in its corrected form (a factor 10 in sec. 4.4, k_F = 200 kN in sec. 3.6).
 
-use crate::support::builtin;
+use super::support::builtin;
 use cdpr::geometry::Pose;
 use cdpr::metamodel::accuracy::{Accuracy, assess_operation};
 use cdpr::metamodel::study::CommandedPose;

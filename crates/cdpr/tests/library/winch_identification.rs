@@ -1,6 +1,6 @@
 //! Drums identified from recorded motor angles.
 
-use crate::support::{builtin, random_poses, simulator, with_drums};
+use super::support::{builtin, random_poses, simulator, with_drums};
 use cdpr::identification::evaluate;
 use cdpr::identification::fit::{Fit, InputError, Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};

@@ -1,6 +1,6 @@
 //! Drums between motors and cables: control models that know them and those that do not, and data of motor angles.
 
-use crate::support::{random_poses, simulator};
+use super::support::{random_poses, simulator};
 use cdpr::identification::evaluate;
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::accuracy::assess;
@@ -12,7 +12,7 @@ use cdpr::robot::Robot;
 const DRUM: Composition = Composition { drum: true, ..Composition::STANDARD };
 
 fn with_drums() -> Robot {
-    crate::support::with_drums(&simulator())
+    super::support::with_drums(&simulator())
 }
 
 fn model(robot: &Robot, composition: Composition) -> Model {

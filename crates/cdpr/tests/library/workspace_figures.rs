@@ -1,6 +1,6 @@
 //! Areas and volumes that were published, by every method.
 
-use crate::support::builtin;
+use super::support::builtin;
 use cdpr::geometry::Wrench;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::UnitQuaternion;

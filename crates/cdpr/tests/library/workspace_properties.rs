@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Shape, builtin, random_direction};
+use super::support::{Shape, builtin, random_direction};
 use cdpr::geometry::{Pose, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};

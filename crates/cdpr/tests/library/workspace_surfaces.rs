@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Shape, builtin};
+use super::support::{Shape, builtin};
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};

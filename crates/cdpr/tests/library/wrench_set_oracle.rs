@@ -3,8 +3,8 @@
 //! How near a wrench is to the boundary is measured by [`Problem::margin`]: by how much of the largest limit all limits could be
 //! narrower, or would have to be wider. Nearer than 1e-6 either verdict counts as right.
 
-use crate::distribution::Problem;
-use crate::support::{builtin as robot, random_pose, within_pattern};
+use super::distribution::Problem;
+use super::support::{builtin as robot, random_pose, within_pattern};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector};
 use cdpr::robot::builtin;

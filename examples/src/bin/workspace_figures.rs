@@ -1,11 +1,9 @@
 //! Workspaces by grid, octree and hull, in sets of orientations, and their first-order motion.
 //!
-//! `cargo run -p cdpr --example workspace_figures [FOLDER]` prints the sizes of the book's chapter “Workspaces”; with a folder it
+//! `cargo run -p examples --bin workspace_figures [FOLDER]` prints the sizes of the book's chapter “Workspaces”; with a folder it
 //! also draws the chapter's figures there.
 
 #![expect(clippy::print_stdout, reason = "the sizes are what it is for")]
-
-mod drawing;
 
 use std::error::Error;
 use std::path::Path;
@@ -20,7 +18,7 @@ use cdpr::workspace::criterion::WrenchFeasible;
 use cdpr::workspace::differential::{Differences, motion};
 use cdpr::workspace::hull::{self, Hull};
 use cdpr::workspace::{Archetype, Bounds, Region, WorkspaceError, octree};
-use drawing::{Grid, Panel, Picture};
+use examples::drawing::{Grid, Panel, Picture};
 
 /// Dark, orange and blue: apart in grey too, by their dashes.
 const STYLES: [&str; 4] = [

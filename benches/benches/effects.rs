@@ -1,5 +1,5 @@
 //! What each effect costs in inverse kinematics, CableRobot Simulator (m = 8), one pose at a time, all cables:
-//! `cargo bench -p cdpr --bench effects`. The last lines are the ratios to the standard model in the same run.
+//! `cargo bench -p benches --bench effects`. The last lines are the ratios to the standard model in the same run.
 #![expect(clippy::print_stdout, reason = "a program that shows its figures")]
 
 use std::hint::black_box;

@@ -24,8 +24,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         std::fs::write(file, figure)?;
         return Ok(());
     }
-    let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/book/src/figures/pulleys.svg");
-    assert_eq!(std::fs::read_to_string(committed)?, figure, "write it anew: --example draw_pulleys -- {committed}");
+    let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/book/src/figures/pulleys.svg");
+    assert_eq!(std::fs::read_to_string(committed)?, figure, "write it anew: --bin draw_pulleys -- {committed}");
     Ok(())
 }
 

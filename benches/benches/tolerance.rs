@@ -1,4 +1,4 @@
-//! A Monte-Carlo tolerance study, 10 000 robots at 75 poses: `cargo bench -p cdpr --bench tolerance`, on one core with
+//! A Monte-Carlo tolerance study, 10 000 robots at 75 poses: `cargo bench -p benches --bench tolerance`, on one core with
 //! `RAYON_NUM_THREADS=1`.
 //!
 //! The CableRobot Simulator of eq. 6.27–6.30 with elastic cables, all anchors and stiffnesses deviating. `one by one` is the same
@@ -65,7 +65,7 @@ fn main() {
     let robot = Robot::builtin(name).expect("built in");
     let control = Model::new(robot.clone(), Composition::STANDARD).expect("a model");
     let machine = Model::new(robot.clone(), Composition::ELASTIC).expect("a model");
-    let path = format!("{}/../../studies/twin-tolerances.toml", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../studies/twin-tolerances.toml", env!("CARGO_MANIFEST_DIR"));
     let study = Study::from_toml_bytes(&std::fs::read(&path).expect("a study"), &path).expect("a study");
     let tensions = vec![3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
     let initial = Initial { tensions_N: Some(tensions), tension_method: None, ..study.initial.clone() };

@@ -1,10 +1,10 @@
-//! Identification from 91 poses: `cargo bench -p cdpr --bench identification`.
+//! Identification from 91 poses: `cargo bench -p benches --bench identification`.
 //!
 //! Kinematic: 48 parameters, both anchors of eight cables; `dense` is the same problem, 728 × 48, by the crate
 //! levenberg-marquardt. Elastostatic: 62 parameters, anchors, compliances and the wrench, from wrench and length rows with
 //! their full covariances, poses and tensions corrected along with the parameters.
 
-#[path = "../tests/dense/mod.rs"]
+#[path = "../../crates/cdpr/tests/dense/mod.rs"]
 mod dense;
 
 use std::hint::black_box;
@@ -47,7 +47,7 @@ fn main() {
 }
 
 fn elastostatic(criterion: &mut Criterion) {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/twin-measurements.toml");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/twin-measurements.toml");
     let mut study = Study::from_toml_bytes(&std::fs::read(path).expect("the study"), path).expect("a study");
     study.poses.as_mut().expect("poses").tension_tests = None;
     let robot = |name: &str| Robot::builtin(name).expect("built in");

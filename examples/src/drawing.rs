@@ -9,7 +9,7 @@ const BANDS: [&str; 8] = ["#00204c", "#2b446e", "#4b596d", "#666970", "#7c7b78",
 const FINENESS: usize = 4;
 
 /// A picture under construction; coordinates in pixels from the upper left corner.
-pub(crate) struct Picture {
+pub struct Picture {
     body: String,
     width: f64,
     height: f64,
@@ -17,20 +17,27 @@ pub(crate) struct Picture {
 }
 
 /// A rectangle of the picture with its axes.
-pub(crate) struct Panel {
-    pub(crate) corner: (f64, f64),
-    pub(crate) size: (f64, f64),
-    pub(crate) x: (f64, f64),
-    pub(crate) y: (f64, f64),
+pub struct Panel {
+    /// Upper left.
+    pub corner: (f64, f64),
+    /// Width and height.
+    pub size: (f64, f64),
+    /// From, to, in the unit of its axis.
+    pub x: (f64, f64),
+    /// From, to, in the unit of its axis.
+    pub y: (f64, f64),
     /// Both axes by ratio.
-    pub(crate) is_logarithmic: bool,
+    pub is_logarithmic: bool,
 }
 
 /// Values on a grid, row by row along y; NaN where there is none.
-pub(crate) struct Grid {
-    pub(crate) x: Vec<f64>,
-    pub(crate) y: Vec<f64>,
-    pub(crate) values: Vec<f64>,
+pub struct Grid {
+    /// Columns.
+    pub x: Vec<f64>,
+    /// Rows.
+    pub y: Vec<f64>,
+    /// One for each row and column.
+    pub values: Vec<f64>,
 }
 
 /// Parts of one band beside each other, not drawn yet: from their upper left to their lower right corner (pixels).
@@ -43,7 +50,7 @@ struct Run {
 
 impl Panel {
     /// Pixels of a point.
-    pub(crate) fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+    pub fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let share = |value: f64, (low, high): (f64, f64)| match self.is_logarithmic {
             true => (value / low).ln() / (high / low).ln(),
             false => (value - low) / (high - low),
@@ -67,16 +74,18 @@ impl Grid {
 }
 
 impl Picture {
-    pub(crate) fn new(width: f64, height: f64, title: &str) -> Self {
+    /// An empty picture; its title is read aloud to those who do not see it.
+    pub fn new(width: f64, height: f64, title: &str) -> Self {
         Self { body: String::new(), width, height, title: title.to_owned() }
     }
 
-    pub(crate) fn text(&mut self, anchor: &str, (x, y): (f64, f64), text: &str) {
+    /// Text whose start, middle or end (the anchor) stands at a place.
+    pub fn text(&mut self, anchor: &str, (x, y): (f64, f64), text: &str) {
         self.push(&format!(r#"<text text-anchor="{anchor}" x="{x:.1}" y="{y:.1}">{text}</text>"#));
     }
 
     /// A text on a coloured ground.
-    pub(crate) fn haloed(&mut self, (x, y): (f64, f64), text: &str) {
+    pub fn haloed(&mut self, (x, y): (f64, f64), text: &str) {
         self.push(&format!(r#"<text class="level" text-anchor="middle" x="{x:.1}" y="{y:.1}">{text}</text>"#));
     }
 
@@ -86,7 +95,7 @@ impl Picture {
     }
 
     /// Ticks with grid lines and their labels, and what the axes are.
-    pub(crate) fn axes(&mut self, panel: &Panel, ticks: (&[f64], &[f64]), labels: (&str, &str)) {
+    pub fn axes(&mut self, panel: &Panel, ticks: (&[f64], &[f64]), labels: (&str, &str)) {
         let ((left, top), (width, height)) = (panel.corner, panel.size);
         let (right, bottom) = (left + width, top + height);
         for &tick in ticks.0 {
@@ -111,7 +120,7 @@ impl Picture {
     }
 
     /// Straight lines through points.
-    pub(crate) fn curve(&mut self, panel: &Panel, style: &str, points: &[(f64, f64)]) {
+    pub fn curve(&mut self, panel: &Panel, style: &str, points: &[(f64, f64)]) {
         let mut path = String::new();
         for (index, point) in points.iter().enumerate() {
             let (x, y) = panel.place(*point);
@@ -121,7 +130,7 @@ impl Picture {
     }
 
     /// Colour bands between levels, contours with their values, and the levels beside the panel.
-    pub(crate) fn map(&mut self, panel: &Panel, grid: &Grid, levels: &[f64]) {
+    pub fn map(&mut self, panel: &Panel, grid: &Grid, levels: &[f64]) {
         let ((left, top), (width, height)) = (panel.corner, panel.size);
         self.push(&format!(r#"<rect x="{left}" y="{top}" width="{width}" height="{height}" fill="url(#none)"/>"#));
         let mut contours: Vec<Vec<[(f64, f64); 2]>> = vec![Vec::new(); levels.len()];
@@ -207,7 +216,7 @@ impl Picture {
     }
 
     /// The file.
-    pub(crate) fn finish(self) -> String {
+    pub fn finish(self) -> String {
         let Self { body, width, height, title } = self;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"sans-serif\" \

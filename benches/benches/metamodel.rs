@@ -1,4 +1,4 @@
-//! The meta-model over regions, on one core with `RAYON_NUM_THREADS=1`: `cargo bench -p cdpr --bench metamodel`.
+//! The meta-model over regions, on one core with `RAYON_NUM_THREADS=1`: `cargo bench -p benches --bench metamodel`.
 //!
 //! The same work as in `benches/peers/metamodel.py`, which prints the same rows for SciPy: an accuracy map of the planar example
 //! with 100 × 100 commanded positions, the hull of the reachable workspace of the CableRobot Simulator's twin with 642 rays, and the

@@ -1,13 +1,10 @@
 //! A rope that stiffens, the straight line that comes nearest to it, and the drawing of both for the book.
 //!
-//! `cargo run -p cdpr --example stiffening docs/book/src/figures/elasticity.svg` writes the drawing.
+//! `cargo run -p examples --bin stiffening docs/book/src/figures/elasticity.svg` writes the drawing.
 #![expect(clippy::print_stdout, reason = "a program that shows its figures")]
 
-#[expect(dead_code, reason = "the panels of the maps' drawings, without the maps")]
-mod drawing;
-
 use cdpr::cable::stretch::polynomial::Polynomial;
-use drawing::{Panel, Picture};
+use examples::drawing::{Panel, Picture};
 
 /// Largest strain drawn.
 const STRAIN: f64 = 0.012;

@@ -1,6 +1,6 @@
 //! A large loop of a cable's tension over its strain with a small one inside, and the drawing of it for the book.
 //!
-//! `cargo run -p cdpr --example hysteresis_loops docs/book/src/figures/hysteresis.svg` writes the drawing.
+//! `cargo run -p examples --bin hysteresis_loops docs/book/src/figures/hysteresis.svg` writes the drawing.
 
 use std::fmt::Write;
 

@@ -1,8 +1,6 @@
 //! Hot paths claim no memory: an allocator that counts, per thread.
 #![expect(unsafe_code, reason = "an allocator can only be replaced by unsafe code; this one passes every call on")]
 
-mod dense;
-
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -15,6 +13,8 @@ use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
 use cdpr::tension::quadratic::{self, Status};
 use cdpr::tension::{self, Limits, Method, Options, Reference};
+
+use super::dense;
 
 struct Counting;
 

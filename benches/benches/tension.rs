@@ -1,4 +1,4 @@
-//! Tension distribution at one pose, CableRobot Simulator (m = 8, n = 6): `cargo bench -p cdpr --bench tension`.
+//! Tension distribution at one pose, CableRobot Simulator (m = 8, n = 6): `cargo bench -p benches --bench tension`.
 //!
 //! `feasible` are random poses with loads that tensions drawn from within the limits balance, `infeasible` the same with
 //! tensions drawn from beyond them; every problem has another structure matrix. `path` are 256 poses along a line under one
@@ -8,7 +8,7 @@
 //! short rounds of the wall clock; `best` is the least of the rounds, what the machine gives with nothing else on it.
 
 mod clock;
-#[path = "../tests/distribution/mod.rs"]
+#[path = "../../crates/cdpr/tests/distribution/mod.rs"]
 mod distribution;
 
 use std::hint::black_box;

@@ -1,5 +1,5 @@
 //! One pose by forward kinematics, CableRobot Simulator (m = 8, n = 6), start 0.1 m and 3° off:
-//! `cargo bench -p cdpr --bench forward_kinematics`.
+//! `cargo bench -p benches --bench forward_kinematics`.
 //!
 //! `newcomer` is the same problem as one writes it first: dynamic matrices, a singular value decomposition per step.
 

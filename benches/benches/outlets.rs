@@ -1,5 +1,5 @@
 //! Inverse kinematics of the CableRobot Simulator (8 cables) over points and over pulleys, with directions and all derivatives:
-//! `cargo bench -p cdpr --bench outlets`. Times are per pose: an eighth of them per cable.
+//! `cargo bench -p benches --bench outlets`. Times are per pose: an eighth of them per cable.
 
 use std::hint::black_box;
 

@@ -1,4 +1,4 @@
-//! A drum in both directions against the length of one cable: `cargo bench -p cdpr --bench winch`; times are per number.
+//! A drum in both directions against the length of one cable: `cargo bench -p benches --bench winch`; times are per number.
 
 use std::hint::black_box;
 

@@ -44,8 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::fs::write(file, figure)?;
         return Ok(());
     }
-    let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/book/src/figures/tension-polygon.svg");
-    assert_eq!(std::fs::read_to_string(committed)?, figure, "write it anew: --example draw_tensions -- {committed}");
+    let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/book/src/figures/tension-polygon.svg");
+    assert_eq!(std::fs::read_to_string(committed)?, figure, "write it anew: --bin draw_tensions -- {committed}");
     Ok(())
 }
 

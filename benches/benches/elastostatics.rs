@@ -1,5 +1,5 @@
 //! One pose and its tensions by the elastostatic forward problem, CableRobot Simulator (m = 8, n = 6), start 0.1 m and 3° off:
-//! `cargo bench -p cdpr --bench elastostatics`.
+//! `cargo bench -p benches --bench elastostatics`.
 //!
 //! `newcomer` is the same problem as one writes it first: the stiffness matrices of `statics` and a dense solve per step.
 //! It is given a good problem: no cable goes slack on the way, nothing is checked at the end.

@@ -1,5 +1,5 @@
 //! The work of the peer programs (NumPy, SciPy, CasADi, Eigen, Ceres and others) on the same inputs, as rows for the same table:
-//! `cargo bench -p cdpr --bench peers -- FOLDER > FOLDER/results/cdpr.jsonl`, where `FOLDER/data` holds the inputs (raw
+//! `cargo bench -p benches --bench peers -- FOLDER > FOLDER/results/cdpr.jsonl`, where `FOLDER/data` holds the inputs (raw
 //! little-endian numbers). See the book, “What it costs”.
 //!
 //! Times are CPU time of this thread where the system tells it (Linux), else of the wall clock; medians of rounds.
@@ -236,7 +236,6 @@ fn main() {
         // `cargo bench` without a folder: there is nothing to compare with
         return;
     };
-    #[cfg(feature = "parallel")]
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
     let data = Data { folder: folder.join("data") };
     inverse_kinematics(&data);

@@ -1,11 +1,9 @@
 //! What sag changes: one cable by its tension, and a robot with 14 mm steel cables over its workspace.
 //!
-//! `cargo run -p cdpr --example sag_map [FOLDER]` prints the tables of the book's chapter “Sag”; with a folder it also draws
+//! `cargo run -p examples --bin sag_map [FOLDER]` prints the tables of the book's chapter “Sag”; with a folder it also draws
 //! the chapter's figures there (a minute).
 
 #![expect(clippy::print_stdout, reason = "the tables are what it is for")]
-
-mod drawing;
 
 use std::error::Error;
 use std::path::Path;
@@ -19,7 +17,7 @@ use cdpr::model::{Composition, Model, Supported};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
-use drawing::{Grid, Panel, Picture};
+use examples::drawing::{Grid, Panel, Picture};
 
 /// 14 mm steel rope (kg/m).
 const DENSITY: f64 = 0.8;

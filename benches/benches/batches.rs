@@ -1,5 +1,5 @@
 //! Batches over many poses against a loop over single poses, CableRobot Simulator (m = 8, n = 6):
-//! `cargo bench -p cdpr --bench batches`.
+//! `cargo bench -p benches --bench batches`.
 //!
 //! Prints the time per pose beside the goal of a quiet machine, and how many times as long the loop takes in the same run. One
 //! thread, the wall clock; candidates take turns in short rounds. The median of rounds is what the machine gave, their least
@@ -243,7 +243,6 @@ fn refined(model: &Model) {
 }
 
 /// The grid of 100³ by all threads against one, by the wall clock: the best of some runs each.
-#[cfg(feature = "parallel")]
 #[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
 fn threads(model: &Model) {
     let (load, limits) = load_and_limits();
@@ -269,9 +268,7 @@ fn main() {
     let pulley = Model::new(pulleys, Composition::PULLEY).expect("a model");
     let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
     let elastic_model = Model::new(robot, Composition::ELASTIC).expect("a model");
-    #[cfg(feature = "parallel")]
     threads(&standard);
-    #[cfg(feature = "parallel")]
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
     geometry("points", &standard, [22.0, 35.0]);
     geometry("pulleys", &pulley, [60.0, 80.0]);

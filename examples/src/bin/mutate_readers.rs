@@ -1,11 +1,11 @@
 //! The long run of the reader tests: millions of damaged files for every reader, in time and memory.
 //!
-//! `cargo run --release -p cdpr --example mutate_readers -- [COUNT] [FIRST_SEED] [READER]`
+//! `cargo run --release -p examples --bin mutate_readers -- [COUNT] [FIRST_SEED] [READER]`
 //!
 //! A panic names its seed: add the bytes to `tests/readers/found` and mend the reader.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program that shows its figures")]
 
-#[path = "../tests/readers/mod.rs"]
+#[path = "../../../crates/cdpr/tests/readers/mod.rs"]
 mod readers;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,6 +1,6 @@
 //! What an ideal winch gets wrong: cable paid out by drums with a groove against radius times angle, in millimetres.
 //!
-//! `cargo run -p cdpr --example drum_against_ideal_winch [FIGURE.svg]` prints the table of the book's chapter “Winch and drum”
+//! `cargo run -p examples --bin drum_against_ideal_winch [FIGURE.svg]` prints the table of the book's chapter “Winch and drum”
 //! and draws its figure.
 
 #![expect(clippy::print_stdout, reason = "the table is what it is for")]

@@ -1,4 +1,4 @@
-//! What one formula costs on each vector unit: `cargo bench -p cdpr --bench lanes`, times are per 1024 poses (so
+//! What one formula costs on each vector unit: `cargo bench -p benches --bench lanes`, times are per 1024 poses (so
 //! 1 µs means 1 ns per pose) except for the group `dispatch`.
 
 use std::hint::black_box;
