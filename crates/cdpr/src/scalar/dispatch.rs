@@ -87,6 +87,7 @@ impl Unit {
         WIDEST.store(widest as u8, Ordering::Relaxed);
     }
 
+    #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
     #[inline(always)]
     fn is_allowed(self) -> bool {
         WIDEST.load(Ordering::Relaxed) >= self as u8
