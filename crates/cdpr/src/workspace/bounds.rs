@@ -62,7 +62,7 @@ impl Bounds {
     ///
     /// The box reaches a quarter of its longest side further, for the origin of a platform may leave the frame; below a flat frame a
     /// whole side, and above it no further, for the platform hangs; without gravity to both sides. It ends at the floor, the plane of
-    /// height zero, where nothing of the file lies below that.
+    /// height zero, where nothing of the file lies below that; the plane of a flat frame itself is none, for the platform hangs under it.
     pub fn around(model: &Model) -> Result<Self, WorkspaceError> {
         let gravity = model.robot().gravity.unwrap_or_default();
         let mut ends = frame_of(model);
@@ -70,7 +70,8 @@ impl Bounds {
         for (axis, [least, largest]) in model.axes().iter().zip(&mut ends) {
             let is_flat = *largest - *least < FLAT * longest;
             let is_vertical = -axis.dot(&gravity) > UPRIGHT * gravity.norm();
-            let floor = if is_vertical && *least >= 0.0 { 0.0 } else { f64::NEG_INFINITY };
+            let has_floor = is_vertical && *least >= 0.0 && *largest >= FLAT * longest;
+            let floor = if has_floor { 0.0 } else { f64::NEG_INFINITY };
             let [below, above] = match (is_flat, is_vertical) {
                 (true, true) => [longest, 0.0],
                 (true, false) => [longest; 2],
@@ -217,6 +218,19 @@ mod tests {
         let [high, low] = [100.0, -100.0].map(|by| ends_of(&lifted(by)));
         assert!((high[4] - (105.3874 - 14.9802)).abs() < 1e-9, "{high:?}");
         assert!((low[4] - (-94.6126 - 14.9802)).abs() < 1e-9, "{low:?}");
+    }
+
+    /// With the origin in the plane of the anchors, the plane of height zero is that of the frame: the platform hangs under it.
+    #[test]
+    fn the_box_of_a_robot_whose_flat_frame_lies_at_height_zero_reaches_down() {
+        for (heights, top) in [([0.0, 0.0], 0.0), ([0.0, 0.02], 0.02)] {
+            let mut robot = Robot::builtin("cogiro").unwrap();
+            (robot.travel, robot.home) = (None, None);
+            let cables = robot.cables.iter_mut().enumerate();
+            cables.for_each(|(index, cable)| cable.frame_anchor.z = heights[index % 2]);
+            let ends = Bounds::around(&Model::new(robot, Composition::STANDARD).unwrap()).unwrap().ends();
+            assert!((ends[4] + 14.9802).abs() < 1e-9 && ends[5] == top, "{ends:?}");
+        }
     }
 
     /// A ball in the middle of the frame is looked for in the frame, one that reaches out of it a little further.

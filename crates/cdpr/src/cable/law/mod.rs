@@ -142,7 +142,7 @@ pub enum HoldError {
     /// The iteration ended without an answer.
     #[error("no shape of the cable was found after {iterations} steps: {}", missing(*.gap))]
     NotConverged {
-        /// Steps tried.
+        /// Steps tried, those of all searches.
         iterations: u32,
         /// Length still missing (m); NaN where numbers overflowed.
         gap: f64,

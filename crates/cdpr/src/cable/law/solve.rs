@@ -5,8 +5,10 @@ use super::{CableLaw, Hold, HoldError, Known};
 use crate::cable::span::{Shape, State};
 use crate::scalar::{add, dot, scale, sub};
 
-/// Steps before giving up.
-const MAX_ITERATIONS: u32 = 100;
+/// States of one cable after which no further search begins: tensions that weight leaves no cable take some hundreds.
+pub(super) const MAX_STEPS: u32 = 2500;
+/// States that one run of Newton's method tries before giving up; where it succeeds it mostly takes fewer than ten.
+pub(super) const MAX_NEWTON_STEPS: u32 = 400;
 /// A step this small, relative to force and length, is the last: Newton doubles the digits.
 const LAST_STEP: f64 = 1e-9;
 
@@ -87,7 +89,7 @@ impl CableLaw {
     ) -> Result<Hold, HoldError> {
         let chord = self.chord(platform_anchor)?;
         self.refuse_impossible(&chord, known)?;
-        let search = Search { law: self, shape, platform_anchor, chord };
+        let mut search = Search { law: self, shape, platform_anchor, chord, steps: 0 };
         let first = guess.unwrap_or_else(|| search.start(known));
         let found = match search.newton(known, first) {
             Err(_) if guess.is_some() => search.newton(known, search.start(known)),
@@ -95,7 +97,7 @@ impl CableLaw {
         };
         let state = match found {
             Ok(state) => state,
-            Err(failure) => search.by_length(known, failure)?,
+            Err(gap) => search.by_length(known, gap)?,
         };
         let evaluation = self.evaluate(shape, &state, chord.side);
         Ok(self.hold_of(&state, &evaluation))
@@ -168,9 +170,32 @@ struct Search<'a> {
     shape: Shape,
     platform_anchor: [f64; 3],
     chord: Chord,
+    /// States tried.
+    steps: u32,
+}
+
+/// A state put into the equations, with what they leave open.
+struct Tried {
+    state: State<f64>,
+    evaluation: Evaluation,
+    /// Platform anchor (m), and what is known of the cable.
+    gap: [f64; 4],
+    /// Size of the gap (m).
+    size: f64,
 }
 
 impl Search<'_> {
+    fn tried(&mut self, state: State<f64>, known: Known) -> Tried {
+        self.steps += 1;
+        let evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
+        let gap = self.gap(&evaluation, &state, known);
+        Tried { state, evaluation, gap, size: self.size(&gap, known) }
+    }
+
+    fn not_found(&self, gap: f64) -> HoldError {
+        HoldError::NotConverged { iterations: self.steps, gap }
+    }
+
     /// A state near the one sought.
     fn start(&self, known: Known) -> State<f64> {
         match known {
@@ -294,12 +319,13 @@ impl Search<'_> {
         (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] + last * last).sqrt()
     }
 
-    fn newton(&self, known: Known, mut state: State<f64>) -> Result<State<f64>, HoldError> {
-        let mut evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
-        let mut gap = self.gap(&evaluation, &state, known);
-        let mut size = self.size(&gap, known);
-        for iteration in 0..MAX_ITERATIONS {
-            let rows = self.rows(&evaluation, &state, known);
+    /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
+    fn newton(&mut self, known: Known, start: State<f64>) -> Result<State<f64>, f64> {
+        let most = MAX_STEPS.min(self.steps + MAX_NEWTON_STEPS);
+        let mut at = self.tried(start, known);
+        while self.steps < most {
+            let Tried { state, evaluation, gap, size } = &at;
+            let rows = self.rows(evaluation, state, known);
             let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
             let step = solved.map(|[entry, _]| entry);
             // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
@@ -316,79 +342,86 @@ impl Search<'_> {
             let tension = dot(state.force, state.force).sqrt();
             let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
             if relative < LAST_STEP {
-                return match is_slacker {
-                    true => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
-                    false => Ok(moved(&state, &step, 1.0)),
-                };
+                return if is_slacker { Err(*size) } else { Ok(moved(state, &step, 1.0)) };
             }
             if !relative.is_finite() {
-                return Err(HoldError::NotConverged { iterations: iteration, gap: size });
+                return Err(*size);
             }
             // no step turns the force around or makes the length negative
             let mut share = f64::min(1.0, 0.7 / relative);
-            loop {
-                let next = moved(&state, &step, share);
-                let next_evaluation = self.law.evaluate(self.shape, &next, self.chord.side);
-                let next_gap = self.gap(&next_evaluation, &next, known);
-                let next_size = self.size(&next_gap, known);
-                if next_size < size || (size < 1e-11 * self.chord.free_length && next_size.is_finite()) {
-                    (state, evaluation, gap, size) = (next, next_evaluation, next_gap, next_size);
-                    break;
+            at = loop {
+                let next = self.tried(moved(&at.state, &step, share), known);
+                if next.size < at.size || (at.size < 1e-11 * self.chord.free_length && next.size.is_finite()) {
+                    break next;
                 }
                 share *= 0.5;
                 if share < 1e-8 {
-                    return match size < 1e-12 * self.chord.free_length && !is_slacker {
-                        true => Ok(state),
-                        false => Err(HoldError::NotConverged { iterations: iteration, gap: size }),
-                    };
+                    let is_found = at.size < 1e-12 * self.chord.free_length && !is_slacker;
+                    return if is_found { Ok(at.state) } else { Err(at.size) };
                 }
-            }
+            };
         }
-        Err(HoldError::NotConverged { iterations: MAX_ITERATIONS, gap: size })
+        Err(at.size)
+    }
+
+    /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.
+    fn of_known_length(&mut self, length: f64, known: Known) -> Option<(f64, State<f64>)> {
+        let state = self.newton(Known::ControlledLength(length), self.of_length(length)).ok()?;
+        Some((self.known_tension(&state, known), state))
     }
 
     /// Tension by length, which is found for every length: the taut length of a tension by bisection, or the least tension.
-    fn by_length(&self, known: Known, failure: HoldError) -> Result<State<f64>, HoldError> {
-        let (Known::OutletTension(wanted) | Known::PlatformTension(wanted)) = known else { return Err(failure) };
-        let tension_of = |length: f64| -> Option<(f64, State<f64>)> {
-            let known_length = Known::ControlledLength(length);
-            let state = self.newton(known_length, self.of_length(length)).ok()?;
-            Some((self.known_tension(&state, known), state))
+    /// `gap` is what Newton's method left (m).
+    fn by_length(&mut self, known: Known, gap: f64) -> Result<State<f64>, HoldError> {
+        let (Known::OutletTension(wanted) | Known::PlatformTension(wanted)) = known else {
+            return Err(self.not_found(gap));
         };
-        // the tension falls with the length, then grows with the weight that hangs: its least value by golden sections
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let least_length = match self.law.stretch.is_rigid() {
             true => self.chord.length * (1.0 + 1e-9),
             false => self.chord.length * 0.5,
         };
-        let (mut low, mut high) = (least_length, 4.0 * self.chord.length);
-        for _ in 0..60 {
-            let (a, b) = (high - golden * (high - low), low + golden * (high - low));
-            let value = |length: f64| tension_of(length).map_or(f64::INFINITY, |found| found.0);
-            if value(a) < value(b) { high = b } else { low = a }
-        }
-        let (least, mut best) = tension_of(0.5 * (low + high)).ok_or(failure)?;
+        let mut long = self.length_of_least_tension(known, least_length, 4.0 * self.chord.length);
+        let Some((least, mut best)) = self.of_known_length(long, known) else { return Err(self.not_found(gap)) };
         if wanted < least * (1.0 - 1e-12) {
             return Err(HoldError::TensionTooLow { tension: wanted, least });
         }
-        let (mut short, mut long) = (least_length, 0.5 * (low + high));
-        for _ in 0..200 {
+        let mut short = least_length;
+        loop {
             let middle = 0.5 * (short + long);
-            match tension_of(middle) {
-                Some((tension, state)) if tension <= wanted => {
-                    long = middle;
-                    best = state;
-                }
+            if !(short < middle && middle < long) {
+                break;
+            }
+            match self.of_known_length(middle, known) {
+                Some((tension, state)) if tension <= wanted => (long, best) = (middle, state),
                 _ => short = middle,
             }
         }
-        let tension = |state: &State<f64>| self.known_tension(state, known);
         match self.newton(known, best) {
             Ok(state) => Ok(state),
             // at the least tension itself Newton's equations are singular
-            Err(_) if (tension(&best) / wanted - 1.0).abs() < 1e-9 => Ok(best),
-            Err(_) => Err(failure),
+            Err(_) if (self.known_tension(&best, known) / wanted - 1.0).abs() < 1e-9 => Ok(best),
+            Err(_) => Err(self.not_found(gap)),
         }
+    }
+
+    /// The tension falls with the length, then grows with the weight that hangs: its least value by golden sections.
+    fn length_of_least_tension(&mut self, known: Known, mut low: f64, mut high: f64) -> f64 {
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let mut tension = |length| self.of_known_length(length, known).map_or(f64::INFINITY, |found| found.0);
+        let (mut a, mut b) = (high - golden * (high - low), low + golden * (high - low));
+        let (mut at_a, mut at_b) = (tension(a), tension(b));
+        for _ in 0..60 {
+            if at_a < at_b {
+                (b, at_b, high) = (a, at_a, b);
+                a = high - golden * (high - low);
+                at_a = tension(a);
+            } else {
+                (a, at_a, low) = (b, at_b, a);
+                b = low + golden * (high - low);
+                at_b = tension(b);
+            }
+        }
+        0.5 * (low + high)
     }
 }
 

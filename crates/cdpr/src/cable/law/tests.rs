@@ -100,6 +100,25 @@ fn every_length_has_a_shape() {
     }
 }
 
+/// Lengths of a cable that weighs more than can be calculated with have no shape: the search for its tension gives up after a bounded
+/// number of steps, and tells those of all lengths.
+#[test]
+fn the_search_for_a_cable_without_a_shape_ends() {
+    let bounded = solve::MAX_STEPS..solve::MAX_STEPS + solve::MAX_NEWTON_STEPS;
+    for density in [1e14, 1e20] {
+        let weight = [0.0, 0.0, -9.81 * density];
+        let law = CableLaw { weight, stretch: Stretch::Linear(1e-6), ..steel(Shape::Catenary, false) };
+        for known in [Known::OutletTension(3e3), Known::PlatformTension(3e3)] {
+            match law.hold([-3.0, -2.0, 11.0], known) {
+                Err(HoldError::NotConverged { iterations, .. }) => {
+                    assert!(bounded.contains(&iterations), "{iterations}")
+                }
+                other => panic!("{density} {known:?}: {other:?}"),
+            }
+        }
+    }
+}
+
 /// The whole span is in balance: forces, and moments about the outlet with the weight at every point of its curve.
 #[test]
 fn forces_and_moments_of_the_span_balance() {
