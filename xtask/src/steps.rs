@@ -67,8 +67,8 @@ const STEPS: &[Step] = &[
     Step { name: "doc-tests", action: Action::Own(documentation_tests), remedy: "mend the example in the doc comment" },
     Step {
         name: "docs",
-        // Libraries only: the binary `cdpr` would write over the pages of the library of the same name.
-        action: Action::Cargo(&["doc", "--workspace", "--lib", "--no-deps"]),
+        // with the dependencies as the doc tests have them checked
+        action: Action::Cargo(&["doc", "-p", "cdpr", "--lib", "--no-deps"]),
         remedy: "mend the doc comment that rustdoc names",
     },
     Step {
