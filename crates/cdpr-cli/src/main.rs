@@ -39,7 +39,6 @@ use std::process::ExitCode;
 use answer::Output;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
 use commands::Command;
-use failure::Failure;
 use options::GlobalOptions;
 
 /// Calibration and model selection for cable-driven parallel robots.
@@ -76,13 +75,20 @@ fn main() -> ExitCode {
     interruption::watch();
     let mut output = Output::new(parsed.options.format);
     let exit = parsed.options.settle().and_then(|()| parsed.command.run(&mut output));
-    exit.unwrap_or_else(|failure| output.fail(&named(failure, &matches)))
+    exit.unwrap_or_else(|failure| match robot_argument(&matches) {
+        Some(argument) => {
+            if let Ok(robot) = inputs::read_robot(argument) {
+                output.about(&robot.name);
+            }
+            output.fail(&failure.with_value("ROBOT", argument))
+        }
+        None => output.fail(&failure),
+    })
 }
 
-/// The failure with the robot's file in place of the word `ROBOT`.
-fn named(failure: Failure, matches: &ArgMatches) -> Failure {
-    let robot = matches.subcommand().and_then(|(_, own)| own.try_get_one::<String>("robot").ok().flatten());
-    robot.map_or(failure.clone(), |robot| failure.with_value("ROBOT", robot))
+/// `ROBOT` as it was given, a file or a name, of a command that takes one.
+fn robot_argument(matches: &ArgMatches) -> Option<&String> {
+    matches.subcommand().and_then(|(_, own)| own.try_get_one::<String>("robot").ok().flatten())
 }
 
 /// The command as it was given, quoted for a shell, without the options that do not touch the result.

@@ -121,6 +121,7 @@ fn failures_have_the_same_keys_and_what_was_told_before_them() {
         ("nonsense", None),
         ("accuracy study.toml --tension-method none-such", None),
         ("reachable study.toml --step -1", Some("planar-example")),
+        ("fk planar-example --lengths 1,2", Some("planar-example")),
     ] {
         let run = cdpr_in(folder.path(), &format!("{arguments} --format json"));
         assert!(run.exit_code > 1, "{arguments}: {}", run.stdout);
