@@ -111,7 +111,7 @@ impl Criterion for StiffVibrations<'_> {
     }
 
     fn effort(&self) -> f64 {
-        100.0
+        self.held.effort()
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {

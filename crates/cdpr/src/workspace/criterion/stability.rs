@@ -44,7 +44,7 @@ impl Criterion for StaticallyStable<'_> {
     }
 
     fn effort(&self) -> f64 {
-        100.0
+        self.held.effort()
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {

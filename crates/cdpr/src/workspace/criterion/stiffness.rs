@@ -53,7 +53,7 @@ impl Criterion for StiffEnough<'_> {
     }
 
     fn effort(&self) -> f64 {
-        100.0
+        self.held.effort()
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {
@@ -123,6 +123,11 @@ impl<'a> HeldPlatform<'a> {
             });
         }
         Ok(Self { model, load: *load, limits: limits.clone() })
+    }
+
+    /// What a pose takes, see [`Criterion::effort`].
+    pub(super) fn effort(&self) -> f64 {
+        super::effort_of_tensions(self.model, 100.0)
     }
 
     /// The stiffness at the tensions that hold the load, or why there are none.

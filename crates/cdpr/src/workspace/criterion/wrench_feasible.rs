@@ -88,8 +88,7 @@ impl Criterion for WrenchFeasible<'_> {
     }
 
     fn effort(&self) -> f64 {
-        // sagging cables are solved with their shapes
-        if self.model.composition().is_sagging() { 1e4 } else { 1.0 }
+        super::effort_of_tensions(self.model, 1.0)
     }
 
     fn holds(&self, pose: &Pose) -> bool {
