@@ -9,7 +9,7 @@ use crate::cable::DegenerateCourse;
 use crate::cable::law::HoldError;
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
-use crate::equilibrium::{distribution, elastostatics, forward_kinematics, forward_statics};
+use crate::equilibrium::{ForwardError, distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
@@ -243,6 +243,15 @@ impl ErrorCode for elastostatics::InputError {
         match self {
             Self::Kinematic(error) => error.code(),
             Self::RigidRedundant { .. } => "equilibrium::rigid-cables",
+        }
+    }
+}
+
+impl ErrorCode for ForwardError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Load(error) => error.code(),
+            Self::Input(error) => error.code(),
         }
     }
 }

@@ -11,15 +11,20 @@
 //! fitted to as well as the best one does.
 //!
 //! ```
-//! use cdpr::equilibrium::forward_kinematics::{self, Settings, Status};
+//! use cdpr::equilibrium::{State, Status, distribution};
 //! use cdpr::model::{Composition, Model};
 //! use cdpr::robot::Robot;
+//! use cdpr::statics::Load;
+//! use cdpr::tension::Limits;
 //!
-//! let robot = Robot::builtin("cablerobot-simulator-helicopter").ok_or("unknown robot")?;
-//! let home = robot.home.ok_or("no home pose")?;
-//! let model = Model::new(robot, Composition::STANDARD)?;
-//! let lengths = model.cable_lengths(&home)?;
-//! let found = forward_kinematics::solve(&model, &lengths, &home, &Settings::default())?;
+//! let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").ok_or("unknown robot")?;
+//! let (load, limits) = (Load::of(&robot)?, Limits::of(&robot, None, None)?);
+//! let model = Model::new(robot, Composition::ELASTIC)?;
+//! let mut state = State::at_home(&model);
+//! let home = state.pose();
+//! let tensions = distribution::solve(&model, &home, &load, &limits)?.tensions;
+//! let lengths = model.inverse(&home, &tensions, &mut state)?.controlled_lengths()?;
+//! let found = model.forward(&lengths, None, None, &mut state)?;
 //! assert_eq!(found.status, Status::Converged);
 //! assert!((found.pose.position - home.position).norm() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use cdpr::cable::DegenerateCourse;
-use cdpr::equilibrium::forward_problem::ForwardProblem;
+use cdpr::equilibrium::ForwardProblem;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, Supported};
 use cdpr::nalgebra::DMatrix;

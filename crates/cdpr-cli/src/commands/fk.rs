@@ -4,17 +4,15 @@ mod answer;
 
 use std::process::ExitCode;
 
-use answer::{ForwardAnswer, Start};
-use cdpr::equilibrium::forward_problem::ForwardProblem;
-use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use answer::ForwardAnswer;
+use cdpr::equilibrium::{ForwardError, ForwardProblem, ForwardSettings, Start, State, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
-use cdpr::statics::Load;
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{IDEAL_WINCH, ModelArguments, load_of, pose_or_home};
+use crate::inputs::{IDEAL_WINCH, ModelArguments, load_of, pose_of};
 use crate::numbers::NumberList;
 
 const EXAMPLES: &str = "\
@@ -65,17 +63,17 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let guess = pose_or_home(model.robot(), "--guess", arguments.guess.as_ref())?;
+    let guess = arguments.guess.as_ref().map(|guess| pose_of(model.robot(), "--guess", guess)).transpose()?;
     let answer = match (&arguments.tensions, &arguments.lengths, &arguments.motor_angles) {
-        (Some(tensions), _, _) => arguments.by_tensions(&model, &tensions.0, &guess)?,
-        (None, Some(lengths), _) => arguments.by_lengths(&model, &lengths.0, &guess)?,
+        (Some(tensions), _, _) => arguments.by_tensions(&model, &tensions.0, guess.as_ref())?,
+        (None, Some(lengths), _) => arguments.by_lengths(&model, &lengths.0, guess.as_ref())?,
         (None, None, Some(angles)) => {
             let refused = |error| Failure::refused("--motor-angles", &error);
             let lengths = model.controlled_lengths_of_motor_angles(&angles.0).map_err(refused)?;
             if !model.composition().drum {
                 output.remark(IDEAL_WINCH);
             }
-            arguments.by_lengths(&model, &lengths, &guess)?
+            arguments.by_lengths(&model, &lengths, guess.as_ref())?
         }
         (None, None, None) => {
             let message = "neither lengths nor motor angles nor tensions are given";
@@ -83,44 +81,42 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             return Err(Failure::input("usage::missing-argument", message, help));
         }
     };
-    output.answer(&answer.sought_from(Start::new(model.robot(), arguments.guess.is_some())))
+    output.answer(&answer)
 }
 
 impl Arguments {
-    fn by_tensions(&self, model: &Model, tensions: &[f64], guess: &Pose) -> Result<ForwardAnswer, Failure> {
+    fn by_tensions(&self, model: &Model, tensions: &[f64], guess: Option<&Pose>) -> Result<ForwardAnswer, Failure> {
         let load = load_of(model.robot(), self.wrench.as_ref())?;
-        let solution = forward_statics::solve(model, tensions, &load, guess, &forward_statics::Settings::default())
+        let (start, guess) = Start::of(model.robot(), guess);
+        let solution = forward_statics::solve(model, tensions, &load, &guess, &forward_statics::Settings::default())
             .map_err(|error| Failure::refused("--tensions", &error))?;
-        Ok(ForwardAnswer::of_tensions(model, tensions, solution))
+        Ok(ForwardAnswer::of_tensions(model, tensions, solution).sought_from(start))
     }
 
-    fn by_lengths(&self, model: &Model, lengths: &[f64], guess: &Pose) -> Result<ForwardAnswer, Failure> {
+    fn by_lengths(&self, model: &Model, lengths: &[f64], guess: Option<&Pose>) -> Result<ForwardAnswer, Failure> {
         let mut lengths = lengths.to_vec();
         if self.recorded {
             lengths.iter_mut().enumerate().take(model.cable_count()).for_each(|(cable, length)| {
                 *length = model.controlled_length(cable, *length);
             });
         }
-        let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("--lengths", error);
-        let own_load = Load::of(model.robot());
-        let is_load_known = self.wrench.is_some() || own_load.is_ok();
-        if ForwardProblem::of(model, is_load_known) == ForwardProblem::Equilibrium {
-            let load = load_of(model.robot(), self.wrench.as_ref())?;
-            let settings = elastostatics::Settings::default();
-            let solution =
-                elastostatics::solve(model, &lengths, &load, guess, &settings).map_err(|error| refused(&error))?;
-            return Ok(ForwardAnswer::of_equilibrium(model, solution));
+        let refused = |error: ForwardError| match &error {
+            ForwardError::Load(_) => Failure::refused("ROBOT", &error),
+            ForwardError::Input(_) => Failure::refused("--lengths", &error),
+        };
+        let load = self.wrench.as_ref().map(|wrench| load_of(model.robot(), Some(wrench))).transpose()?;
+        let settings = ForwardSettings::default();
+        let mut state = State::at_home(model);
+        let problem = model.forward_problem(load.as_ref(), &mut state).map_err(refused)?;
+        let solution =
+            model.forward_with(&settings, &lengths, load.as_ref(), guess, &mut state).map_err(refused)?.clone();
+        let answer = ForwardAnswer::of_lengths(model, solution, problem).sought_from(state.start());
+        if problem == ForwardProblem::Equilibrium {
+            return Ok(answer);
         }
-        let settings = forward_kinematics::Settings::default();
-        let mut solver = forward_kinematics::Solver::new(model, &settings).map_err(|error| refused(&error))?;
-        let solution = solver.solve(&lengths, guess).map_err(|error| refused(&error))?.clone();
-        let mut answer = ForwardAnswer::of_lengths(model, solution).with_alternative(model, solver.alternative());
-        if let (true, Err(error)) = (model.cable_count() < model.dof(), own_load) {
-            answer.remark(&error.to_string());
-        }
-        if let Some(wrench) = &self.wrench {
-            // refused when it does not fit the pattern, like everywhere
-            load_of(model.robot(), Some(wrench))?;
+        let alternative = model.forward_alternative(&settings, &lengths, guess, &mut state).map_err(refused)?;
+        let mut answer = answer.with_alternative(model, alternative);
+        if load.is_some() {
             answer.remark("--wrench does not matter here: rigid cables fit their lengths whatever the load");
         }
         Ok(answer)

@@ -2,12 +2,11 @@
 
 use std::process::ExitCode;
 
-use cdpr::cable::DegenerateCourse;
-use cdpr::geometry::Pose;
+use cdpr::equilibrium::{CableCommand, InverseSolution, State};
 use cdpr::model::{Composition, Model, StretchEffect};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Cable;
-use cdpr::statics::{check_tensions, controlled_lengths, holds};
+use cdpr::statics::{StaticsError, check_tensions};
 use clap::Args;
 use serde::Serialize;
 
@@ -16,7 +15,7 @@ use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
 use crate::pose_answer::{PoseAnswer, axis_names, components};
-use crate::statics_failure::refused;
+use crate::statics_failure::{has_no_course, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
 
@@ -89,19 +88,27 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let model = arguments.model.read()?;
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     check_forces(&model, &arguments)?;
-    let mut answer = solve(&model, &pose)?;
-    if model.composition().depends_on_tension() {
-        answer.stretch(&model, &pose, &arguments)?;
+    let mut state = State::at(&model, &pose);
+    let command = |tensions: &[f64], state: &mut State| {
+        let solution = model.inverse(&pose, tensions, state).map_err(|error| refused("--tensions", &error))?;
+        InverseKinematics::of(&model, solution)
+    };
+    let mut answer = command(&vec![f64::NAN; model.cable_count()], &mut state)?;
+    if model.depends_on_tension() {
+        if answer.reason.is_none() {
+            match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {
+                Chosen::Tensions(tensions) => {
+                    answer = InverseKinematics { tensions: Some(tensions.clone()), ..command(&tensions, &mut state)? };
+                }
+                Chosen::None { status, reason } => (answer.status, answer.reason) = (status, Some(reason)),
+            }
+        }
     } else if arguments.tensions.is_some() || arguments.wrench.is_some() {
         let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };
         output.remark(&format!(
             "the cables of model `{}` are rigid: tensions and wrench change nothing; `--model {elastic}` asks for elastic ones",
             model.composition()
         ));
-    }
-    answer.record(&model);
-    if model.composition().drum {
-        answer.wind(&model)?;
     }
     output.answer(&answer)
 }
@@ -114,106 +121,48 @@ fn check_forces(model: &Model, arguments: &Arguments) -> Result<(), Failure> {
     arguments.wrench.iter().try_for_each(|numbers| wrench_of(model.robot(), "--wrench", numbers).map(|_| ()))
 }
 
-fn solve(model: &Model, pose: &Pose) -> Result<InverseKinematics, Failure> {
-    let robot = model.robot();
-    let courses: Vec<_> = (0..model.cable_count()).map(|cable| model.course(cable, pose).map(|(c, _)| c)).collect();
-    let reasons: Vec<&DegenerateCourse> = courses.iter().filter_map(|course| course.as_ref().err()).collect();
-    if let Some(overflow) = reasons.iter().find(|reason| matches!(reason, DegenerateCourse::NotFinite { .. })) {
-        return Err(Failure::numerical(overflow.to_string()));
-    }
-    let reason = reasons.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-    let courses: Vec<_> = courses.iter().map(|course| course.as_ref().ok()).collect();
-    let lengths: Vec<_> = courses.iter().map(|course| course.map(|course| course.length)).collect();
-    let direction = |course: &cdpr::cable::Course<f64>| components(robot, &Vector3::from(course.direction));
-    Ok(InverseKinematics {
-        robot: robot.name.clone(),
-        model: model.composition().to_string(),
-        status: if reason.is_empty() { "solved" } else { "singular" },
-        reason: (!reason.is_empty()).then_some(reason),
-        pose: PoseAnswer::new(robot, pose),
-        recorded_lengths_m: None,
-        motor_angles_rad: None,
-        encoder_counts: None,
-        // a rigid cable is as long as its course
-        controlled_lengths_m: lengths.clone(),
-        cable_lengths_m: lengths,
-        directions: courses.iter().map(|course| course.map(direction)).collect(),
-        wrap_angles_rad: (model.composition().pulley)
-            .then(|| courses.iter().map(|course| course.map(|course| course.wrap_angle)).collect()),
-        tensions: None,
-        platform_tensions: None,
-        cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-        axes: axis_names(robot),
-    })
-}
-
 impl InverseKinematics {
-    /// Controlled lengths of elastic cables, under the tensions given or those of the load.
-    fn stretch(&mut self, model: &Model, pose: &Pose, arguments: &Arguments) -> Result<(), Failure> {
-        let geometric = std::mem::replace(&mut self.controlled_lengths_m, vec![None; model.cable_count()]);
-        if geometric.contains(&None) {
-            return Ok(());
-        }
-        let chosen = tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())?;
-        match chosen {
-            Chosen::Tensions(tensions) => {
-                if model.composition().has_closed_form() {
-                    let lengths =
-                        controlled_lengths(model, pose, &tensions).map_err(|error| refused("--tensions", &error))?;
-                    self.controlled_lengths_m = lengths.into_iter().map(Some).collect();
-                } else {
-                    self.hang(model, pose, &tensions)?;
-                }
-                self.tensions = Some(tensions);
-            }
-            Chosen::None { status, reason } => (self.status, self.reason) = (status, Some(reason)),
-        }
-        Ok(())
-    }
-
-    /// Cables whose laws have no closed form: lengths, end tangents and wrap angles follow from the tensions together.
-    fn hang(&mut self, model: &Model, pose: &Pose, tensions: &[f64]) -> Result<(), Failure> {
-        let holds = holds(model, pose, tensions).map_err(|error| refused("--tensions", &error))?;
-        for (cable, held) in holds.iter().enumerate() {
-            self.controlled_lengths_m[cable] = Some(held.hold.controlled_length);
-            self.cable_lengths_m[cable] = Some(held.hold.strained_length);
-            self.directions[cable] = Some(components(model.robot(), &Vector3::from(held.hold.direction)));
-            if let Some(angles) = &mut self.wrap_angles_rad {
-                angles[cable] = Some(held.hold.wrap_angle);
+    /// The answer in its units; refuses tensions that the cables cannot have, and numbers that overflow.
+    fn of(model: &Model, solution: &InverseSolution) -> Result<Self, Failure> {
+        let mut reasons = Vec::new();
+        for failure in &solution.failures {
+            match failure {
+                StaticsError::Course(reason) if has_no_course(failure) => reasons.push(reason.to_string()),
+                _ => return Err(refused("--tensions", failure)),
             }
         }
-        if model.composition().is_sagging() {
-            self.platform_tensions = Some(holds.iter().map(|held| held.hold.platform_tension).collect());
+        if let Some(failure) = solution.winch_failures.first() {
+            return Err(Failure::refused("--pose", failure));
         }
-        Ok(())
-    }
-
-    /// What the robot would record, where its file says that this is something else.
-    fn record(&mut self, model: &Model) {
+        let robot = model.robot();
+        let known = |of: fn(&CableCommand) -> f64| -> Vec<Option<f64>> {
+            solution.cables.iter().map(of).map(|number| number.is_finite().then_some(number)).collect()
+        };
+        let lengths = known(|cable| cable.length);
+        let direction = |cable: &CableCommand| components(robot, &Vector3::from(cable.direction));
+        let directions = solution.cables.iter().zip(&lengths).map(|(cable, length)| length.map(|_| direction(cable)));
         let is_calibrated = |cable: &Cable| cable.length_scale.is_some() || cable.length_offset.is_some();
-        if model.robot().cables.iter().any(is_calibrated) {
-            let controlled = self.controlled_lengths_m.iter().enumerate();
-            let recorded = controlled.map(|(cable, length)| length.map(|length| model.recorded_length(cable, length)));
-            self.recorded_lengths_m = Some(recorded.collect());
-        }
-    }
-
-    /// What the motors are told.
-    fn wind(&mut self, model: &Model) -> Result<(), Failure> {
-        let angle =
-            |(cable, length): (usize, &Option<f64>)| length.map(|length| model.motor_angle(cable, length)).transpose();
-        let angles: Vec<Option<f64>> = self
-            .controlled_lengths_m
-            .iter()
-            .enumerate()
-            .map(angle)
-            .collect::<Result<_, _>>()
-            .map_err(|error| Failure::refused("--pose", &error))?;
-        let count = |(cable, angle): (usize, &Option<f64>)| model.winch(cable)?.encoder_counts((*angle)?);
-        let counts: Vec<Option<f64>> = angles.iter().enumerate().map(count).collect();
-        self.encoder_counts = counts.iter().any(Option::is_some).then_some(counts);
-        self.motor_angles_rad = Some(angles);
-        Ok(())
+        let counts: Vec<_> = solution.cables.iter().map(|cable| cable.encoder_counts).collect();
+        let platform_tensions: Option<Vec<f64>> = solution.cables.iter().map(|cable| cable.platform_tension).collect();
+        Ok(Self {
+            robot: robot.name.clone(),
+            model: model.composition().to_string(),
+            status: if reasons.is_empty() { "solved" } else { "singular" },
+            reason: (!reasons.is_empty()).then(|| reasons.join("; ")),
+            pose: PoseAnswer::new(robot, &solution.pose),
+            recorded_lengths_m: robot.cables.iter().any(is_calibrated).then(|| known(|cable| cable.recorded_length)),
+            motor_angles_rad: (model.composition().drum)
+                .then(|| solution.cables.iter().map(|cable| cable.motor_angle).collect()),
+            encoder_counts: counts.iter().any(Option::is_some).then_some(counts),
+            controlled_lengths_m: known(|cable| cable.controlled_length),
+            directions: directions.collect(),
+            wrap_angles_rad: (model.composition().pulley).then(|| known(|cable| cable.wrap_angle)),
+            cable_lengths_m: lengths,
+            tensions: None,
+            platform_tensions,
+            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
+            axes: axis_names(robot),
+        })
     }
 }
 

@@ -1,11 +1,18 @@
-//! Forward problem that belongs to a composition: one rule for everything that asks where a platform goes.
+//! Forward problem of a model: one rule and one door for everything that asks where a platform goes.
 //!
 //! Elastic cables, and fewer rigid ones than degrees of freedom under a known load, rest where cables and load are in
 //! equilibrium ([`elastostatics`]). Rigid cables otherwise fit their lengths as well as possible ([`forward_kinematics`]);
 //! with fewer cables than degrees of freedom that determines no pose.
 
-use super::{elastostatics, forward_kinematics};
+use thiserror::Error;
+
+use super::elastostatics::batch::Solutions;
+use super::forward_kinematics::Alternative;
+use super::{Solution, State, elastostatics, forward_kinematics};
+use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
+use crate::robot::Robot;
+use crate::scalar::LaneTable;
 use crate::statics::{Load, LoadError};
 
 /// Forward problem of a composition.
@@ -28,38 +35,215 @@ impl ForwardProblem {
     }
 }
 
-/// Solver of a model's forward problem, for one set of lengths after the other.
-#[derive(Clone, Debug)]
-pub enum ForwardSolver<'a> {
-    /// See [`ForwardProblem::LeastSquares`].
-    LeastSquares(Box<forward_kinematics::Solver<'a>>),
-    /// See [`ForwardProblem::Equilibrium`].
-    Equilibrium(Box<elastostatics::Solver<'a>>),
+/// Settings of both forward problems.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForwardSettings {
+    /// Of [`ForwardProblem::LeastSquares`].
+    pub least_squares: forward_kinematics::Settings,
+    /// Of [`ForwardProblem::Equilibrium`].
+    pub equilibrium: elastostatics::Settings,
 }
 
-impl<'a> ForwardSolver<'a> {
-    /// Solver under the load of the model's robot; `settings` are those of a least-squares pose.
+/// Where a search for a pose begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Start {
+    /// The guess of the caller.
+    Guess,
+    /// The home pose of the robot's file, since no guess is given.
+    HomePose,
+    /// The mean of the frame anchors, since there is neither guess nor home pose.
+    MiddleOfAnchors,
+}
+
+impl Start {
+    /// Where a search begins for a caller with this guess, and the pose there.
+    pub fn of(robot: &Robot, guess: Option<&Pose>) -> (Self, Pose) {
+        match (guess, robot.home) {
+            (Some(guess), _) => (Self::Guess, *guess),
+            (None, Some(home)) => (Self::HomePose, home),
+            (None, None) => (Self::MiddleOfAnchors, robot.home_or_middle()),
+        }
+    }
+}
+
+/// Input that no forward problem of a model can accept.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ForwardError {
+    /// The load on cables whose lengths depend on their tensions is unknown.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// Lengths, guess or settings, or cables whose tensions do not follow from lengths.
+    #[error(transparent)]
+    Input(#[from] elastostatics::InputError),
+}
+
+impl Model {
+    /// Pose and tensions that belong to controlled lengths q_θ (m, one per cable), sought from a guess.
     ///
-    /// Fails for elastic models of unknown load, and where tensions do not follow from the lengths.
-    pub fn new<E>(model: &'a Model, settings: &forward_kinematics::Settings) -> Result<Self, E>
-    where
-        E: From<LoadError> + From<elastostatics::InputError>,
-    {
-        let load = Load::of(model.robot());
-        Ok(match ForwardProblem::of(model, load.is_ok()) {
-            ForwardProblem::Equilibrium => {
-                let settings = elastostatics::Settings::default();
-                Self::Equilibrium(Box::new(elastostatics::Solver::new(model, &load?, &settings)?))
+    /// The model decides the problem ([`ForwardProblem::of`]); the answer is the solution to which the guess leads, and the motion pattern
+    /// holds: what it cannot move keeps the guess's value. Without a load it is that of the robot's file; without a guess the search
+    /// begins at the home pose, see [`State::start`]. Cables come from the memories of the state, which stay as they are.
+    ///
+    /// Allocates nothing once the state has solved a problem of the model, unless there is a reason to tell.
+    pub fn forward<'s>(
+        &self,
+        lengths: &[f64],
+        load: Option<&Load>,
+        guess: Option<&Pose>,
+        state: &'s mut State,
+    ) -> Result<&'s Solution, ForwardError> {
+        self.forward_with(&ForwardSettings::default(), lengths, load, guess, state)
+    }
+
+    /// [`Model::forward`] with settings of one's own.
+    pub fn forward_with<'s>(
+        &self,
+        settings: &ForwardSettings,
+        lengths: &[f64],
+        load: Option<&Load>,
+        guess: Option<&Pose>,
+        state: &'s mut State,
+    ) -> Result<&'s Solution, ForwardError> {
+        let (start, pose) = Start::of(self.robot(), guess);
+        state.start = start;
+        state.solve(self, settings, load, |solver| match solver {
+            ForwardSolver::LeastSquares(solver) => Ok(solver.solve(lengths, &pose).map(|_| ())?),
+            ForwardSolver::Equilibrium(solver) => solver.solve(lengths, &pose).map(|_| ()),
+        })?;
+        Ok(state.forward_solution().expect("a solved problem leaves its solution"))
+    }
+
+    /// The pose that fits lengths better than the answer that belongs to the guess does, where the residual of that answer is more than
+    /// errors of measurement explain; nothing where there is none, and for equilibria.
+    ///
+    /// It takes as many descents as `max_restarts`, each as long as that of [`Model::forward`].
+    pub fn forward_alternative(
+        &self,
+        settings: &ForwardSettings,
+        lengths: &[f64],
+        guess: Option<&Pose>,
+        state: &mut State,
+    ) -> Result<Option<Alternative>, ForwardError> {
+        let (_, pose) = Start::of(self.robot(), guess);
+        state.solve(self, settings, None, |solver| match solver {
+            ForwardSolver::LeastSquares(solver) => {
+                solver.solve(lengths, &pose)?;
+                Ok(solver.alternative())
             }
-            ForwardProblem::LeastSquares => {
-                let solver = forward_kinematics::Solver::new(model, settings);
-                Self::LeastSquares(Box::new(solver.map_err(elastostatics::InputError::from)?))
-            }
+            ForwardSolver::Equilibrium(_) => Ok(None),
         })
     }
 
-    /// True where tensions follow from lengths and load.
-    pub fn knows_tensions(&self) -> bool {
-        matches!(self, Self::Equilibrium(_))
+    /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each sought from its own guess; with `only_taut`
+    /// where every cable pulls. Nothing where the model fits lengths.
+    pub(crate) fn forward_batch(
+        &self,
+        (settings, only_taut): (&ForwardSettings, bool),
+        lengths: &LaneTable,
+        guesses: &PoseBatch,
+        state: &mut State,
+    ) -> Result<Option<Solutions>, ForwardError> {
+        state.solve(self, settings, None, |solver| {
+            let ForwardSolver::Equilibrium(solver) = solver else { return Ok(None) };
+            let mut solutions = Solutions::default();
+            match only_taut {
+                true => solver.solve_taut_batch(lengths, guesses, &mut solutions)?,
+                false => solver.solve_batch(lengths, guesses, &mut solutions)?,
+            }
+            Ok(Some(solutions))
+        })
+    }
+
+    /// Forward problem of the model under a load, that of the robot's file without one; or why it cannot be posed.
+    pub fn forward_problem(&self, load: Option<&Load>, state: &mut State) -> Result<ForwardProblem, ForwardError> {
+        state.solve(self, &ForwardSettings::default(), load, |solver| {
+            Ok(match solver {
+                ForwardSolver::LeastSquares(_) => ForwardProblem::LeastSquares,
+                ForwardSolver::Equilibrium(_) => ForwardProblem::Equilibrium,
+            })
+        })
+    }
+}
+
+/// Solver of one of the problems.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives on the stack for one problem, and a box would be claimed for each"
+)]
+enum ForwardSolver<'a> {
+    LeastSquares(forward_kinematics::Solver<'a>),
+    Equilibrium(elastostatics::Solver<'a>),
+}
+
+impl ForwardSolver<'_> {
+    fn into_scratch(self) -> Scratch {
+        match self {
+            Self::LeastSquares(solver) => Scratch::LeastSquares(solver.into_scratch()),
+            Self::Equilibrium(solver) => Scratch::Equilibrium(solver.into_scratch()),
+        }
+    }
+}
+
+/// Memory of a solver, with its last solution.
+#[derive(Clone, Debug)]
+pub(super) enum Scratch {
+    LeastSquares(forward_kinematics::Scratch),
+    Equilibrium(elastostatics::Scratch),
+}
+
+impl Scratch {
+    pub(super) fn solution(&self) -> &Solution {
+        match self {
+            Self::LeastSquares(scratch) => &scratch.solution,
+            Self::Equilibrium(scratch) => &scratch.solution,
+        }
+    }
+
+    fn solution_mut(&mut self) -> &mut Solution {
+        match self {
+            Self::LeastSquares(scratch) => &mut scratch.solution,
+            Self::Equilibrium(scratch) => &mut scratch.solution,
+        }
+    }
+}
+
+impl State {
+    /// Solves in the memory of the state, with cables that come from its memories.
+    fn solve<T>(
+        &mut self,
+        model: &Model,
+        settings: &ForwardSettings,
+        load: Option<&Load>,
+        work: impl FnOnce(&mut ForwardSolver<'_>) -> Result<T, elastostatics::InputError>,
+    ) -> Result<T, ForwardError> {
+        let load = load.map_or_else(|| Load::of(model.robot()), |load| Ok(*load));
+        let unknown_load = load.as_ref().err().filter(|_| model.cable_count() < model.dof()).map(ToString::to_string);
+        let mut solver = match ForwardProblem::of(model, load.is_ok()) {
+            ForwardProblem::Equilibrium => {
+                let scratch = match self.scratch.take() {
+                    Some(Scratch::Equilibrium(scratch)) if scratch.fits(model) => scratch,
+                    _ => elastostatics::Scratch::new(model),
+                };
+                let solver = elastostatics::Solver::with(model, &load?, &settings.equilibrium, scratch)?;
+                ForwardSolver::Equilibrium(solver.with_memories(self.memories()))
+            }
+            ForwardProblem::LeastSquares => {
+                let scratch = match self.scratch.take() {
+                    Some(Scratch::LeastSquares(scratch)) if scratch.fits(model) => scratch,
+                    _ => forward_kinematics::Scratch::new(model),
+                };
+                let solver = forward_kinematics::Solver::with(model, &settings.least_squares, scratch);
+                ForwardSolver::LeastSquares(solver.map_err(elastostatics::InputError::from)?)
+            }
+        };
+        let answer = work(&mut solver);
+        self.scratch = Some(solver.into_scratch());
+        let solution = self.scratch.as_mut().map(Scratch::solution_mut);
+        if let (Some(unknown), Some(reason)) = (unknown_load, solution.and_then(|solution| solution.reason.as_mut())) {
+            // a platform on too few cables has a pose under its load: say what is missing for it
+            *reason = format!("{reason}; {unknown}");
+        }
+        Ok(answer?)
     }
 }

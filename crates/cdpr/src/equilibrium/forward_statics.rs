@@ -7,6 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
+pub use super::Status;
 use super::forward_kinematics::InputError as LengthError;
 use super::restarts::restart_poses;
 use crate::geometry::{Pose, Twist};
@@ -31,21 +32,6 @@ impl Default for Settings {
     fn default() -> Self {
         Self { pose_tolerance: 1e-11, wrench_tolerance: 1e-9, max_iterations: 200, max_restarts: 16 }
     }
-}
-
-/// Why the search stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Status {
-    /// The pose is an equilibrium that constant tensions keep.
-    Converged,
-    /// No equilibrium was found; the pose is the one with the least residual wrench.
-    NotConverged,
-    /// An equilibrium from which the platform can move without resistance.
-    Singular,
-    /// An equilibrium, but under constant tensions the platform would leave it.
-    Unstable,
 }
 
 /// Outcome of forward statics; `pose` is the best one found even when it did not converge.

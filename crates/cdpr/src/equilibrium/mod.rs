@@ -8,4 +8,12 @@ pub mod feasibility;
 pub mod forward_kinematics;
 pub mod forward_problem;
 pub mod forward_statics;
+pub mod inverse;
 mod restarts;
+mod solution;
+mod state;
+
+pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings, Start};
+pub use inverse::{CableCommand, InverseSolution};
+pub use solution::{Solution, Status};
+pub use state::State;

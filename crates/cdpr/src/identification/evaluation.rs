@@ -7,8 +7,9 @@ use serde::Serialize;
 
 use thiserror::Error;
 
-use crate::equilibrium::forward_problem::ForwardSolver;
-use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::equilibrium::{
+    ForwardError, ForwardProblem, ForwardSettings, InverseSolution, State, Status, elastostatics,
+};
 use crate::geometry::Pose;
 use crate::measurement::Samples;
 use crate::metamodel::errors::{LengthError, PoseError, TensionError};
@@ -80,6 +81,15 @@ pub enum EvaluationError {
     },
 }
 
+impl From<ForwardError> for EvaluationError {
+    fn from(error: ForwardError) -> Self {
+        match error {
+            ForwardError::Load(error) => Self::Load(error),
+            ForwardError::Input(error) => Self::Forward(error),
+        }
+    }
+}
+
 /// Pose and tensions that a model predicts for one sample.
 struct Prediction {
     pose: Pose,
@@ -88,49 +98,39 @@ struct Prediction {
 }
 
 /// The forward problem of a model, for one sample after the other.
-enum Predictor<'a> {
-    Solver(ForwardSolver<'a>),
+enum Predictor {
+    Problem(ForwardProblem, Box<ForwardSettings>),
     /// No sample has an answer, for this reason.
     None(String),
 }
 
-impl<'a> Predictor<'a> {
-    fn new(model: &'a Model) -> Result<Self, EvaluationError> {
+impl Predictor {
+    fn new(model: &Model, state: &mut State) -> Result<Self, EvaluationError> {
         // the measured pose is near the solution: a residual there is the model's, not a wrong minimum's
-        let defaults = forward_kinematics::Settings::default();
-        let settings = forward_kinematics::Settings { suspicious_residual: defaults.plausible_residual, ..defaults };
-        ForwardSolver::new::<EvaluationError>(model, &settings).map(Self::Solver)
+        let mut settings = ForwardSettings::default();
+        settings.least_squares.suspicious_residual = settings.least_squares.plausible_residual;
+        Ok(Self::Problem(model.forward_problem(None, state)?, Box::new(settings)))
     }
 
     fn knows_tensions(&self) -> bool {
-        match self {
-            Self::Solver(solver) => solver.knows_tensions(),
-            // a model that fits lengths always has a solver
-            Self::None(_) => true,
-        }
+        // a model that fits lengths always has a problem
+        !matches!(self, Self::Problem(ForwardProblem::LeastSquares, _))
     }
 
     /// The prediction, or why there is none.
-    fn predict(&mut self, controlled: &[f64], near: &Pose) -> Result<Prediction, String> {
-        let unknown = || "the forward problem has no solution".to_owned();
-        match self {
-            Self::None(reason) => Err(reason.clone()),
-            Self::Solver(ForwardSolver::LeastSquares(solver)) => {
-                let found = solver.solve(controlled, near).map_err(|error| error.to_string())?;
-                match found.status {
-                    forward_kinematics::Status::Converged => Ok(Prediction { pose: found.pose, tensions: None }),
-                    _ => Err(found.reason.clone().unwrap_or_else(unknown)),
-                }
+    fn predict(&self, model: &Model, controlled: &[f64], near: &Pose, state: &mut State) -> Result<Prediction, String> {
+        let settings = match self {
+            Self::None(reason) => return Err(reason.clone()),
+            Self::Problem(_, settings) => settings,
+        };
+        let found =
+            model.forward_with(settings, controlled, None, Some(near), state).map_err(|error| error.to_string())?;
+        match found.status {
+            Status::Converged => {
+                let tensions = self.knows_tensions().then(|| found.tensions.clone());
+                Ok(Prediction { pose: found.pose, tensions })
             }
-            Self::Solver(ForwardSolver::Equilibrium(solver)) => {
-                let found = solver.solve(controlled, near).map_err(|error| error.to_string())?;
-                match found.status {
-                    elastostatics::Status::Converged => {
-                        Ok(Prediction { pose: found.pose, tensions: Some(found.tensions.clone()) })
-                    }
-                    _ => Err(found.reason.clone().unwrap_or_else(unknown)),
-                }
-            }
+            _ => Err(found.reason.clone().unwrap_or_else(|| "the forward problem has no solution".to_owned())),
         }
     }
 }
@@ -138,23 +138,27 @@ impl<'a> Predictor<'a> {
 /// Compares a model with samples: its forward problem from the recorded lengths with the measured poses (and tensions), its
 /// inverse at the measured poses (and tensions, predicted ones where none are recorded) with the recorded lengths.
 pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
-    evaluate_with(Predictor::new(model)?, model, samples)
+    let mut state = State::at_home(model);
+    let predictor = Predictor::new(model, &mut state)?;
+    evaluate_with(&predictor, model, samples, &mut state)
 }
 
 /// [`evaluate`] of a model that a fit has made: parameters without a forward problem are the outcome of the fit, so that no
 /// sample has an answer, and not a mistake of the caller.
 pub fn evaluate_fitted(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
-    let predictor = match Predictor::new(model) {
+    let mut state = State::at_home(model);
+    let predictor = match Predictor::new(model, &mut state) {
         Err(EvaluationError::Forward(reason)) => Predictor::None(reason.to_string()),
         other => other?,
     };
-    evaluate_with(predictor, model, samples)
+    evaluate_with(&predictor, model, samples, &mut state)
 }
 
 fn evaluate_with(
-    mut predictor: Predictor<'_>,
+    predictor: &Predictor,
     model: &Model,
     samples: &Samples,
+    state: &mut State,
 ) -> Result<Evaluation, EvaluationError> {
     let cables = model.cable_count();
     if cables != samples.cable_count {
@@ -162,24 +166,22 @@ fn evaluate_with(
     }
     let samples = &*model.with_lengths(samples)?;
     let mut evaluation = Evaluation { cable_count: cables, ..Evaluation::default() };
-    let mut controlled = vec![0.0; cables];
+    let (mut controlled, mut tensions) = (vec![0.0; cables], vec![0.0; cables]);
     for (sample, pose) in samples.poses.iter().enumerate() {
         let recorded = samples.lengths_of(sample);
         for (cable, length) in controlled.iter_mut().enumerate() {
             *length = model.controlled_length(cable, recorded[cable]);
         }
-        let predicted = predictor.predict(&controlled, pose);
+        let predicted = predictor.predict(model, &controlled, pose, state);
         evaluation.add_pose(predicted.as_ref(), pose);
         let measured = samples.tensions.as_ref().map(|tensions| &tensions[sample * cables..][..cables]);
         let predicted = predicted.ok().and_then(|found| found.tensions);
-        for (cable, &length) in recorded.iter().enumerate() {
+        for (cable, tension) in tensions.iter_mut().enumerate() {
             let measured = measured.map(|tensions| model.real_tension(cable, tensions[cable]));
             let predicted = predicted.as_ref().map(|tensions| tensions[cable]);
-            // rigid cables have their length whatever the tension
-            let unknown = if model.composition().depends_on_tension() { f64::NAN } else { 0.0 };
-            let controlled = modelled_length(model, cable, pose, measured.or(predicted).unwrap_or(unknown));
-            evaluation.length.push(model.recorded_length(cable, controlled) - length);
+            *tension = measured.or(predicted).unwrap_or(f64::NAN);
         }
+        evaluation.add_lengths(model.inverse(pose, &tensions, state).ok(), recorded);
         if let Some(measured) = measured.filter(|_| predictor.knows_tensions()) {
             let error = |cable: usize| {
                 let predicted = predicted.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
@@ -189,19 +191,6 @@ fn evaluate_with(
         }
     }
     Ok(evaluation)
-}
-
-/// Controlled length of a cable with this tension at a pose (m); NaN where there is none.
-fn modelled_length(model: &Model, cable: usize, pose: &Pose, tension: f64) -> f64 {
-    if tension.is_nan() {
-        return f64::NAN;
-    }
-    if model.composition().has_closed_form() {
-        let length = model.course(cable, pose).map_or(f64::NAN, |(course, _)| course.length);
-        return model.elasticity(cable).controlled_length(length, tension);
-    }
-    let known = model.known_tension(cable, tension);
-    model.hold(cable, pose, known).map_or(f64::NAN, |(hold, _)| hold.controlled_length)
 }
 
 impl Evaluation {
@@ -214,6 +203,12 @@ impl Evaluation {
         self.position.push(nalgebra::Vector3::from(shift).norm());
         self.position_vector.push(shift);
         self.rotation.push(predicted.map_or(f64::NAN, |predicted| predicted.pose.angle_to(measured)));
+    }
+
+    /// Appends modelled minus recorded lengths; NaN where the model has none.
+    fn add_lengths(&mut self, modelled: Option<&InverseSolution>, recorded: &[f64]) {
+        let modelled = |cable: usize| modelled.map_or(f64::NAN, |solution| solution.cables[cable].recorded_length);
+        self.length.extend(recorded.iter().enumerate().map(|(cable, length)| modelled(cable) - length));
     }
 
     /// Number of samples.

@@ -2,10 +2,10 @@
 
 use super::input_error::InputError;
 use super::study::TensionMethod;
-use crate::equilibrium::distribution;
+use crate::equilibrium::{State, distribution};
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::statics::{self, Load};
+use crate::statics::{Load, StaticsError};
 use crate::tension::Limits;
 
 /// A control model with its way to choose tensions. A model alone chooses those nearest to the middle of the limits.
@@ -36,10 +36,13 @@ impl<'a> From<&'a Model> for Control<'a> {
 }
 
 /// A control model that commands a machine.
+#[derive(Clone, Debug)]
 pub(super) struct Controller<'a> {
     model: &'a Model,
     /// How tensions are chosen, where lengths depend on them.
     distribution: Option<distribution::Solver<'a>>,
+    /// The tensions chosen last (N); NaN where lengths depend on none.
+    tensions: Vec<f64>,
 }
 
 impl<'a> Controller<'a> {
@@ -52,7 +55,11 @@ impl<'a> Controller<'a> {
             }
             false => None,
         };
-        Ok(Self { model, distribution })
+        Ok(Self { model, distribution, tensions: vec![f64::NAN; model.cable_count()] })
+    }
+
+    pub(super) fn model(&self) -> &'a Model {
+        self.model
     }
 
     /// The model, where its lengths do not depend on tensions.
@@ -60,29 +67,22 @@ impl<'a> Controller<'a> {
         self.distribution.is_none().then_some(self.model)
     }
 
-    /// Lengths for a pose in the units of the model's encoders (m), or why there are none.
-    pub(super) fn lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
-        match &mut self.distribution {
-            None => {
-                let lengths = self.model.cable_lengths(pose).map_err(|reason| reason.to_string())?;
-                Ok(recorded(self.model, &lengths))
+    /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none.
+    pub(super) fn lengths(&mut self, pose: &Pose, state: &mut State) -> Result<Vec<f64>, String> {
+        let words = |error: &dyn std::error::Error| error.to_string();
+        if let Some(distribution) = &mut self.distribution {
+            let found = distribution.solve(pose).map_err(|error| words(&error))?;
+            if let Some(reason) = found.reason {
+                return Err(format!("the control model finds no tensions: {}", reason.words()));
             }
-            Some(distribution) => {
-                let found = distribution.solve(pose).map_err(|error| error.to_string())?;
-                if let Some(reason) = found.reason {
-                    return Err(format!("the control model finds no tensions: {}", reason.words()));
-                }
-                lengths_at(self.model, pose, &found.tensions).map_err(|reason| reason.to_string())
-            }
+            self.tensions = found.tensions;
         }
+        let command = self.model.inverse(pose, &self.tensions, state).map_err(|error| words(&error))?;
+        command.recorded_lengths().map_err(|error| words(&error))
     }
 }
 
-/// Lengths with which a model's cables have these tensions at a pose, in the units of its encoders (m).
-pub(super) fn lengths_at(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, statics::StaticsError> {
-    Ok(recorded(model, &statics::controlled_lengths(model, pose, tensions)?))
-}
-
-fn recorded(model: &Model, controlled: &[f64]) -> Vec<f64> {
-    controlled.iter().enumerate().map(|(cable, &length)| model.recorded_length(cable, length)).collect()
+/// Lengths with which a model's cables, never loaded before, have these tensions at a pose, in the units of its encoders (m).
+pub(super) fn lengths_at(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
+    model.inverse(pose, tensions, &mut State::at(model, pose))?.recorded_lengths()
 }

@@ -1,25 +1,22 @@
 //! A control model on a machine, asked from several threads.
 
-use std::sync::{Mutex, PoisonError};
-
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome, Status};
+use super::operate::{Operation, Outcome};
 use super::study::{CommandedPose, History, Reach};
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// Control model, machine and winches that are set, with operations that threads take and put back.
+/// Control model, machine and winches that are set; every question begins from a copy of the same operation.
 ///
 /// Every pose is answered for itself: machines with history come to each one from the initial pose, for in an order of their
 /// own the points of a map would say more of the order than of the machine.
+#[derive(Clone, Debug)]
 pub struct Driving<'a> {
     control: Control<'a>,
-    machine: &'a Model,
     offsets: Vec<f64>,
     history: Option<(History, Pose)>,
-    restarts: bool,
-    idle: Mutex<Vec<Operation<'a>>>,
+    operation: Operation<'a>,
 }
 
 /// Poses that a thread answers before it looks for more: the same on any number of threads, as batches are answered together.
@@ -30,23 +27,22 @@ impl<'a> Driving<'a> {
     pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
         let control = control.into();
         let operation = Operation::new(control, machine, offsets)?;
-        let idle = Mutex::new(vec![operation]);
-        Ok(Self { control, machine, offsets: offsets.to_vec(), history: None, restarts: true, idle })
+        Ok(Self { control, offsets: offsets.to_vec(), history: None, operation })
     }
 
     /// Cables that remember come to every pose from this one in steps, as [`Operation::with_history`] says.
     #[must_use]
     pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
-        self.history = Some((History { reach: Reach::FromInitial, ..*history }, *start));
-        self.idle = Mutex::default();
+        let history = History { reach: Reach::FromInitial, ..*history };
+        self.operation = self.operation.with_history(&history, start);
+        self.history = Some((history, *start));
         self
     }
 
     /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
     #[must_use]
     pub fn without_restarts(mut self) -> Self {
-        self.restarts = false;
-        self.idle = Mutex::default();
+        self.operation = self.operation.without_restarts();
         self
     }
 
@@ -57,7 +53,7 @@ impl<'a> Driving<'a> {
 
     /// The machine.
     pub fn machine(&self) -> &'a Model {
-        self.machine
+        self.operation.machine()
     }
 
     /// What is added to the control model's lengths (m).
@@ -70,41 +66,22 @@ impl<'a> Driving<'a> {
         self.history.as_ref()
     }
 
-    /// Work with an operation of its own; nothing if none can be made, which [`Driving::new`] has ruled out.
-    pub(super) fn with<T>(&self, work: impl FnOnce(&mut Operation<'a>) -> T) -> Option<T> {
-        let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
-        let waiting = idle().pop();
-        let mut operation = waiting.or_else(|| self.begin().ok())?;
-        let answer = work(&mut operation);
-        idle().push(operation);
-        Some(answer)
-    }
-
-    fn begin(&self) -> Result<Operation<'a>, InputError> {
-        let operation = Operation::new(self.control, self.machine, &self.offsets)?;
-        let operation = if self.restarts { operation } else { operation.without_restarts() };
-        Ok(match &self.history {
-            Some((history, start)) => operation.with_history(history, start),
-            None => operation,
-        })
+    /// An operation of one's own, as set.
+    pub(super) fn operation(&self) -> Operation<'a> {
+        self.operation.clone()
     }
 
     /// What emerges when a pose is commanded.
     pub fn outcome(&self, pose: &Pose) -> Outcome {
-        let answer = self.with(|operation| operation.answer(&CommandedPose::at(*pose)));
-        answer.unwrap_or_else(|| Outcome {
-            pose: *pose,
-            sent: Vec::new(),
-            recorded: Vec::new(),
-            tensions: None,
-            status: Status::NotCommanded,
-            reason: Some("the machine cannot be driven".to_owned()),
-        })
+        self.operation().answer(&CommandedPose::at(*pose))
     }
 
     /// What emerges for each of many poses; threads share them with the feature `parallel`, with the same answers.
     pub fn outcomes(&self, poses: &[Pose]) -> Vec<Outcome> {
-        self.each(poses, |pose| self.outcome(pose))
+        self.each_share(poses, |poses| {
+            let mut operation = self.operation();
+            poses.iter().map(|pose| operation.answer(&CommandedPose::at(*pose))).collect()
+        })
     }
 
     /// Something of each of many items, which threads take in shares of their own.
@@ -120,16 +97,5 @@ impl<'a> Driving<'a> {
         }
         #[cfg(not(feature = "parallel"))]
         items.chunks(SHARE).flat_map(of).collect()
-    }
-
-    /// Something of each of many items, in their order.
-    pub(super) fn each<I: Sync, T: Send>(&self, items: &[I], of: impl Fn(&I) -> T + Send + Sync) -> Vec<T> {
-        #[cfg(feature = "parallel")]
-        {
-            use rayon::prelude::*;
-            items.par_iter().with_min_len(SHARE).map(of).collect()
-        }
-        #[cfg(not(feature = "parallel"))]
-        items.iter().map(of).collect()
     }
 }

@@ -9,7 +9,8 @@ use serde::Serialize;
 use super::accuracy::outside_reach;
 use super::driving::Driving;
 use super::errors::PoseError;
-use super::operate::{Outcome, Status};
+use super::operate::{Operation, Outcome, Status};
+use super::study::CommandedPose;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 use crate::tension::Limits;
@@ -65,15 +66,18 @@ const TRUSTED: f64 = 0.1;
 
 /// Commands poses and tells how far from them the platform comes to rest, exactly and by one linear step.
 pub fn field(driving: &Driving<'_>, poses: &[Pose]) -> Field {
-    let samples = driving.each(poses, |pose| sample(driving, pose));
+    let samples = driving.each_share(poses, |poses| {
+        let mut operation = driving.operation();
+        poses.iter().map(|pose| sample(&mut operation, pose)).collect()
+    });
     let summary = Summary::of(&samples);
     Field { samples, summary }
 }
 
-fn sample(driving: &Driving<'_>, commanded: &Pose) -> Sample {
-    let outcome = driving.outcome(commanded);
+fn sample(operation: &mut Operation<'_>, commanded: &Pose) -> Sample {
+    let outcome = operation.answer(&CommandedPose::at(*commanded));
     let exact = (outcome.status == Status::Converged).then(|| commanded.displacement_to(&outcome.pose));
-    let linear = driving.with(|operation| linear::displacement(operation, commanded)).flatten();
+    let linear = linear::displacement(operation, commanded);
     Sample { commanded: *commanded, outcome, exact, linear }
 }
 

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
-use crate::equilibrium::elastostatics;
+use crate::equilibrium::{ForwardError, elastostatics};
 use crate::geometry::PatternError;
 use crate::model::{CompositionError, Model, ModelError, WinchError};
 use crate::statics::{LoadError, StaticsError};
@@ -116,6 +116,15 @@ pub enum InputError {
         /// Poses of the study.
         poses: usize,
     },
+}
+
+impl From<ForwardError> for InputError {
+    fn from(error: ForwardError) -> Self {
+        match error {
+            ForwardError::Load(error) => Self::Load(error),
+            ForwardError::Input(error) => Self::Machine(error),
+        }
+    }
 }
 
 fn no_requirement(is_elastic: bool) -> &'static str {

@@ -3,22 +3,23 @@
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
 use crate::equilibrium::elastostatics::batch::Solutions;
-use crate::equilibrium::forward_problem::ForwardSolver;
-use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Solution, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, StretchEffect};
 use crate::scalar::LaneTable;
 
-/// A machine with the forward problem that it answers by.
+/// A machine and how its forward problem is solved.
+#[derive(Clone, Debug)]
 pub(super) struct Machine<'a> {
     model: &'a Model,
-    forward: ForwardSolver<'a>,
+    problem: ForwardProblem,
+    settings: ForwardSettings,
 }
 
 impl<'a> Machine<'a> {
     pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
-        let forward = ForwardSolver::new::<InputError>(model, &forward_kinematics::Settings::default())?;
-        Ok(Self { model, forward })
+        let problem = model.forward_problem(None, &mut State::at_home(model))?;
+        Ok(Self { model, problem, settings: ForwardSettings::default() })
     }
 
     pub(super) fn model(&self) -> &'a Model {
@@ -27,7 +28,7 @@ impl<'a> Machine<'a> {
 
     /// True when tensions emerge.
     pub(super) fn knows_tensions(&self) -> bool {
-        self.forward.knows_tensions()
+        self.problem == ForwardProblem::Equilibrium
     }
 
     /// True when the cables remember how they came to a tension.
@@ -35,48 +36,26 @@ impl<'a> Machine<'a> {
         self.model.composition().stretch == StretchEffect::Hysteresis
     }
 
-    /// The cables remember the last answer.
-    pub(super) fn remember(&mut self) {
-        if let ForwardSolver::Equilibrium(solver) = &mut self.forward {
-            solver.remember();
-        }
-    }
-
-    /// The cables are as if they had never been loaded.
-    pub(super) fn forget(&mut self) {
-        if let ForwardSolver::Equilibrium(solver) = &mut self.forward {
-            solver.forget();
-        }
-    }
-
     /// The forward problem starts from the commanded pose alone from now on.
     pub(super) fn without_restarts(mut self) -> Self {
-        if let ForwardSolver::Equilibrium(solver) = self.forward {
-            self.forward = ForwardSolver::Equilibrium(Box::new(solver.without_restarts()));
-        }
+        self.settings.equilibrium.max_restarts = 0;
         self
     }
 
     /// What emerges for many controlled lengths at once (m; a row per cable), sought from these poses; with `only_taut` where
-    /// every cable pulls. False where the machine fits lengths, and where the lengths are no numbers.
+    /// every cable pulls. Nothing where the machine fits lengths, and where the lengths are no numbers.
     pub(super) fn answer_all(
-        &mut self,
+        &self,
         lengths: &LaneTable,
         guesses: &PoseBatch,
         only_taut: bool,
-        solutions: &mut Solutions,
-    ) -> bool {
-        match &mut self.forward {
-            ForwardSolver::LeastSquares(_) => false,
-            ForwardSolver::Equilibrium(solver) if only_taut => {
-                solver.solve_taut_batch(lengths, guesses, solutions).is_ok()
-            }
-            ForwardSolver::Equilibrium(solver) => solver.solve_batch(lengths, guesses, solutions).is_ok(),
-        }
+        state: &mut State,
+    ) -> Option<Solutions> {
+        self.model.forward_batch((&self.settings, only_taut), lengths, guesses, state).ok().flatten()
     }
 
     /// What emerges when the winches are told these lengths (m, in the units of the encoders), sought from a pose.
-    pub(super) fn answer(&mut self, sent: Vec<f64>, guess: &Pose) -> Outcome {
+    pub(super) fn answer(&self, sent: Vec<f64>, guess: &Pose, state: &mut State) -> Outcome {
         let controlled: Vec<f64> =
             sent.iter().enumerate().map(|(cable, &length)| self.model.controlled_length(cable, length)).collect();
         let mut outcome = Outcome {
@@ -87,56 +66,34 @@ impl<'a> Machine<'a> {
             status: Status::NotConverged,
             reason: None,
         };
-        let refused = match &mut self.forward {
-            ForwardSolver::LeastSquares(solver) => solver
-                .solve(&controlled, guess)
-                .map(|solution| outcome.rigid(self.model, solution))
-                .err()
-                .map(|e| e.to_string()),
-            ForwardSolver::Equilibrium(solver) => {
-                solver.solve(&controlled, guess).map(|solution| outcome.elastic(solution)).err().map(|e| e.to_string())
-            }
-        };
-        if refused.is_some() {
-            outcome.reason = refused;
+        match self.model.forward_with(&self.settings, &controlled, None, Some(guess), state) {
+            Ok(solution) => outcome.come_to(self, solution),
+            Err(error) => outcome.reason = Some(error.to_string()),
         }
         outcome
     }
 }
 
 impl Outcome {
-    /// The platform of a rigid machine goes to the least-squares pose, and the winches take up what is slack there.
-    fn rigid(&mut self, machine: &Model, solution: &forward_kinematics::Solution) {
+    fn come_to(&mut self, machine: &Machine<'_>, solution: &Solution) {
         self.pose = solution.pose;
         self.status = match solution.status {
-            forward_kinematics::Status::Converged => Status::Converged,
-            forward_kinematics::Status::NotConverged => Status::NotConverged,
-            forward_kinematics::Status::Singular => Status::Singular,
+            equilibrium::Status::Converged => Status::Converged,
+            equilibrium::Status::NotConverged => Status::NotConverged,
+            equilibrium::Status::Singular => Status::Singular,
+            equilibrium::Status::Unstable => Status::Unstable,
         };
-        self.reason = self.reason_of(&solution.reason);
-        if let Ok(lengths) = machine.cable_lengths(&solution.pose) {
-            let recorded = |(cable, &length): (usize, &f64)| machine.recorded_length(cable, length);
+        // a solver's remark on a converged answer is no reason
+        self.reason = (self.status != Status::Converged).then(|| {
+            solution.reason.clone().unwrap_or_else(|| "the machine's forward problem has no solution".to_owned())
+        });
+        let model = machine.model;
+        if machine.knows_tensions() {
+            self.tensions = Some(solution.tensions.clone());
+        } else if let Ok(lengths) = model.cable_lengths(&solution.pose) {
+            // a rigid platform goes to the least-squares pose, and the winches take up what is slack there
+            let recorded = |(cable, &length): (usize, &f64)| model.recorded_length(cable, length);
             self.recorded = lengths.iter().enumerate().map(recorded).collect();
-        }
-    }
-
-    fn elastic(&mut self, solution: &elastostatics::Solution) {
-        self.pose = solution.pose;
-        self.tensions = Some(solution.tensions.clone());
-        self.status = match solution.status {
-            elastostatics::Status::Converged => Status::Converged,
-            elastostatics::Status::NotConverged => Status::NotConverged,
-            elastostatics::Status::Singular => Status::Singular,
-            elastostatics::Status::Unstable => Status::Unstable,
-        };
-        self.reason = self.reason_of(&solution.reason);
-    }
-
-    /// A solver's remark on a converged answer is no reason.
-    fn reason_of(&self, remark: &Option<String>) -> Option<String> {
-        match self.status {
-            Status::Converged => None,
-            _ => Some(remark.clone().unwrap_or_else(|| "the machine's forward problem has no solution".to_owned())),
         }
     }
 }

@@ -5,6 +5,7 @@ use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
+use crate::equilibrium::State;
 use crate::equilibrium::elastostatics::batch::Solutions;
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
@@ -90,20 +91,33 @@ pub fn operate<'a>(
     Ok(poses.iter().map(|command| operation.answer(command)).collect())
 }
 
-/// A control model on a machine whose winches are set, to be asked pose by pose (see [`operate`]).
+/// A control model on a machine whose winches are set, to be asked pose by pose (see [`operate`]). A clone is a snapshot: it goes on from
+/// the same states to the same bytes.
+#[derive(Clone, Debug)]
 pub struct Operation<'a> {
     control: Controller<'a>,
     machine: Machine<'a>,
     winding: Winding<'a>,
     offsets: Vec<f64>,
+    states: States,
     way: Option<Way>,
 }
 
-/// Where a machine with history has been, and how it goes on.
+/// States of the control model, which remembers what it commanded, and of the machine.
+#[derive(Clone, Debug)]
+struct States {
+    control: State,
+    machine: State,
+}
+
+/// How a machine with history goes on.
+#[derive(Clone, Debug)]
 struct Way {
     history: History,
-    start: Pose,
-    /// Where the last command led; nothing before the first one.
+    /// Pose from which every path begins, and the states there.
+    start_pose: Pose,
+    start: States,
+    /// Last command; nothing before the first one.
     last: Option<Pose>,
 }
 
@@ -117,8 +131,9 @@ impl<'a> Operation<'a> {
             return Err(InputError::Count { key: "offset_m", expected, found });
         }
         let winding = Winding::new(control.model, machine)?;
+        let states = States { control: State::at_home(control.model), machine: State::at_home(machine) };
         let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
-        Ok(Self { control, machine, winding, offsets: offsets.to_vec(), way: None })
+        Ok(Self { control, machine, winding, offsets: offsets.to_vec(), states, way: None })
     }
 
     /// What answers.
@@ -131,26 +146,38 @@ impl<'a> Operation<'a> {
         self.machine.knows_tensions()
     }
 
-    /// Each pose is reached from the initial one, or from the one before, on a way that the cables of the machine remember; for
-    /// machines without history this changes nothing. Without it every pose is reached at once by cables that were never loaded.
+    /// Each pose is reached from the initial one, or from the one before, on a way that the cables of the machine remember, and those of
+    /// the control model as it commanded them; for machines without history this changes nothing. Without it every pose is reached at
+    /// once by cables that were never loaded.
     #[must_use]
     pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
         if self.machine.remembers() {
-            self.way = Some(Way { history: *history, start: *start, last: None });
+            self.begin(history, start);
         }
         self
+    }
+
+    /// Sets out from a pose, to which control model and machine come with cables that were never loaded.
+    fn begin(&mut self, history: &History, start: &Pose) {
+        let state = |model: &Model| State::at(model, start);
+        self.states = States { control: state(self.control.model()), machine: state(self.machine.model()) };
+        let _ = self.settled(&CommandedPose::at(*start));
+        self.way = Some(Way { history: *history, start_pose: *start, start: self.states.clone(), last: None });
     }
 
     /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
     #[must_use]
     pub fn without_restarts(mut self) -> Self {
         self.machine = self.machine.without_restarts();
+        if let Some(way) = self.way.take() {
+            self.begin(&way.history, &way.start_pose);
+        }
         self
     }
 
     /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
     pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
-        self.control.lengths(pose)
+        self.control.lengths(pose, &mut self.states.control)
     }
 
     /// Controlled lengths of the machine's cables when a pose is commanded (m), or why there are none.
@@ -204,10 +231,8 @@ impl<'a> Operation<'a> {
             }
             lengths
         });
-        let mut solutions = Solutions::default();
-        self.machine
-            .answer_all(&lengths, &guesses, only_taut, &mut solutions)
-            .then_some(Emerged { commanded, solutions })
+        let solutions = self.machine.answer_all(&lengths, &guesses, only_taut, &mut self.states.machine)?;
+        Some(Emerged { commanded, solutions })
     }
 
     /// What emerges for one command.
@@ -218,35 +243,35 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// The sub-steps of a way, and its end; every state that the machine comes to is remembered.
+    /// The sub-steps of a way, and its end; the robot settles wherever it comes to.
     fn go(&mut self, way: &mut Way, command: &CommandedPose) -> Outcome {
-        let begins = way.last.is_none() || way.history.reach == Reach::FromInitial;
-        if begins {
-            self.machine.forget();
-            self.remembered(&CommandedPose::at(way.start));
+        let last = way.last.filter(|_| way.history.reach == Reach::InOrder);
+        if last.is_none() {
+            self.states.clone_from(&way.start);
         }
-        let from = if begins { way.start } else { way.last.unwrap_or(way.start) };
+        let from = last.unwrap_or(way.start_pose);
         let whole = from.displacement_to(&command.pose);
         let steps = way.history.sub_steps;
         for step in 1..steps {
-            self.remembered(&CommandedPose::at(from.displaced(&(whole * (f64::from(step) / f64::from(steps))))));
+            let _ = self.settled(&CommandedPose::at(from.displaced(&(whole * (f64::from(step) / f64::from(steps))))));
         }
         way.last = Some(command.pose);
-        self.remembered(command)
+        self.settled(command)
     }
 
-    /// What emerges, remembered by the cables if it is an equilibrium.
-    fn remembered(&mut self, command: &CommandedPose) -> Outcome {
+    /// What emerges, where control model and machine settle if it is an equilibrium.
+    fn settled(&mut self, command: &CommandedPose) -> Outcome {
         let outcome = self.reach(command);
         if outcome.status == Status::Converged {
-            self.machine.remember();
+            self.states.machine.settle_forward(self.machine.model());
+            self.states.control.settle_inverse(self.control.model());
         }
         outcome
     }
 
     /// What the winches are told (m).
     fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, String> {
-        let mut sent = self.control.lengths(&command.pose)?;
+        let mut sent = self.control.lengths(&command.pose, &mut self.states.control)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
         if let Some(test) = command.shortened {
             sent[test.cable] -= test.by;
@@ -264,7 +289,7 @@ impl<'a> Operation<'a> {
             Ok(lengths) => lengths,
             Err(reason) => return nothing_sent(&command.pose, reason),
         };
-        let mut outcome = self.machine.answer(paid_out, &command.pose);
+        let mut outcome = self.machine.answer(paid_out, &command.pose, &mut self.states.machine);
         outcome.sent = sent;
         if let Ok(recorded) = self.winding.to_control(&outcome.recorded) {
             outcome.recorded = recorded;

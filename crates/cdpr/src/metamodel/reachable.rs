@@ -234,7 +234,8 @@ impl Reachable<'_> {
     ) -> Vec<Option<T>> {
         let mut found: Vec<Option<T>> = poses.iter().map(|_| None).collect();
         let mut tensions = vec![0.0; self.driving.machine().cable_count()];
-        self.driving.with(|operation| match operation.answer_all(poses, only_taut) {
+        let mut operation = self.driving.operation();
+        match operation.answer_all(poses, only_taut) {
             Some(Emerged { commanded, solutions }) => {
                 let settled = |item: &usize| solutions.status(*item) == elastostatics::Status::Converged;
                 for item in (0..commanded.len()).filter(settled) {
@@ -250,7 +251,7 @@ impl Reachable<'_> {
                     *found = is_settled.then(|| of(pose, &outcome.pose, outcome.tensions.as_deref()));
                 }
             }
-        });
+        }
         found
     }
 

@@ -9,6 +9,7 @@ use crate::model::{Model, WinchError};
 ///
 /// A model without the effect `drum` takes its winches for ideal ones, whose length is linear in the angle, with the radius of
 /// its own file or else that of the other. Where neither has the effect, lengths are lengths.
+#[derive(Clone, Debug)]
 pub(super) struct Winding<'a> {
     control: &'a Model,
     /// Winches of control model and machine, cable by cable; empty where lengths are lengths.

@@ -9,6 +9,7 @@ use super::laws;
 use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::winch::Winch;
 use crate::cable::{Course, DegenerateCourse, outlet};
 use crate::geometry::{Pose, Twist};
@@ -82,6 +83,11 @@ impl Model {
         self.composition
     }
 
+    /// True when lengths depend on tensions, so that lengths and load determine pose and tensions together.
+    pub fn depends_on_tension(&self) -> bool {
+        self.composition.depends_on_tension()
+    }
+
     /// Number of cables m.
     pub fn cable_count(&self) -> usize {
         self.robot.cables.len()
@@ -114,9 +120,24 @@ impl Model {
 
     /// One cable (0-based) at rest at a pose, with one more thing known of it; its lever b = R b_P (world, m).
     pub fn hold(&self, cable: usize, pose: &Pose, known: Known) -> Result<(Hold, Vector3<f64>), HoldError> {
+        self.hold_from(cable, pose, known, None)
+    }
+
+    /// [`Model::hold`] of a cable that comes from a memory; never loaded without one.
+    pub fn hold_from(
+        &self,
+        cable: usize,
+        pose: &Pose,
+        known: Known,
+        memory: Option<&Memory>,
+    ) -> Result<(Hold, Vector3<f64>), HoldError> {
         let lever = pose.rotation * self.robot.cables[cable].platform_anchor;
-        let hold = self.laws[cable].hold((pose.position + lever).into(), known)?;
-        Ok((hold, lever))
+        let (law, anchor) = (&self.laws[cable], (pose.position + lever).into());
+        let hold = match memory {
+            Some(memory) => law.with_memory(memory).hold(anchor, known),
+            None => law.hold(anchor, known),
+        };
+        Ok((hold?, lever))
     }
 
     /// A tension as robots measure it, at the outlet, or where the file says.
@@ -138,7 +159,7 @@ impl Model {
 
     /// [`Model::course`] for a pose given by position and rotation rows, when many cables share it.
     #[inline]
-    fn checked_course(
+    pub(crate) fn checked_course(
         &self,
         cable: usize,
         position: [f64; 3],

@@ -1,5 +1,7 @@
 //! The laws of a robot's cables under a composition of effects.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::error::require;
@@ -70,14 +72,14 @@ fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stre
             let key = ("polynomial", "tension_of_strain_N", "");
             require(cable.tension_of_strain.is_some(), key, index, cable)?;
             let coefficients = cable.tension_of_strain.as_deref().unwrap_or_default();
-            Stretch::Polynomial(Polynomial::new(coefficients, cable.tension_max).map_err(refused)?)
+            Stretch::Polynomial(Arc::new(Polynomial::new(coefficients, cable.tension_max).map_err(refused)?))
         }
         StretchEffect::Hysteresis => {
             let Some(table) = &cable.hysteresis else {
                 require(false, ("hysteresis", "hysteresis", " as a table, e.g. from `cdpr test-bench`"), index, cable)?;
                 return Ok(Stretch::Rigid);
             };
-            Stretch::Hysteresis(Box::new(Hysteresis::new(table).map_err(refused)?), Memory::virgin())
+            Stretch::Hysteresis(Arc::new(Hysteresis::new(table).map_err(refused)?), Memory::virgin())
         }
     })
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::error::{StaticsError, check_tensions};
-use super::{Load, holds, section_wrench};
+use super::{Load, cable_lengths, section_wrench};
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 
@@ -98,22 +98,9 @@ fn remove_share(matrix: &mut DMatrix<f64>, column: usize, unit: usize) {
 /// Whether the tensions balance a load is not asked (see [`wrench_residual`]).
 pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
     check_tensions(model, tensions)?;
-    if !model.composition().has_closed_form() {
-        return Ok(holds(model, pose, tensions)?.iter().map(|held| held.hold.controlled_length).collect());
-    }
+    let rotation = pose.rotation_rows();
     let length = |(index, &tension): (usize, &f64)| {
-        let q = model.course(index, pose)?.0.length;
-        controlled_length(model, index, q, tension)
+        cable_lengths(model, (pose, &rotation), index, tension, None).map(|lengths| lengths.controlled_length)
     };
     tensions.iter().enumerate().map(length).collect()
-}
-
-/// q_θ of one cable, which must be positive.
-pub(super) fn controlled_length(model: &Model, index: usize, length: f64, tension: f64) -> Result<f64, StaticsError> {
-    let controlled = model.elasticity(index).controlled_length(length, tension);
-    // written so that NaN is refused too
-    if !(controlled > 0.0) {
-        return Err(StaticsError::Overstretched { cable: index + 1, tension, length });
-    }
-    Ok(controlled)
 }

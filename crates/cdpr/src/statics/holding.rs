@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3};
 
 use super::error::{StaticsError, check_tensions};
 use crate::cable::law::{Hold, Known};
+use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 
@@ -29,10 +30,22 @@ pub fn holds(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<Held>, 
 pub fn held(model: &Model, pose: &Pose, index: usize, tension: f64) -> Result<Held, StaticsError> {
     // a pose without a course is told in the words of the geometry
     model.course(index, pose)?;
+    held_at(model, pose, index, tension, None)
+}
+
+/// [`held`] where the cable is known to have a course, from a memory of its own or never loaded.
+pub(super) fn held_at(
+    model: &Model,
+    pose: &Pose,
+    index: usize,
+    tension: f64,
+    memory: Option<&Memory>,
+) -> Result<Held, StaticsError> {
     let known = model.known_tension(index, tension);
     let is_known_at_platform = matches!(known, Known::PlatformTension(_));
-    let (hold, lever) =
-        model.hold(index, pose, known).map_err(|reason| StaticsError::Hold { cable: index + 1, reason })?;
+    let (hold, lever) = model
+        .hold_from(index, pose, known, memory)
+        .map_err(|reason| StaticsError::Hold { cable: index + 1, reason })?;
     Ok(Held { hold, lever, is_known_at_platform })
 }
 

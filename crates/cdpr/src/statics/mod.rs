@@ -7,6 +7,7 @@ mod balance;
 mod error;
 mod general_cable;
 mod holding;
+mod lengths;
 mod load;
 mod sections;
 mod stiffness;
@@ -18,6 +19,7 @@ pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_resi
 pub use error::{StaticsError, check_tensions};
 pub(crate) use general_cable::GeneralCable;
 pub use holding::{Held, held, holds};
+pub(crate) use lengths::{CableLengths, cable_lengths};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
 pub use stiffness::{Stability, Stiffness, geometric_stiffness};

@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::Load;
-use super::balance::controlled_length;
 use super::error::{StaticsError, check_tensions};
 use super::holding::{Held, holds};
+use super::lengths::controlled_length;
 use crate::cable::Course;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Model, StretchEffect};

@@ -1,6 +1,6 @@
 //! Every composition of effects on one machine: the inverse problem and the forward problem lead to each other.
 
-use cdpr::equilibrium::{distribution, elastostatics};
+use cdpr::equilibrium::{State, distribution, elastostatics};
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::evaluate;
 use cdpr::identification::fit::{Settings, fit};
@@ -170,18 +170,19 @@ fn winches_of_a_sagging_machine_are_set_where_it_is_in_balance() {
 /// A cable with a memory: pulled in by 4 mm and let out again, it has less tension than before, and after one such cycle the
 /// next one repeats it.
 #[test]
-fn solvers_remember_the_way_of_cables_with_hysteresis() {
+fn states_remember_the_way_of_cables_with_hysteresis() {
     let robot = machine();
     let model = Model::new(robot.clone(), "hysteresis".parse().expect("a composition")).expect("a model");
-    let load = Load::of(&robot).expect("the file states it");
-    let lengths = statics::controlled_lengths(&model, &robot.home_or_middle(), &[5000.0; 8]).expect("taut cables");
+    let mut state = State::at_home(&model);
+    let home = state.pose();
+    let command = model.inverse(&home, &[5000.0; 8], &mut state).expect("eight tensions");
+    let lengths = command.controlled_lengths().expect("taut cables");
     let tight: Vec<f64> = lengths.iter().map(|length| length - 4e-3).collect();
-    let mut solver = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).expect("valid");
     let mut sum_at = |lengths: &[f64]| {
-        let solution = solver.solve(lengths, &robot.home_or_middle()).expect("valid input");
+        let solution = model.forward(lengths, None, Some(&home), &mut state).expect("valid input");
         assert_eq!(solution.status, elastostatics::Status::Converged, "{:?}", solution.reason);
         let sum = solution.tensions.iter().sum::<f64>();
-        solver.remember();
+        state.settle_forward(&model);
         sum
     };
     let (first, _, second) = (sum_at(&lengths), sum_at(&tight), sum_at(&lengths));

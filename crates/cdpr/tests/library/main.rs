@@ -31,6 +31,7 @@ mod forward_statics;
 mod gtcable;
 mod identifiability;
 mod identification_oracle;
+mod inverse_and_forward;
 mod irma4u;
 mod metamodel;
 mod no_allocation;

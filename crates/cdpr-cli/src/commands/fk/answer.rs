@@ -1,54 +1,21 @@
 //! The answer of `cdpr fk`, whichever forward problem gave it.
 
-use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
+use cdpr::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
-use cdpr::robot::Robot;
 use serde::Serialize;
 
 use crate::answer::Answer;
 use crate::pose_answer::PoseAnswer;
 use crate::table::{Table, cell};
 
-/// How the search ended, in the words of all forward problems.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-enum Status {
-    Converged,
-    NotConverged,
-    Singular,
-    Unstable,
-}
-
-/// Start of the search.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub(super) enum Start {
-    /// `--guess`.
-    Guess,
-    /// The home pose of the file.
-    HomePose,
-    /// The mean of the frame anchors, where the file has no home pose.
-    MiddleOfAnchors,
-}
-
-impl Start {
-    pub(super) fn new(robot: &Robot, is_guess_given: bool) -> Self {
-        match (is_guess_given, robot.home) {
-            (true, _) => Self::Guess,
-            (false, Some(_)) => Self::HomePose,
-            (false, None) => Self::MiddleOfAnchors,
-        }
-    }
-
-    /// Nothing for those who know because they said so.
-    fn words(self) -> &'static str {
-        match self {
-            Self::Guess => "",
-            Self::HomePose => "sought from the home pose, since no --guess is given\n",
-            Self::MiddleOfAnchors => {
-                "sought from the middle of the frame anchors, since no --guess is given and the file has no home pose\n"
-            }
+/// Nothing for those who know because they said so.
+fn start_words(start: Start) -> &'static str {
+    match start {
+        Start::Guess => "",
+        Start::HomePose => "sought from the home pose, since no --guess is given\n",
+        Start::MiddleOfAnchors => {
+            "sought from the middle of the frame anchors, since no --guess is given and the file has no home pose\n"
         }
     }
 }
@@ -112,56 +79,30 @@ impl ForwardAnswer {
         }
     }
 
-    /// The pose that fits lengths best.
-    pub(super) fn of_lengths(model: &Model, solution: forward_kinematics::Solution) -> Self {
-        let status = match solution.status {
-            forward_kinematics::Status::Converged => Status::Converged,
-            forward_kinematics::Status::Singular => Status::Singular,
-            _ => Status::NotConverged,
-        };
+    /// The pose that belongs to lengths: the best fit, or pose and tensions in equilibrium.
+    pub(super) fn of_lengths(model: &Model, solution: Solution, problem: ForwardProblem) -> Self {
+        let is_fit = problem == ForwardProblem::LeastSquares;
         Self {
             residuals_m: Some(solution.residuals),
-            residual_rms_m: Some(solution.residual_rms),
+            residual_rms_m: is_fit.then_some(solution.residual_rms),
+            tensions_N: (!is_fit).then_some(solution.tensions),
+            wrench_residual_N: (!is_fit).then_some(solution.wrench_residual),
+            stability_N_per_m: (!is_fit).then_some(solution.stability),
             iterations: solution.iterations,
             restarts: solution.restarts,
-            ..Self::new(model, &solution.pose, status, solution.reason)
-        }
-    }
-
-    /// Pose and tensions in equilibrium.
-    pub(super) fn of_equilibrium(model: &Model, solution: elastostatics::Solution) -> Self {
-        let status = match solution.status {
-            elastostatics::Status::Converged => Status::Converged,
-            elastostatics::Status::Singular => Status::Singular,
-            elastostatics::Status::Unstable => Status::Unstable,
-            _ => Status::NotConverged,
-        };
-        Self {
-            residuals_m: Some(solution.residuals),
-            tensions_N: Some(solution.tensions),
-            wrench_residual_N: Some(solution.wrench_residual),
-            stability_N_per_m: Some(solution.stability),
-            iterations: solution.iterations,
-            restarts: solution.restarts,
-            ..Self::new(model, &solution.pose, status, solution.reason)
+            ..Self::new(model, &solution.pose, solution.status, solution.reason)
         }
     }
 
     /// The pose at which given tensions balance the load.
     pub(super) fn of_tensions(model: &Model, tensions: &[f64], solution: forward_statics::Solution) -> Self {
-        let status = match solution.status {
-            forward_statics::Status::Converged => Status::Converged,
-            forward_statics::Status::Singular => Status::Singular,
-            forward_statics::Status::Unstable => Status::Unstable,
-            _ => Status::NotConverged,
-        };
         Self {
             tensions_N: Some(tensions.to_vec()),
             wrench_residual_N: Some(solution.wrench_residual),
             stability_N_per_m: Some(solution.stability),
             iterations: solution.iterations,
             restarts: solution.restarts,
-            ..Self::new(model, &solution.pose, status, solution.reason)
+            ..Self::new(model, &solution.pose, solution.status, solution.reason)
         }
     }
 
@@ -230,14 +171,14 @@ impl Answer for ForwardAnswer {
             Status::Converged => format!("converged after {steps}"),
             Status::Singular => "singular".to_owned(),
             Status::Unstable => "an unstable equilibrium".to_owned(),
-            Status::NotConverged => format!("not converged after {steps}"),
+            _ => format!("not converged after {steps}"),
         };
         let mut text = format!("{}, model {}: {verdict}\n", self.robot, self.model);
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n"));
         }
         text.push_str(&self.alternative_words());
-        text.push_str(self.sought_from.words());
+        text.push_str(start_words(self.sought_from));
         let best = if self.is_negative() { "best pose found" } else { "pose" };
         text.push_str(&format!("{best}: {}\n\n{}", self.pose.words(), self.table().text()));
         if let Some(rms) = self.residual_rms_m {

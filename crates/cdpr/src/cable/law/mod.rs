@@ -29,6 +29,7 @@ use super::elasticity::Elasticity;
 use super::outlet::{point, pulley};
 use super::span::{Shape, State};
 use super::stretch::Stretch;
+use super::stretch::hysteresis::Memory;
 
 /// What one cable is made of, beside its platform anchor.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,6 +178,12 @@ impl CableLaw {
             }
             (None, _) => point::course(self.frame_anchor, platform_anchor),
         }
+    }
+
+    /// The law of the cable once it remembers this; itself where its stretch has no memory.
+    #[must_use]
+    pub fn with_memory(&self, memory: &Memory) -> Self {
+        Self { stretch: self.stretch.with_memory(memory), ..self.clone() }
     }
 
     /// The cable at a platform anchor (world, m), with one more thing known.

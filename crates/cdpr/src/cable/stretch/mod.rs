@@ -8,10 +8,13 @@ pub mod hysteresis;
 mod inverse;
 pub mod polynomial;
 
+use std::sync::Arc;
+
 use hysteresis::{Hysteresis, Memory};
 use polynomial::Polynomial;
 
-/// The stretch of a piece of cable by its unstrained length, with the history where there is one.
+/// The stretch of a piece of cable by its unstrained length, at a memory where it has one. Immutable, and copied without allocation:
+/// what a cable comes to remember is told by [`Stretch::memory_at`], and kept by whoever asks.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stretch {
     /// Cables keep their length.
@@ -19,9 +22,9 @@ pub enum Stretch {
     /// Strain is proportional to tension: ε = κ T with κ = 1/EA (1/N).
     Linear(f64),
     /// Tension is a polynomial of strain.
-    Polynomial(Polynomial),
+    Polynomial(Arc<Polynomial>),
     /// Tension depends on the strains before; the memory is where they led to.
-    Hysteresis(Box<Hysteresis>, Memory),
+    Hysteresis(Arc<Hysteresis>, Memory),
 }
 
 /// Tension below which ε(T)/T is taken as its limit (N).
@@ -64,22 +67,24 @@ impl Stretch {
         }
     }
 
-    /// The stretch after the cable has come to this tension (N): laws with a memory remember it.
-    pub fn remember(&mut self, tension: f64) {
-        if let Self::Hysteresis(law, memory) = self {
-            let (strain, _) = law.strain(tension, memory);
-            *memory = law.advance(strain, memory);
+    /// Memory of the cable after a monotone motion to this tension (N); nothing for laws without one.
+    pub fn memory_at(&self, tension: f64) -> Option<Memory> {
+        match self {
+            Self::Hysteresis(law, memory) => Some(law.advance(law.strain(tension, memory).0, memory)),
+            _ => None,
         }
     }
 
-    /// The stretch of a cable that has never been loaded.
-    pub fn forget(&mut self) {
-        if let Self::Hysteresis(_, memory) = self {
-            *memory = Memory::virgin();
+    /// The law at another memory; itself where it has none.
+    #[must_use]
+    pub fn with_memory(&self, memory: &Memory) -> Self {
+        match self {
+            Self::Hysteresis(law, _) => Self::Hysteresis(Arc::clone(law), *memory),
+            other => other.clone(),
         }
     }
 
-    /// What a law with a memory remembers.
+    /// Memory that the law starts from.
     pub fn memory(&self) -> Option<&Memory> {
         match self {
             Self::Hysteresis(_, memory) => Some(memory),

@@ -12,6 +12,7 @@ use super::{InputError, Load, Model, Settings, Solution, Status};
 use crate::cable::law::{CableLaw, Hold, HoldError, Known};
 use crate::cable::span::State;
 use crate::cable::stretch::Stretch;
+use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, SpanEffect, StretchEffect};
 use crate::scalar::decomposition::smallest_eigenvalue_of;
@@ -69,10 +70,14 @@ struct Problem<'a> {
 }
 
 impl Composed {
-    /// `None` for models that the closed forms serve.
+    /// True for models that no closed form serves.
+    pub(super) fn serves(model: &Model) -> bool {
+        !model.composition().has_closed_form()
+    }
+
+    /// Memory for the models that it serves.
     pub(super) fn new(model: &Model) -> Option<Self> {
-        let composition = model.composition();
-        if composition.has_closed_form() {
+        if !Self::serves(model) {
             return None;
         }
         let count = model.cable_count();
@@ -82,13 +87,21 @@ impl Composed {
             trial_states: vec![None; count],
             held: Vec::with_capacity(count),
             trial: Vec::with_capacity(count),
-            is_rigid: composition.stretch == StretchEffect::Rigid,
+            is_rigid: false,
         })
     }
 
-    /// The cables with what they remember.
-    pub(super) fn laws_mut(&mut self) -> &mut [CableLaw] {
-        &mut self.laws
+    /// The cables of a model, never loaded.
+    pub(super) fn take_laws(&mut self, model: &Model) {
+        self.laws.iter_mut().enumerate().for_each(|(cable, law)| law.clone_from(model.law(cable)));
+        self.is_rigid = model.composition().stretch == StretchEffect::Rigid;
+    }
+
+    /// The cables at these memories.
+    pub(super) fn set_memories(&mut self, memories: &[Memory]) {
+        for (law, memory) in self.laws.iter_mut().zip(memories) {
+            law.stretch = law.stretch.with_memory(memory);
+        }
     }
 
     /// Pose and tensions for controlled lengths (m).

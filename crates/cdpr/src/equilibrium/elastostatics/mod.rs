@@ -29,6 +29,8 @@ use descent::Tensions;
 use thiserror::Error;
 
 use super::forward_kinematics;
+pub use super::{Solution, Status};
+use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::LANES;
@@ -64,50 +66,6 @@ impl Default for Settings {
             remarkable_strain: 0.1,
         }
     }
-}
-
-/// Why the search stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Status {
-    /// The pose is a stable equilibrium.
-    Converged,
-    /// No equilibrium was found; the pose is the best one and `reason` says what stands in the way.
-    NotConverged,
-    /// An equilibrium that lengths and load do not determine: the platform can move without resistance.
-    Singular,
-    /// An equilibrium that the smallest disturbance ends, and no stable one was found.
-    Unstable,
-}
-
-/// Outcome of the elastostatic forward problem; `pose` is the best one found even when it did not converge.
-#[must_use = "check `status` before using the pose"]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solution {
-    /// Platform pose.
-    pub pose: Pose,
-    /// Tension per cable (N); 0 where slack.
-    pub tensions: Vec<f64>,
-    /// Why the search stopped.
-    pub status: Status,
-    /// Size of Aᵀ f + w, moments divided by the platform radius (N).
-    pub wrench_residual: f64,
-    /// Controlled length that pose and tension ask for minus the given one (m): 0 where taut, and where slack minus the
-    /// length that is too much.
-    pub residuals: Vec<f64>,
-    /// Steps of all starts, accepted and rejected.
-    pub iterations: u32,
-    /// Starts tried beyond the guess.
-    pub restarts: u32,
-    /// Number of slack cables.
-    pub slack: usize,
-    /// Smallest eigenvalue of the symmetric part of K_wx, rotations times the platform radius (N/m): positive where stable.
-    ///
-    /// Of what taut rigid cables leave free; infinite where that is nothing.
-    pub stability: f64,
-    /// The reason in words unless converged; also set where a converged answer needs a remark.
-    pub reason: Option<String>,
 }
 
 /// Input that no elastostatic forward problem can accept.
@@ -162,7 +120,7 @@ pub fn solve(
 ) -> Result<Solution, InputError> {
     let mut solver = Solver::new(model, load, settings)?;
     solver.solve(controlled_lengths, guess)?;
-    Ok(solver.solution)
+    Ok(solver.scratch.solution)
 }
 
 /// A solver for many poses of one model: its memory is claimed once and reused.
@@ -172,15 +130,40 @@ pub struct Solver<'a> {
     settings: Settings,
     load: Load,
     platform_radius: f64,
+    /// Set while a batch asks for taut cables only.
+    only_taut: bool,
+    scratch: Scratch,
+}
+
+/// Memory of a [`Solver`] without its model.
+#[derive(Clone, Debug)]
+pub(super) struct Scratch {
     is_rigid: Vec<bool>,
     springs: Vec<Springs>,
     tensions: Tensions,
     composed: Option<Composed>,
     /// Lengths of one item of a batch.
     lengths: Vec<f64>,
-    solution: Solution,
-    /// Set while a batch asks for taut cables only.
-    only_taut: bool,
+    pub(super) solution: Solution,
+}
+
+impl Scratch {
+    pub(super) fn new(model: &Model) -> Self {
+        let (cables, groups) = (model.cable_count(), model.groups().len());
+        Self {
+            is_rigid: vec![false; cables],
+            springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
+            tensions: Tensions::new(groups),
+            composed: Composed::new(model),
+            lengths: vec![f64::NAN; cables],
+            solution: Solution::unsolved(cables, cables),
+        }
+    }
+
+    /// True where it has room for the cables of a model.
+    pub(super) fn fits(&self, model: &Model) -> bool {
+        self.lengths.len() == model.cable_count() && self.composed.is_some() == Composed::serves(model)
+    }
 }
 
 /// The load in plain arrays, for the kernel.
@@ -225,40 +208,35 @@ struct Problem<'a> {
 impl<'a> Solver<'a> {
     /// A solver for this model and load.
     pub fn new(model: &'a Model, load: &Load, settings: &Settings) -> Result<Self, InputError> {
+        Self::with(model, load, settings, Scratch::new(model))
+    }
+
+    /// [`Solver::new`] in memory that a solver has left, which fits the model.
+    pub(super) fn with(
+        model: &'a Model,
+        load: &Load,
+        settings: &Settings,
+        mut scratch: Scratch,
+    ) -> Result<Self, InputError> {
         settings.validate()?;
-        let cables = model.cable_count();
-        let composed = Composed::new(model);
-        let is_rigid: Vec<bool> =
-            (0..cables).map(|cable| composed.is_none() && model.elasticity(cable).is_rigid()).collect();
-        let (rigid, dof) = (is_rigid.iter().filter(|rigid| **rigid).count(), model.dof());
+        let is_plain = scratch.composed.is_none();
+        for (cable, is_rigid) in scratch.is_rigid.iter_mut().enumerate() {
+            *is_rigid = is_plain && model.elasticity(cable).is_rigid();
+        }
+        if let Some(composed) = &mut scratch.composed {
+            composed.take_laws(model);
+        }
+        let (rigid, dof) = (scratch.is_rigid.iter().filter(|rigid| **rigid).count(), model.dof());
         if rigid > dof {
             return Err(InputError::RigidRedundant { rigid, dof });
         }
-        let groups = model.groups().len();
-        Ok(Self {
-            model,
-            settings: settings.clone(),
-            load: *load,
-            platform_radius: model.platform_radius(),
-            is_rigid,
-            springs: vec![Springs { rest_length: [1.0; LANES], stiffness: [0.0; LANES] }; groups],
-            tensions: Tensions::new(groups),
-            composed,
-            only_taut: false,
-            lengths: vec![f64::NAN; cables],
-            solution: Solution {
-                pose: Pose::identity(),
-                tensions: vec![f64::NAN; cables],
-                status: Status::NotConverged,
-                wrench_residual: f64::NAN,
-                residuals: vec![f64::NAN; cables],
-                iterations: 0,
-                restarts: 0,
-                slack: 0,
-                stability: f64::NAN,
-                reason: None,
-            },
-        })
+        let platform_radius = model.platform_radius();
+        Ok(Self { model, settings: settings.clone(), load: *load, platform_radius, only_taut: false, scratch })
+    }
+
+    /// The memory, with the last solution in it.
+    pub(super) fn into_scratch(self) -> Scratch {
+        self.scratch
     }
 
     /// Seeks from the guess alone from now on: an answer is what the platform comes to from there.
@@ -273,30 +251,23 @@ impl<'a> Solver<'a> {
         self.load = *load;
     }
 
-    /// Lets cables with a memory remember the tensions of the last solution; the next one continues from there.
-    pub fn remember(&mut self) {
-        if let Some(composed) = &mut self.composed {
-            let laws = composed.laws_mut().iter_mut();
-            laws.zip(&self.solution.tensions).for_each(|(law, &tension)| law.stretch.remember(tension));
+    /// Cables that start from these memories, one per cable; without effect where laws have none.
+    #[must_use]
+    pub(super) fn with_memories(mut self, memories: &[Memory]) -> Self {
+        if let Some(composed) = &mut self.scratch.composed {
+            composed.set_memories(memories);
         }
-    }
-
-    /// Lets cables with a memory forget what [`Solver::remember`] told them.
-    pub fn forget(&mut self) {
-        if let Some(composed) = &mut self.composed {
-            composed.laws_mut().iter_mut().for_each(|law| law.stretch.forget());
-        }
+        self
     }
 
     /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
-        if let Some(composed) = &mut self.composed {
-            let problem = (self.model, &self.load, &self.settings);
-            composed.solve(problem, controlled_lengths, guess, &mut self.solution)?;
-            return Ok(&self.solution);
+        if let Scratch { composed: Some(composed), solution, .. } = &mut self.scratch {
+            composed.solve((self.model, &self.load, &self.settings), controlled_lengths, guess, solution)?;
+        } else {
+            self.search(controlled_lengths, guess);
         }
-        self.search(controlled_lengths, guess);
-        Ok(&self.solution)
+        Ok(&self.scratch.solution)
     }
 }

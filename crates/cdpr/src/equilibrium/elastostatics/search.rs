@@ -3,7 +3,7 @@
 use super::balance::Springs;
 use super::descent::{End, Stop, Tensions};
 use super::multipliers::{self, Rigid};
-use super::{LoadParts, Problem, Solver, stability};
+use super::{LoadParts, Problem, Scratch, Solver, stability};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
@@ -135,7 +135,8 @@ impl Solver<'_> {
     pub(super) fn search(&mut self, lengths: &[f64], guess: &Pose) {
         let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
         self.set_springs(lengths, mean_length);
-        let Self { model, settings, springs, tensions, solution, is_rigid, .. } = self;
+        let Self { model, settings, scratch, .. } = self;
+        let Scratch { springs, tensions, solution, is_rigid, .. } = scratch;
         let stiffness_scale = springs.iter().flat_map(|springs| springs.stiffness).sum();
         let load = LoadParts::of(&self.load);
         let base = Problem {
@@ -186,10 +187,10 @@ impl Solver<'_> {
         let mut stiffest = 0.0_f64;
         for (cable, &length) in lengths.iter().enumerate() {
             let law = self.model.elasticity(cable);
-            let lane = &mut self.springs[cable / LANES];
+            let lane = &mut self.scratch.springs[cable / LANES];
             let at = cable % LANES;
             lane.rest_length[at] = length;
-            if !self.is_rigid[cable] {
+            if !self.scratch.is_rigid[cable] {
                 lane.stiffness[at] = 1.0 / law.compliance(length, length);
                 stiffest = stiffest.max(lane.stiffness[at]);
             }
@@ -197,15 +198,15 @@ impl Solver<'_> {
         // stiff against what bends under the load, soft enough for the descent
         let force = self.load.constant_part().fixed_rows::<3>(0).norm() + self.load.weight().0.norm();
         let virtual_stiffness = f64::max(1e3 * force / mean_length, 10.0 * stiffest).max(1.0);
-        for cable in (0..lengths.len()).filter(|&cable| self.is_rigid[cable]) {
-            self.springs[cable / LANES].stiffness[cable % LANES] = virtual_stiffness;
+        for cable in (0..lengths.len()).filter(|&cable| self.scratch.is_rigid[cable]) {
+            self.scratch.springs[cable / LANES].stiffness[cable % LANES] = virtual_stiffness;
         }
         self.fill(lengths.len());
     }
 
     /// Copies the last cable's lengths into the lanes that fill a group, where they weigh nothing.
     fn fill(&mut self, cables: usize) {
-        if let Some(Springs { rest_length, .. }) = self.springs.last_mut() {
+        if let Some(Springs { rest_length, .. }) = self.scratch.springs.last_mut() {
             let last = (cables - 1) % LANES;
             for lane in last + 1..LANES {
                 rest_length[lane] = rest_length[last];

@@ -1,7 +1,7 @@
 //! Other poses that fit the lengths better than the one that belongs to the guess.
 
 use super::descent::{Problem, Stop};
-use super::{Solver, Status};
+use super::{Scratch, Solver, Status};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 
@@ -24,20 +24,16 @@ impl Solver<'_> {
     /// It takes as many descents as `max_restarts`, each as long as that of a solution.
     pub fn alternative(&mut self) -> Option<Alternative> {
         let (model, settings) = (self.model, &self.settings);
-        let rms = self.solution.residual_rms;
+        let Scratch { solution, targets, residuals, .. } = &self.scratch;
+        let rms = solution.residual_rms;
         let is_explained = !(rms > settings.suspicious_residual * self.mean_length);
-        if self.solution.status != Status::Converged || is_explained || model.cable_count() == model.dof() {
+        if solution.status != Status::Converged || is_explained || model.cable_count() == model.dof() {
             return None;
         }
-        let problem = Problem {
-            model,
-            settings,
-            targets: &self.targets,
-            mean_length: self.mean_length,
-            platform_radius: self.platform_radius,
-        };
-        let mut residuals = self.residuals.clone();
-        let ends = restart_poses(model, &self.solution.pose)
+        let problem =
+            Problem { model, settings, targets, mean_length: self.mean_length, platform_radius: self.platform_radius };
+        let mut residuals = residuals.clone();
+        let ends = restart_poses(model, &solution.pose)
             .take(settings.max_restarts as usize)
             .map(|start| problem.descend(&start, &mut residuals));
         let best = ends

@@ -16,6 +16,7 @@ mod descent;
 mod tests;
 mod verdict;
 
+pub use super::{Solution, Status};
 pub use alternative::Alternative;
 use descent::{Problem, Residuals};
 use thiserror::Error;
@@ -54,39 +55,6 @@ impl Default for Settings {
             plausible_residual: 0.1,
         }
     }
-}
-
-/// Why the search stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Status {
-    /// The pose is the solution: exact for m = n, least squares for m > n.
-    Converged,
-    /// No start led to a solution; the pose is the best one found and `reason` says what stands in the way.
-    NotConverged,
-    /// The lengths do not determine the pose there, or (m < n) anywhere.
-    Singular,
-}
-
-/// Outcome of forward kinematics; `pose` is the best one found even when it did not converge.
-#[must_use = "check `status` before using the pose"]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solution {
-    /// Platform pose.
-    pub pose: Pose,
-    /// Why the search stopped.
-    pub status: Status,
-    /// Residual per cable at `pose`, modelled minus given (m); NaN where a cable has no course.
-    pub residuals: Vec<f64>,
-    /// Root mean square of `residuals` (m).
-    pub residual_rms: f64,
-    /// Steps of all starts, accepted and rejected.
-    pub iterations: u32,
-    /// Starts tried beyond the guess.
-    pub restarts: u32,
-    /// The reason in words unless converged; also set where a converged answer needs a remark.
-    pub reason: Option<String>,
 }
 
 /// Input that no forward problem can accept.
@@ -155,7 +123,7 @@ impl Settings {
 pub fn solve(model: &Model, lengths: &[f64], guess: &Pose, settings: &Settings) -> Result<Solution, InputError> {
     let mut solver = Solver::new(model, settings)?;
     solver.solve(lengths, guess)?;
-    Ok(solver.solution)
+    Ok(solver.scratch.solution)
 }
 
 /// A solver for many poses of one model: its memory is claimed once and reused.
@@ -164,48 +132,65 @@ pub struct Solver<'a> {
     model: &'a Model,
     settings: Settings,
     platform_radius: f64,
+    mean_length: f64,
+    scratch: Scratch,
+}
+
+/// Memory of a [`Solver`] without its model.
+#[derive(Clone, Debug)]
+pub(super) struct Scratch {
     /// Given lengths, packed like the model's groups.
     targets: Vec<[f64; LANES]>,
-    mean_length: f64,
     residuals: Residuals,
     /// Lengths of one item of a batch.
     lengths: Vec<f64>,
-    solution: Solution,
+    pub(super) solution: Solution,
+}
+
+impl Scratch {
+    pub(super) fn new(model: &Model) -> Self {
+        let room = vec![[0.0; LANES]; model.groups().len()];
+        Self {
+            targets: room.clone(),
+            residuals: Residuals { accepted: room.clone(), trial: room },
+            lengths: vec![f64::NAN; model.cable_count()],
+            solution: Solution::unsolved(model.cable_count(), 0),
+        }
+    }
+
+    /// True where it has room for the cables of a model.
+    pub(super) fn fits(&self, model: &Model) -> bool {
+        self.lengths.len() == model.cable_count()
+    }
 }
 
 impl<'a> Solver<'a> {
     /// A solver for this model.
     pub fn new(model: &'a Model, settings: &Settings) -> Result<Self, InputError> {
+        Self::with(model, settings, Scratch::new(model))
+    }
+
+    /// [`Solver::new`] in memory that a solver has left, which fits the model.
+    pub(super) fn with(model: &'a Model, settings: &Settings, scratch: Scratch) -> Result<Self, InputError> {
         settings.validate()?;
-        let room = vec![[0.0; LANES]; model.groups().len()];
-        Ok(Self {
-            model,
-            settings: settings.clone(),
-            platform_radius: model.platform_radius(),
-            targets: room.clone(),
-            mean_length: f64::NAN,
-            residuals: Residuals { accepted: room.clone(), trial: room },
-            lengths: vec![f64::NAN; model.cable_count()],
-            solution: Solution {
-                pose: Pose::identity(),
-                status: Status::NotConverged,
-                residuals: vec![f64::NAN; model.cable_count()],
-                residual_rms: f64::NAN,
-                iterations: 0,
-                restarts: 0,
-                reason: None,
-            },
-        })
+        let platform_radius = model.platform_radius();
+        Ok(Self { model, settings: settings.clone(), platform_radius, mean_length: f64::NAN, scratch })
+    }
+
+    /// The memory, with the last solution in it.
+    pub(super) fn into_scratch(self) -> Scratch {
+        self.scratch
     }
 
     /// Finds one pose as [`solve`] does; allocates nothing unless there is a reason to tell.
     pub fn solve(&mut self, lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         check_input(self.model, lengths, guess)?;
+        let Scratch { targets, residuals, solution, .. } = &mut self.scratch;
         if self.model.cable_count() < self.model.dof() {
-            self.solution = underdetermined(self.model, lengths, guess);
-            return Ok(&self.solution);
+            *solution = underdetermined(self.model, lengths, guess);
+            return Ok(solution);
         }
-        for (target, chunk) in self.targets.iter_mut().zip(lengths.chunks(LANES)) {
+        for (target, chunk) in targets.iter_mut().zip(lengths.chunks(LANES)) {
             for lane in 0..LANES {
                 target[lane] = chunk[lane.min(chunk.len() - 1)];
             }
@@ -214,12 +199,12 @@ impl<'a> Solver<'a> {
         let problem = Problem {
             model: self.model,
             settings: &self.settings,
-            targets: &self.targets,
+            targets,
             mean_length: self.mean_length,
             platform_radius: self.platform_radius,
         };
-        search(&problem, guess, &mut self.residuals, &mut self.solution);
-        Ok(&self.solution)
+        search(&problem, guess, residuals, solution);
+        Ok(solution)
     }
 }
 
@@ -274,8 +259,7 @@ fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
         status: Status::Singular,
         residual_rms: (residuals.iter().map(|x| x * x).sum::<f64>() / residuals.len() as f64).sqrt(),
         residuals,
-        iterations: 0,
-        restarts: 0,
         reason: Some(reason),
+        ..Solution::unsolved(0, 0)
     }
 }

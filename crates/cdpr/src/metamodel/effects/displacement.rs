@@ -3,11 +3,10 @@
 use nalgebra::{DVector, Vector3};
 
 use super::{State, largest};
-use crate::equilibrium::forward_problem::ForwardProblem;
-use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Status};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
-use crate::statics::{Stiffness, controlled_lengths, held};
+use crate::statics::{Stiffness, held};
 
 /// The machine's own lengths must lead back to its pose within this (m; angles times the platform radius): otherwise the
 /// forward problem does not answer for this machine.
@@ -54,10 +53,11 @@ pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Di
 fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacement, String> {
     let own = machine.cable_lengths(pose).map_err(|error| error.to_string())?;
     let lengths: Vec<f64> = own.iter().zip(change).map(|(own, change)| own + change).collect();
-    let found = forward_kinematics::solve(machine, &lengths, pose, &forward_kinematics::Settings::default())
-        .map_err(|error| error.to_string())?;
+    let mut machine_state = equilibrium::State::at(machine, pose);
+    let found =
+        machine.forward(&lengths, None, Some(pose), &mut machine_state).map_err(|error| error.to_string())?.clone();
     match found.status {
-        forward_kinematics::Status::Converged => {
+        Status::Converged => {
             let (translation, rotation) = apart(pose, &found.pose);
             Ok(Displacement { translation, rotation, tension: None, slack: 0, method: Method::Exact })
         }
@@ -67,13 +67,15 @@ fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacem
 
 /// By the forward problem; `None` where it has no answer.
 fn by_equilibrium(machine: &Model, state: &State, tensions: &[f64], change: &[f64]) -> Option<Displacement> {
-    let settings = elastostatics::Settings { max_restarts: 0, ..elastostatics::Settings::default() };
-    let mut solver = elastostatics::Solver::new(machine, state.load.as_ref().ok()?, &settings).ok()?;
+    let mut settings = ForwardSettings::default();
+    settings.equilibrium.max_restarts = 0;
+    let load = state.load.as_ref().ok()?;
+    let mut machine_state = equilibrium::State::at(machine, &state.pose);
+    let own = machine.inverse(&state.pose, tensions, &mut machine_state).ok()?.controlled_lengths().ok()?;
     let mut at_rest = |lengths: &[f64]| {
-        let found = solver.solve(lengths, &state.pose).ok()?;
-        (found.status == elastostatics::Status::Converged).then(|| (found.pose, found.tensions.clone(), found.slack))
+        let found = machine.forward_with(&settings, lengths, Some(load), Some(&state.pose), &mut machine_state).ok()?;
+        (found.status == Status::Converged).then(|| (found.pose, found.tensions.clone(), found.slack))
     };
-    let own = controlled_lengths(machine, &state.pose, tensions).ok()?;
     let (start, start_tensions, _) = at_rest(&own)?;
     let (distance, angle) = apart(&state.pose, &start);
     if distance + machine.platform_radius() * angle > WAY_BACK {

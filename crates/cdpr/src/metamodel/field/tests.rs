@@ -54,7 +54,7 @@ fn half_the_error_leaves_a_quarter_of_what_the_linear_step_misses() {
     let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
     let driving = Driving::new(&control, &machine, &offsets).unwrap();
     let missed = |distance: f64| {
-        let sample = sample(&driving, &at(distance, 5.2 - 0.5 * distance));
+        let sample = sample(&mut driving.operation(), &at(distance, 5.2 - 0.5 * distance));
         let (exact, linear) = (sample.exact.unwrap(), sample.linear.unwrap());
         (exact.norm(), (linear - exact).norm())
     };
@@ -87,7 +87,7 @@ fn the_linear_step_of_a_rigid_machine_is_that_of_least_squares() {
         let control = Model::new(robot.clone(), Composition::STANDARD).unwrap();
         let machine = Model::new(moved, Composition::STANDARD).unwrap();
         let driving = Driving::new(&control, &machine, &[0.0; 4]).unwrap();
-        let sample = sample(&driving, &at(1.0, 3.0));
+        let sample = sample(&mut driving.operation(), &at(1.0, 3.0));
         let (exact, linear) = (sample.exact.unwrap(), sample.linear.unwrap());
         (exact.norm(), (linear - exact).norm())
     };

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{All, Any, Criterion, StaticallyStable, StiffEnough, WrenchClosure, WrenchFeasible};
+use super::{All, Any, Criterion, StaticallyStable, StiffEnough, WrenchClosure, WrenchFeasible, WrenchSetFeasible};
 use crate::geometry::Pose;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
@@ -151,4 +151,21 @@ fn criteria_that_choose_tensions_take_longer_with_cables_that_sag() {
     };
     assert_eq!(efforts(&straight), [1.0, 100.0, 100.0]);
     assert_eq!(efforts(&sagging), [1e4; 3]);
+}
+
+/// The sets of many cables have facets by the thousand: a search that nobody gave a step to counts on them.
+#[test]
+fn wrench_sets_of_many_cables_take_longer() {
+    let robot = Robot::builtin("cogiro").unwrap();
+    let effort = |cables: usize| {
+        let mut robot = robot.clone();
+        robot.cables = robot.cables.iter().cycle().take(cables).cloned().collect();
+        let model = Model::new(robot, Composition::STANDARD).unwrap();
+        let (limits, load) =
+            (Limits::uniform(cables, 1000.0, 9000.0).unwrap(), Load::constant(crate::geometry::Wrench::zeros()));
+        WrenchSetFeasible::with_ball(&model, &limits, &load, [10.0, 1.0], None).map(|criterion| criterion.effort())
+    };
+    // C(8, 5) = 56 and C(24, 5) = 42504
+    assert_eq!([effort(8).unwrap(), effort(24).unwrap()], [300.0, 300.0 * 42504.0 / 56.0]);
+    assert!(effort(25).is_err());
 }

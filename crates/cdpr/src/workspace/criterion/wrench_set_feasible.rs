@@ -8,7 +8,9 @@ use crate::robot::Robot;
 use crate::statics::Load;
 use crate::tension::{InputError, Limits};
 use crate::workspace::WorkspaceError;
-use crate::workspace::wrench_set::{CABLE_LIMIT, Margin, Payload, RequiredSet, WrenchSetError, Zonotope, row_lengths};
+use crate::workspace::wrench_set::{
+    CABLE_LIMIT, Margin, Payload, RequiredSet, WrenchSetError, Zonotope, most_hyperplanes, row_lengths,
+};
 
 /// Which wrenches a task asks for at a pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -109,7 +111,8 @@ impl Criterion for WrenchSetFeasible<'_> {
     }
 
     fn effort(&self) -> f64 {
-        300.0
+        // measured with eight cables in space, which have at most 56 hyperplanes
+        300.0 * (most_hyperplanes(self.model.cable_count(), self.model.dof()) / 56.0).max(1.0)
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {

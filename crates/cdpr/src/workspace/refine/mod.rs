@@ -67,6 +67,8 @@ pub struct Refined<T> {
 
 /// Fewest and most points of the first audit.
 const AUDIT: [f64; 2] = [4096.0, 4_194_304.0];
+/// Fewest points where a pose takes so long that the work allowed is less than [`AUDIT`]'s: their bound is wide, and says so.
+const SHORT_AUDIT: f64 = 256.0;
 /// Share of a box that may be left open where nothing was found.
 const EMPTY_SHARE: f64 = 1e-4;
 
@@ -127,5 +129,5 @@ pub fn refine<S: Search>(
 fn first_points(goal: &Goal, allowed: f64, judged: u64) -> f64 {
     let judged = judged as f64;
     let most = if goal.refines { (0.25 * allowed).max(0.5 * judged) } else { judged };
-    judged.min(most).clamp(AUDIT[0], AUDIT[1])
+    judged.min(most).clamp(AUDIT[0].min(allowed.max(SHORT_AUDIT)), AUDIT[1])
 }

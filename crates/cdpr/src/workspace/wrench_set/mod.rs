@@ -19,4 +19,5 @@ pub use margin::{HalfSpace, Margin};
 pub use payload::{Payload, PayloadError};
 pub use required::{Parallelotope, RequiredSet};
 pub use vertices::Vertex;
+pub(crate) use zonotope::most_hyperplanes;
 pub use zonotope::{CABLE_LIMIT, WrenchSetError, Zonotope, row_lengths};

@@ -7,8 +7,8 @@ use super::facets::{Rows, dot, hyperplanes, moved, norm, remainder};
 use crate::model::Model;
 use crate::tension::Limits;
 
-/// Most cables of a set: facets grow with the fifth power of their number.
-pub const CABLE_LIMIT: usize = 32;
+/// Most cables of a set: facets grow with the fifth power of their number, and 24 cables take a tenth of a second a pose.
+pub const CABLE_LIMIT: usize = 24;
 
 /// A generator this small beside the largest adds nothing but rounding to the dimension of the set.
 const LOST: f64 = 1e-10;
@@ -83,6 +83,11 @@ pub enum WrenchSetError {
         /// What it has to be.
         rule: &'static str,
     },
+}
+
+/// Most hyperplanes through n − 1 of m generators: C(m, n − 1), with which the work for a set grows.
+pub(crate) fn most_hyperplanes(cables: usize, dimension: usize) -> f64 {
+    (1..dimension.min(cables + 1)).map(|k| (cables + 1 - k) as f64 / k as f64).product()
 }
 
 /// By what each row of a model's structure matrix is divided so that all are forces: 1 for forces, the length scale (m) for

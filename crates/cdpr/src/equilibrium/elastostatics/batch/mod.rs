@@ -52,30 +52,12 @@ impl Solutions {
 
     /// Why the search stopped; [`super::solve`] says it in words.
     pub fn status(&self, item: usize) -> Status {
-        status_of(self.table.get(STATUS, item))
+        Status::of_code(self.table.get(STATUS, item))
     }
 
     /// Steps of all starts.
     pub fn iterations(&self, item: usize) -> u32 {
         self.table.get(ITERATIONS, item) as u32
-    }
-}
-
-fn code_of(status: Status) -> f64 {
-    match status {
-        Status::Converged => 0.0,
-        Status::NotConverged => 1.0,
-        Status::Singular => 2.0,
-        Status::Unstable => 3.0,
-    }
-}
-
-fn status_of(code: f64) -> Status {
-    match code {
-        0.0 => Status::Converged,
-        2.0 => Status::Singular,
-        3.0 => Status::Unstable,
-        _ => Status::NotConverged,
     }
 }
 
@@ -130,7 +112,7 @@ impl Solver<'_> {
     fn solve_group(&mut self, (lengths, guesses): (&LaneTable, &PoseBatch), group: usize, solutions: &mut [Line]) {
         let count = LANES.min(guesses.len() - group * LANES);
         let model = self.model;
-        let is_plain = self.composed.is_none() && !self.is_rigid.contains(&true);
+        let is_plain = self.scratch.composed.is_none() && !self.scratch.is_rigid.contains(&true);
         let mut endings = [Ending::Open; LANES];
         if is_plain && model.dof() == 6 && (6..=LANES).contains(&model.cable_count()) {
             let descents = Descents {
@@ -147,7 +129,7 @@ impl Solver<'_> {
         for (lane, ending) in endings.into_iter().enumerate().take(count) {
             match ending {
                 Ending::Solved => {}
-                Ending::Pushes if self.only_taut => solutions[STATUS].0[lane] = code_of(Status::NotConverged),
+                Ending::Pushes if self.only_taut => solutions[STATUS].0[lane] = Status::NotConverged.code(),
                 _ => self.solve_one(lengths, guesses, group * LANES + lane, solutions),
             }
         }
@@ -156,11 +138,11 @@ impl Solver<'_> {
     /// One problem by the single solver.
     #[cold]
     fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
-        let mut numbers = std::mem::take(&mut self.lengths);
+        let mut numbers = std::mem::take(&mut self.scratch.lengths);
         lengths.read(item, &mut numbers);
         let found = self.solve(&numbers, &guesses.get(item)).map(|solution| solution.status);
-        self.lengths = numbers;
-        let (lane, solution) = (item % LANES, &self.solution);
+        self.scratch.lengths = numbers;
+        let (lane, solution) = (item % LANES, &self.scratch.solution);
         for (row, number) in solution.pose.numbers().into_iter().enumerate() {
             solutions[row].0[lane] = number;
         }
@@ -168,6 +150,6 @@ impl Solver<'_> {
             solutions[TENSIONS + cable].0[lane] = *tension;
         }
         solutions[ITERATIONS].0[lane] = f64::from(solution.iterations);
-        solutions[STATUS].0[lane] = code_of(found.unwrap_or(Status::NotConverged));
+        solutions[STATUS].0[lane] = found.unwrap_or(Status::NotConverged).code();
     }
 }

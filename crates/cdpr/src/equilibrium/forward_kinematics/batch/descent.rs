@@ -1,6 +1,6 @@
 //! Eight plain descents side by side, with the bits of the single one.
 
-use super::{ITERATIONS, RMS, STATUS, code_of};
+use super::{ITERATIONS, RMS, STATUS};
 use crate::equilibrium::descents::{displaced, flag, product, settles};
 use crate::equilibrium::forward_kinematics::descent::SLOW_CONTRACTION;
 use crate::equilibrium::forward_kinematics::{Settings, Status};
@@ -176,7 +176,7 @@ impl Descents<'_> {
         self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
         rms.store(&mut self.solutions[RMS].0);
         state.iterations.store(&mut self.solutions[ITERATIONS].0);
-        self.solutions[STATUS].0 = [code_of(Status::Converged); LANES];
+        self.solutions[STATUS].0 = [Status::Converged.code(); LANES];
         let mut done = [false; LANES];
         for lane in 0..LANES {
             done[lane] = is_done[lane] > 0.0;

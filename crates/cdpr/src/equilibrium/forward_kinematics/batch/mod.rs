@@ -53,7 +53,7 @@ impl Solutions {
 
     /// Why the search stopped; [`super::solve`] says it in words.
     pub fn status(&self, item: usize) -> Status {
-        status_of(self.table.get(STATUS, item))
+        Status::of_code(self.table.get(STATUS, item))
     }
 
     /// Root mean square of the residuals (m).
@@ -64,22 +64,6 @@ impl Solutions {
     /// Steps of all starts.
     pub fn iterations(&self, item: usize) -> u32 {
         self.table.get(ITERATIONS, item) as u32
-    }
-}
-
-fn code_of(status: Status) -> f64 {
-    match status {
-        Status::Converged => 0.0,
-        Status::NotConverged => 1.0,
-        Status::Singular => 2.0,
-    }
-}
-
-fn status_of(code: f64) -> Status {
-    match code {
-        0.0 => Status::Converged,
-        2.0 => Status::Singular,
-        _ => Status::NotConverged,
     }
 }
 
@@ -127,19 +111,19 @@ impl Solver<'_> {
     /// One problem by the single solver.
     #[cold]
     fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
-        let mut numbers = std::mem::take(&mut self.lengths);
+        let mut numbers = std::mem::take(&mut self.scratch.lengths);
         lengths.read(item, &mut numbers);
         // numbers were checked before
         let found = self.solve(&numbers, &guesses.get(item)).is_ok();
-        self.lengths = numbers;
+        self.scratch.lengths = numbers;
         let lane = item % LANES;
-        let solution = &self.solution;
+        let solution = &self.scratch.solution;
         for (row, number) in solution.pose.numbers().into_iter().enumerate() {
             solutions[row].0[lane] = number;
         }
         solutions[RMS].0[lane] = solution.residual_rms;
         solutions[ITERATIONS].0[lane] = f64::from(solution.iterations);
-        solutions[STATUS].0[lane] = code_of(if found { solution.status } else { Status::NotConverged });
+        solutions[STATUS].0[lane] = if found { solution.status } else { Status::NotConverged }.code();
     }
 }
 

@@ -1,0 +1,90 @@
+//! Answer of every forward problem.
+
+use crate::geometry::Pose;
+
+/// How the search for a pose ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The pose is the solution: of lengths the exact or least-squares fit, of forces a stable equilibrium.
+    Converged,
+    /// No solution was found; the pose is the best one and `reason` says what stands in the way.
+    NotConverged,
+    /// Lengths and load do not determine the pose: the platform can move there without resistance.
+    Singular,
+    /// An equilibrium that the smallest disturbance ends, and no stable one was found.
+    Unstable,
+}
+
+/// Outcome of a forward problem; `pose` is the best one found even when it did not converge.
+#[must_use = "check `status` before using the pose"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// Platform pose.
+    pub pose: Pose,
+    /// How the search ended.
+    pub status: Status,
+    /// Tension per cable at its outlet (N), 0 where slack; empty where lengths alone are fitted, which tells none.
+    pub tensions: Vec<f64>,
+    /// Residual per cable at `pose` (m), modelled minus given. In an equilibrium the controlled length that pose and tension ask for minus
+    /// the given one: 0 where taut, and where slack minus the length that is too much. NaN where a cable has no course.
+    pub residuals: Vec<f64>,
+    /// Root mean square of `residuals` of lengths that are fitted (m); NaN for an equilibrium.
+    pub residual_rms: f64,
+    /// Size of Aᵀ f + w in an equilibrium, moments divided by the platform radius (N); NaN where lengths are fitted.
+    pub wrench_residual: f64,
+    /// Smallest eigenvalue of the symmetric part of K_wx, rotations times the platform radius (N/m): positive where stable.
+    ///
+    /// Of what taut rigid cables leave free; infinite where that is nothing; NaN where lengths are fitted.
+    pub stability: f64,
+    /// Number of slack cables; 0 where lengths are fitted.
+    pub slack: usize,
+    /// Steps of all starts, accepted and rejected.
+    pub iterations: u32,
+    /// Starts tried beyond the guess.
+    pub restarts: u32,
+    /// The reason in words unless converged; also set where a converged answer needs a remark.
+    pub reason: Option<String>,
+}
+
+impl Status {
+    /// The status as a number, for tables of lanes.
+    pub(super) fn code(self) -> f64 {
+        match self {
+            Self::Converged => 0.0,
+            Self::NotConverged => 1.0,
+            Self::Singular => 2.0,
+            Self::Unstable => 3.0,
+        }
+    }
+
+    /// Inverse of [`Status::code`].
+    pub(super) fn of_code(code: f64) -> Self {
+        match code {
+            0.0 => Self::Converged,
+            2.0 => Self::Singular,
+            3.0 => Self::Unstable,
+            _ => Self::NotConverged,
+        }
+    }
+}
+
+impl Solution {
+    /// Room for an answer of this many cables, with as many tensions or none.
+    pub(super) fn unsolved(cables: usize, tensions: usize) -> Self {
+        Self {
+            pose: Pose::identity(),
+            status: Status::NotConverged,
+            tensions: vec![f64::NAN; tensions],
+            residuals: vec![f64::NAN; cables],
+            residual_rms: f64::NAN,
+            wrench_residual: f64::NAN,
+            stability: f64::NAN,
+            slack: 0,
+            iterations: 0,
+            restarts: 0,
+            reason: None,
+        }
+    }
+}
