@@ -9,6 +9,7 @@ use std::error::Error;
 use std::path::Path;
 
 use cdpr::cable::law::{CableLaw, Hold, HoldError, Kind, Known};
+use cdpr::cable::outlet::Outlet;
 use cdpr::cable::span::{Shape, State as Span};
 use cdpr::cable::stretch::Stretch;
 use cdpr::equilibrium::distribution;
@@ -41,9 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A rope of 0.8 kg/m from a fixed point, which keeps its length.
 fn rope(shape: Shape) -> CableLaw {
     CableLaw {
-        frame_anchor: [0.0; 3],
-        pulley: None,
-        pulley_side: None,
+        outlet: Outlet::Point { frame_anchor: [0.0; 3] },
         stretch: Stretch::Rigid,
         hidden_length: 0.0,
         series_compliance: 0.0,

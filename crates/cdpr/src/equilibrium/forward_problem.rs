@@ -6,9 +6,8 @@
 
 use thiserror::Error;
 
-use super::elastostatics::batch::Solutions;
 use super::forward_kinematics::Alternative;
-use super::{Solution, State, elastostatics, forward_kinematics};
+use super::{Solution, Solutions, State, elastostatics, forward_kinematics};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
 use crate::robot::Robot;
@@ -135,23 +134,23 @@ impl Model {
         })
     }
 
-    /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each sought from its own guess; with `only_taut`
-    /// where every cable pulls. Nothing where the model fits lengths.
-    pub(crate) fn forward_batch(
+    /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each sought from its own guess and with the bits of
+    /// the single problem; with `only_taut` equilibria in which every cable pulls.
+    ///
+    /// Where the equilibrium of bars has one that pushes, the search for taut ones ends with [`Status::NotConverged`](super::Status), ten times
+    /// sooner than that for the cables that hang slack.
+    pub fn forward_batch(
         &self,
         (settings, only_taut): (&ForwardSettings, bool),
         lengths: &LaneTable,
         guesses: &PoseBatch,
         state: &mut State,
-    ) -> Result<Option<Solutions>, ForwardError> {
-        state.solve(self, settings, None, |solver| {
-            let ForwardSolver::Equilibrium(solver) = solver else { return Ok(None) };
-            let mut solutions = Solutions::default();
-            match only_taut {
-                true => solver.solve_taut_batch(lengths, guesses, &mut solutions)?,
-                false => solver.solve_batch(lengths, guesses, &mut solutions)?,
-            }
-            Ok(Some(solutions))
+        solutions: &mut Solutions,
+    ) -> Result<(), ForwardError> {
+        state.solve(self, settings, None, |solver| match solver {
+            ForwardSolver::LeastSquares(solver) => Ok(solver.solve_batch(lengths, guesses, solutions)?),
+            ForwardSolver::Equilibrium(solver) if only_taut => solver.solve_taut_batch(lengths, guesses, solutions),
+            ForwardSolver::Equilibrium(solver) => solver.solve_batch(lengths, guesses, solutions),
         })
     }
 

@@ -15,5 +15,6 @@ mod state;
 
 pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings, Start};
 pub use inverse::{CableCommand, InverseSolution};
-pub use solution::{Solution, Status};
+use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
+pub use solution::{Solution, Solutions, Status};
 pub use state::State;

@@ -1,6 +1,7 @@
 //! Answer of every forward problem.
 
-use crate::geometry::Pose;
+use crate::geometry::{POSE_ROWS, Pose};
+use crate::scalar::LaneTable;
 
 /// How the search for a pose ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -86,5 +87,61 @@ impl Solution {
             restarts: 0,
             reason: None,
         }
+    }
+}
+
+/// Rows of a table of solutions: the pose, these, then the tensions.
+pub(super) const RMS: usize = POSE_ROWS;
+pub(super) const ITERATIONS: usize = POSE_ROWS + 1;
+pub(super) const STATUS: usize = POSE_ROWS + 2;
+pub(super) const TENSIONS: usize = POSE_ROWS + 3;
+
+/// Outcomes of many forward problems; a pose is the best one found even when it did not converge.
+#[must_use = "check `status` before using a pose"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solutions {
+    pub(super) table: LaneTable,
+}
+
+impl Default for Solutions {
+    fn default() -> Self {
+        Self { table: LaneTable::new(TENSIONS) }
+    }
+}
+
+impl Solutions {
+    /// Number of problems.
+    pub fn len(&self) -> usize {
+        self.table.len()
+    }
+
+    /// True without problems.
+    pub fn is_empty(&self) -> bool {
+        self.table.is_empty()
+    }
+
+    /// Pose of one problem (from 0); panics where there is none, as all of these do.
+    pub fn pose(&self, item: usize) -> Pose {
+        Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
+    }
+
+    /// Tension of one cable (0-based; N), 0 where slack; panics where lengths alone are fitted, which tells none.
+    pub fn tension(&self, cable: usize, item: usize) -> f64 {
+        self.table.get(TENSIONS + cable, item)
+    }
+
+    /// How the search ended; the single problem says it in words.
+    pub fn status(&self, item: usize) -> Status {
+        Status::of_code(self.table.get(STATUS, item))
+    }
+
+    /// Root mean square of the residuals of lengths that are fitted (m); 0 for an equilibrium, whose taut cables obey theirs.
+    pub fn residual_rms(&self, item: usize) -> f64 {
+        self.table.get(RMS, item)
+    }
+
+    /// Steps of all starts.
+    pub fn iterations(&self, item: usize) -> u32 {
+        self.table.get(ITERATIONS, item) as u32
     }
 }

@@ -81,11 +81,16 @@ impl Block {
                 anchor
             };
             match parameter.kind {
-                ParameterKind::FrameAnchor => values.frame_anchor = along(values.frame_anchor),
+                ParameterKind::FrameAnchor => {
+                    let anchor = values.outlet.frame_anchor_mut();
+                    *anchor = along(*anchor);
+                }
                 ParameterKind::PlatformAnchor => values.platform_anchor = along(values.platform_anchor),
                 ParameterKind::LengthOffset => values.offset += amount,
                 ParameterKind::LengthScale => values.scale += amount,
-                ParameterKind::PulleyRadius => values.radius += amount,
+                ParameterKind::PulleyRadius => {
+                    values.outlet.radius_mut().into_iter().for_each(|radius| *radius += amount);
+                }
                 ParameterKind::DrumRadius => values.drum_radius += amount,
                 ParameterKind::StartLength => values.start_length += amount,
                 // what needs elasticity belongs to the elastostatic problem
@@ -98,11 +103,11 @@ impl Block {
     /// Current value of one parameter of the block.
     pub(super) fn value(&self, values: &CableValues, parameter: &Parameter) -> f64 {
         match parameter.kind {
-            ParameterKind::FrameAnchor => dot(self.axes[parameter.axis], values.frame_anchor),
+            ParameterKind::FrameAnchor => dot(self.axes[parameter.axis], *values.outlet.frame_anchor()),
             ParameterKind::PlatformAnchor => dot(self.axes[parameter.axis], values.platform_anchor),
             ParameterKind::LengthOffset => values.offset,
             ParameterKind::LengthScale => values.scale,
-            ParameterKind::PulleyRadius => values.radius,
+            ParameterKind::PulleyRadius => values.outlet.pulley().map_or(0.0, |(_, radius)| *radius),
             ParameterKind::DrumRadius => values.drum_radius,
             ParameterKind::StartLength => values.start_length,
             _ => 0.0,

@@ -1,6 +1,7 @@
 //! Measured poses in lanes, and cables computed over them.
 
-use crate::cable::{Course, outlet};
+use crate::cable::Course;
+use crate::cable::outlet::Outlet;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
@@ -54,35 +55,27 @@ impl PoseLanes {
 /// What the lengths of one cable are made of; anchors in world and platform components.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CableValues {
-    pub(super) frame_anchor: [f64; 3],
+    pub(super) outlet: Outlet<f64>,
     pub(super) platform_anchor: [f64; 3],
     pub(super) offset: f64,
     pub(super) scale: f64,
-    pub(super) radius: f64,
     /// Radius of the winch's drum and length at its start; 0 where the file states none (m).
     pub(super) drum_radius: f64,
     pub(super) start_length: f64,
-    /// `None` at a point outlet.
-    pub(super) swivel_axis: Option<[f64; 3]>,
-    /// x_A of a pulley that does not swivel.
-    pub(super) side: Option<[f64; 3]>,
 }
 
 impl CableValues {
     /// The values that a cable (0-based) has in a model.
     pub(super) fn of(model: &Model, cable: usize) -> Self {
-        let with_pulley = model.composition().pulley;
+        let outlet = model.law(cable).outlet;
         let cable = &model.robot().cables[cable];
         Self {
-            side: model.robot().pulley_side(cable).map(Into::into),
-            frame_anchor: cable.frame_anchor.into(),
+            outlet,
             platform_anchor: cable.platform_anchor.into(),
             offset: cable.length_offset.unwrap_or(0.0),
             scale: cable.length_scale.unwrap_or(1.0),
-            radius: cable.pulley_radius.unwrap_or(0.0),
             drum_radius: cable.drum_radius.unwrap_or(0.0),
             start_length: cable.drum_start_length.unwrap_or(0.0),
-            swivel_axis: cable.pulley_swivel_axis.filter(|_| with_pulley).map(Into::into),
         }
     }
 
@@ -92,16 +85,6 @@ impl CableValues {
         let l = position[0];
         let lever = rotate(rotation, constants(l, self.platform_anchor));
         let anchor = add(position, lever);
-        let frame_anchor = constants(l, self.frame_anchor);
-        let radius = l.constant(self.radius);
-        let course = match (self.swivel_axis, self.side) {
-            (Some(axis), None) => outlet::pulley::course(frame_anchor, constants(l, axis), radius, anchor),
-            (Some(axis), Some(side)) => {
-                let (axis, side) = (constants(l, axis), constants(l, side));
-                outlet::pulley::course_on_side(frame_anchor, axis, side, radius, anchor)
-            }
-            (None, _) => outlet::point::course(frame_anchor, anchor),
-        };
-        (course, lever)
+        (self.outlet.map(|number| l.constant(*number)).course(anchor), lever)
     }
 }

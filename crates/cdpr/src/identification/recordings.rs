@@ -45,7 +45,7 @@ impl Recorder {
     /// Lengths at the recorded angles; not numbers where the values make no drum, or the groove ends.
     pub(super) fn at(&self, values: &CableValues) -> Recordings {
         let cable = Cable {
-            frame_anchor: values.frame_anchor.into(),
+            frame_anchor: (*values.outlet.frame_anchor()).into(),
             drum_radius: Some(values.drum_radius),
             drum_start_length: Some(values.start_length),
             ..self.cable.clone()

@@ -2,6 +2,7 @@
 
 use super::fit::{ASSUMED_NOISE, InputError};
 use super::pose_lanes::{CableValues, PoseLanes};
+use crate::cable::outlet::Outlet;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, Lanes, add, constants, cross, dispatch, dot, sub};
@@ -120,9 +121,9 @@ impl Kernel for WriteWeights<'_> {
             let variance = l.constant(self.variances.length) + scale_squared * pose_variance;
             (one / variance.sqrt()).store(&mut self.inverse_sigma[group * LANES..]);
             finite = finite + (course.length + dot(u, u));
-            if let (Some(axis), None) = (self.values.swivel_axis, self.values.side) {
-                let d = sub(add(position, lever), constants(l, self.values.frame_anchor));
-                let along = dot(d, constants(l, axis));
+            if let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.values.outlet {
+                let d = sub(add(position, lever), constants(l, frame_anchor));
+                let along = dot(d, constants(l, swivel_axis));
                 // generous: the exact test decides afterwards
                 let near_axis = (dot(d, d) - along * along).is_less(l.constant(1e-12) * dot(d, d));
                 regular &= !l.any(near_axis);

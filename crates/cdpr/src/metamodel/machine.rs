@@ -2,8 +2,7 @@
 
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
-use crate::equilibrium::elastostatics::batch::Solutions;
-use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Solution, State};
+use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Solution, Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, StretchEffect};
 use crate::scalar::LaneTable;
@@ -51,7 +50,10 @@ impl<'a> Machine<'a> {
         only_taut: bool,
         state: &mut State,
     ) -> Option<Solutions> {
-        self.model.forward_batch((&self.settings, only_taut), lengths, guesses, state).ok().flatten()
+        let mut solutions = Solutions::default();
+        let settings = (&self.settings, only_taut);
+        let answered = self.model.forward_batch(settings, lengths, guesses, state, &mut solutions).is_ok();
+        (answered && self.knows_tensions()).then_some(solutions)
     }
 
     /// What emerges when the winches are told these lengths (m, in the units of the encoders), sought from a pose.

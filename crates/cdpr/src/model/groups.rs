@@ -1,21 +1,18 @@
 //! Cables packed eight at a time into lanes, for single poses.
 
+use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
-use crate::cable::{Course, outlet};
+use crate::cable::outlet::Outlet;
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
 /// Eight cables, or fewer with copies of the last one that weigh nothing.
 #[derive(Clone, Debug)]
 pub(crate) struct CableGroup {
-    pub(crate) frame_anchor: [[f64; LANES]; 3],
+    /// Outlets of one kind.
+    pub(crate) outlet: Outlet<[f64; LANES]>,
     pub(crate) platform_anchor: [[f64; LANES]; 3],
-    pub(crate) swivel_axis: [[f64; LANES]; 3],
-    pub(crate) radius: [f64; LANES],
     /// 1 for a cable, 0 for a copy that fills the group.
     pub(crate) weight: [f64; LANES],
-    pub(crate) has_pulley: bool,
-    /// x_A of pulleys that do not swivel; the pulleys of a model all swivel or none does.
-    pub(crate) pulley_side: Option<[[f64; LANES]; 3]>,
     /// κ_q, κ_θ, c₀ of [`Elasticity`]; all 0 in a model without elasticity.
     pub(crate) elasticity: [[f64; LANES]; 3],
 }
@@ -27,14 +24,7 @@ impl CableGroup {
         let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
         let lever = rotate(&rows, load(l, &self.platform_anchor));
         let anchor = add(constants(l, position), lever);
-        let frame_anchor = load(l, &self.frame_anchor);
-        let (axis, radius) = (|| load(l, &self.swivel_axis), || l.load(&self.radius));
-        let course = match (self.has_pulley, &self.pulley_side) {
-            (true, None) => outlet::pulley::course(frame_anchor, axis(), radius(), anchor),
-            (true, Some(side)) => outlet::pulley::course_on_side(frame_anchor, axis(), load(l, side), radius(), anchor),
-            (false, _) => outlet::point::course(frame_anchor, anchor),
-        };
-        (course, lever)
+        (self.outlet.load(l).course(anchor), lever)
     }
 
     /// The elasticity of the group's cables.

@@ -9,9 +9,10 @@ use super::laws;
 use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::outlet::{self, Outlet};
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::winch::Winch;
-use crate::cable::{Course, DegenerateCourse, outlet};
+use crate::cable::{Course, DegenerateCourse};
 use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Robot, TensionPlace};
 use crate::scalar::{LANES, add, cross, rotate};
@@ -67,8 +68,8 @@ impl Model {
         let axes =
             twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
         let laws = laws::laws(&robot, composition, &elasticity)?;
-        let chunks = robot.cables.chunks(LANES).zip(elasticity.chunks(LANES));
-        let groups = chunks.map(|(cables, linear)| group(&robot, cables, linear, composition)).collect();
+        let chunks = robot.cables.chunks(LANES).zip(laws.chunks(LANES)).zip(elasticity.chunks(LANES));
+        let groups = chunks.map(|((cables, laws), linear)| group(cables, laws, linear)).collect();
         let winches = winches_of(&robot, composition.drum)?;
         Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
     }
@@ -157,8 +158,9 @@ impl Model {
         self.checked_course(cable, pose.position.into(), &pose.rotation_rows())
     }
 
-    /// [`Model::course`] for a pose given by position and rotation rows, when many cables share it.
-    #[inline]
+    /// [`Model::course`] for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who asks for a
+    /// length alone pays for no derivative.
+    #[inline(always)]
     pub(crate) fn checked_course(
         &self,
         cable: usize,
@@ -166,7 +168,7 @@ impl Model {
         rotation: &[[f64; 3]; 3],
     ) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
         let (course, lever) = self.course_at(cable, position, rotation);
-        match self.degeneracy(cable, add(position, lever.into()), &course) {
+        match self.laws[cable].outlet.degeneracy(cable + 1, add(position, lever.into()), &course) {
             Some(reason) => Err(reason),
             None => Ok((course, lever)),
         }
@@ -178,25 +180,15 @@ impl Model {
     }
 
     /// [`Model::course_or_nan`] for a pose given by position and rotation rows, when many cables share it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn course_at(
         &self,
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
     ) -> (Course<f64>, Vector3<f64>) {
-        let data = &self.robot.cables[cable];
-        let lever = rotate(rotation, data.platform_anchor.into());
-        let anchor = add(position, lever);
-        let entry = data.frame_anchor.into();
-        let course = match (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius) {
-            (true, Some(axis), Some(radius)) => match self.robot.pulley_side(data) {
-                None => outlet::pulley::course(entry, axis.into(), radius, anchor),
-                Some(side) => outlet::pulley::course_on_side(entry, axis.into(), side.into(), radius, anchor),
-            },
-            _ => outlet::point::course(entry, anchor),
-        };
-        (course, lever.into())
+        let lever = rotate(rotation, self.robot.cables[cable].platform_anchor.into());
+        (self.laws[cable].outlet.course(add(position, lever)), lever.into())
     }
 
     /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
@@ -205,49 +197,9 @@ impl Model {
     /// `None` in a model without pulleys, for one that does not swivel, and where the angle is not determined: the platform anchor or the reference lies on
     /// the swivel axis.
     pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
-        let data = &self.robot.cables[cable];
-        let swivels = self.composition.pulley && data.pulley_wrap_side.is_none();
-        let axis = data.pulley_swivel_axis.filter(|_| swivels)?;
-        let anchor = pose.transform(&data.platform_anchor);
-        outlet::pulley::swivel_angle(data.frame_anchor.into(), axis.into(), (*reference).into(), anchor.into())
-    }
-
-    /// Why a cable (0-based) with its platform anchor there (world, m) has no course.
-    #[inline]
-    fn degeneracy(&self, index: usize, anchor: [f64; 3], course: &Course<f64>) -> Option<DegenerateCourse> {
-        let cable = index + 1;
-        let data = &self.robot.cables[index];
-        let d = Vector3::from(anchor) - data.frame_anchor;
-        let distance = d.norm();
-        if !distance.is_finite() {
-            return Some(DegenerateCourse::NotFinite { cable });
-        }
-        let (true, Some(axis), Some(radius)) = (self.composition.pulley, data.pulley_swivel_axis, data.pulley_radius)
-        else {
-            // one may round to zero where the other does not
-            let is_zero = distance == 0.0 || !(course.length > 0.0);
-            return is_zero.then_some(DegenerateCourse::ZeroLength { cable });
-        };
-        if let Some(side) = self.robot.pulley_side(data) {
-            if side.dot(&d) < 0.0 && axis.dot(&d) > 0.0 {
-                return Some(DegenerateCourse::OpenSide { cable });
-            }
-            return match course.length.is_finite() && course.free_length > 0.0 {
-                true => None,
-                false if radius == 0.0 => Some(DegenerateCourse::ZeroLength { cable }),
-                false => Some(DegenerateCourse::InsidePulley { cable, radius }),
-            };
-        }
-        let from_axis = d - axis * axis.dot(&d);
-        // nearer than rounding can tell a side of the axis
-        if radius > 0.0 && from_axis.norm() <= outlet::pulley::ON_AXIS * (distance + radius) {
-            return Some(DegenerateCourse::OnSwivelAxis { cable });
-        }
-        match course.length.is_finite() && course.free_length > 0.0 {
-            true => None,
-            false if radius == 0.0 => Some(DegenerateCourse::ZeroLength { cable }),
-            false => Some(DegenerateCourse::InsidePulley { cable, radius }),
-        }
+        let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.laws[cable].outlet else { return None };
+        let anchor = pose.transform(&self.robot.cables[cable].platform_anchor);
+        outlet::pulley::swivel_angle(frame_anchor, swivel_axis, (*reference).into(), anchor.into())
     }
 
     /// Geometric cable lengths q at a pose (m).
@@ -368,23 +320,17 @@ fn elasticity_of(robot: &Robot) -> Result<Vec<Elasticity<f64>>, ModelError> {
 }
 
 /// Packs up to eight cables; the last one fills the rest with weight 0.
-fn group(robot: &Robot, cables: &[Cable], laws: &[Elasticity<f64>], composition: Composition) -> CableGroup {
-    let at = |lane: usize| &cables[lane.min(cables.len() - 1)];
-    let law = |lane: usize| laws[lane.min(laws.len() - 1)];
-    let vectors =
-        |of: &dyn Fn(&Cable) -> Vector3<f64>| [0, 1, 2].map(|axis| std::array::from_fn(|lane| of(at(lane))[axis]));
+fn group(cables: &[Cable], laws: &[CableLaw], linear: &[Elasticity<f64>]) -> CableGroup {
+    let at = |lane: usize| lane.min(cables.len() - 1);
+    let outlets: Vec<Outlet<f64>> = laws.iter().map(|law| law.outlet).collect();
     CableGroup {
-        frame_anchor: vectors(&|cable| cable.frame_anchor),
-        platform_anchor: vectors(&|cable| cable.platform_anchor),
-        swivel_axis: vectors(&|cable| cable.pulley_swivel_axis.unwrap_or_else(Vector3::z)),
-        radius: std::array::from_fn(|lane| at(lane).pulley_radius.unwrap_or(0.0)),
+        outlet: Outlet::pack(&outlets),
+        platform_anchor: [0, 1, 2].map(|axis| std::array::from_fn(|lane| cables[at(lane)].platform_anchor[axis])),
         weight: std::array::from_fn(|lane| if lane < cables.len() { 1.0 } else { 0.0 }),
-        has_pulley: composition.pulley,
-        pulley_side: robot.pulley_side(at(0)).map(|first| vectors(&|cable| robot.pulley_side(cable).unwrap_or(first))),
         elasticity: [
-            std::array::from_fn(|lane| law(lane).by_length),
-            std::array::from_fn(|lane| law(lane).by_controlled_length),
-            std::array::from_fn(|lane| law(lane).constant),
+            std::array::from_fn(|lane| linear[at(lane)].by_length),
+            std::array::from_fn(|lane| linear[at(lane)].by_controlled_length),
+            std::array::from_fn(|lane| linear[at(lane)].constant),
         ],
     }
 }

@@ -8,6 +8,7 @@ use super::error::require;
 use super::{Composition, ModelError, SpanEffect, StretchEffect};
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Kind};
+use crate::cable::outlet::Outlet;
 use crate::cable::span::Shape;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::{Hysteresis, Memory};
@@ -33,14 +34,8 @@ pub(super) fn laws(
             require(cable.linear_density.is_some(), (effect, "linear_density_kg_per_m", ""), index, cable)?;
         }
         let stretch = stretch(composition, index, cable)?;
-        let pulley = match (composition.pulley, cable.pulley_swivel_axis, cable.pulley_radius) {
-            (true, Some(axis), Some(radius)) => Some((axis.into(), radius)),
-            _ => None,
-        };
         Ok(CableLaw {
-            frame_anchor: cable.frame_anchor.into(),
-            pulley,
-            pulley_side: robot.pulley_side(cable).map(Into::into),
+            outlet: outlet(robot, composition, cable),
             series_compliance: match composition.is_elastic() {
                 true => cable.series_compliance.unwrap_or(0.0) + cable.spring_constant.map_or(0.0, |k| 1.0 / k),
                 false => 0.0,
@@ -59,6 +54,18 @@ pub(super) fn laws(
         })
     };
     robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
+}
+
+/// Where a cable leaves the frame.
+fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64> {
+    let frame_anchor = cable.frame_anchor.into();
+    match (composition.pulley, cable.pulley_swivel_axis, cable.pulley_radius) {
+        (true, Some(axis), Some(radius)) => match robot.pulley_side(cable) {
+            None => Outlet::Swivel { frame_anchor, swivel_axis: axis.into(), radius },
+            Some(side) => Outlet::Sided { frame_anchor, swivel_axis: axis.into(), side: side.into(), radius },
+        },
+        _ => Outlet::Point { frame_anchor },
+    }
 }
 
 /// How a cable stretches by its unstrained length.

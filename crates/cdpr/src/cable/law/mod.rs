@@ -26,7 +26,7 @@ use thiserror::Error;
 
 use super::course::Course;
 use super::elasticity::Elasticity;
-use super::outlet::{point, pulley};
+use super::outlet::Outlet;
 use super::span::{Shape, State};
 use super::stretch::Stretch;
 use super::stretch::hysteresis::Memory;
@@ -34,12 +34,8 @@ use super::stretch::hysteresis::Memory;
 /// What one cable is made of, beside its platform anchor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CableLaw {
-    /// D, or the point outlet (world, m).
-    pub frame_anchor: [f64; 3],
-    /// Swivel axis (unit vector, world) and radius (m) of the pulley.
-    pub pulley: Option<([f64; 3], f64)>,
-    /// x_A of a pulley that does not swivel (unit vector, world).
-    pub pulley_side: Option<[f64; 3]>,
+    /// Where the cable leaves the frame.
+    pub outlet: Outlet<f64>,
     /// How it stretches by its unstrained length; [`Kind::Linear`] has its own law.
     pub stretch: Stretch,
     /// q_h, strained length between winch and outlet that the geometry does not see (m).
@@ -171,13 +167,7 @@ impl HoldError {
 impl CableLaw {
     /// The straight, rigid cable between the same ends.
     fn course(&self, platform_anchor: [f64; 3]) -> Course<f64> {
-        match (self.pulley, self.pulley_side) {
-            (Some((axis, radius)), None) => pulley::course(self.frame_anchor, axis, radius, platform_anchor),
-            (Some((axis, radius)), Some(side)) => {
-                pulley::course_on_side(self.frame_anchor, axis, side, radius, platform_anchor)
-            }
-            (None, _) => point::course(self.frame_anchor, platform_anchor),
-        }
+        self.outlet.course(platform_anchor)
     }
 
     /// The law of the cable once it remembers this; itself where its stretch has no memory.

@@ -37,7 +37,7 @@ impl CableLaw {
                 let (end, length) = self.sagging_change(hold, parameter, side);
                 self.held_change(hold, &evaluation.by_state, end, length)
             }
-            _ => match (parameter, self.pulley) {
+            _ => match (parameter, self.outlet.pulley()) {
                 (LawParameter::PulleyRadius, Some(_)) => {
                     let course = self.course(platform_anchor);
                     LawChange {

@@ -31,7 +31,7 @@ pub(super) struct Moved {
 impl CableLaw {
     /// The pulley as the cable meets it on this side of the axis.
     pub(super) fn bent_pulley(&self, side: f64) -> Option<Pulley<f64>> {
-        self.pulley.map(|(swivel_axis, radius)| Pulley { swivel_axis, radius, side })
+        self.outlet.pulley().map(|(&swivel_axis, &radius)| Pulley { swivel_axis, radius, side })
     }
 
     /// What the frame's end of a cable does in a state; `side` tells on which side of the swivel axis the cable leaves.
@@ -57,7 +57,7 @@ impl CableLaw {
             [x, y, z, moved.controlled_length]
         }));
         Evaluation {
-            end: add(add(self.frame_anchor, contact), span),
+            end: add(add(*self.outlet.frame_anchor(), contact), span),
             controlled_length: state.length + frame.outside * frame.ratio - self.hidden_length,
             end_force: sub(state.force, scale(state.length, self.weight)),
             wrap_angle,

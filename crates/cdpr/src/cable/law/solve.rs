@@ -159,7 +159,7 @@ impl CableLaw {
     fn strained_length(&self, state: &State<f64>, evaluation: &Evaluation) -> f64 {
         let middle = sub(state.force, scale(0.5 * state.length, self.weight));
         let (strain, _) = self.stretch.strain(dot(middle, middle).sqrt());
-        let wrapped = self.pulley.map_or(0.0, |(_, radius)| radius * evaluation.wrap_angle);
+        let wrapped = self.outlet.pulley().map_or(0.0, |(_, radius)| radius * evaluation.wrap_angle);
         wrapped + state.length * (1.0 + strain)
     }
 }

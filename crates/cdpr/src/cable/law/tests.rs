@@ -12,10 +12,12 @@ use crate::scalar::{Real, Smooth, add, cross, dot, scale, sub};
 fn steel(shape: Shape, with_pulley: bool) -> CableLaw {
     let axis = [0.2, -0.1, 0.95];
     let norm = dot(axis, axis).sqrt();
+    let frame_anchor = [1.0, -2.0, 6.0];
     CableLaw {
-        frame_anchor: [1.0, -2.0, 6.0],
-        pulley: with_pulley.then_some((scale(1.0 / norm, axis), 0.16)),
-        pulley_side: None,
+        outlet: match with_pulley {
+            true => Outlet::Swivel { frame_anchor, swivel_axis: scale(1.0 / norm, axis), radius: 0.16 },
+            false => Outlet::Point { frame_anchor },
+        },
         stretch: Stretch::Linear(1e-7),
         hidden_length: 3.0,
         series_compliance: 2e-7,
@@ -60,7 +62,7 @@ fn tension_and_length_lead_to_each_other() {
                     (hold.outlet_tension / tension - 1.0).abs() < 1e-9,
                     "{anchor:?} {tension} {} {shape:?} {}",
                     hold.outlet_tension,
-                    law.pulley.is_some()
+                    law.outlet.pulley().is_some()
                 );
                 let Ok(back) = law.hold(anchor, Known::ControlledLength(hold.controlled_length)) else {
                     lost += 1;
@@ -89,7 +91,9 @@ fn every_length_has_a_shape() {
         for with_pulley in [false, true] {
             let mut law = steel(Shape::Catenary, with_pulley);
             // a slack cable hangs down from its pulley: along an axis that is not upright it would have no plane
-            law.pulley = law.pulley.map(|(_, radius)| ([0.0, 0.0, 1.0], radius));
+            if let Outlet::Swivel { swivel_axis, .. } = &mut law.outlet {
+                *swivel_axis = [0.0, 0.0, 1.0];
+            }
             let chord = law.chord(anchor).unwrap().length;
             for share in [0.98, 0.999, 1.0, 1.001, 1.05, 1.5, 3.0] {
                 let hold = law.hold(anchor, Known::ControlledLength(share * chord));
@@ -133,7 +137,7 @@ fn forces_and_moments_of_the_span_balance() {
             let part = State { force: state.force, length: s };
             cross(Shape::Catenary.vector(&part, law.weight, &law.stretch), law.weight)
         });
-        let end = sub(anchor, law.frame_anchor);
+        let end = sub(anchor, *law.outlet.frame_anchor());
         let missing = sub(moment, cross(end, hold.pull));
         assert!(dot(missing, missing).sqrt() < 1e-9 * 400.0 * 10.0, "{missing:?}");
     }
@@ -159,7 +163,7 @@ fn integral(length: f64, f: impl Fn(f64) -> [f64; 3]) -> [f64; 3] {
 fn a_level_inextensible_cable_is_the_classical_catenary() {
     let weight = 7.85;
     let law = CableLaw {
-        frame_anchor: [0.0, 0.0, 5.0],
+        outlet: Outlet::Point { frame_anchor: [0.0, 0.0, 5.0] },
         stretch: Stretch::Rigid,
         hidden_length: 0.0,
         series_compliance: 0.0,
@@ -192,7 +196,7 @@ fn a_level_inextensible_cable_is_the_classical_catenary() {
 #[test]
 fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
     let law = CableLaw {
-        frame_anchor: [0.0, 0.0, 4.0],
+        outlet: Outlet::Point { frame_anchor: [0.0, 0.0, 4.0] },
         stretch: Stretch::Rigid,
         hidden_length: 0.0,
         series_compliance: 0.0,
@@ -279,7 +283,7 @@ fn derivatives_of_a_hold_are_those_of_the_solve() {
                     let (one, other) = (hold.tangent[row][axis], hold.tangent[axis][row]);
                     // Left out is the weight on the pulley: at its edge w r_p of 700 N are missing to an energy. A chain of
                     // elements takes cable up at all of them, not at the outlet alone: 1/n² of the weight's share.
-                    let missing = match (law.kind, law.pulley.is_some()) {
+                    let missing = match (law.kind, law.outlet.pulley().is_some()) {
                         (Kind::Sagging(_), true) => 1e-4,
                         (Kind::Sagging(Shape::FiniteElements(_)), false) => 1e-7,
                         _ => 1e-10,
@@ -316,7 +320,7 @@ fn equations_agree_with_dual_numbers() {
     let vector = |values: [f64; 3], first: usize| [0, 1, 2].map(|k| variable(values[k], first + k));
     for shape in shapes() {
         let law = steel(shape, true);
-        let (axis, radius) = law.pulley.unwrap();
+        let (&axis, &radius) = law.outlet.pulley().unwrap();
         let state = State { force: [300.0, -150.0, -420.0], length: 7.3 };
         let dual_state = State { force: vector(state.force, 0), length: variable(state.length, 3) };
         let weight = vector(law.weight, 4);

@@ -1,7 +1,7 @@
 //! Many poses of one robot at once, where control model and machine allow it.
 
 use super::robots::Made;
-use crate::equilibrium::{elastostatics, forward_kinematics};
+use crate::equilibrium::{self, ForwardError, ForwardSettings, Solutions, State, elastostatics};
 use crate::geometry::{Pose, PoseBatch};
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::Status;
@@ -9,7 +9,6 @@ use crate::metamodel::sensitivity::PoseSensitivity;
 use crate::metamodel::study::CommandedPose;
 use crate::model::Model;
 use crate::scalar::{LANES, LaneTable};
-use crate::statics::Load;
 
 /// What all robots share: poses, guesses, and what the control model without deviations sends.
 pub(super) struct Batch {
@@ -24,8 +23,7 @@ pub(super) struct Batch {
 pub(super) struct Room {
     geometric: LaneTable,
     controlled: LaneTable,
-    rigid: forward_kinematics::batch::Solutions,
-    elastic: elastostatics::batch::Solutions,
+    solutions: Solutions,
 }
 
 impl Batch {
@@ -65,7 +63,7 @@ impl Batch {
         made: &Made,
         room: &mut Room,
     ) -> Result<Option<Vec<Option<Pose>>>, InputError> {
-        let Room { geometric, controlled, rigid, elastic } = room;
+        let Room { geometric, controlled, solutions } = room;
         if let Some(control) = &made.control {
             control.batch_cable_lengths(&self.commanded, geometric);
         }
@@ -83,18 +81,19 @@ impl Batch {
                 }
             }
         }
-        if machine.composition().depends_on_tension() {
-            let load = Load::of(machine.robot())?;
-            let mut solver = elastostatics::Solver::new(machine, &load, &elastostatics::Settings::default())?;
-            let is_good = solver.solve_batch(controlled, &self.guesses, elastic).is_ok();
-            let answer = |item| (elastic.status(item) == elastostatics::Status::Converged).then(|| elastic.pose(item));
-            return Ok(is_good.then(|| (0..count).map(answer).collect()));
+        let settings = ForwardSettings::default();
+        match machine.forward_batch(
+            (&settings, false),
+            controlled,
+            &self.guesses,
+            &mut State::at_home(machine),
+            solutions,
+        ) {
+            // lengths that are none
+            Err(ForwardError::Input(elastostatics::InputError::Kinematic(_))) => return Ok(None),
+            other => other?,
         }
-        let settings = forward_kinematics::Settings::default();
-        let mut solver =
-            forward_kinematics::Solver::new(machine, &settings).map_err(elastostatics::InputError::from)?;
-        let is_good = solver.solve_batch(controlled, &self.guesses, rigid).is_ok();
-        let answer = |item| (rigid.status(item) == forward_kinematics::Status::Converged).then(|| rigid.pose(item));
-        Ok(is_good.then(|| (0..count).map(answer).collect()))
+        let answer = |item| (solutions.status(item) == equilibrium::Status::Converged).then(|| solutions.pose(item));
+        Ok(Some((0..count).map(answer).collect()))
     }
 }

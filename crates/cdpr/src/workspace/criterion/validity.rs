@@ -1,7 +1,10 @@
 //! Whether the model has an answer at a pose at all.
 
+use nalgebra::Vector3;
+
 use super::cables::named;
 use super::{Criterion, Verdict};
+use crate::cable::outlet::Outlet;
 use crate::geometry::Pose;
 use crate::model::Model;
 
@@ -23,27 +26,29 @@ impl<'a> ModelValid<'a> {
 
     /// Distance of a cable's platform anchor from where it would have no course (m).
     fn distance(&self, cable: usize, pose: &Pose) -> f64 {
-        let data = &self.model.robot().cables[cable];
-        let d = pose.transform(&data.platform_anchor) - data.frame_anchor;
-        let (true, Some(axis), Some(radius)) =
-            (self.model.composition().pulley, data.pulley_swivel_axis, data.pulley_radius)
-        else {
-            return d.norm();
-        };
-        let along = axis.dot(&d);
-        if let Some(side) = self.model.robot().pulley_side(data) {
-            let across = side.dot(&d);
-            let from_circle = (across - radius).hypot(along) - radius;
-            // the open side is the quarter of the plane with across < 0 and along > 0
-            let from_open_side = match across < 0.0 && along > 0.0 {
-                true => across.max(-along),
-                false => across.max(0.0).hypot(along.min(0.0)),
-            };
-            return from_circle.min(from_open_side);
+        let outlet = &self.model.law(cable).outlet;
+        let entry = Vector3::from(*outlet.frame_anchor());
+        let d = pose.transform(&self.model.robot().cables[cable].platform_anchor) - entry;
+        match *outlet {
+            Outlet::Point { .. } => d.norm(),
+            Outlet::Sided { swivel_axis, side, radius, .. } => {
+                let (along, across) = (Vector3::from(swivel_axis).dot(&d), Vector3::from(side).dot(&d));
+                let from_circle = (across - radius).hypot(along) - radius;
+                // the open side is the quarter of the plane with across < 0 and along > 0
+                let from_open_side = match across < 0.0 && along > 0.0 {
+                    true => across.max(-along),
+                    false => across.max(0.0).hypot(along.min(0.0)),
+                };
+                from_circle.min(from_open_side)
+            }
+            Outlet::Swivel { swivel_axis, radius, .. } => {
+                let axis = Vector3::from(swivel_axis);
+                let along = axis.dot(&d);
+                let across = (d - axis * along).norm();
+                let from_circle = (across - radius).hypot(along) - radius;
+                if radius > 0.0 { from_circle.min(across) } else { d.norm() }
+            }
         }
-        let across = (d - axis * along).norm();
-        let from_circle = (across - radius).hypot(along) - radius;
-        if radius > 0.0 { from_circle.min(across) } else { d.norm() }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Eight plain descents of the energy side by side, with the bits of the single one.
 
 use super::unsymmetric::unsymmetric;
-use super::{ITERATIONS, STATUS, TENSIONS};
+use super::{ITERATIONS, RMS, STATUS, TENSIONS};
 use crate::equilibrium::descents::{displaced, flag, settles, sum};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, stiffness_terms};
 use crate::equilibrium::elastostatics::search::ROUNDING;
@@ -306,6 +306,7 @@ impl Descents<'_> {
             );
         let is_solved = state.is_done * is_stable * is_clear * (one - pushes);
         self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
+        self.solutions[RMS].0 = [0.0; LANES];
         state.iterations.store(&mut self.solutions[ITERATIONS].0);
         self.solutions[STATUS].0 = [Status::Converged.code(); LANES];
         self.solutions[TENSIONS..].copy_from_slice(&state.tensions[..self.lengths.len()]);

@@ -13,53 +13,11 @@ mod unsymmetric;
 use descent::{Descents, Ending};
 
 use super::{InputError, LoadParts, Solver, Status};
+pub use crate::equilibrium::Solutions;
 use crate::equilibrium::forward_kinematics::batch::check;
-use crate::geometry::{POSE_ROWS, Pose, PoseBatch};
+use crate::equilibrium::{ITERATIONS, RMS, STATUS, TENSIONS};
+use crate::geometry::PoseBatch;
 use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
-
-/// Rows of the table of solutions: the pose, these, then the tensions.
-const ITERATIONS: usize = POSE_ROWS;
-const STATUS: usize = POSE_ROWS + 1;
-const TENSIONS: usize = POSE_ROWS + 2;
-
-/// Outcomes of many forward problems; a pose is the best one found even when it did not converge.
-#[must_use = "check `status` before using a pose"]
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Solutions {
-    table: LaneTable,
-}
-
-impl Solutions {
-    /// Number of problems.
-    pub fn len(&self) -> usize {
-        self.table.len()
-    }
-
-    /// True without problems.
-    pub fn is_empty(&self) -> bool {
-        self.table.is_empty()
-    }
-
-    /// Pose of one problem (from 0); panics where there is none, as all of these do.
-    pub fn pose(&self, item: usize) -> Pose {
-        Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
-    }
-
-    /// Tension of one cable (0-based; N); 0 where slack.
-    pub fn tension(&self, cable: usize, item: usize) -> f64 {
-        self.table.get(TENSIONS + cable, item)
-    }
-
-    /// Why the search stopped; [`super::solve`] says it in words.
-    pub fn status(&self, item: usize) -> Status {
-        Status::of_code(self.table.get(STATUS, item))
-    }
-
-    /// Steps of all starts.
-    pub fn iterations(&self, item: usize) -> u32 {
-        self.table.get(ITERATIONS, item) as u32
-    }
-}
 
 impl Solver<'_> {
     /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and
@@ -149,6 +107,7 @@ impl Solver<'_> {
         for (cable, tension) in solution.tensions.iter().enumerate() {
             solutions[TENSIONS + cable].0[lane] = *tension;
         }
+        solutions[RMS].0[lane] = 0.0;
         solutions[ITERATIONS].0[lane] = f64::from(solution.iterations);
         solutions[STATUS].0[lane] = found.unwrap_or(Status::NotConverged).code();
     }

@@ -12,60 +12,11 @@ mod tests;
 use descent::Descents;
 
 use super::{InputError, Solver, Status};
-use crate::geometry::{POSE_ROWS, Pose, PoseBatch};
+pub use crate::equilibrium::Solutions;
+use crate::equilibrium::{ITERATIONS, RMS, STATUS, TENSIONS};
+use crate::geometry::PoseBatch;
 use crate::model::Model;
 use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
-
-/// Rows of the table of solutions: the pose, then these.
-const RMS: usize = POSE_ROWS;
-const ITERATIONS: usize = POSE_ROWS + 1;
-const STATUS: usize = POSE_ROWS + 2;
-const ROWS: usize = POSE_ROWS + 3;
-
-/// Outcomes of many forward problems; a pose is the best one found even when it did not converge.
-#[must_use = "check `status` before using a pose"]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Solutions {
-    table: LaneTable,
-}
-
-impl Default for Solutions {
-    fn default() -> Self {
-        Self { table: LaneTable::new(ROWS) }
-    }
-}
-
-impl Solutions {
-    /// Number of problems.
-    pub fn len(&self) -> usize {
-        self.table.len()
-    }
-
-    /// True without problems.
-    pub fn is_empty(&self) -> bool {
-        self.table.is_empty()
-    }
-
-    /// Pose of one problem (from 0); panics where there is none, as all of these do.
-    pub fn pose(&self, item: usize) -> Pose {
-        Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
-    }
-
-    /// Why the search stopped; [`super::solve`] says it in words.
-    pub fn status(&self, item: usize) -> Status {
-        Status::of_code(self.table.get(STATUS, item))
-    }
-
-    /// Root mean square of the residuals (m).
-    pub fn residual_rms(&self, item: usize) -> f64 {
-        self.table.get(RMS, item)
-    }
-
-    /// Steps of all starts.
-    pub fn iterations(&self, item: usize) -> u32 {
-        self.table.get(ITERATIONS, item) as u32
-    }
-}
 
 impl Solver<'_> {
     /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and guesses.
@@ -79,9 +30,9 @@ impl Solver<'_> {
         solutions: &mut Solutions,
     ) -> Result<(), InputError> {
         check(self.model, lengths, guesses)?;
-        solutions.table.reshape(ROWS, guesses.len());
-        over_parts(solutions.table.lines_mut(), ROWS, self, |solver, first, lines| {
-            for (group, solutions) in (first / LANES..).zip(lines.chunks_exact_mut(ROWS)) {
+        solutions.table.reshape(TENSIONS, guesses.len());
+        over_parts(solutions.table.lines_mut(), TENSIONS, self, |solver, first, lines| {
+            for (group, solutions) in (first / LANES..).zip(lines.chunks_exact_mut(TENSIONS)) {
                 solver.solve_group(lengths, guesses, group, solutions);
             }
         });

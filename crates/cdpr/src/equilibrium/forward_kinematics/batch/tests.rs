@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::super::Settings;
 use super::*;
-use crate::geometry::Twist;
+use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, place_pulleys};
 use crate::robot::{Robot, builtin};
 
@@ -78,7 +78,7 @@ fn eight_descents_give_the_same_bits_on_every_unit_and_nearly_all_end_in_lanes()
     let (mut done, mut near) = (0, 0);
     for group in 0..lengths.groups() {
         let on = |unit| {
-            let mut solutions = [Line::default(); ROWS];
+            let mut solutions = [Line::default(); TENSIONS];
             let descents = Descents {
                 model: &model,
                 settings: &settings,
@@ -94,7 +94,7 @@ fn eight_descents_give_the_same_bits_on_every_unit_and_nearly_all_end_in_lanes()
             let (other, found) = on(unit);
             assert_eq!(other, is_done, "{unit:?}");
             for lane in (0..LANES).filter(|&lane| is_done[lane]) {
-                let bits = |lines: &[Line; ROWS]| lines.map(|line| line.0[lane].to_bits());
+                let bits = |lines: &[Line; TENSIONS]| lines.map(|line| line.0[lane].to_bits());
                 assert_eq!(bits(&found), bits(&solutions), "{unit:?}");
             }
         }

@@ -7,7 +7,7 @@ use super::*;
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{Kind, LawParameter};
-use crate::cable::outlet::{bent, point, pulley};
+use crate::cable::outlet::bent;
 use crate::cable::span::{Shape, State};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Real, Smooth, add, cross, dot, rotate, scale, sub};
@@ -67,14 +67,10 @@ impl Twin {
 
     fn straight(model: &Model, index: usize, anchor: [Dual; 3], lever: [Dual; 3], held: &Held) -> Self {
         let (cable, law) = (&model.robot().cables[index], model.law(index));
-        let frame = vector(cable.frame_anchor, FRAME_ANCHOR);
-        let course: Course<Dual> = match (law.pulley, law.pulley_side) {
-            (Some((axis, radius)), None) => pulley::course(frame, constants(axis), variable(radius, RADIUS), anchor),
-            (Some((axis, radius)), Some(side)) => {
-                pulley::course_on_side(frame, constants(axis), constants(side), variable(radius, RADIUS), anchor)
-            }
-            (None, _) => point::course(frame, anchor),
-        };
+        let mut outlet = law.outlet.map(|number| Dual::from(*number));
+        *outlet.frame_anchor_mut() = vector(cable.frame_anchor, FRAME_ANCHOR);
+        outlet.radius_mut().into_iter().for_each(|radius| *radius = variable(radius.re, RADIUS));
+        let course: Course<Dual> = outlet.course(anchor);
         let tension = variable(held.hold.outlet_tension, STATE);
         let hidden = variable(law.hidden_length, HIDDEN);
         let controlled_length = match law.kind {
@@ -116,7 +112,7 @@ impl Twin {
         let end_force = sub(force, scale(length, weight));
         let twin = |side: f64| {
             let (mut contact, mut wrapped) = (constants([0.0; 3]), Dual::from(0.0));
-            if let Some((axis, radius)) = law.pulley {
+            if let Some((&axis, &radius)) = law.outlet.pulley() {
                 let pulley = bent::Pulley { swivel_axis: constants(axis), radius: variable(radius, RADIUS), side };
                 let outlet = bent::outlet(&pulley, scale(Dual::from(1.0) / tension, force));
                 (contact, wrapped) = (outlet.contact, pulley.radius * outlet.wrap_angle);
@@ -286,7 +282,7 @@ fn check_symmetry(model: &Model, index: usize, held: &Held) {
         return;
     }
     let size = tangent.iter().flatten().fold(0.0, |most, x| f64::max(most, x.abs()));
-    let allowed = match (model.law(index).kind, model.law(index).pulley.is_some()) {
+    let allowed = match (model.law(index).kind, model.law(index).outlet.pulley().is_some()) {
         (Kind::Sagging(_), true) => 1e-3,
         (Kind::Sagging(Shape::FiniteElements(_)), false) => 1e-5,
         _ => 1e-9,
