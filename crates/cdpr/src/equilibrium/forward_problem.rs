@@ -110,6 +110,7 @@ impl Model {
             ForwardSolver::LeastSquares(solver) => Ok(solver.solve(lengths, &pose).map(|_| ())?),
             ForwardSolver::Equilibrium(solver) => solver.solve(lengths, &pose).map(|_| ()),
         })?;
+        state.tell_unknown_load(self);
         Ok(state.forward_solution().expect("a solved problem leaves its solution"))
     }
 
@@ -198,13 +199,6 @@ impl Scratch {
             Self::Equilibrium(scratch) => &scratch.solution,
         }
     }
-
-    fn solution_mut(&mut self) -> &mut Solution {
-        match self {
-            Self::LeastSquares(scratch) => &mut scratch.solution,
-            Self::Equilibrium(scratch) => &mut scratch.solution,
-        }
-    }
 }
 
 impl State {
@@ -216,18 +210,23 @@ impl State {
         load: Option<&Load>,
         work: impl FnOnce(&mut ForwardSolver<'_>) -> Result<T, elastostatics::InputError>,
     ) -> Result<T, ForwardError> {
-        let load = load.map_or_else(|| Load::of(model.robot()), |load| Ok(*load));
-        let unknown_load = load.as_ref().err().filter(|_| model.cable_count() < model.dof()).map(ToString::to_string);
-        let mut solver = match ForwardProblem::of(model, load.is_ok()) {
-            ForwardProblem::Equilibrium => {
+        let known_load = || load.map_or_else(|| Load::of(model.robot()), |load| Ok(*load));
+        let load = match ForwardProblem::of(model, true) {
+            ForwardProblem::LeastSquares => None,
+            ForwardProblem::Equilibrium if model.depends_on_tension() => Some(known_load()?),
+            // too few rigid cables of unknown load fit their lengths, which determine no pose
+            ForwardProblem::Equilibrium => known_load().ok(),
+        };
+        let mut solver = match load {
+            Some(load) => {
                 let scratch = match self.scratch.take() {
                     Some(Scratch::Equilibrium(scratch)) if scratch.fits(model) => scratch,
                     _ => elastostatics::Scratch::new(model),
                 };
-                let solver = elastostatics::Solver::with(model, &load?, &settings.equilibrium, scratch)?;
+                let solver = elastostatics::Solver::with(model, &load, &settings.equilibrium, scratch)?;
                 ForwardSolver::Equilibrium(solver.with_memories(self.memories()))
             }
-            ForwardProblem::LeastSquares => {
+            None => {
                 let scratch = match self.scratch.take() {
                     Some(Scratch::LeastSquares(scratch)) if scratch.fits(model) => scratch,
                     _ => forward_kinematics::Scratch::new(model),
@@ -238,11 +237,17 @@ impl State {
         };
         let answer = work(&mut solver);
         self.scratch = Some(solver.into_scratch());
-        let solution = self.scratch.as_mut().map(Scratch::solution_mut);
-        if let (Some(unknown), Some(reason)) = (unknown_load, solution.and_then(|solution| solution.reason.as_mut())) {
-            // a platform on too few cables has a pose under its load: say what is missing for it
+        Ok(answer?)
+    }
+
+    /// Says of a platform on too few rigid cables, which has a pose under its load, what is missing for it.
+    fn tell_unknown_load(&mut self, model: &Model) {
+        let Some(Scratch::LeastSquares(scratch)) = &mut self.scratch else { return };
+        if model.cable_count() >= model.dof() {
+            return;
+        }
+        if let (Some(reason), Err(unknown)) = (&mut scratch.solution.reason, Load::of(model.robot())) {
             *reason = format!("{reason}; {unknown}");
         }
-        Ok(answer?)
     }
 }

@@ -4,10 +4,11 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
-use cdpr::geometry::{PoseBatch, Twist, Wrench};
+use cdpr::equilibrium::{self, State, closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
@@ -79,6 +80,41 @@ fn a_reused_elastostatic_solver_allocates_nothing() {
         }
     };
     assert_eq!(allocations(work), 0);
+}
+
+/// Both doors, for every kind of cable, once the state has answered before; a robot whose load is unknown too.
+#[test]
+fn a_reused_state_allocates_nothing() {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    for cable in &mut robot.cables {
+        cable.linear_density = Some(0.1);
+        cable.tension_of_strain = Some(vec![2e6, 2e8]);
+    }
+    let unloaded = Robot { gravity: None, external_wrench: None, ..robot.clone() };
+    assert!(Load::of(&unloaded).is_err());
+    let (_, samples) = dense::problem();
+    let cases = ["standard", "elastic", "polynomial", "elastic+catenary"].map(|words| (&robot, words));
+    for (robot, words) in cases.into_iter().chain([(&unloaded, "standard")]) {
+        let model = Model::new(robot.clone(), words.parse().unwrap()).unwrap();
+        let load = Load::constant(Wrench::new(0.0, 0.0, -5000.0, 0.0, 100.0, 0.0));
+        let load = model.depends_on_tension().then_some(&load);
+        let mut state = State::at_home(&model);
+        let mut lengths = vec![0.0; 8];
+        let mut answer = |pose: &Pose| {
+            let command = model.inverse(pose, &[4000.0; 8], &mut state).unwrap();
+            assert!(command.failures.is_empty());
+            lengths.iter_mut().zip(&command.cables).for_each(|(length, cable)| *length = cable.controlled_length);
+            let solution = model.forward(&lengths, load, Some(pose), &mut state).unwrap();
+            assert_eq!(solution.status, equilibrium::Status::Converged, "{words}");
+            state.settle_forward(&model);
+        };
+        let home = robot.home_or_middle();
+        let pose =
+            |sample: &Pose| Pose { position: home.position + sample.rotation * Vector3::new(0.1, 0.0, 0.0), ..home };
+        answer(&home);
+        let work = || samples.poses.iter().take(20).for_each(|sample| answer(&pose(sample)));
+        assert_eq!(allocations(work), 0, "{words}");
+    }
 }
 
 /// Feasible or not, cold or warm, and with a reference of its own.
