@@ -43,7 +43,7 @@ pub struct ForwardSettings {
     pub equilibrium: elastostatics::Settings,
 }
 
-/// Where a search for a pose begins.
+/// Start of the search for a pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Start {
@@ -56,7 +56,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// Where a search begins for a caller with this guess, and the pose there.
+    /// Start of a search for a caller with this guess, and the pose there.
     pub fn of(robot: &Robot, guess: Option<&Pose>) -> (Self, Pose) {
         match (guess, robot.home) {
             (Some(guess), _) => (Self::Guess, *guess),
@@ -138,8 +138,8 @@ impl Model {
     /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each sought from its own guess and with the bits of
     /// the single problem; with `only_taut` equilibria in which every cable pulls.
     ///
-    /// Where the equilibrium of bars has one that pushes, the search for taut ones ends with [`Status::NotConverged`](super::Status), ten times
-    /// sooner than that for the cables that hang slack.
+    /// The search for taut cables ends with [`Status::NotConverged`](super::Status) where the equilibrium of bars has one that pushes, ten times
+    /// sooner than the search for the cables that hang slack.
     pub fn forward_batch(
         &self,
         (settings, only_taut): (&ForwardSettings, bool),

@@ -37,7 +37,7 @@ pub struct Solution {
     pub wrench_residual: f64,
     /// Smallest eigenvalue of the symmetric part of K_wx, rotations times the platform radius (N/m): positive where stable.
     ///
-    /// Of what taut rigid cables leave free; infinite where that is nothing; NaN where lengths are fitted.
+    /// Stiffness of the motions that taut rigid cables leave free; infinite where there are none; NaN where lengths are fitted.
     pub stability: f64,
     /// Number of slack cables; 0 where lengths are fitted.
     pub slack: usize,

@@ -65,7 +65,7 @@ impl State {
         &self.memories
     }
 
-    /// Where the search of the last [`Model::forward`] began.
+    /// Start of the search of the last [`Model::forward`].
     pub fn start(&self) -> Start {
         self.start
     }

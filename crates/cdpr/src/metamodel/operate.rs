@@ -258,7 +258,7 @@ impl<'a> Operation<'a> {
         self.settled(command)
     }
 
-    /// What emerges, where control model and machine settle if it is an equilibrium.
+    /// Outcome of a command; control model and machine settle there if it is an equilibrium.
     fn settled(&mut self, command: &CommandedPose) -> Outcome {
         let outcome = self.reach(command);
         if outcome.status == Status::Converged {

@@ -56,7 +56,7 @@ pub(super) fn laws(
     robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
 }
 
-/// Where a cable leaves the frame.
+/// Outlet of a cable: a point, or a pulley where the composition has them.
 fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64> {
     let frame_anchor = cable.frame_anchor.into();
     match (composition.pulley, cable.pulley_swivel_axis, cable.pulley_radius) {

@@ -110,7 +110,8 @@ fn the_forward_problem_leads_back_to_where_the_inverse_problem_came_from() {
             // both ends are known to 1e-10 of the lengths; the least stiff platform, on four cables, magnifies that a hundred times
             assert!(missed < 1e-7, "{name}: {missed} m");
             for (tension, expected) in back.tensions.iter().zip(&tensions) {
-                assert!((tension - expected).abs() < 1e-3 * level, "{name}: {tension} N, {expected} N");
+                // 1e-7 m over the shortest cable of half a metre, EA of 1e6 N
+                assert!((tension - expected).abs() < 0.2, "{name}: {tension} N, {expected} N");
             }
             assert_eq!(state.memories(), memories, "{name}: asking is no motion");
             assert_eq!(memories.is_empty(), composition.stretch != StretchEffect::Hysteresis, "{name}");
@@ -200,7 +201,8 @@ fn a_snapshot_of_a_machine_that_remembers_goes_on_as_the_machine_does() {
     assert!(straight[0].pose.displacement_to(&went_on[2].pose).norm() > 1e-7);
 }
 
-/// What a control model predicts from the lengths that it sent is what it commanded: its error as a prediction is the machine's error.
+/// Prediction error of a control model on exact records: it predicts what it commanded from the lengths that it sent, so that its error is
+/// the machine's.
 #[test]
 fn evaluation_of_exact_records_is_the_accuracy_of_the_control_model() {
     let robots = [

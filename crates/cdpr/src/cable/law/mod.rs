@@ -34,7 +34,7 @@ use super::stretch::hysteresis::Memory;
 /// What one cable is made of, beside its platform anchor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CableLaw {
-    /// Where the cable leaves the frame.
+    /// Outlet: a point, or a pulley.
     pub outlet: Outlet<f64>,
     /// How it stretches by its unstrained length; [`Kind::Linear`] has its own law.
     pub stretch: Stretch,

@@ -1,4 +1,4 @@
-//! Where a cable leaves the frame.
+//! Outlets: the places where cables leave the frame.
 
 pub mod bent;
 pub mod point;
@@ -38,7 +38,7 @@ pub enum Outlet<T> {
 }
 
 impl<T> Outlet<T> {
-    /// Where the cable enters (world, m).
+    /// Frame anchor a of a point, or D where the cable enters the pulley (world, m).
     pub fn frame_anchor(&self) -> &[T; 3] {
         match self {
             Self::Point { frame_anchor } | Self::Swivel { frame_anchor, .. } | Self::Sided { frame_anchor, .. } => {

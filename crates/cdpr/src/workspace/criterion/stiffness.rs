@@ -125,7 +125,7 @@ impl<'a> HeldPlatform<'a> {
         Ok(Self { model, load: *load, limits: limits.clone() })
     }
 
-    /// What a pose takes, see [`Criterion::effort`].
+    /// Effort of a pose, see [`Criterion::effort`].
     pub(super) fn effort(&self) -> f64 {
         super::effort_of_tensions(self.model, 100.0)
     }
