@@ -9,6 +9,11 @@ use serde_json::value::{RawValue, to_raw_value};
 /// Name and version of this program, as results keep them.
 pub(crate) const PROGRAM: &str = concat!("cdpr ", env!("CARGO_PKG_VERSION"));
 
+/// Source of virtual measurements, as their sidecars name it.
+pub(crate) fn simulated_by() -> String {
+    format!("simulated by {PROGRAM}")
+}
+
 /// Version of the keys of JSON answers: raised when a key goes or changes its meaning, not when one is added.
 const LAYOUT_VERSION: u32 = 1;
 

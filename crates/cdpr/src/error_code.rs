@@ -11,6 +11,7 @@ use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
 use crate::equilibrium::{ForwardError, distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
+use crate::identification::PredictionError;
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
 use crate::reading::ReadError;
@@ -287,6 +288,21 @@ impl ErrorCode for metamodel::InputError {
             Self::TooManyRobots { .. } => "study::too-many-robots",
             Self::NoPoses | Self::NoneFeasible { .. } => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
+        }
+    }
+}
+
+impl ErrorCode for metamodel::ExperimentError {
+    fn code(&self) -> &'static str {
+        self.error.code()
+    }
+}
+
+impl ErrorCode for PredictionError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Input(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
         }
     }
 }

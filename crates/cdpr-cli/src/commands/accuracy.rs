@@ -15,9 +15,9 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::error_table::{convergence_remark, error_table};
 use crate::failure::Failure;
-use crate::laboratory::{Laboratory, title};
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
+use crate::study_file::{StudyFile, title};
 use crate::table::{Table, cell};
 use crate::tension_method::TensionMethodArgument;
 
@@ -84,31 +84,32 @@ struct Prediction {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.introduce(output);
+    let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
+    study_file.introduce(output);
     let progress = Progress::spinner("driving the machine");
-    let assessment = laboratory.assess(arguments.seed)?;
-    let prediction = laboratory.predict(arguments.seed)?;
-    let branches = laboratory.branches(arguments.seed, arguments.stroke)?;
+    let poses = study_file.poses(arguments.seed)?;
+    let assessment = study_file.accepted(study_file.assess(&poses))?;
+    let prediction = study_file.predict(&poses).map_err(|error| study_file.refused(&error))?;
+    let branches = study_file.accepted(study_file.branches(&poses, arguments.stroke))?;
     drop(progress);
     assessment.accuracy.remark().iter().for_each(|remark| output.remark(remark));
     let reason = reason(&assessment);
-    let prediction = prediction.zip(laboratory.prediction.as_ref());
+    let prediction = prediction.zip(study_file.prediction.as_ref());
     let prediction = prediction.map(|(found, model)| Prediction { model: title(model), blocks: found.blocks() });
     let unsettled = prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));
     unsettled.iter().for_each(|remark| output.remark(remark));
     output.answer(&Assessed {
         status: if reason.is_none() { "converged" } else { "not-converged" },
         reason,
-        control: title(&laboratory.control),
-        machine: title(&laboratory.machine),
-        pattern: laboratory.machine.robot().motion_pattern,
+        control: title(&study_file.control),
+        machine: title(&study_file.machine),
+        pattern: study_file.machine.robot().motion_pattern,
         accuracy: assessment.accuracy,
         prediction,
-        history: laboratory.history(),
+        history: study_file.history(),
         branches,
-        initial_tensions: laboratory.initial_tensions()?,
-        winch_offsets_m: laboratory.offsets.clone(),
+        initial_tensions: study_file.accepted(study_file.initial_tensions())?,
+        winch_offsets_m: study_file.offsets.clone(),
         seed: arguments.seed,
     })
 }

@@ -1,20 +1,21 @@
 //! `cdpr demo`: the main job on the built-in virtual robot.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::error_code::ErrorCode;
 use cdpr::identification::fit::Prior;
 use cdpr::measurement::Samples;
-use cdpr::metamodel::Study;
+use cdpr::metamodel::{Experiment, Robots, Study};
 use cdpr::model::{ParameterKind, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use clap::Args;
 
 use crate::answer::Output;
+use crate::envelope::simulated_by;
 use crate::failure::Failure;
 use crate::inputs::read_robot;
-use crate::laboratory::Laboratory;
 use crate::selecting::{Comparison, NamedFile, Parted, Selected, SelectionArguments, two_files, write_folder};
 
 const EXAMPLES: &str = "\
@@ -114,9 +115,13 @@ struct Recorded {
 fn record(study: &'static str, machine: &Robot, seed: u64) -> Result<Recorded, Failure> {
     let robots = |name: &str| if name == MACHINE_FILE { Ok(machine.clone()) } else { read_robot(name) };
     let parsed = Study::from_toml_bytes(study.as_bytes(), "built-in study")?;
-    let laboratory = Laboratory::new(parsed, "built-in study", Path::new(""), &robots)?;
-    let samples = laboratory.record(seed)?.samples;
-    Ok(Recorded { table: samples.to_csv(machine), sidecar: laboratory.sidecar(seed).to_toml(), study, samples })
+    let robots = Robots::of(&parsed, robots)?;
+    let refused = |error: &dyn ErrorCode| Failure::refused("built-in study", error);
+    let experiment = Experiment::new(parsed, robots).map_err(|error| refused(&error))?;
+    let recorded = experiment.commands(Vec::new(), seed).and_then(|commands| experiment.record(&commands, seed));
+    let samples = recorded.map_err(|error| refused(&error))?.samples;
+    let sidecar = experiment.sidecar(simulated_by(), seed).to_toml();
+    Ok(Recorded { table: samples.to_csv(machine), sidecar, study, samples })
 }
 
 impl Recorded {

@@ -9,19 +9,19 @@ use std::str::FromStr;
 use answer::{InitialTensionAnswer, State};
 use cdpr::geometry::Pose;
 use cdpr::metamodel::InputError;
-use cdpr::metamodel::initial_tension::{Task, approach, fit, optimum};
+use cdpr::metamodel::initial_tension::{approach, fit, optimum};
 use cdpr::metamodel::initial_tensions;
 use cdpr::metamodel::study::Initial;
 use cdpr::tension::Method;
+use cdpr::workspace::WorkspaceError;
 use cdpr::workspace::grid::{self, Grid};
-use cdpr::workspace::{Archetype, Bounds, Region, WorkspaceError};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::laboratory::Laboratory;
 use crate::numbers::NumberList;
 use crate::progress::Progress;
+use crate::study_file::StudyFile;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -75,56 +75,51 @@ impl FromStr for TargetArgument {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let mut laboratory = Laboratory::read(&arguments.study)?;
-    laboratory.introduce(output);
-    let commands = laboratory.untested_poses(arguments.seed)?;
+    let mut study_file = StudyFile::read(&arguments.study)?;
+    study_file.introduce(output);
+    let commands = study_file.poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
-    let pose = laboratory.start;
-    let limits = laboratory.known_limits()?;
+    let pose = study_file.start;
+    let limits = study_file.accepted(study_file.known_limits())?;
     let progress = Progress::spinner("looking for initial tensions");
     let found = {
-        let (machine, study) = (&laboratory.machine, &laboratory.study);
-        let control = laboratory.controller();
-        let set_with = laboratory.set_with();
-        let (history, now) = (laboratory.history(), laboratory.initial_tensions()?);
-        let task = Task { control, machine, set_with, pose, limits: &limits, history, now };
+        let task = study_file.accepted(study_file.initial_tension_task(&limits))?;
         let (method, tensions) = match &arguments.target {
             TargetArgument::Method(method) => (Some(*method), None),
             TargetArgument::Tensions(tensions) => (None, Some(tensions.clone())),
         };
-        let range = study.initial.tension_limits_N;
+        let range = study_file.study.initial.tension_limits_N;
         let target =
             Initial { tension_method: method, tensions_N: tensions, tension_limits_N: range, ..Initial::default() };
-        let refused = |error: InputError| laboratory.refused(&error);
-        let before = fit(&task, &laboratory.offsets, &target, &poses).map_err(refused)?;
+        let refused = |error: InputError| study_file.refused(&error);
+        let before = fit(&task, &study_file.offsets, &target, &poses).map_err(refused)?;
         let best = optimum(&task, &target, &poses).map_err(refused)?;
         let slack = Initial { tension_method: Some(Method::Minimum), ..Initial::default() };
-        let least = initial_tensions(&slack, machine, &pose).map_err(refused)?;
+        let least = initial_tensions(&slack, &study_file.machine, &pose).map_err(refused)?;
         let way = approach(&task, &least, &best.tensions, arguments.stages.into()).map_err(refused)?;
         (before, best, way)
     };
     let (before, best, way) = found;
-    let reached = size(&laboratory, &pose)?;
+    let reached = size(&study_file, &pose)?;
     let former = State {
-        offsets: std::mem::replace(&mut laboratory.experiment.offsets, best.offsets.clone()),
+        offsets: std::mem::replace(&mut study_file.experiment.offsets, best.offsets.clone()),
         fit: before,
         reached,
     };
-    let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&laboratory, &pose)? };
+    let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&study_file, &pose)? };
     drop(progress);
     if !best.is_settled {
         output.remark("the search did not come to rest: better initial tensions may exist");
     }
-    output.answer(&InitialTensionAnswer::new(&laboratory, [former, latter], best, way, poses.len()))
+    output.answer(&InitialTensionAnswer::new(&study_file, [former, latter], best, way, poses.len()))
 }
 
 /// Area or volume of the reachable workspace in the orientation of the initial pose (m², m³), by a grid.
-fn size(laboratory: &Laboratory, pose: &Pose) -> Result<f64, Failure> {
-    let reachable = laboratory.reachable()?;
-    let archetype = Archetype::ConstantOrientation(pose.rotation);
-    let refused = |error: WorkspaceError| laboratory.refused(&error);
-    let region = Region::new(&laboratory.machine, &reachable, &archetype).map_err(refused)?;
-    let bounds = Bounds::around(&laboratory.machine).map_err(refused)?;
+fn size(study_file: &StudyFile, pose: &Pose) -> Result<f64, Failure> {
+    let reachable = study_file.accepted(study_file.reachable())?;
+    let refused = |error: WorkspaceError| study_file.refused(&error);
+    let region = study_file.region(&reachable, pose.rotation).map_err(refused)?;
+    let bounds = study_file.bounds(None).map_err(refused)?;
     let grid = Grid::new(&bounds, bounds.usual_step()).map_err(refused)?;
     Ok(grid::count(&region, &grid).outcome(&grid).size)
 }

@@ -14,7 +14,7 @@ use cdpr::model::Model;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Archetype, Bounds, Cells, Point, Region, components, hull};
+use cdpr::workspace::{Bounds, Cells, Point, Region, components, hull};
 use clap::{Args, ValueEnum};
 use differential::{Differential, cause_named, differential};
 use picture::Picture;
@@ -22,10 +22,10 @@ use picture::Picture;
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::pose_of;
-use crate::laboratory::Laboratory;
 use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
+use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
@@ -112,31 +112,27 @@ pub(crate) enum Method {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.introduce(output);
+    let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
+    study_file.introduce(output);
     let thresholds = thresholds(&arguments)?;
     check_options(&arguments)?;
     let change = arguments.vary.as_ref().zip(arguments.change);
-    let cause = change.map(|(name, by)| cause_named(&laboratory, name).map(|cause| (cause, by))).transpose()?;
-    let reachable = laboratory.reachable()?;
-    let machine = &laboratory.machine;
+    let cause = change.map(|(name, by)| cause_named(&study_file, name).map(|cause| (cause, by))).transpose()?;
+    let reachable = study_file.accepted(study_file.reachable())?;
+    let machine = &study_file.machine;
     let center = match &arguments.center {
         Some(numbers) => pose_of(machine.robot(), "--center", numbers)?,
-        None => laboratory.start,
+        None => study_file.start,
     };
-    let bounds = match &arguments.bounds {
-        Some(numbers) => Bounds::new(machine.axes().len(), &numbers.0),
-        None => Bounds::around(machine),
-    };
+    let bounds = study_file.bounds(arguments.bounds.as_ref().map(|numbers| numbers.0.as_slice()));
     let bounds = bounds.map_err(|error| Failure::refused("--bounds", &error))?;
-    let archetype = Archetype::ConstantOrientation(center.rotation);
-    let region = Region::new(machine, &reachable, &archetype).map_err(|error| laboratory.refused(&error))?;
-    let search = Search { laboratory: &laboratory, region: &region, bounds, center: region.point(&center.position) };
+    let region = study_file.region(&reachable, center.rotation).map_err(|error| study_file.refused(&error))?;
+    let search = Search { study_file: &study_file, region: &region, bounds, center: region.point(&center.position) };
     let found = match arguments.method {
         Method::Grid => search.by_grid(&reachable, &arguments, &thresholds)?,
         Method::Hull => search.by_hull(&reachable, &arguments, cause)?,
     };
-    output.answer(&ReachableAnswer::new(&laboratory, &region, &bounds, found))
+    output.answer(&ReachableAnswer::new(&study_file, &region, &bounds, found))
 }
 
 /// Options that need another method, and files that name no format.
@@ -173,7 +169,7 @@ fn thresholds(arguments: &Arguments) -> Result<Vec<f64>, Failure> {
 
 /// Where and about what.
 struct Search<'a> {
-    laboratory: &'a Laboratory,
+    study_file: &'a StudyFile,
     region: &'a Region<'a>,
     bounds: Bounds,
     center: Point,
@@ -195,12 +191,8 @@ impl Search<'_> {
         let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
         let by_accuracy = thresholds.iter().map(|&most| (most, grid::outcome(&grid, &census.reached(Some(most))).size));
         let by_accuracy = by_accuracy.collect();
-        let feasible = |model: &Model| -> Option<grid::Outcome> {
-            let criterion = self.laboratory.feasible(model)?;
-            let region = self.region.with_criterion(&criterion);
-            Some(grid::count(&region, &grid).outcome(&grid))
-        };
-        let [physical, model] = [&self.laboratory.machine, &self.laboratory.control].map(feasible);
+        let feasible = |model: &Model| self.study_file.feasible_cells(model, self.region, &grid);
+        let [physical, model] = [&self.study_file.machine, &self.study_file.control].map(feasible);
         let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
         let found = Found {
             method: "grid",
@@ -241,19 +233,19 @@ impl Search<'_> {
         let image = image_of(reachable, self.region, &found);
         self.write_hulls(&found, image.as_ref(), arguments)?;
         let differential = change.map(|(cause, by)| {
-            differential(self.laboratory, reachable, self.region, (&found, &self.bounds, &settings), (&cause, by))
+            differential(self.study_file, reachable, self.region, (&found, &self.bounds, &settings), (&cause, by))
         });
         let differential = differential.transpose()?;
         let feasible = |model: &Model| -> Option<Hull> {
-            let criterion = self.laboratory.feasible(model)?;
+            let criterion = self.study_file.feasible(model)?;
             solve(&self.region.with_criterion(&criterion)).ok()
         };
         let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
-        let [physical, model] = [&self.laboratory.machine, &self.laboratory.control].map(feasible);
+        let [physical, model] = [&self.study_file.machine, &self.study_file.control].map(feasible);
         let reaches = |hull: &Hull| hull.rays_at_bounds > 0;
         if let Some(path) = &arguments.svg {
             let picture = Picture {
-                laboratory: self.laboratory,
+                experiment: self.study_file,
                 physical: physical.as_ref(),
                 hull: &found,
                 image: image.as_ref(),

@@ -4,16 +4,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::metamodel::sensitivity::Offsets;
-use cdpr::metamodel::tolerance::Engine;
+use cdpr::metamodel::tolerance::{DeviationSettings, Engine};
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
-use crate::laboratory::Laboratory;
 use crate::numbers::finite_number;
 use crate::progress::Progress;
-use crate::sensitivities::{self, Asked, Found, tables};
+use crate::sensitivities::{self, Asked, tables};
+use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
@@ -106,16 +106,16 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.introduce(output);
-    let tolerances = laboratory.study.tolerances.clone().unwrap_or_default();
+    let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
+    study_file.introduce(output);
+    let tolerances = study_file.study.tolerances.clone().unwrap_or_default();
     let offsets = match arguments.offsets {
         None => tolerances.offsets,
         Some(OffsetRule::Kept) => Offsets::Kept,
         Some(OffsetRule::SetAnew) => Offsets::SetAnew,
     };
-    let limit = laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
-    let asked = Asked {
+    let limit = study_file.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
+    let settings = DeviationSettings {
         offsets,
         engine: match arguments.engine {
             EngineName::Exact => Engine::Exact,
@@ -123,21 +123,22 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         },
         robots: arguments.robots.map_or(tolerances.robots, |robots| robots as usize),
         accuracy: arguments.accuracy.or(tolerances.accuracy_m).or(limit),
-        top: arguments.top,
         seed: arguments.seed,
     };
     let progress = Progress::spinner("drawing robots");
-    let found = Found::of(&laboratory, &tolerances, &asked)?;
+    let poses = study_file.poses(arguments.seed)?;
+    let found = study_file.accepted(study_file.deviations(poses, &tolerances, &settings))?;
     drop(progress);
     found.without_effect(&tolerances).iter().for_each(|remark| output.remark(remark));
-    let maps = arguments.csv.as_ref().map(|path| (path, tables::derivatives(&found, &laboratory)));
+    let maps = arguments.csv.as_ref().map(|path| (path, tables::derivatives(&found, &study_file)));
     let poses = arguments.poses_csv.as_ref().map(|path| (path, tables::poses(&found)));
     let picture = match arguments.svg.as_ref().zip(arguments.map.as_ref()) {
-        Some((path, name)) => Some((path, sensitivities::map(&found, &laboratory, name)?)),
+        Some((path, name)) => Some((path, sensitivities::map(&found, &study_file, name)?)),
         None => None,
     };
     let written: Vec<_> =
         maps.iter().chain(&poses).chain(&picture).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
     files::write_all(&written)?;
-    output.answer(&found.answer(&laboratory, &tolerances, &asked))
+    let asked = Asked { settings, top: arguments.top };
+    output.answer(&sensitivities::answer(&found, &study_file, &tolerances, &asked))
 }

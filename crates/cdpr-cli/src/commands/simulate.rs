@@ -4,15 +4,15 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::metamodel::simulate::Simulation;
-use cdpr::metamodel::with_motor_angles;
 use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
+use crate::envelope::simulated_by;
 use crate::failure::Failure;
 use crate::files;
-use crate::laboratory::Laboratory;
 use crate::progress::Progress;
+use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
 const EXAMPLES: &str = "\
@@ -60,10 +60,11 @@ struct Simulated {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let laboratory = Laboratory::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
-    laboratory.introduce(output);
+    let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
+    study_file.introduce(output);
     let progress = Progress::spinner("measuring");
-    let Simulation { mut samples, left_out, .. } = laboratory.record(arguments.seed)?;
+    let Simulation { mut samples, left_out, .. } =
+        study_file.accepted(study_file.record(&study_file.commands(arguments.seed)?, arguments.seed))?;
     drop(progress);
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
@@ -75,18 +76,18 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         ));
     }
     if arguments.motor_angles {
-        samples = with_motor_angles(&laboratory.control, &laboratory.machine, &samples)
-            .map_err(|error| laboratory.refused(&error))?;
+        samples = study_file.accepted(study_file.with_motor_angles(&samples))?;
     }
     let sidecar = arguments.out.with_extension("meta.toml");
-    let (known, table) = (laboratory.sidecar(arguments.seed).to_toml(), samples.to_csv(laboratory.machine.robot()));
+    let (known, table) =
+        (study_file.sidecar(simulated_by(), arguments.seed).to_toml(), samples.to_csv(study_file.machine.robot()));
     files::write_all(&[(&sidecar, known.as_bytes()), (&arguments.out, table.as_bytes())])?;
     output.answer(&Simulated {
         samples: samples.len(),
         left_out: left_out.len(),
         reasons: left_out.iter().map(|(pose, reason)| format!("pose {}: {reason}", pose + 1)).collect(),
         seed: arguments.seed,
-        winch_offsets_m: laboratory.offsets.clone(),
+        winch_offsets_m: study_file.offsets.clone(),
         out: arguments.out.display().to_string(),
         sidecar: sidecar.display().to_string(),
     })

@@ -15,10 +15,10 @@ use sha2::{Digest, Sha256};
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::laboratory::{Laboratory, title};
 use crate::number_format::significant;
 use crate::progress::Progress;
 use crate::selecting::NamedFile;
+use crate::study_file::{StudyFile, title};
 use crate::study_page::{self, ErrorRow, StudyPage, error_rows};
 use crate::table::{Table, cell};
 
@@ -75,21 +75,21 @@ struct Run<'a> {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let bytes = files::read(&arguments.study, Size::Text)?;
-    let laboratory = Laboratory::read(&arguments.study)?;
-    laboratory.introduce(output);
-    let commands = laboratory.untested_poses(arguments.seed)?;
+    let study_file = StudyFile::read(&arguments.study)?;
+    study_file.introduce(output);
+    let commands = study_file.poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
     if poses.is_empty() {
-        return Err(laboratory.refused(&cdpr::metamodel::InputError::NoPoses));
+        return Err(study_file.refused(&cdpr::metamodel::InputError::NoPoses));
     }
-    let driving = laboratory.driving()?;
+    let driving = study_file.accepted(study_file.driving())?;
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
-    found.remark(&laboratory.machine).iter().for_each(|remark| output.remark(remark));
+    found.remark(&study_file.machine).iter().for_each(|remark| output.remark(remark));
     let reason = reason(&found);
-    let page = page(&laboratory, &arguments, &found, output.remarks().into_iter().chain(reason.clone()).collect())?;
+    let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason.clone()).collect())?;
     drop(progress);
-    let mut made = tables::maps(&found, &laboratory.machine);
+    let mut made = tables::maps(&found, &study_file.machine);
     made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
@@ -98,18 +98,18 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         seed: arguments.seed,
         study: arguments.study.display().to_string(),
         study_sha256: Sha256::digest(&bytes).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}")),
-        control: title(&laboratory.control),
-        machine: title(&laboratory.machine),
+        control: title(&study_file.control),
+        machine: title(&study_file.machine),
     };
     let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;
     made.insert(0, NamedFile::new("run.toml", run));
     let answer = Studied {
         status: if reason.is_none() { "converged" } else { "not-converged" },
         reason,
-        control: title(&laboratory.control),
-        machine: title(&laboratory.machine),
+        control: title(&study_file.control),
+        machine: title(&study_file.machine),
         summary: found.summary,
-        winch_offsets_m: laboratory.offsets.clone(),
+        winch_offsets_m: study_file.offsets.clone(),
         seed: arguments.seed,
         files: made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect(),
     };
@@ -120,14 +120,14 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 /// The page of the study.
 fn page(
-    laboratory: &Laboratory,
+    study_file: &StudyFile,
     arguments: &Arguments,
     found: &Field,
     warnings: Vec<String>,
 ) -> Result<String, Failure> {
     let name = arguments.study.file_stem().unwrap_or(arguments.study.as_os_str()).to_string_lossy();
     study_page::render(&StudyPage {
-        laboratory,
+        study_file,
         name: &name,
         found,
         warnings: &warnings,

@@ -17,8 +17,8 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::laboratory::robot_of_study;
 use crate::progress::Progress;
+use crate::study_file::robot_of_study;
 
 const EXAMPLES: &str = "\
 Examples:

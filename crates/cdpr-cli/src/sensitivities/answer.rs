@@ -1,12 +1,13 @@
 //! The answer of `cdpr sensitivity` for scripts.
 
+use cdpr::metamodel::Experiment;
 use cdpr::metamodel::sensitivity::{Kind, Offsets, Side, rank, rank_kinds};
 use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr::metamodel::tolerance::{Engine, Quantiles};
 use serde::Serialize;
 
-use super::{Asked, Found};
-use crate::laboratory::{Laboratory, title};
+use super::{Asked, Deviations};
+use crate::study_file::title;
 
 /// All that is told.
 #[derive(Serialize)]
@@ -117,133 +118,131 @@ pub(super) struct ToldAllowance {
     pub(super) worst_case_joint: Option<f64>,
 }
 
-impl Found {
-    /// The answer with its status.
-    pub(crate) fn answer(&self, laboratory: &Laboratory, tolerances: &Tolerances, asked: &Asked) -> Told {
-        let (control, machine) = (&laboratory.control, &laboratory.machine);
-        let pattern = machine.robot().motion_pattern;
-        let known: Vec<_> = self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
-        let (status, reason) = self.status(asked);
-        let difference_error = self.difference_error();
-        let parameters = rank(&self.causes, &known, pattern.translations());
-        Told {
-            status,
-            reason,
-            control: title(control),
-            machine: title(machine),
-            samples: self.poses.len(),
-            unanswered_poses: self.poses.len() - known.len(),
-            offsets: asked.offsets,
-            derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
-            difference_error,
-            kinds: rank_kinds(&self.causes, &known, pattern.translations())
-                .into_iter()
-                .map(|kind| ToldKind {
-                    side: kind.side,
-                    kind: kind.kind,
-                    count: kind.count,
-                    unit: kind.kind.unit(),
-                    position_rms_m_per_unit: kind.position_rms,
-                    position_max_m_per_unit: kind.position_max,
-                })
-                .collect(),
-            parameters: parameters
-                .into_iter()
-                .map(|influence| ToldParameter {
-                    name: influence.cause.name(machine),
-                    side: influence.cause.side,
-                    kind: influence.cause.kind,
-                    unit: influence.cause.kind.unit(),
-                    position_mean_m_per_unit: influence.position_mean,
-                    position_max_m_per_unit: influence.position_max,
-                    rotation_mean_rad_per_unit: influence.rotation_mean,
-                    rotation_max_rad_per_unit: influence.rotation_max,
-                    tension_mean_N_per_unit: influence.tension_mean,
-                    tension_max_N_per_unit: influence.tension_max,
-                })
-                .collect(),
-            tolerance: self.tolerance(tolerances, asked),
-            allowed: self.allowances(tolerances, asked),
-            seed: asked.seed,
-            top: asked.top,
-            has_rotation: pattern.has_rotation(),
-        }
+/// The answer with its status.
+pub(crate) fn answer(found: &Deviations, experiment: &Experiment, tolerances: &Tolerances, asked: &Asked) -> Told {
+    let (control, machine) = (&experiment.control, &experiment.machine);
+    let pattern = machine.robot().motion_pattern;
+    let known: Vec<_> = found.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
+    let (status, reason) = status(found, asked);
+    let difference_error = found.difference_error();
+    let parameters = rank(&found.causes, &known, pattern.translations());
+    Told {
+        status,
+        reason,
+        control: title(control),
+        machine: title(machine),
+        samples: found.poses.len(),
+        unanswered_poses: found.poses.len() - known.len(),
+        offsets: asked.settings.offsets,
+        derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
+        difference_error,
+        kinds: rank_kinds(&found.causes, &known, pattern.translations())
+            .into_iter()
+            .map(|kind| ToldKind {
+                side: kind.side,
+                kind: kind.kind,
+                count: kind.count,
+                unit: kind.kind.unit(),
+                position_rms_m_per_unit: kind.position_rms,
+                position_max_m_per_unit: kind.position_max,
+            })
+            .collect(),
+        parameters: parameters
+            .into_iter()
+            .map(|influence| ToldParameter {
+                name: influence.cause.name(machine),
+                side: influence.cause.side,
+                kind: influence.cause.kind,
+                unit: influence.cause.kind.unit(),
+                position_mean_m_per_unit: influence.position_mean,
+                position_max_m_per_unit: influence.position_max,
+                rotation_mean_rad_per_unit: influence.rotation_mean,
+                rotation_max_rad_per_unit: influence.rotation_max,
+                tension_mean_N_per_unit: influence.tension_mean,
+                tension_max_N_per_unit: influence.tension_max,
+            })
+            .collect(),
+        tolerance: tolerance(found, tolerances, asked),
+        allowed: allowances(found, tolerances, asked),
+        seed: asked.settings.seed,
+        top: asked.top,
+        has_rotation: pattern.has_rotation(),
     }
+}
 
-    fn status(&self, asked: &Asked) -> (&'static str, Option<String>) {
-        let mut failed =
-            self.poses.iter().enumerate().filter_map(|(place, at)| Some((place, at.derivatives.as_ref().err()?)));
-        if let Some((place, why)) = failed.next() {
-            let (count, all) = (1 + failed.count(), self.poses.len());
-            return (
-                "not-converged",
-                Some(format!("{count} of {all} poses have no derivatives, first pose {}: {why}", place + 1)),
+fn status(found: &Deviations, asked: &Asked) -> (&'static str, Option<String>) {
+    let mut failed =
+        found.poses.iter().enumerate().filter_map(|(place, at)| Some((place, at.derivatives.as_ref().err()?)));
+    if let Some((place, why)) = failed.next() {
+        let (count, all) = (1 + failed.count(), found.poses.len());
+        return (
+            "not-converged",
+            Some(format!("{count} of {all} poses have no derivatives, first pose {}: {why}", place + 1)),
+        );
+    }
+    match (&found.allowed, asked.settings.accuracy) {
+        // written so that NaN counts too
+        (Some(allowed), Some(accuracy)) if !(allowed.budget > 0.0) => {
+            let (pose, error) = (allowed.worst_pose + 1, 1e3 * found.errors[allowed.worst_pose]);
+            let asked = 1e3 * accuracy;
+            let reason = format!(
+                "no tolerance gives {asked:.3} mm: at pose {pose} the error is {error:.3} mm without any deviation; a better \
+                 control model may, or accuracy_of = \"deviation\" asks for the deviations alone"
             );
+            ("accuracy-missed", Some(reason))
         }
-        match (&self.allowed, asked.accuracy) {
-            // written so that NaN counts too
-            (Some(allowed), Some(accuracy)) if !(allowed.budget > 0.0) => {
-                let (pose, error) = (allowed.worst_pose + 1, 1e3 * self.errors[allowed.worst_pose]);
-                let asked = 1e3 * accuracy;
-                let reason = format!(
-                    "no tolerance gives {asked:.3} mm: at pose {pose} the error is {error:.3} mm without any deviation; a better \
-                     control model may, or accuracy_of = \"deviation\" asks for the deviations alone"
-                );
-                ("accuracy-missed", Some(reason))
-            }
-            _ => ("converged", None),
-        }
+        _ => ("converged", None),
     }
+}
 
-    fn tolerance(&self, tolerances: &Tolerances, asked: &Asked) -> Option<ToldTolerance> {
-        let spread = self.spread.as_ref()?;
-        let rms = |values: &[f64]| {
-            let finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
-            (finite.iter().map(|value| value * value).sum::<f64>() / finite.len() as f64).sqrt()
-        };
-        let largest = |values: &[f64]| values.iter().copied().fold(f64::NAN, f64::max);
-        let drawn = self.drawn.as_ref().map(|drawn| Drawn {
-            engine: asked.engine,
-            robots: drawn.robots,
-            unanswered: drawn.unanswered,
-            reason: drawn.reason.clone(),
-            position_error_m: drawn.error,
-            rotation_error_rad: drawn.rotation_error,
-            deviation_m: drawn.deviation,
-            mean_of_robot_m: drawn.mean_of_robot,
-            max_of_robot_m: drawn.max_of_robot,
-        });
-        Some(ToldTolerance {
-            distribution: tolerances.distribution,
-            sigmas: tolerances.sigmas,
-            linear: Linear {
-                deviation_rms_m: rms(&spread.deviation),
-                deviation_rms_at_worst_pose_m: largest(&spread.deviation),
-                worst_case_max_m: largest(&spread.worst_case),
-                position_error_rms_m: rms(&spread.error),
-            },
-            drawn,
-        })
-    }
+fn tolerance(found: &Deviations, tolerances: &Tolerances, asked: &Asked) -> Option<ToldTolerance> {
+    let spread = found.spread.as_ref()?;
+    let rms = |values: &[f64]| {
+        let finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+        (finite.iter().map(|value| value * value).sum::<f64>() / finite.len() as f64).sqrt()
+    };
+    let largest = |values: &[f64]| values.iter().copied().fold(f64::NAN, f64::max);
+    let drawn = found.drawn.as_ref().map(|drawn| Drawn {
+        engine: asked.settings.engine,
+        robots: drawn.robots,
+        unanswered: drawn.unanswered,
+        reason: drawn.reason.clone(),
+        position_error_m: drawn.error,
+        rotation_error_rad: drawn.rotation_error,
+        deviation_m: drawn.deviation,
+        mean_of_robot_m: drawn.mean_of_robot,
+        max_of_robot_m: drawn.max_of_robot,
+    });
+    Some(ToldTolerance {
+        distribution: tolerances.distribution,
+        sigmas: tolerances.sigmas,
+        linear: Linear {
+            deviation_rms_m: rms(&spread.deviation),
+            deviation_rms_at_worst_pose_m: largest(&spread.deviation),
+            worst_case_max_m: largest(&spread.worst_case),
+            position_error_rms_m: rms(&spread.error),
+        },
+        drawn,
+    })
+}
 
-    fn allowances(&self, tolerances: &Tolerances, asked: &Asked) -> Option<ToldAllowed> {
-        let (allowed, accuracy) = (self.allowed.as_ref()?, asked.accuracy?);
-        let kinds = allowed.kinds.iter().map(|allowance| ToldAllowance {
-            side: allowance.side,
-            kind: allowance.kind,
-            unit: allowance.kind.unit(),
-            sigma_alone: allowance.alone,
-            worst_case_alone: allowance.alone_worst_case,
-            sigma_joint: allowance.joint,
-            worst_case_joint: allowance.joint_worst_case,
-        });
-        Some(ToldAllowed {
-            accuracy_m: accuracy,
-            accuracy_of: tolerances.accuracy_of,
-            sigmas: tolerances.sigmas,
-            least_budget_m: allowed.budget,
-            worst_pose: allowed.worst_pose + 1,
-            kinds: kinds.collect(),
-        })
-    }
+fn allowances(found: &Deviations, tolerances: &Tolerances, asked: &Asked) -> Option<ToldAllowed> {
+    let (allowed, accuracy) = (found.allowed.as_ref()?, asked.settings.accuracy?);
+    let kinds = allowed.kinds.iter().map(|allowance| ToldAllowance {
+        side: allowance.side,
+        kind: allowance.kind,
+        unit: allowance.kind.unit(),
+        sigma_alone: allowance.alone,
+        worst_case_alone: allowance.alone_worst_case,
+        sigma_joint: allowance.joint,
+        worst_case_joint: allowance.joint_worst_case,
+    });
+    Some(ToldAllowed {
+        accuracy_m: accuracy,
+        accuracy_of: tolerances.accuracy_of,
+        sigmas: tolerances.sigmas,
+        least_budget_m: allowed.budget,
+        worst_pose: allowed.worst_pose + 1,
+        kinds: kinds.collect(),
+    })
 }

@@ -1,24 +1,25 @@
 //! How one number moves the platform over the poses, as a picture.
 
 use cdpr::geometry::Pose;
+use cdpr::metamodel::Experiment;
 use cdpr::model::Model;
 use cdpr::nalgebra::Vector3;
 
 use super::tables::in_world;
 use super::words::step;
-use super::{Found, place_of};
+use super::{Deviations, place_of};
 use crate::failure::Failure;
 use crate::figures::{Map, MapPoint};
-use crate::laboratory::{Laboratory, title};
 use crate::number_format::significant;
 use crate::pose_answer::axis_names;
+use crate::study_file::title;
 
 /// Length of the longest arrow, as a share of what the poses span.
 const LONGEST: f64 = 0.1;
 
 /// Discs coloured by |∂r/∂p| and arrows along ∂r/∂p at every pose, for the number p of this name; spatial robots from above.
-pub(crate) fn map(found: &Found, laboratory: &Laboratory, name: &str) -> Result<String, Failure> {
-    let machine = &laboratory.machine;
+pub(crate) fn map(found: &Deviations, experiment: &Experiment, name: &str) -> Result<String, Failure> {
+    let machine = &experiment.machine;
     let cause = place_of(&found.causes, machine, name, "--map")?;
     let (by, words) = step(found.causes[cause].kind);
     let moves = moves(found, machine, cause, 1e3 * by);
@@ -36,7 +37,7 @@ pub(crate) fn map(found: &Found, laboratory: &Laboratory, name: &str) -> Result<
     let map = Map {
         title: vec![
             format!("How the platform moves with {} changed by {words}", found.causes[cause].name(machine)),
-            format!("{} drives {}", title(&laboratory.control), title(machine)),
+            format!("{} drives {}", title(&experiment.control), title(machine)),
             format!("longest arrow {} mm", significant(largest, 3)),
         ],
         points: moves.iter().map(|(pose, by)| MapPoint { at: seen(&pose.position), error: by.norm() }).collect(),
@@ -50,7 +51,7 @@ pub(crate) fn map(found: &Found, laboratory: &Laboratory, name: &str) -> Result<
 }
 
 /// The commanded poses, and ∂r/∂p there times a factor.
-fn moves<'a>(found: &'a Found, machine: &Model, cause: usize, by: f64) -> Vec<(&'a Pose, Vector3<f64>)> {
+fn moves<'a>(found: &'a Deviations, machine: &Model, cause: usize, by: f64) -> Vec<(&'a Pose, Vector3<f64>)> {
     let both = found.commanded.iter().zip(&found.poses);
     both.filter_map(|(command, at)| {
         let column = at.derivatives.as_ref().ok()?.pose.column(cause);

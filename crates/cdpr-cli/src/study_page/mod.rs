@@ -8,14 +8,15 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
+use cdpr::metamodel::Experiment;
 use cdpr::metamodel::field::{Field, Sample, Summary};
 use cdpr::model::Model;
 use minijinja::{Value, context};
 
 use crate::failure::Failure;
 use crate::html_page::{self, plain, prose};
-use crate::laboratory::Laboratory;
 use crate::number_format::{short, significant};
+use crate::study_file::StudyFile;
 use region::Region;
 pub(crate) use tables::{ErrorRow, error_rows};
 
@@ -24,7 +25,7 @@ const TEMPLATE: &str = include_str!("study.html");
 /// What a page tells about.
 pub(crate) struct StudyPage<'a> {
     /// Control model, machine and winches.
-    pub(crate) laboratory: &'a Laboratory,
+    pub(crate) study_file: &'a StudyFile,
     /// Name of the study.
     pub(crate) name: &'a str,
     /// The errors of its poses.
@@ -41,8 +42,8 @@ pub(crate) struct StudyPage<'a> {
 
 /// Computes the regions and makes the page.
 pub(crate) fn render(page: &StudyPage<'_>) -> Result<String, Failure> {
-    let regions = region::regions(page.laboratory, page.found)?;
-    let machine = &page.laboratory.machine;
+    let regions = region::regions(page.study_file, page.found)?;
+    let machine = &page.study_file.machine;
     let robot = machine.robot();
     let title = format!("Study {}", page.name);
     let is_planar = robot.motion_pattern.is_planar();
@@ -56,7 +57,7 @@ pub(crate) fn render(page: &StudyPage<'_>) -> Result<String, Failure> {
         facts => facts(page),
         regions => regions.iter().map(Region::statement).collect::<Vec<_>>(),
         has_physical => regions.iter().any(|region| region.physical.is_some()),
-        reached => regions.iter().find_map(|region| region.reachable.as_ref()).map(|_| reached_words(page.laboratory)),
+        reached => regions.iter().find_map(|region| region.reachable.as_ref()).map(|_| reached_words(page.study_file)),
         errors => tables::errors(&page.found.summary, robot.motion_pattern.has_rotation()),
         poses => tables::poses(page),
         more_poses => page.found.samples.len().saturating_sub(tables::MOST_POSES),
@@ -91,20 +92,20 @@ fn comparison(summary: &Summary) -> String {
 }
 
 fn facts(page: &StudyPage<'_>) -> Value {
-    let laboratory = page.laboratory;
+    let study_file = page.study_file;
     let title = |model: &Model| {
         let robot = model.robot();
         let name = robot.title.as_ref().map_or_else(|| robot.name.clone(), |title| format!("{} ({title})", robot.name));
         format!("{name}, model {}", model.composition())
     };
-    let offsets: Vec<String> = laboratory.offsets.iter().map(|offset| significant(1e3 * offset, 3)).collect();
+    let offsets: Vec<String> = study_file.offsets.iter().map(|offset| significant(1e3 * offset, 3)).collect();
     let mut facts = vec![
-        ("Control model", title(&laboratory.control)),
-        ("Machine", title(&laboratory.machine)),
+        ("Control model", title(&study_file.control)),
+        ("Machine", title(&study_file.machine)),
         ("Poses", page.found.samples.len().to_string()),
         ("Winch offsets", format!("{} mm", offsets.join(", "))),
     ];
-    let limits = laboratory.limits().filter(|_| laboratory.machine.composition().depends_on_tension());
+    let limits = study_file.limits().filter(|_| study_file.machine.composition().depends_on_tension());
     if let Some(limits) = limits {
         let same = |values: &[f64]| values.iter().all(|value| Some(value) == values.first());
         let words = match (limits.minimum(), limits.maximum()) {
@@ -119,9 +120,9 @@ fn facts(page: &StudyPage<'_>) -> Value {
 }
 
 /// What counts as reached.
-fn reached_words(laboratory: &Laboratory) -> String {
-    let most = laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
-    match (most, laboratory.machine.composition().depends_on_tension()) {
+fn reached_words(experiment: &Experiment) -> String {
+    let most = experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
+    match (most, experiment.machine.composition().depends_on_tension()) {
         (Some(most), true) => format!(
             "the tensions that emerge keep the limits and the position error is at most {} mm",
             short(1e3 * most)
@@ -135,7 +136,7 @@ fn warnings(page: &StudyPage<'_>) -> Vec<String> {
     let Field { samples, summary } = page.found;
     let mut warnings = page.warnings.to_vec();
     let poses = |count: usize| format!("{count} of {} poses", samples.len());
-    if let Some(limits) = page.laboratory.limits() {
+    if let Some(limits) = page.study_file.limits() {
         let is_outside = |sample: &&Sample| {
             let tensions = sample.outcome.tensions.as_deref().unwrap_or(&[]);
             let ends = limits.minimum().iter().zip(limits.maximum());

@@ -89,7 +89,7 @@ struct RegionData {
 
 /// The block as text that may stand inside a `script` element.
 pub(super) fn json(page: &StudyPage<'_>, regions: &[Region]) -> String {
-    let robot = page.laboratory.machine.robot();
+    let robot = page.study_file.machine.robot();
     let cable = |cable: &cdpr::robot::Cable| CableData {
         name: plain(&cable.name),
         frame_anchor_m: short(components(robot, &cable.frame_anchor), 7),
@@ -118,14 +118,14 @@ pub(super) fn is_thinned(page: &StudyPage<'_>) -> bool {
 
 /// Every how many-th pose is held.
 fn step(page: &StudyPage<'_>) -> usize {
-    let machine = &page.laboratory.machine;
+    let machine = &page.study_file.machine;
     let numbers = 4 * machine.robot().motion_pattern.dof() + machine.cable_count() + 1;
     (page.found.samples.len() * numbers).div_ceil(MOST_NUMBERS).max(1)
 }
 
 /// The poses, evenly thinned out to what a page may hold; the largest error always stays.
 fn samples(page: &StudyPage<'_>) -> SampleData {
-    let robot = page.laboratory.machine.robot();
+    let robot = page.study_file.machine.robot();
     let all = &page.found.samples;
     let size = |index: &usize| all[*index].exact.map(|error| error.fixed_rows::<3>(0).norm());
     let answered = (0..all.len()).filter(|index| size(index).is_some());

@@ -7,8 +7,8 @@ use cdpr::workspace::{Bounds, Criterion};
 
 use crate::failure::Failure;
 use crate::html_page::{Nodes, nodes};
-use crate::laboratory::Laboratory;
 use crate::number_format::{short, significant};
+use crate::study_file::StudyFile;
 
 /// Numbers that a page may hold for one region (about 9 bytes each).
 const MOST_NUMBERS: usize = 30_000;
@@ -70,13 +70,13 @@ impl Region {
 }
 
 /// The surroundings of the poses and the whole workspace; of a spatial robot slices through the surroundings of the poses.
-pub(super) fn regions(laboratory: &Laboratory, found: &Field) -> Result<Vec<Region>, Failure> {
-    let robot = laboratory.machine.robot();
-    let angle = angle(laboratory, found)?;
+pub(super) fn regions(study_file: &StudyFile, found: &Field) -> Result<Vec<Region>, Failure> {
+    let robot = study_file.machine.robot();
+    let angle = angle(study_file, found)?;
     if !robot.motion_pattern.is_planar() {
-        return slices(laboratory, found, angle);
+        return slices(study_file, found, angle);
     }
-    let plane = Plane { laboratory, slice: None, angle, most_numbers: MOST_NUMBERS };
+    let plane = Plane { study_file, slice: None, angle, most_numbers: MOST_NUMBERS };
     let poses: Vec<[f64; 2]> =
         found.samples.iter().map(|sample| robot.plane.components(&sample.commanded.position)).collect();
     let around_poses = widened(box_of(&poses));
@@ -86,7 +86,7 @@ pub(super) fn regions(laboratory: &Laboratory, found: &Field) -> Result<Vec<Regi
 }
 
 /// Level slices at the heights of the poses; upright ones where the poses lie in an upright plane; none along a line.
-fn slices(laboratory: &Laboratory, found: &Field, angle: Vec<f64>) -> Result<Vec<Region>, Failure> {
+fn slices(study_file: &StudyFile, found: &Field, angle: Vec<f64>) -> Result<Vec<Region>, Failure> {
     let along = |axis: usize| found.samples.iter().map(move |sample| sample.commanded.position[axis]);
     let extent =
         |axis: usize| along(axis).fold(f64::NEG_INFINITY, f64::max) - along(axis).fold(f64::INFINITY, f64::min);
@@ -96,14 +96,14 @@ fn slices(laboratory: &Laboratory, found: &Field, angle: Vec<f64>) -> Result<Vec
         return Ok(Vec::new());
     };
     let levels = levels(along(axis).collect());
-    let names = crate::pose_answer::axis_names(laboratory.machine.robot());
+    let names = crate::pose_answer::axis_names(study_file.machine.robot());
     let slice = |level: &f64| {
         let slice = Slice { axis, level: *level };
         let [first, second] = slice.along();
         let poses: Vec<[f64; 2]> = along(first).zip(along(second)).map(|(a, b)| [a, b]).collect();
         let name = format!("{}–{} at {} = {} m", names[first], names[second], names[axis], short(*level));
         let plane = Plane {
-            laboratory,
+            study_file,
             slice: Some(slice),
             angle: angle.clone(),
             most_numbers: 2 * MOST_NUMBERS / levels.len(),
@@ -127,13 +127,13 @@ fn levels(mut all: Vec<f64>) -> Vec<f64> {
 
 /// The orientation that all poses share, else the one at which the winches were set, as the pattern's components beyond the
 /// position.
-fn angle(laboratory: &Laboratory, found: &Field) -> Result<Vec<f64>, Failure> {
-    let robot = laboratory.machine.robot();
+fn angle(study_file: &StudyFile, found: &Field) -> Result<Vec<f64>, Failure> {
+    let robot = study_file.machine.robot();
     let first = found.samples.first().map(|sample| sample.commanded);
     let is_shared = |pose: &Pose| found.samples.iter().all(|sample| sample.commanded.angle_to(pose) < 1e-9);
     let pose = match first.filter(is_shared) {
         Some(pose) => pose,
-        None => laboratory.start,
+        None => study_file.start,
     };
     let pattern = robot.motion_pattern;
     Ok(pattern.pose_to_components(robot.plane, &pose)[pattern.translations()..].to_vec())
@@ -157,7 +157,7 @@ fn widened(ends: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
 
 /// Where a pose has two components to choose.
 struct Plane<'a> {
-    laboratory: &'a Laboratory,
+    study_file: &'a StudyFile,
     slice: Option<Slice>,
     /// Components of the pose beyond its position (rad).
     angle: Vec<f64>,
@@ -169,7 +169,7 @@ impl Plane<'_> {
     /// The box of the machine's physical workspace and of the poses, or a box around the robot where that workspace is unknown
     /// or empty.
     fn whole(&self, poses: [[f64; 2]; 2]) -> Result<[[f64; 2]; 2], Failure> {
-        let around = Bounds::around(&self.laboratory.machine).map_err(|error| self.laboratory.refused(&error))?;
+        let around = Bounds::around(&self.study_file.machine).map_err(|error| self.study_file.refused(&error))?;
         let ends: Vec<[f64; 2]> = around.ends().as_chunks::<2>().0.to_vec();
         let axes = nodes(&[ends[0], ends[1]], MOST_NODES);
         let places = self.places(&axes);
@@ -191,13 +191,13 @@ impl Plane<'_> {
     }
 
     fn region(&self, name: String, ends: [[f64; 2]; 2]) -> Result<Region, Failure> {
-        let laboratory = self.laboratory;
-        let numbers_per_node = 2 * laboratory.machine.dof() + laboratory.machine.cable_count() + 2;
+        let study_file = self.study_file;
+        let numbers_per_node = 2 * study_file.machine.dof() + study_file.machine.cable_count() + 2;
         let axes = nodes(&ends, (self.most_numbers / numbers_per_node).min(MOST_NODES));
         let places = self.places(&axes);
         let poses = self.poses(&places)?;
-        let samples = field(&laboratory.driving()?, &poses).samples;
-        let reachable = laboratory.reachable().ok();
+        let samples = field(&study_file.accepted(study_file.driving())?, &poses).samples;
+        let reachable = study_file.reachable().ok();
         let reachable = reachable.map(|reachable| {
             samples.iter().map(|sample| reachable.verdict(&sample.commanded, &sample.outcome).margin).collect()
         });
@@ -205,7 +205,7 @@ impl Plane<'_> {
     }
 
     fn physical(&self, places: &[[f64; 2]]) -> Result<Option<Vec<f64>>, Failure> {
-        let Some(criterion) = self.laboratory.feasible(&self.laboratory.machine) else { return Ok(None) };
+        let Some(criterion) = self.study_file.feasible(&self.study_file.machine) else { return Ok(None) };
         let poses = self.poses(places)?;
         Ok(Some(poses.iter().map(|pose| criterion.judge(pose).margin).collect()))
     }
@@ -218,7 +218,7 @@ impl Plane<'_> {
     }
 
     fn poses(&self, places: &[[f64; 2]]) -> Result<Vec<Pose>, Failure> {
-        let robot = self.laboratory.machine.robot();
+        let robot = self.study_file.machine.robot();
         let pose = |at: &[f64; 2]| {
             let mut position = at.to_vec();
             if let Some(Slice { axis, level }) = self.slice {
@@ -227,6 +227,6 @@ impl Plane<'_> {
             robot.motion_pattern.pose(robot.plane, &[position, self.angle.clone()].concat())
         };
         let poses: Result<Vec<Pose>, _> = places.iter().map(pose).collect();
-        poses.map_err(|error| self.laboratory.refused(&error))
+        poses.map_err(|error| self.study_file.refused(&error))
     }
 }

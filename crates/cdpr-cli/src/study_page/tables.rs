@@ -49,7 +49,7 @@ pub(crate) fn error_rows(summary: &Summary) -> [ErrorRow; 4] {
 
 /// The first poses: titles of the columns, and rows of cells.
 pub(super) fn poses(page: &StudyPage<'_>) -> Value {
-    let robot = page.laboratory.machine.robot();
+    let robot = page.study_file.machine.robot();
     let (pattern, axes) = (robot.motion_pattern, axis_names(robot));
     let angles: &[&str] = match pattern.dof() - axes.len() {
         0 => &[],
@@ -63,7 +63,7 @@ pub(super) fn poses(page: &StudyPage<'_>) -> Value {
     titles.push("error, mm".to_owned());
     titles.extend(pattern.has_rotation().then(|| "rotation error, °".to_owned()));
     titles.push("linear step, mm".to_owned());
-    let has_tensions = page.laboratory.machine.composition().depends_on_tension();
+    let has_tensions = page.study_file.machine.composition().depends_on_tension();
     titles.extend(has_tensions.then(|| "tensions, N".to_owned()));
     let row = |(index, sample): (usize, &Sample)| -> Vec<String> {
         let components = pattern.pose_to_components(robot.plane, &sample.commanded);

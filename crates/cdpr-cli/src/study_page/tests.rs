@@ -12,22 +12,22 @@ use super::*;
 use crate::html_page::reading::{assert_stands_alone, data, markup};
 
 /// A study of this repository.
-fn laboratory(name: &str) -> Laboratory {
+fn study_file(name: &str) -> StudyFile {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies").join(name);
-    Laboratory::read(&path).unwrap()
+    StudyFile::read(&path).unwrap()
 }
 
-fn found(laboratory: &Laboratory) -> Field {
-    let commands = laboratory.untested_poses(0).unwrap();
+fn found(study_file: &StudyFile) -> Field {
+    let commands = study_file.poses(0).unwrap();
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
-    field(&laboratory.driving().unwrap(), &poses)
+    field(&study_file.driving().unwrap(), &poses)
 }
 
-fn page(laboratory: &Laboratory, found: &Field) -> String {
+fn page(study_file: &StudyFile, found: &Field) -> String {
     let warnings = ["a `key` without effect".to_owned()];
     let command = "cdpr study study.toml --out result";
     let page =
-        StudyPage { laboratory, name: "a <study>", found, warnings: &warnings, command, seed: 3, version: "0.1.0" };
+        StudyPage { study_file, name: "a <study>", found, warnings: &warnings, command, seed: 3, version: "0.1.0" };
     render(&page).unwrap()
 }
 
@@ -44,8 +44,8 @@ fn agree(shown: &[f64], computed: &[f64], count: i32) -> bool {
 #[test]
 fn the_page_is_well_formed_and_asks_nothing_of_the_network() {
     for name in ["planar-wide-grid.toml", "twin-nominal.toml"] {
-        let laboratory = laboratory(name);
-        let page = page(&laboratory, &found(&laboratory));
+        let study_file = study_file(name);
+        let page = page(&study_file, &found(&study_file));
         assert_stands_alone(&page);
         let markup = markup(&page);
         assert!(!markup.contains("<study>") && markup.contains("a &lt;study&gt;"), "names stay text");
@@ -56,10 +56,10 @@ fn the_page_is_well_formed_and_asks_nothing_of_the_network() {
 #[test]
 fn the_poses_of_the_page_hold_what_the_library_computes() {
     for name in ["planar-low-grid.toml", "twin-nominal.toml"] {
-        let laboratory = laboratory(name);
-        let found = found(&laboratory);
-        let data = data(&page(&laboratory, &found));
-        let robot = laboratory.machine.robot();
+        let study_file = study_file(name);
+        let found = found(&study_file);
+        let data = data(&page(&study_file, &found));
+        let robot = study_file.machine.robot();
         let axes = data["robot"]["axes"].as_array().unwrap().len();
         assert_eq!(data["samples"]["number"].as_array().unwrap().len(), found.samples.len());
         for (index, sample) in found.samples.iter().enumerate() {
@@ -82,10 +82,10 @@ fn the_poses_of_the_page_hold_what_the_library_computes() {
 /// Contours run through values of the library: every 41st node of both regions is asked again.
 #[test]
 fn the_regions_of_the_page_hold_what_the_library_computes() {
-    let laboratory = laboratory("planar-wide-grid.toml");
-    let data = data(&page(&laboratory, &found(&laboratory)));
-    let driving = laboratory.driving().unwrap();
-    let physical = laboratory.feasible(&laboratory.machine).unwrap();
+    let study_file = study_file("planar-wide-grid.toml");
+    let data = data(&page(&study_file, &found(&study_file)));
+    let driving = study_file.driving().unwrap();
+    let physical = study_file.feasible(&study_file.machine).unwrap();
     let regions = data["regions"].as_array().unwrap();
     assert_eq!(regions.len(), 2);
     let (mut inside, mut outside) = (0, 0);
@@ -116,10 +116,10 @@ fn the_regions_of_the_page_hold_what_the_library_computes() {
 
 #[test]
 fn a_study_of_one_pose_has_a_page_and_its_region_is_the_whole_workspace() {
-    let mut laboratory = laboratory("planar-wide-grid.toml");
-    let grid = laboratory.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap();
+    let mut study_file = study_file("planar-wide-grid.toml");
+    let grid = study_file.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap();
     grid.count = vec![1, 1];
-    let data = data(&page(&laboratory, &found(&laboratory)));
+    let data = data(&page(&study_file, &found(&study_file)));
     assert_eq!(data["samples"]["total"], 1);
     assert_eq!(data["regions"].as_array().unwrap().len(), 1);
 }
@@ -127,12 +127,12 @@ fn a_study_of_one_pose_has_a_page_and_its_region_is_the_whole_workspace() {
 /// Slices lie at the three heights of the grid; every 37th node of each is asked again, in the orientation of all poses.
 #[test]
 fn the_slices_of_a_spatial_study_hold_what_the_library_computes() {
-    let laboratory = laboratory("twin-nominal.toml");
-    let data = data(&page(&laboratory, &found(&laboratory)));
+    let study_file = study_file("twin-nominal.toml");
+    let data = data(&page(&study_file, &found(&study_file)));
     let regions = data["regions"].as_array().unwrap();
     let heights: Vec<f64> = regions.iter().map(|region| region["level_m"].as_f64().unwrap()).collect();
     assert_eq!(heights, [1.25, 1.625, 2.0]);
-    let driving = laboratory.driving().unwrap();
+    let driving = study_file.driving().unwrap();
     for (region, height) in regions.iter().zip(heights) {
         assert_eq!(region["plane"], serde_json::json!([0, 1]));
         let axis = |k: usize| &region["axes"][k];
@@ -153,10 +153,10 @@ fn the_slices_of_a_spatial_study_hold_what_the_library_computes() {
 
 #[test]
 fn poses_on_a_line_have_no_slice_and_those_in_an_upright_plane_an_upright_one() {
-    let mut laboratory = laboratory("twin-nominal.toml");
+    let mut study_file = study_file("twin-nominal.toml");
     let mut planes = |count: [usize; 6]| {
-        laboratory.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap().count = count.to_vec();
-        let data = data(&page(&laboratory, &found(&laboratory)));
+        study_file.experiment.study.poses.as_mut().unwrap().grid.as_mut().unwrap().count = count.to_vec();
+        let data = data(&page(&study_file, &found(&study_file)));
         let regions = data["regions"].as_array().unwrap();
         regions.iter().map(|region| (region["plane"].clone(), region["level_m"].as_f64())).collect::<Vec<_>>()
     };

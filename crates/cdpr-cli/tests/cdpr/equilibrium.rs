@@ -76,3 +76,45 @@ fn what_the_forward_problem_lacks_is_named() {
     let run = cdpr_in(folder.path(), "fk square.toml --model elastic --lengths 6,6,6,6");
     assert!(run.exit_code == 2 && run.stderr.contains("mass_kg"), "{}", run.stderr);
 }
+
+/// A rigid platform on every second cable of CoGiRo has no pose that its lengths alone determine, but one at which it rests under its
+/// weight; without its mass nobody has an answer. All commands say the same of both.
+#[test]
+fn all_commands_agree_on_which_robots_have_a_forward_solution() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let mut robot = cdpr::robot::Robot::builtin("cogiro").unwrap();
+    robot.cables = [0, 2, 4, 6].map(|cable| robot.cables[cable].clone()).to_vec();
+    robot.home.as_mut().unwrap().position.z = 2.0;
+    write("four.toml", &robot.to_toml());
+    (robot.platform.mass, robot.external_wrench) = (None, None);
+    write("weightless.toml", &robot.to_toml());
+    let study = "[control]\nrobot = \"four.toml\"\n[machine]\nrobot = \"four.toml\"\n\
+                 [initial]\npose = [0, 0, 2, 0, 0, 0]\noffset = \"none\"\n\
+                 [poses.grid]\nmin = [-0.5, -0.5, 2, 0, 0, 0]\nmax = [0.5, 0.5, 2.5, 0, 0, 0]\ncount = [2, 2, 2, 1, 1, 1]\n";
+    write("study.toml", study);
+    write("weightless-study.toml", &study.replace("four.toml", "weightless.toml"));
+
+    let lengths = cdpr_in(folder.path(), "ik four.toml --pose 0,0,2,0,0,0 --format json").json();
+    let lengths = listed(&numbers(&lengths["controlled_lengths_m"]));
+    let forward = cdpr_in(folder.path(), &format!("fk four.toml --lengths {lengths} --format json"));
+    assert_eq!(forward.json()["status"], "converged", "{}{}", forward.stdout, forward.stderr);
+    let accuracy = cdpr_in(folder.path(), "accuracy study.toml --format json");
+    assert_eq!((accuracy.exit_code, &accuracy.json()["statuses"]["converged"]), (0, &8.into()), "{}", accuracy.stdout);
+    assert_eq!(cdpr_in(folder.path(), "simulate study.toml --out data.csv").exit_code, 0);
+    let evaluated = cdpr_in(folder.path(), "evaluate four.toml data.csv --format json");
+    assert_eq!((evaluated.exit_code, &evaluated.json()["answered"]), (0, &8.into()), "{}", evaluated.stdout);
+    // exact records of where it came to rest: the same equilibrium, to what the search leaves
+    assert!(evaluated.json()["position_error_m"]["max"].as_f64().unwrap() < 1e-6, "{}", evaluated.stdout);
+    let checked = cdpr_in(folder.path(), "check four.toml").stdout;
+    assert!(checked.contains("`fk` answers where cables and load are in equilibrium"), "{checked}");
+
+    let forward = cdpr_in(folder.path(), &format!("fk weightless.toml --lengths {lengths} --format json"));
+    assert_eq!((forward.exit_code, &forward.json()["status"]), (1, &"singular".into()), "{}", forward.stdout);
+    let accuracy = cdpr_in(folder.path(), "accuracy weightless-study.toml --format json");
+    assert_eq!((accuracy.exit_code, &accuracy.json()["status"]), (1, &"not-converged".into()), "{}", accuracy.stdout);
+    let evaluated = cdpr_in(folder.path(), "evaluate weightless.toml data.csv --format json");
+    assert_eq!((evaluated.exit_code, &evaluated.json()["answered"]), (1, &0.into()), "{}", evaluated.stdout);
+    let checked = cdpr_in(folder.path(), "check weightless.toml").stdout;
+    assert!(checked.contains("while the file states no load, `fk` calls it singular"), "{checked}");
+}

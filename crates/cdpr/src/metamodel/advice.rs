@@ -139,11 +139,7 @@ fn outcomes(control: Control<'_>, machine: &Model, home: &Pose, poses: &[Pose]) 
     };
     let offsets = winch_offsets(&initial, control.model, machine, home)?;
     let driving = Driving::new(control, machine, &offsets)?;
-    let driving = match History::of(machine, None) {
-        Some(history) => driving.with_history(&history, home),
-        None => driving,
-    };
-    Ok(driving.outcomes(poses))
+    Ok(driving.with_history(History::of(machine, None).as_ref(), home).outcomes(poses))
 }
 
 /// Compositions of effects that the machine has, each as the machine has it, in a simpler form, or not at all.

@@ -32,7 +32,8 @@ impl<'a> Driving<'a> {
 
     /// Cables that remember come to every pose from this one in steps, as [`Operation::with_history`] says.
     #[must_use]
-    pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
+    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+        let Some(history) = history.into() else { return self };
         let history = History { reach: Reach::FromInitial, ..*history };
         self.operation = self.operation.with_history(&history, start);
         self.history = Some((history, *start));

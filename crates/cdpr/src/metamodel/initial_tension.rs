@@ -145,10 +145,7 @@ fn emerging(task: &Task<'_>, offsets: &[f64], poses: &[Pose]) -> Result<Vec<Opti
 
 fn driving<'a>(task: &Task<'a>, offsets: &[f64]) -> Result<Driving<'a>, InputError> {
     let driving = Driving::new(task.control, task.machine, offsets)?;
-    Ok(match &task.history {
-        Some(history) => driving.with_history(history, &task.pose),
-        None => driving,
-    })
+    Ok(driving.with_history(task.history.as_ref(), &task.pose))
 }
 
 impl Fit {

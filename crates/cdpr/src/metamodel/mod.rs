@@ -25,7 +25,7 @@ mod winding;
 
 pub use control::Control;
 pub use driving::Driving;
-pub use experiment::Experiment;
+pub use experiment::{Experiment, ExperimentError, Robots};
 pub use input_error::InputError;
 pub use operate::{Operation, Outcome, Status, operate};
 pub use poorer::{missing_effects, remark_on_poorer};

@@ -149,8 +149,8 @@ impl<'a> Operation<'a> {
     /// the control model as it commanded them; for machines without history this changes nothing. Without it every pose is reached at
     /// once by cables that were never loaded.
     #[must_use]
-    pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
-        if self.machine.remembers() {
+    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+        if let Some(history) = history.into().filter(|_| self.machine.remembers()) {
             self.begin(history, start);
         }
         self

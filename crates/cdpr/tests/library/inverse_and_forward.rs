@@ -8,12 +8,14 @@ use cdpr::measurement::SensorSigmas;
 use cdpr::metamodel::accuracy::assess_operation;
 use cdpr::metamodel::simulate::simulate_operation;
 use cdpr::metamodel::study::{CommandedPose, History, Reach};
-use cdpr::metamodel::{self, Operation, Outcome};
+use cdpr::metamodel::sweep::{Subjects, Sweep, row};
+use cdpr::metamodel::{self, Experiment, Operation, Outcome, Robots, Study};
 use cdpr::model::{Composition, Model, StretchEffect};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
+use cdpr::workspace::grid::{self, Grid};
 
 /// A built-in robot with everything that an effect asks for, and these of its cables.
 fn equipped(name: &str, cables: &[usize]) -> Robot {
@@ -258,4 +260,49 @@ fn a_caller_without_a_guess_is_told_where_the_search_began() {
         assert_eq!(state.start(), Start::Guess);
         assert!(guessed.displacement_to(&found).norm() < 1e-9);
     }
+}
+
+/// One study says one thing: the sweep over a parameter at its own value reaches what the study's experiment reaches, to the bit, for
+/// every composition of effects as the machine, by thresholds and by requirements of the study.
+#[test]
+fn a_sweep_reaches_what_the_experiment_of_its_study_reaches() {
+    let robot = equipped("planar-example", &[0, 1, 2, 3]).to_toml();
+    let (ends, step, most) = ([-4.0, 4.0, 1.0, 7.0], 1.0, 0.05);
+    let mut reached = 0;
+    for composition in Composition::all() {
+        let text = format!(
+            "[control]\nrobot = \"r\"\n[machine]\nrobot = \"r\"\nmodel = \"{composition}\"\n\
+             [initial]\npose = [0, 4.5]\ntension_method = \"closed-form\"\n\
+             [limits]\ntension_min_N = 100\ntension_max_N = 9000\nposition_error_max_m = {most}\n"
+        );
+        let sweep = format!(
+            "study = \"s\"\nbounds_m = {ends:?}\nstep_m = {step:?}\nposition_error_max_m = [{most}]\n\
+             [[parameter]]\nkey = \"study.initial.pose[1]\"\nvalues = [0]\n"
+        );
+        let sweep = Sweep::from_toml_bytes(sweep.as_bytes(), "sweep").unwrap();
+        let subjects =
+            Subjects { study: text.clone(), control: robot.clone(), machine: robot.clone(), offset_robot: None };
+        let row = row(&sweep, &subjects, 0, &[0.0]);
+
+        let study = Study::from_toml_bytes(text.as_bytes(), "study").unwrap();
+        let robots = Robots::of(&study, |name| Robot::from_toml(&robot, name)).unwrap();
+        let experiment = match Experiment::new(study, robots) {
+            Ok(experiment) => experiment,
+            // cables that sag and do not stretch have no lengths at the tensions of straight ones
+            Err(error) => {
+                assert_eq!(row.reason, Some(error.to_string()), "{composition}");
+                continue;
+            }
+        };
+        let reachable = experiment.reachable().unwrap();
+        let region = experiment.region(&reachable, experiment.start.rotation).unwrap();
+        let grid = Grid::new(&experiment.bounds(Some(&ends)).unwrap(), step).unwrap();
+        let size = grid::count(&region, &grid).outcome(&grid).size;
+        assert_eq!(row.by_accuracy.len(), 1, "{composition}: {:?}", row.reason);
+        assert_eq!(row.by_accuracy[0].to_bits(), size.to_bits(), "{composition}: {} {size}", row.by_accuracy[0]);
+        let held = experiment.feasible_cells(&experiment.machine, &region, &grid).unwrap();
+        assert_eq!(row.physical, Some(held.size), "{composition}");
+        reached += usize::from(size > 0.0);
+    }
+    assert!(reached >= 40, "{reached} compositions reach anything");
 }

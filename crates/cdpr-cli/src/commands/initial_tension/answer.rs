@@ -1,11 +1,11 @@
 //! What `cdpr initial-tension` answers.
 
+use cdpr::metamodel::Experiment;
 use cdpr::metamodel::initial_tension::{Approach, Fit, Optimum};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::answer::Answer;
-use crate::laboratory::Laboratory;
 use crate::table::{Table, cell};
 
 /// The winches in one state, and what it leads to.
@@ -49,9 +49,9 @@ pub(super) struct InitialTensionAnswer {
 }
 
 impl InitialTensionAnswer {
-    pub(super) fn new(laboratory: &Laboratory, states: [State; 2], best: Optimum, way: Approach, poses: usize) -> Self {
-        let names: Vec<String> = laboratory.machine.robot().cables.iter().map(|cable| cable.name.clone()).collect();
-        let is_planar = laboratory.machine.axes().len() == 2;
+    pub(super) fn new(experiment: &Experiment, states: [State; 2], best: Optimum, way: Approach, poses: usize) -> Self {
+        let names: Vec<String> = experiment.machine.robot().cables.iter().map(|cable| cable.name.clone()).collect();
+        let is_planar = experiment.machine.axes().len() == 2;
         let size = if is_planar { "reachable_area_m2" } else { "reachable_volume_m3" };
         let state = |state: &State| {
             let Fit { rms, largest, poses, outside, without_rest, .. } = &state.fit;

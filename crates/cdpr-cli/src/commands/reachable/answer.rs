@@ -1,13 +1,14 @@
 //! What `cdpr reachable` answers.
 
+use cdpr::metamodel::Experiment;
 use cdpr::workspace::{Bounds, Point, Region};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::Differential;
 use crate::answer::Answer;
-use crate::laboratory::{BEYOND_THE_WHOLE, Laboratory, is_beyond_the_whole, title};
 use crate::number_format::significant;
+use crate::study_file::{BEYOND_THE_WHOLE, is_beyond_the_whole, title};
 use crate::table::{Table, cell};
 
 /// What a method found; sizes in m² or m³.
@@ -102,7 +103,7 @@ pub(super) struct ReachableAnswer {
 }
 
 impl ReachableAnswer {
-    pub(super) fn new(laboratory: &Laboratory, region: &Region<'_>, bounds: &Bounds, found: Found) -> Self {
+    pub(super) fn new(experiment: &Experiment, region: &Region<'_>, bounds: &Bounds, found: Found) -> Self {
         let is_planar = region.dimension() == 2;
         let key = |name: &str| format!("{name}_{}", if is_planar { "area_m2" } else { "volume_m3" });
         let share = |size: f64| found.physical.filter(|whole| *whole > 0.0).map(|whole| size / whole);
@@ -128,11 +129,11 @@ impl ReachableAnswer {
                 "not-star-shaped"
             },
             reason: found.reason.clone(),
-            control: title(&laboratory.control),
-            machine: title(&laboratory.machine),
+            control: title(&experiment.control),
+            machine: title(&experiment.machine),
             method: found.method,
             bounds_m: bounds.ends(),
-            position_error_max_m: laboratory.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
+            position_error_max_m: experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
             sizes,
             share: found.reached.and_then(share),
             remark: is_beyond_the_whole(found.reached.and_then(share)).then_some(BEYOND_THE_WHOLE),
@@ -146,7 +147,7 @@ impl ReachableAnswer {
             outline_m: outline(0),
             emerging_outline_m: outline(1),
             differential: found.differential.as_ref().map(|found| json!(found)),
-            winch_offsets_m: laboratory.offsets.clone(),
+            winch_offsets_m: experiment.offsets.clone(),
             unit: if is_planar { "m²" } else { "m³" },
             found,
         }

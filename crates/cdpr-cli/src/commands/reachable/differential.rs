@@ -1,14 +1,14 @@
 //! The differential hull: how what is reached changes with one number.
 
 use cdpr::metamodel::reachable::{Reachable, Varied, differential_hull};
-use cdpr::metamodel::sensitivity::{Cause, causes};
+use cdpr::metamodel::sensitivity::{Cause, Offsets};
 use cdpr::workspace::hull::{self, Hull};
 use cdpr::workspace::{Bounds, Region};
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::laboratory::Laboratory;
 use crate::sensitivities::place_of;
+use crate::study_file::StudyFile;
 
 /// A change of one number, and the hull with it.
 #[derive(Serialize)]
@@ -36,21 +36,20 @@ pub(super) struct Differential {
 }
 
 /// The number of this name; near ones are told.
-pub(super) fn cause_named(laboratory: &Laboratory, name: &str) -> Result<Cause, Failure> {
-    let setting = laboratory.setting(cdpr::metamodel::sensitivity::Offsets::Kept);
-    let all = causes(&laboratory.control, &laboratory.machine, &setting);
-    place_of(&all, &laboratory.machine, name, "--vary").map(|place| all[place])
+pub(super) fn cause_named(study_file: &StudyFile, name: &str) -> Result<Cause, Failure> {
+    let all = study_file.causes(Offsets::Kept);
+    place_of(&all, &study_file.machine, name, "--vary").map(|place| all[place])
 }
 
 /// The hull of a changed robot, to first order and anew.
 pub(super) fn differential(
-    laboratory: &Laboratory,
+    study_file: &StudyFile,
     reachable: &Reachable<'_>,
     region: &Region<'_>,
     (nominal, bounds, settings): (&Hull, &Bounds, &hull::Settings),
     (cause, change): (&Cause, f64),
 ) -> Result<Differential, Failure> {
-    let refused = |error: cdpr::metamodel::InputError| laboratory.refused(&error);
+    let refused = |error: cdpr::metamodel::InputError| study_file.refused(&error);
     let motion = differential_hull(reachable, region, nominal, cause).map_err(refused)?;
     let varied = Varied::new(reachable, cause, change).map_err(refused)?;
     let criterion = varied.reachable().map_err(refused)?;
@@ -60,7 +59,7 @@ pub(super) fn differential(
     let moved = motion.moved(nominal, change);
     let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
     Ok(Differential {
-        parameter: cause.name(&laboratory.machine),
+        parameter: cause.name(&study_file.machine),
         unit: cause.kind.unit(),
         change,
         size_rate: motion.size_rate(nominal),

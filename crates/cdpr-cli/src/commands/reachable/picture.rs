@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cdpr::metamodel::Experiment;
 use cdpr::metamodel::reachable::Image;
 use cdpr::workspace::Point;
 use cdpr::workspace::hull::Hull;
@@ -10,13 +11,13 @@ use super::Differential;
 use crate::failure::Failure;
 use crate::figures::{Look, Outline, Outlines};
 use crate::files;
-use crate::laboratory::{Laboratory, title};
 use crate::number_format::{fixed, short};
 use crate::pose_answer::{axis_names, components};
+use crate::study_file::title;
 
 /// What is drawn.
 pub(super) struct Picture<'a> {
-    pub(super) laboratory: &'a Laboratory,
+    pub(super) experiment: &'a Experiment,
     pub(super) physical: Option<&'a Hull>,
     pub(super) hull: &'a Hull,
     pub(super) image: Option<&'a Image>,
@@ -34,7 +35,7 @@ impl Picture<'_> {
     }
 
     fn outlines(&self) -> Outlines {
-        let robot = self.laboratory.machine.robot();
+        let robot = self.experiment.machine.robot();
         let names = axis_names(robot);
         let center = self.hull.center;
         let words = |point: &Point| {
@@ -65,10 +66,10 @@ impl Picture<'_> {
             let unit = if change.unit == "1" { String::new() } else { format!(" {}", change.unit) };
             format!("What is reached, and how it moves with {} changed by {}{unit}", change.parameter, change.change)
         });
-        let laboratory = self.laboratory;
+        let experiment = self.experiment;
         let mut lines = vec![
             changed.unwrap_or_else(|| "What is reached, by commanded and by emerging poses".to_owned()),
-            format!("{} drives {}", title(&laboratory.control), title(&laboratory.machine)),
+            format!("{} drives {}", title(&experiment.control), title(&experiment.machine)),
         ];
         if !self.is_planar() {
             let (axis, height) = (&names[2], short(self.hull.center[2]));

@@ -10,8 +10,8 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::figures::{ShareCurve, Shares};
 use crate::files;
-use crate::laboratory::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::number_format::{short, significant};
+use crate::study_file::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::table::Table;
 
 #[derive(Serialize)]

@@ -18,7 +18,8 @@ pub struct Varied {
     tension_method: TensionMethod,
     machine: Model,
     offsets: Vec<f64>,
-    history: Option<(History, Pose)>,
+    history: Option<History>,
+    start: Pose,
     requirements: Requirements,
 }
 
@@ -46,7 +47,8 @@ impl Varied {
             tension_method: driving.control().tension_method,
             machine: varied(driving.machine(), Side::Machine)?,
             offsets,
-            history: driving.history().copied(),
+            history: driving.history().map(|(history, _)| *history),
+            start: driving.history().map_or_else(Pose::identity, |(_, start)| *start),
             requirements: reachable.requirements().clone(),
         })
     }
@@ -54,11 +56,8 @@ impl Varied {
     /// Reachable workspace with the change; machines with history come to every pose as without it.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
         let control = Control { model: &self.control, tension_method: self.tension_method };
-        let mut driving = Driving::new(control, &self.machine, &self.offsets)?;
-        if let Some((history, start)) = &self.history {
-            driving = driving.with_history(history, start);
-        }
-        Reachable::new(driving, self.requirements.clone())
+        let driving = Driving::new(control, &self.machine, &self.offsets)?;
+        Reachable::new(driving.with_history(self.history.as_ref(), &self.start), self.requirements.clone())
     }
 }
 

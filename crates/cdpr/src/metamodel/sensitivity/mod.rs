@@ -108,8 +108,8 @@ impl<'a> Sensitivity<'a> {
     /// A machine whose cables remember comes to the poses on this way from a start, as [`Operation::with_history`] says. Without it
     /// every pose is reached at once by cables that were never loaded.
     #[must_use]
-    pub fn with_history(mut self, history: &History, start: &Pose) -> Self {
-        self.history = Some((*history, *start));
+    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+        self.history = history.into().map(|history| (*history, *start));
         self
     }
 

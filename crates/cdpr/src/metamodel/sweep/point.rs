@@ -6,10 +6,7 @@ use super::Sweep;
 use super::set_up::{PointError, SetUp};
 use crate::metamodel::Experiment;
 use crate::metamodel::reachable::{Census, Requirements};
-use crate::statics::Load;
-use crate::workspace::criterion::WrenchFeasible;
 use crate::workspace::grid;
-use crate::workspace::{Archetype, Region};
 
 /// The files that a sweep varies, as TOML text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -65,18 +62,12 @@ pub fn row(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) -> 
 
 fn measured(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) -> Result<Row, PointError> {
     let SetUp { experiment, bounds, grid } = SetUp::new(sweep, subjects, values)?;
-    let reachable = experiment.reachable(whatever_the_error(&experiment))?;
-    let (machine, limits) = (&experiment.machine, experiment.limits());
-    let archetype = Archetype::ConstantOrientation(experiment.start.rotation);
-    let region = Region::new(machine, &reachable, &archetype)?;
+    let reachable = experiment.reachable_with(whatever_the_error(&experiment))?;
+    let region = experiment.region(&reachable, experiment.start.rotation)?;
     let census = Census::take(&reachable, &region, &grid);
     let size = |most: Option<f64>| grid::outcome(&grid, &census.reached(most)).size;
-    let physical = || {
-        let load = Load::of(machine.robot()).ok()?;
-        let criterion = WrenchFeasible::new(machine, &load, limits.as_ref()?).ok()?;
-        Some(grid::count(&region.with_criterion(&criterion), &grid).outcome(&grid).size)
-    };
-    let (physical, reachable) = (physical(), size(None));
+    let physical = experiment.feasible_cells(&experiment.machine, &region, &grid).map(|held| held.size);
+    let reachable = size(None);
     let is_out_of_reach = physical == Some(0.0) && reachable == 0.0;
     Ok(Row {
         point,

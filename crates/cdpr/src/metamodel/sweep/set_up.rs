@@ -7,8 +7,7 @@ use toml::Table;
 use super::key::Place;
 use super::point::whatever_the_error;
 use super::{Key, KeyError, Parameter, Subjects, Sweep};
-use crate::metamodel::study::RobotModel;
-use crate::metamodel::{Experiment, InputError, Study};
+use crate::metamodel::{Experiment, ExperimentError, InputError, Robots, Study};
 use crate::model::{PlacePulleysError, place_pulleys};
 use crate::reading::ReadError;
 use crate::robot::{Cable, Robot};
@@ -47,6 +46,12 @@ pub enum PointError {
         /// Name of the cable.
         cable: String,
     },
+}
+
+impl From<ExperimentError> for PointError {
+    fn from(error: ExperimentError) -> Self {
+        Self::Input(error.error)
+    }
 }
 
 impl From<ReadError> for PointError {
@@ -91,18 +96,11 @@ pub(super) struct SetUp {
 impl SetUp {
     pub(super) fn new(sweep: &Sweep, subjects: &Subjects, values: &[f64]) -> Result<Self, PointError> {
         let parameters = sweep.parameter.iter().zip(values.iter().copied());
-        let Read { mut study, control, machine, former } = Files::new(parameters, subjects)?.read()?;
-        study.control.tension_method = sweep.tension_method.or(study.control.tension_method);
-        let model = |side: &RobotModel, robot: Robot| study.model_of(side, robot);
-        let former = study.former().zip(former).map(|(side, robot)| model(&side, robot)).transpose()?;
-        let (control, machine) = (model(&study.control.robot_model(), control)?, model(&study.machine, machine)?);
-        let bounds = match &sweep.bounds_m {
-            Some(ends) => Bounds::new(machine.axes().len(), ends)?,
-            None => Bounds::around(&machine)?,
-        };
+        let (study, robots) = Files::new(parameters, subjects)?.read()?;
+        let experiment = Experiment::new(study, robots)?.with_tension_method(sweep.tension_method);
+        let bounds = experiment.bounds(sweep.bounds_m.as_deref())?;
         let grid = Grid::new(&bounds, sweep.step_m.unwrap_or(bounds.usual_step()))?;
-        let experiment = Experiment::new(study, control, machine, former)?;
-        experiment.reachable(whatever_the_error(&experiment))?;
+        experiment.reachable_with(whatever_the_error(&experiment))?;
         Ok(Self { experiment, bounds, grid })
     }
 }
@@ -115,14 +113,6 @@ struct Files<'a> {
     offset_robot: Option<&'a str>,
     /// Radius (m) and axis.
     pulleys: Option<(f64, Option<&'a [f64]>)>,
-}
-
-/// Contents of the files.
-struct Read {
-    study: Study,
-    control: Robot,
-    machine: Robot,
-    former: Option<Robot>,
 }
 
 impl<'a> Files<'a> {
@@ -156,7 +146,8 @@ impl<'a> Files<'a> {
         Ok(files)
     }
 
-    fn read(&self) -> Result<Read, PointError> {
+    /// The study and its robots; nobody asks a sweep for predictions.
+    fn read(&self) -> Result<(Study, Robots), PointError> {
         let text = |table: &Table, name: &str| -> Result<String, ReadError> {
             toml::to_string(table).map_err(|error| ReadError::new(name, "toml::syntax", error.to_string()))
         };
@@ -168,7 +159,8 @@ impl<'a> Files<'a> {
             machine = with_pulleys(&machine, &study, radius, axis)?;
         }
         let former = self.offset_robot.map(|text| Robot::from_toml(text, "the offset robot")).transpose()?;
-        Ok(Read { control: robot(&self.control, "the control model of this point")?, study, machine, former })
+        let control = robot(&self.control, "the control model of this point")?;
+        Ok((study, Robots { control, machine, prediction: None, former }))
     }
 }
 

@@ -6,10 +6,12 @@
 
 mod allowed;
 mod batch;
+mod deviations;
 mod monte_carlo;
 mod robots;
 
 pub use allowed::{Allowance, Allowed, allowed};
+pub use deviations::{DeviationSettings, Deviations};
 pub use monte_carlo::{Engine, MonteCarlo, Quantiles, Settings, monte_carlo};
 
 use super::sensitivity::{Cause, PoseSensitivity};

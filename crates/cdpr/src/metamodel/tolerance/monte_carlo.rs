@@ -189,10 +189,8 @@ impl Run<'_> {
         let control = made.control.as_ref().unwrap_or(self.models.0);
         let machine = made.machine.as_ref().unwrap_or(self.models.1);
         let control = Control { model: control, tension_method: self.tension_method };
-        let mut operation = Operation::new(control, machine, &made.offsets)?;
-        if let Some(history) = &self.settings.history {
-            operation = operation.with_history(history, &self.makers.setting.pose);
-        }
+        let operation = Operation::new(control, machine, &made.offsets)?;
+        let mut operation = operation.with_history(self.settings.history.as_ref(), &self.makers.setting.pose);
         let mut reason = None;
         let answers = self.poses.iter().enumerate().map(|(place, command)| {
             let outcome = operation.answer(command);

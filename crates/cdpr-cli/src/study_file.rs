@@ -1,0 +1,115 @@
+//! Study files with their robots and tables of poses: what `accuracy`, `simulate` and all other commands over studies read.
+
+use std::ops::Deref;
+use std::path::{Path, PathBuf};
+
+use cdpr::error_code::ErrorCode;
+use cdpr::geometry::Pose;
+use cdpr::measurement::poses_from_csv;
+use cdpr::metamodel::study::{CommandedPose, TensionMethod};
+use cdpr::metamodel::{Experiment, InputError, Robots, Study};
+use cdpr::model::Model;
+use cdpr::reading::Size;
+use cdpr::robot::Robot;
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::inputs::read_robot;
+
+/// An experiment with the file it comes from; whatever the experiment refuses is the study's fault.
+pub(crate) struct StudyFile {
+    /// The study with its models and winch offsets.
+    pub(crate) experiment: Experiment,
+    /// Name of the study file, for messages.
+    name: String,
+    /// Paths in the study start here.
+    folder: PathBuf,
+}
+
+impl Deref for StudyFile {
+    type Target = Experiment;
+
+    fn deref(&self) -> &Experiment {
+        &self.experiment
+    }
+}
+
+impl StudyFile {
+    /// Reads a study and its robots; their paths are relative to its folder.
+    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let study = Study::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let robots = Robots::of(&study, |robot| robot_of_study(robot, &folder))?;
+        let experiment = Experiment::new(study, robots).map_err(|error| {
+            let at_fault = error.robot.clone().unwrap_or_else(|| name.clone());
+            Failure::refused(&at_fault, &error)
+        })?;
+        Ok(Self { experiment, name, folder })
+    }
+
+    /// Tells which robot the study is about, and the remarks on the study.
+    pub(crate) fn introduce(&self, output: &Output) {
+        output.about(&self.machine.robot().name);
+        self.study.remarks().iter().for_each(|remark| output.remark(remark));
+    }
+
+    /// The study with another way to choose tensions, where one is given.
+    pub(crate) fn with_tension_method(self, method: Option<TensionMethod>) -> Self {
+        Self { experiment: self.experiment.with_tension_method(method), ..self }
+    }
+
+    /// All poses of the study with its tension tests.
+    pub(crate) fn commands(&self, seed: u64) -> Result<Vec<CommandedPose>, Failure> {
+        self.accepted(self.experiment.commands(self.table()?, seed))
+    }
+
+    /// The poses that count for accuracy.
+    pub(crate) fn poses(&self, seed: u64) -> Result<Vec<CommandedPose>, Failure> {
+        self.accepted(self.experiment.poses(self.table()?, seed))
+    }
+
+    /// What the experiment answers, or what is wrong with the study.
+    pub(crate) fn accepted<T>(&self, answer: Result<T, InputError>) -> Result<T, Failure> {
+        answer.map_err(|error| self.refused(&error))
+    }
+
+    /// Something that is wrong with the study.
+    pub(crate) fn refused(&self, error: &dyn ErrorCode) -> Failure {
+        Failure::refused(&self.name, error)
+    }
+
+    /// Poses of the file that the study names.
+    fn table(&self) -> Result<Vec<Pose>, Failure> {
+        let Some(file) = self.study.poses.as_ref().and_then(|poses| poses.file.as_ref()) else { return Ok(Vec::new()) };
+        let path = self.folder.join(&file.path);
+        Ok(poses_from_csv(&files::read(&path, Size::Table)?, &path.display().to_string(), self.machine.robot())?)
+    }
+}
+
+/// A robot that a study in a folder names.
+pub(crate) fn robot_of_study(robot: &str, folder: &Path) -> Result<Robot, Failure> {
+    read_robot(&robot_path(robot, folder))
+}
+
+/// A path is relative to the study, a built-in name stands for itself.
+fn robot_path(robot: &str, folder: &Path) -> String {
+    let is_path = robot.contains(['/', '\\', '.']);
+    if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
+}
+
+/// A robot with its model, as answers and figures name it.
+pub(crate) fn title(model: &Model) -> String {
+    format!("{} ({})", model.robot().name, model.composition())
+}
+
+/// Why a share of the physical workspace may be above 100 %.
+pub(crate) const BEYOND_THE_WHOLE: &str = "more than 100 % of the physical workspace: a pose counts where it is commanded, and \
+    judged is what emerges; from some poses at which the machine could not be held the platform comes to rest beside them, where it can, and a \
+    rigid machine has no tensions that could break a limit";
+
+/// True for such a share.
+pub(crate) fn is_beyond_the_whole(share: Option<f64>) -> bool {
+    share.is_some_and(|share| share > 1.0 + 1e-9)
+}

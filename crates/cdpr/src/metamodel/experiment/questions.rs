@@ -1,0 +1,51 @@
+//! What deviations do, and how the winches are set best: the questions of an experiment that need no poses of its study.
+
+use super::Experiment;
+use crate::metamodel::initial_tension::Task;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::sensitivity::{Cause, Offsets, Sensitivity, Setting, causes};
+use crate::metamodel::winches::initial_tensions;
+use crate::tension::Limits;
+
+impl Experiment {
+    /// The tensions at which the winches were set (N); nothing where the study states offsets, or cables have none.
+    pub fn initial_tensions(&self) -> Result<Option<Vec<f64>>, InputError> {
+        let initial = &self.study.initial;
+        let elastic =
+            [&self.machine, self.set_with()].into_iter().find(|model| model.composition().depends_on_tension());
+        match elastic.filter(|_| initial.offset.is_none() && initial.offset_m.is_none()) {
+            Some(model) => initial_tensions(initial, model, &self.start).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// The winches to be set anew, with the tensions that they have now; `limits` are what their tensions keep.
+    pub fn initial_tension_task<'a>(&'a self, limits: &'a Limits) -> Result<Task<'a>, InputError> {
+        Ok(Task {
+            control: self.controller(),
+            machine: &self.machine,
+            set_with: self.set_with(),
+            pose: self.start,
+            limits,
+            history: self.history(),
+            now: self.initial_tensions()?,
+        })
+    }
+
+    /// How the winches were set, and what deviations do to it.
+    pub fn setting(&self, offsets: Offsets) -> Setting<'_> {
+        Setting { initial: &self.study.initial, pose: self.start, former: self.former.as_ref(), offsets }
+    }
+
+    /// All that may deviate: control model, machine, winches.
+    pub fn causes(&self, offsets: Offsets) -> Vec<Cause> {
+        causes(&self.control, &self.machine, &self.setting(offsets))
+    }
+
+    /// How pose and tensions follow all that may deviate.
+    pub fn sensitivity(&self, offsets: Offsets) -> Result<Sensitivity<'_>, InputError> {
+        let setting = self.setting(offsets);
+        let sensitivity = Sensitivity::new(self.controller(), &self.machine, &self.offsets, &setting)?;
+        Ok(sensitivity.with_history(self.history().as_ref(), &self.start))
+    }
+}

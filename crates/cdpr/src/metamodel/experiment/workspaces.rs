@@ -1,0 +1,74 @@
+//! Workspaces of an experiment: what is reached, and what control model and machine could hold.
+
+use nalgebra::UnitQuaternion;
+
+use super::Experiment;
+use crate::metamodel::input_error::InputError;
+use crate::metamodel::reachable::{Reachable, Requirements};
+use crate::model::Model;
+use crate::statics::Load;
+use crate::tension::Limits;
+use crate::workspace::criterion::WrenchFeasible;
+use crate::workspace::grid::{self, Grid};
+use crate::workspace::{Archetype, Bounds, Region, WorkspaceError};
+
+impl Experiment {
+    /// Tension limits of the machine, or which key is missing.
+    pub fn known_limits(&self) -> Result<Limits, InputError> {
+        Ok(Limits::of(self.machine.robot(), None, None)?)
+    }
+
+    /// Tension limits of the machine, if they are known.
+    pub fn limits(&self) -> Option<Limits> {
+        self.known_limits().ok()
+    }
+
+    /// Requirements of the study on a pose that counts as reached.
+    pub fn requirements(&self) -> Requirements {
+        let limits = self.study.limits.as_ref();
+        Requirements {
+            tensions: self.limits().filter(|_| self.machine.composition().depends_on_tension()),
+            position_error_max: limits.and_then(|limits| limits.position_error_max_m),
+            rotation_error_max: limits.and_then(|limits| limits.rotation_error_max_rad),
+        }
+    }
+
+    /// Which poses count as reached, by the requirements of the study.
+    pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
+        self.reachable_with(self.requirements())
+    }
+
+    /// Which poses count as reached, by requirements of one's own.
+    pub fn reachable_with(&self, requirements: Requirements) -> Result<Reachable<'_>, InputError> {
+        Reachable::new(self.driving()?, requirements)
+    }
+
+    /// Wrench feasibility of one of the models under the machine's limits; nothing where load or limits are unknown.
+    pub fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
+        let load = Load::of(model.robot()).ok()?;
+        WrenchFeasible::new(model, &load, &self.limits()?).ok()
+    }
+
+    /// The box in which workspaces are looked for: these ends along each translation (m), or around the machine.
+    pub fn bounds(&self, ends: Option<&[f64]>) -> Result<Bounds, WorkspaceError> {
+        match ends {
+            Some(ends) => Bounds::new(self.machine.axes().len(), ends),
+            None => Bounds::around(&self.machine),
+        }
+    }
+
+    /// Positions at which what is reached is asked, the platform in one orientation.
+    pub fn region<'a>(
+        &self,
+        reachable: &'a Reachable<'a>,
+        orientation: UnitQuaternion<f64>,
+    ) -> Result<Region<'a>, WorkspaceError> {
+        Region::new(&self.machine, reachable, &Archetype::ConstantOrientation(orientation))
+    }
+
+    /// The cells of a grid at which one of the models is wrench-feasible; nothing where load or limits are unknown.
+    pub fn feasible_cells(&self, model: &Model, region: &Region<'_>, grid: &Grid) -> Option<grid::Outcome> {
+        let criterion = self.feasible(model)?;
+        Some(grid::count(&region.with_criterion(&criterion), grid).outcome(grid))
+    }
+}
