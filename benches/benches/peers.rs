@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::equilibrium::{State, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
@@ -36,9 +36,7 @@ impl Data {
     }
 
     fn poses(&self, name: &str) -> Vec<Pose> {
-        let pose =
-            |row: Vec<f64>| Pose::from_xyz_angles(Vector3::new(row[0], row[1], row[2]), [row[3], row[4], row[5]]);
-        self.rows(name, 6).into_iter().map(pose).collect()
+        self.rows(name, 6).iter().map(|row| pose_of(row)).collect()
     }
 
     fn lengths(&self, name: &str) -> LaneTable {
@@ -64,6 +62,11 @@ impl Data {
         }
         Model::new(robot, composition).expect("a model")
     }
+}
+
+/// A pose by position and angles.
+fn pose_of(row: &[f64]) -> Pose {
+    Pose::from_xyz_angles(Vector3::new(row[0], row[1], row[2]), [row[3], row[4], row[5]])
 }
 
 /// CPU time of this thread (s), or the wall clock's.
@@ -97,7 +100,7 @@ fn row(workload: &str, candidate: &str, items: usize, note: &str, work: &mut dyn
 }
 
 fn inverse_kinematics(data: &Data) {
-    let poses = data.poses("poses.bin");
+    let (rows, poses) = (data.rows("poses.bin", 6), data.poses("poses.bin"));
     let batch: PoseBatch = poses.iter().collect();
     let mut lengths = LaneTable::default();
     for (workload, composition) in [("W1_std", Composition::STANDARD), ("W1_pulley", Composition::PULLEY)] {
@@ -108,8 +111,27 @@ fn inverse_kinematics(data: &Data) {
         row(workload, "cdpr pose by pose", 10_000, "", &mut || {
             poses[..10_000].iter().for_each(|pose| drop(black_box(model.cable_lengths(black_box(pose)))));
         });
+        let mut own = [0.0; 8];
+        row(workload, "cdpr pose by pose, caller's memory", 10_000, "quaternions in", &mut || {
+            for pose in &poses[..10_000] {
+                model.write_cable_lengths(black_box(pose), &mut own).expect("courses");
+                black_box(&mut own);
+            }
+        });
+        row(workload, "cdpr pose by pose, angles in", 10_000, "caller's memory", &mut || {
+            for angles in &rows[..10_000] {
+                model.write_cable_lengths(&pose_of(black_box(angles)), &mut own).expect("courses");
+                black_box(&mut own);
+            }
+        });
     }
     let model = data.model(Composition::STANDARD);
+    let mut state = State::at_home(&model);
+    row("W2_struct_jac", "cdpr pose by pose", 10_000, "memory of a state; quaternions in", &mut || {
+        for pose in &poses[..10_000] {
+            black_box(model.structure_matrix_in(black_box(pose), &mut state).expect("courses"));
+        }
+    });
     let parts: Vec<PoseBatch> = poses.chunks(512).take(100).map(|part| part.iter().collect()).collect();
     let mut matrices = LaneTable::default();
     row("W2_struct_jac", "cdpr batch", 51_200, "512 at a time; the Jacobian is -A", &mut || {
@@ -183,6 +205,12 @@ fn tensions(data: &Data) {
     let mut table = LaneTable::default();
     row("W4_closed", "cdpr batch, structure + closed form", poses.len(), "", &mut || {
         closed_form::solve_batch(&model, &load(), &limits, black_box(&batch), &mut table).expect("fits");
+    });
+    let (mut state, acting) = (State::at_home(&model), load());
+    row("W4_closed", "cdpr pose by pose, structure + closed form", poses.len(), "memory of a state", &mut || {
+        for pose in &poses {
+            black_box(model.closed_form_tensions(black_box(pose), &acting, &limits, &mut state).expect("fits"));
+        }
     });
     let matrices: Vec<DMatrix<f64>> = poses.iter().map(|pose| model.structure_matrix(pose).expect("courses")).collect();
     let wrench = [0.0, 0.0, -7500.0, 0.0, -600.0, 0.0];

@@ -4,8 +4,14 @@
 //! for what their rounding left of the balance: both agree to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no course, and for robots with
 //! more than eight cables or fewer cables than degrees of freedom, the single pose is asked.
 
+mod normal;
+mod single_pose;
+
+use normal::Normal;
+pub(super) use single_pose::{Found, OnePose};
+
 use super::feasibility::balance::Balance;
-use super::feasibility::factors::{INDEPENDENT, Rows};
+use super::feasibility::factors::Rows;
 use crate::geometry::PoseBatch;
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, over_parts};
@@ -90,7 +96,7 @@ impl Kernel for Tensions<'_> {
             let (position, rotation) = poses.at(lanes, group);
             let doubt = balance.fill(&mut rows, position, &rotation);
             let rest = balance.rest(&rotation, &rows);
-            let normal = Normal::of(&rows, dof);
+            let normal = normal_of(&rows, dof);
             let mut found = [lanes.constant(0.0); LANES];
             move_along(&mut found, &rows, normal.solve(rest));
             // what rounding of the products left: after one step more, the answer is as good as by orthogonal factors
@@ -106,68 +112,19 @@ impl Kernel for Tensions<'_> {
     }
 }
 
-/// The products AᵀA of the rows of eight structure matrices as L D Lᵀ. Rows that a robot lacks are zeros with 1 on the diagonal,
-/// so that all sizes are the compiler's.
-struct Normal<L> {
-    /// Below the diagonal.
-    lower: [[L; 6]; 6],
-    /// 1/D.
-    inverse: [L; 6],
-    /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
-    has_rank: L,
-}
-
-impl<L: Lanes> Normal<L> {
-    #[inline(always)]
-    fn of(rows: &Rows<L>, dof: usize) -> Self {
-        let (zero, one) = (rows[0][0].constant(0.0), rows[0][0].constant(1.0));
-        let mut lower = [[zero; 6]; 6];
-        let mut squares = [one; 6];
-        for i in 0..6 {
-            for j in 0..i {
-                lower[i][j] = product(&rows[i], &rows[j]);
-            }
-            if i < dof {
-                squares[i] = product(&rows[i], &rows[i]);
-            }
+/// The products AᵀA of the first rows.
+#[inline(always)]
+fn normal_of<L: Lanes>(rows: &Rows<L>, dof: usize) -> Normal<L> {
+    let mut products = [[rows[0][0].constant(0.0); 6]; 6];
+    for i in 0..6 {
+        for j in 0..i {
+            products[i][j] = product(&rows[i], &rows[j]);
         }
-        let (mut pivots, mut inverse) = (squares, [one; 6]);
-        for k in 0..6 {
-            inverse[k] = one / pivots[k];
-            for i in k + 1..6 {
-                let entry = lower[i][k] * inverse[k];
-                pivots[i] = pivots[i] - entry * lower[i][k];
-                for j in i + 1..6 {
-                    lower[j][i] = lower[j][i] - entry * lower[j][k];
-                }
-                lower[i][k] = entry;
-            }
+        if i < dof {
+            products[i][i] = product(&rows[i], &rows[i]);
         }
-        let mut has_rank = one;
-        for k in 0..6 {
-            has_rank = has_rank.select((squares[k] * one.constant(INDEPENDENT)).is_less(pivots[k]), zero);
-        }
-        Self { lower, inverse, has_rank }
     }
-
-    /// What the rows must be multiplied by and summed up for a solution of the balance with this rest.
-    #[inline(always)]
-    fn solve(&self, mut x: [L; 6]) -> [L; 6] {
-        for k in 0..6 {
-            for i in k + 1..6 {
-                x[i] = x[i] - self.lower[i][k] * x[k];
-            }
-        }
-        for k in 0..6 {
-            x[k] = x[k] * self.inverse[k];
-        }
-        for k in (0..6).rev() {
-            for i in 0..k {
-                x[i] = x[i] - self.lower[k][i] * x[k];
-            }
-        }
-        x
-    }
+    Normal::of(products, dof)
 }
 
 /// Scalar product over cables, in pairs of pairs: a short chain of sums.

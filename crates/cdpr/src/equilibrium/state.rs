@@ -1,5 +1,9 @@
 //! State of a robot: where it is, what its cables remember, and the memory in which its problems are solved.
 
+mod single_pose;
+
+use single_pose::Balanced;
+
 use super::forward_problem::Scratch;
 use super::inverse::InverseSolution;
 use super::{Solution, Start};
@@ -35,6 +39,7 @@ pub struct State {
     pub(super) inverse: InverseSolution,
     pub(super) scratch: Option<Scratch>,
     pub(super) start: Start,
+    balanced: Option<Balanced>,
 }
 
 impl State {
@@ -47,6 +52,7 @@ impl State {
             inverse: InverseSolution::unsolved(model.cable_count()),
             scratch: None,
             start: Start::Guess,
+            balanced: None,
         }
     }
 

@@ -13,6 +13,17 @@ pub struct Pose {
     pub rotation: UnitQuaternion<f64>,
 }
 
+/// Rotation about a unit vector: [`UnitQuaternion::new`] to the bit, without its exponential of 0.
+fn about(axis: Vector3<f64>, angle: f64) -> UnitQuaternion<f64> {
+    let half = axis * angle / 2.0;
+    let square = half.norm_squared();
+    if square <= f64::EPSILON * f64::EPSILON {
+        return UnitQuaternion::identity();
+    }
+    let length = square.sqrt();
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(length.cos(), half * (length.sin() / length)))
+}
+
 impl Pose {
     /// The platform frame on the world frame.
     pub fn identity() -> Self {
@@ -21,7 +32,6 @@ impl Pose {
 
     /// Pose from a position (m) and the dissertation's angles, R = Rx(φx) Ry(φy) Rz(φz) (rad).
     pub fn from_xyz_angles(position: Vector3<f64>, angles: [f64; 3]) -> Self {
-        let about = |axis: Vector3<f64>, angle: f64| UnitQuaternion::new(axis * angle);
         let rotation = about(Vector3::x(), angles[0]) * about(Vector3::y(), angles[1]) * about(Vector3::z(), angles[2]);
         Self { position, rotation }
     }
@@ -109,6 +119,18 @@ mod tests {
                 assert!((found - expected).abs() < 1e-12, "{found} {expected}"); // rounding only
             }
         }
+    }
+
+    #[test]
+    fn turns_about_an_axis_have_the_bits_of_any_turn() {
+        for step in -400_i32..=400 {
+            let angle = f64::from(step).powi(3) * 1e-7;
+            for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
+                let (found, expected) = (about(axis, angle), UnitQuaternion::new(axis * angle));
+                assert_eq!(found.coords.map(f64::to_bits), expected.coords.map(f64::to_bits), "{angle}");
+            }
+        }
+        assert_eq!(about(Vector3::x(), 1e-300), UnitQuaternion::identity());
     }
 
     #[test]

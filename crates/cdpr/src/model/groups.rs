@@ -3,6 +3,7 @@
 use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet::Outlet;
+use crate::model::batch::CourseInLanes;
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
 /// Eight cables, or fewer with copies of the last one that weigh nothing.
@@ -21,10 +22,25 @@ impl CableGroup {
     /// Courses and levers (b = R b_P) of the group at a pose given by position and rotation rows.
     #[inline(always)]
     pub(crate) fn courses<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (Course<L>, [L; 3]) {
+        let cables = self.checked_courses(l, position, rotation);
+        (cables.course, cables.lever)
+    }
+
+    /// [`CableGroup::courses`], and the cables that may have none.
+    #[inline(always)]
+    pub(crate) fn checked_courses<L: Lanes>(
+        &self,
+        l: L,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> CourseInLanes<L> {
         let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
         let lever = rotate(&rows, load(l, &self.platform_anchor));
         let anchor = add(constants(l, position), lever);
-        (self.outlet.load(l).course(anchor), lever)
+        let outlet = self.outlet.load(l);
+        let course = outlet.course(anchor);
+        let doubt = outlet.needs_scalar(anchor, &course);
+        CourseInLanes { course, lever, doubt }
     }
 
     /// The elasticity of the group's cables.

@@ -1,6 +1,6 @@
 //! The model type and what it answers at one pose.
 
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::Vector3;
 
 use super::CableGroup;
 use super::composition::{Composition, StretchEffect};
@@ -202,35 +202,14 @@ impl Model {
         outlet::pulley::swivel_angle(frame_anchor, swivel_axis, (*reference).into(), anchor.into())
     }
 
-    /// Geometric cable lengths q at a pose (m).
-    pub fn cable_lengths(&self, pose: &Pose) -> Result<Vec<f64>, DegenerateCourse> {
-        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
-        (0..self.cable_count()).map(|cable| Ok(self.checked_course(cable, position, &rotation)?.0.length)).collect()
-    }
-
-    /// Structure matrix Aᵀ in the robot's degrees of freedom, n × m: columns \[uᵢ; bᵢ × uᵢ\] in the twist basis.
-    ///
-    /// Aᵀ f + w = 0 and δq = −A δx (see the book, “Models”).
-    pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
-        let mut matrix = DMatrix::zeros(self.dof(), self.cable_count());
-        self.write_structure_matrix(pose, &mut matrix)?;
-        Ok(matrix)
-    }
-
-    /// [`Model::structure_matrix`] into memory of the right size.
-    pub(crate) fn write_structure_matrix(
+    /// [`Model::structure_column`] for a pose given by position and rotation rows.
+    pub(super) fn checked_structure_column(
         &self,
-        pose: &Pose,
-        matrix: &mut DMatrix<f64>,
-    ) -> Result<(), DegenerateCourse> {
-        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
-        for cable in 0..self.cable_count() {
-            let column = structure_column(self.checked_course(cable, position, &rotation)?);
-            for (row, basis) in self.twist_basis.iter().enumerate() {
-                matrix[(row, cable)] = basis.dot(&column);
-            }
-        }
-        Ok(())
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> Result<Twist, DegenerateCourse> {
+        Ok(structure_column(self.checked_course(cable, position, rotation)?))
     }
 
     /// \[u; b × u\] of one cable (0-based; world).

@@ -9,6 +9,7 @@ mod kinematics;
 mod laws;
 mod parameter;
 mod placement;
+mod single_pose;
 mod supported;
 #[cfg(test)]
 mod tests;

@@ -93,8 +93,15 @@ impl Load {
 
     /// The wrench in the degrees of freedom of a model, the n rows of its structure matrix.
     pub fn in_pattern(&self, model: &Model, pose: &Pose) -> DVector<f64> {
+        let mut rows = DVector::zeros(model.dof());
+        self.write_in_pattern(model, pose, rows.as_mut_slice());
+        rows
+    }
+
+    /// [`Load::in_pattern`] into memory of the caller, as many of the n rows as it has.
+    pub fn write_in_pattern(&self, model: &Model, pose: &Pose, rows: &mut [f64]) {
         let wrench = self.wrench(pose);
-        DVector::from_iterator(model.dof(), model.twist_basis().iter().map(|twist| twist.dot(&wrench)))
+        rows.iter_mut().zip(model.twist_basis()).for_each(|(row, twist)| *row = twist.dot(&wrench));
     }
 
     /// Work that the load does when the platform moves from one pose to another (N·m) by a displacement `twist`: exact for

@@ -9,6 +9,9 @@ use super::error::{InputError, check_shape, check_sizes};
 use super::limits::can_be_calculated_with;
 use crate::scalar::decomposition::svd;
 
+/// A rest of the balance below this part of its terms is rounding.
+pub(crate) const ROUNDING: f64 = 1e-9;
+
 /// Tensions in closed form, and what they are worth.
 #[must_use = "check `within_limits` before using the tensions"]
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +124,7 @@ impl Solver {
         for (column, tension) in columns.zip(&self.solution.tensions) {
             sizes.iter_mut().zip(column).for_each(|(size, entry)| *size += (entry * tension).abs());
         }
-        self.solution.wrench_residual.iter().zip(sizes).all(|(rest, size)| rest.abs() <= 1e-9 * *size)
+        self.solution.wrench_residual.iter().zip(sizes).all(|(rest, size)| rest.abs() <= ROUNDING * *size)
     }
 }
 

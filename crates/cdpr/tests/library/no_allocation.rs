@@ -7,7 +7,7 @@ use std::cell::Cell;
 use cdpr::equilibrium::{self, State, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
-use cdpr::model::{Composition, Model};
+use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
@@ -114,6 +114,29 @@ fn a_reused_state_allocates_nothing() {
         answer(&home);
         let work = || samples.poses.iter().take(20).for_each(|sample| answer(&pose(sample)));
         assert_eq!(allocations(work), 0, "{words}");
+    }
+}
+
+/// Lengths, structure matrix and tensions in closed form of one pose after the other, over points and over pulleys.
+#[test]
+fn single_poses_in_a_reused_state_allocate_nothing() {
+    let (standard, samples) = dense::problem();
+    let pulleys = vec![(0.161, Vector3::z()); 8];
+    let robot = place_pulleys(standard.robot(), &pulleys, &standard.robot().home_or_middle()).unwrap();
+    let over_pulleys = Model::new(robot, Composition::PULLEY).unwrap();
+    let load = Load::constant(Wrench::new(0.0, 0.0, -5000.0, 0.0, 100.0, 0.0));
+    let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    for model in [standard, over_pulleys] {
+        let mut state = State::at_home(&model);
+        let mut lengths = [0.0; 8];
+        let mut answer = |pose: &Pose| {
+            model.write_cable_lengths(pose, &mut lengths).unwrap();
+            assert_eq!(model.structure_matrix_in(pose, &mut state).unwrap().ncols(), 8);
+            let found = model.closed_form_tensions(pose, &load, &limits, &mut state).unwrap();
+            assert!(found.balanced);
+        };
+        answer(&samples.poses[0]);
+        assert_eq!(allocations(|| samples.poses.iter().for_each(&mut answer)), 0, "{}", model.composition());
     }
 }
 

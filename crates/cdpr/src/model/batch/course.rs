@@ -4,7 +4,7 @@ use crate::cable::Course;
 use crate::model::CableGroup;
 use crate::scalar::{LANES, Lanes, add, constants, rotate};
 
-/// A cable at poses in lanes.
+/// A cable at poses in lanes, or cables in lanes at a pose.
 pub(crate) struct CourseInLanes<L> {
     pub(crate) course: Course<L>,
     /// b = R b_P (world, m).

@@ -8,6 +8,8 @@ mod course;
 #[cfg(test)]
 mod tests;
 
+pub(super) use course::CourseInLanes;
+
 use super::Model;
 use crate::geometry::{PoseBatch, Twist};
 use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, cross, dispatch_on, over_parts};

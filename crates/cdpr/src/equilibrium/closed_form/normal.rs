@@ -1,0 +1,64 @@
+//! The products AᵀA of the rows of a structure matrix as L D Lᵀ, for one pose or for poses in lanes.
+
+use crate::equilibrium::feasibility::factors::INDEPENDENT;
+use crate::scalar::Select;
+
+/// AᵀA = L D Lᵀ. Rows that a robot lacks are zeros with 1 on the diagonal, so that all sizes are the compiler's.
+pub(super) struct Normal<T> {
+    /// Below the diagonal.
+    lower: [[T; 6]; 6],
+    /// 1/D.
+    inverse: [T; 6],
+    /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
+    pub(super) has_rank: T,
+}
+
+impl<T: Select> Normal<T> {
+    /// Factors of the products of n rows, of which those on and below the diagonal are read.
+    #[inline(always)]
+    pub(super) fn of(mut lower: [[T; 6]; 6], dof: usize) -> Self {
+        let (zero, one) = (lower[0][0].constant(0.0), lower[0][0].constant(1.0));
+        let mut squares = [one; 6];
+        for k in 0..6 {
+            if k < dof {
+                squares[k] = lower[k][k];
+            }
+        }
+        let (mut pivots, mut inverse) = (squares, [one; 6]);
+        for k in 0..6 {
+            inverse[k] = one / pivots[k];
+            for i in k + 1..6 {
+                let entry = lower[i][k] * inverse[k];
+                pivots[i] = pivots[i] - entry * lower[i][k];
+                for j in i + 1..6 {
+                    lower[j][i] = lower[j][i] - entry * lower[j][k];
+                }
+                lower[i][k] = entry;
+            }
+        }
+        let mut has_rank = one;
+        for k in 0..6 {
+            has_rank = has_rank.select((squares[k] * one.constant(INDEPENDENT)).is_less(pivots[k]), zero);
+        }
+        Self { lower, inverse, has_rank }
+    }
+
+    /// What the rows must be multiplied by and summed up for a solution of the balance with this rest.
+    #[inline(always)]
+    pub(super) fn solve(&self, mut x: [T; 6]) -> [T; 6] {
+        for k in 0..6 {
+            for i in k + 1..6 {
+                x[i] = x[i] - self.lower[i][k] * x[k];
+            }
+        }
+        for k in 0..6 {
+            x[k] = x[k] * self.inverse[k];
+        }
+        for k in (0..6).rev() {
+            for i in 0..k {
+                x[i] = x[i] - self.lower[k][i] * x[k];
+            }
+        }
+        x
+    }
+}

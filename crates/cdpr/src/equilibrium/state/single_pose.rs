@@ -1,0 +1,184 @@
+//! Structure matrix and tensions of one pose in the memory of a state: asked again, they claim none.
+
+use nalgebra::DMatrix;
+
+use super::State;
+use crate::cable::DegenerateCourse;
+use crate::equilibrium::closed_form::{Found, OnePose};
+use crate::equilibrium::distribution::DistributionError;
+use crate::geometry::Pose;
+use crate::model::Model;
+use crate::scalar::{LANES, dispatch_narrow};
+use crate::statics::{Load, StaticsError};
+use crate::tension::closed_form::{self, Solution, Solver};
+use crate::tension::{InputError, Limits};
+
+/// Memory of a balance of load and tensions.
+#[derive(Clone, Debug)]
+pub(super) struct Balanced {
+    structure_matrix: DMatrix<f64>,
+    solver: Solver,
+    found: Solution,
+}
+
+impl Balanced {
+    fn of(model: &Model) -> Self {
+        let (n, m) = (model.dof(), model.cable_count());
+        let found = Solution {
+            tensions: vec![0.0; m],
+            within_limits: false,
+            wrench_residual: vec![0.0; n],
+            balanced: false,
+            rank: 0,
+        };
+        Self { structure_matrix: DMatrix::zeros(n, m), solver: Solver::new(m, n), found }
+    }
+
+    /// By the products of rows in registers; false where orthogonal factors or singular values must look.
+    fn in_registers(&mut self, model: &Model, pose: &Pose, wrench: [f64; 6], limits: &Limits) -> bool {
+        let (n, m) = (model.dof(), model.cable_count());
+        if !(n..=LANES).contains(&m) || limits.cable_count() != m {
+            return false;
+        }
+        let mut middle = [0.0; LANES];
+        middle.iter_mut().enumerate().take(m).for_each(|(cable, middle)| *middle = limits.middle(cable));
+        let rotation = &pose.rotation_rows();
+        let (cables, basis, position) = (&model.groups()[0], model.twist_basis(), pose.position.into());
+        let kernel = OnePose { cables, basis, position, rotation, wrench, middle: &middle };
+        let Some(Found { tensions, residual, sizes }) = dispatch_narrow(kernel) else { return false };
+        let found = &mut self.found;
+        found.tensions.copy_from_slice(&tensions[..m]);
+        found.wrench_residual.copy_from_slice(&residual[..n]);
+        found.within_limits = limits.contain(&found.tensions, limits.tolerance());
+        found.balanced = residual.iter().zip(&sizes).all(|(rest, size)| rest.abs() <= closed_form::ROUNDING * size);
+        found.rank = n;
+        true
+    }
+
+    /// By orthogonal factors, or singular values.
+    fn by_factors(&mut self, wrench: &[f64], limits: &Limits) -> Result<(), InputError> {
+        let answer = self.solver.solve(&self.structure_matrix, wrench, limits, None)?;
+        let found = &mut self.found;
+        found.tensions.copy_from_slice(&answer.tensions);
+        found.wrench_residual.copy_from_slice(&answer.wrench_residual);
+        (found.within_limits, found.balanced, found.rank) = (answer.within_limits, answer.balanced, answer.rank);
+        Ok(())
+    }
+}
+
+impl State {
+    /// Memory for a robot of this size, claimed once.
+    fn balanced(&mut self, model: &Model) -> &mut Balanced {
+        let size = (model.dof(), model.cable_count());
+        if self.balanced.as_ref().is_some_and(|kept| kept.structure_matrix.shape() != size) {
+            self.balanced = None;
+        }
+        self.balanced.get_or_insert_with(|| Balanced::of(model))
+    }
+}
+
+impl Model {
+    /// [`Model::structure_matrix`] in the memory of a state, which stays where it is.
+    pub fn structure_matrix_in<'s>(
+        &self,
+        pose: &Pose,
+        state: &'s mut State,
+    ) -> Result<&'s DMatrix<f64>, DegenerateCourse> {
+        let matrix = &mut state.balanced(self).structure_matrix;
+        self.write_structure_matrix(pose, matrix)?;
+        Ok(matrix)
+    }
+
+    /// Tensions nearest to the middle of the limits that balance the load at a pose (eq. 3.41), see [`closed_form::solve`], in the memory
+    /// of a state, which stays where it is. Both agree to rounding times the condition of the structure matrix.
+    ///
+    /// The directions are those of straight cables; of sagging ones they follow the tensions, see [`crate::equilibrium::distribution`].
+    ///
+    /// ```
+    /// use cdpr::equilibrium::State;
+    /// use cdpr::model::{Composition, Model};
+    /// use cdpr::robot::Robot;
+    /// use cdpr::statics::Load;
+    /// use cdpr::tension::Limits;
+    ///
+    /// let robot = Robot::builtin("cogiro").ok_or("unknown robot")?;
+    /// let (load, limits) = (Load::of(&robot)?, Limits::uniform(8, 0.0, 5000.0)?);
+    /// let model = Model::new(robot, Composition::STANDARD)?;
+    /// let mut state = State::at_home(&model);
+    /// let found = model.closed_form_tensions(&state.pose(), &load, &limits, &mut state)?;
+    /// assert!(found.balanced);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn closed_form_tensions<'s>(
+        &self,
+        pose: &Pose,
+        load: &Load,
+        limits: &Limits,
+        state: &'s mut State,
+    ) -> Result<&'s Solution, DistributionError> {
+        let mut wrench = [0.0; 6];
+        load.write_in_pattern(self, pose, &mut wrench);
+        let balanced = state.balanced(self);
+        if !balanced.in_registers(self, pose, wrench, limits) {
+            self.write_structure_matrix(pose, &mut balanced.structure_matrix).map_err(StaticsError::from)?;
+            balanced.by_factors(&wrench[..self.dof()], limits)?;
+        }
+        Ok(&balanced.found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::geometry::Wrench;
+    use crate::model::Composition;
+    use crate::robot::{Robot, builtin};
+
+    /// In the same state from pose to pose, for robots of all sizes: those of the general solver, which also answers where rows depend on
+    /// each other.
+    #[test]
+    fn tensions_of_a_single_pose_are_those_of_the_solver_of_matrices() {
+        let load = Load::constant(Wrench::new(10.0, -20.0, -500.0, 5.0, 20.0, -3.0));
+        for name in builtin::names() {
+            let model = Model::new(Robot::builtin(name).unwrap(), Composition::STANDARD).unwrap();
+            let limits = Limits::uniform(model.cable_count(), 50.0, 2000.0).unwrap();
+            let mut state = State::at_home(&model);
+            let home = state.pose();
+            for k in 0..16 {
+                let t = f64::from(k);
+                let shift = Vector3::new(0.3 * t.sin(), 0.2 * t.cos(), 0.1 * (2.0 * t).sin());
+                let along = |k: usize| model.axes().get(k).map_or(Vector3::zeros(), |axis| axis * shift[k]);
+                let pose = Pose { position: home.position + along(0) + along(1) + along(2), ..home };
+                let matrix = model.structure_matrix(&pose).unwrap();
+                assert_eq!(model.structure_matrix_in(&pose, &mut state).unwrap(), &matrix);
+                let wrench = load.in_pattern(&model, &pose);
+                let expected = closed_form::solve(&matrix, wrench.as_slice(), &limits).unwrap();
+                let found = model.closed_form_tensions(&pose, &load, &limits, &mut state).unwrap();
+                assert_eq!((found.rank, found.balanced), (expected.rank, expected.balanced), "{name}");
+                assert_eq!(found.within_limits, expected.within_limits, "{name}");
+                for (found, expected) in found.tensions.iter().zip(&expected.tensions) {
+                    // rounding of two different factorisations, times a condition of up to a thousand
+                    let apart = (found - expected).abs();
+                    assert!(apart < 1e-8 * expected.abs().max(1e3), "{name}: {apart:e} of {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn mistakes_are_told_as_by_the_solver_of_matrices() {
+        let model = Model::new(Robot::builtin("cogiro").unwrap(), Composition::STANDARD).unwrap();
+        let mut state = State::at_home(&model);
+        let pose = state.pose();
+        let limits = Limits::uniform(8, 0.0, 5000.0).unwrap();
+        let load = Load::constant(Wrench::repeat(f64::NAN));
+        let refused = model.closed_form_tensions(&pose, &load, &limits, &mut state).unwrap_err();
+        assert_eq!(refused, DistributionError::Tension(InputError::NotFinite { what: "wrench" }));
+        let few = Limits::uniform(7, 0.0, 5000.0).unwrap();
+        let refused =
+            model.closed_form_tensions(&pose, &Load::constant(Wrench::zeros()), &few, &mut state).unwrap_err();
+        assert_eq!(refused, DistributionError::Tension(InputError::LimitCount { expected: 8, found: 7 }));
+    }
+}
