@@ -59,6 +59,7 @@ use outside::support::property;
 pub mod reading;
 pub mod robot;
 pub mod scalar;
+mod solve;
 pub mod statics;
 pub mod tension;
 pub mod workspace;

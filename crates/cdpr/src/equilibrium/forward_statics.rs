@@ -9,10 +9,12 @@ use thiserror::Error;
 
 pub use super::Status;
 use super::forward_kinematics::InputError as LengthError;
+use super::pose_step::{Measure, displaced};
 use super::restarts::restart_poses;
-use crate::geometry::{Pose, Twist};
+use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::decomposition::smallest_eigenvalue;
+use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 use crate::statics::{Load, StaticsError, geometric_stiffness, wrench_residual};
 
 /// When forward statics stops.
@@ -125,6 +127,7 @@ struct Problem<'a> {
 }
 
 /// Balance at one pose, scaled so that all entries are N or N/m.
+#[derive(Clone)]
 struct Point {
     pose: Pose,
     residual: DVector<f64>,
@@ -144,7 +147,7 @@ impl Point {
         smallest_eigenvalue(symmetric)
     }
 
-    /// min ‖r − K s‖² + damping ‖s‖²; a plain Newton step without damping.
+    /// min ‖r − K s‖² + damping² ‖s‖² in units of K; a plain Newton step without damping.
     fn step(&self, damping: f64) -> Option<DVector<f64>> {
         if damping == 0.0 {
             return self.stiffness.clone().lu().solve(&self.residual);
@@ -152,9 +155,46 @@ impl Point {
         let mut normal = self.stiffness.tr_mul(&self.stiffness);
         let unit = normal.trace() / normal.nrows() as f64;
         for k in 0..normal.nrows() {
-            normal[(k, k)] += damping * unit;
+            normal[(k, k)] += damping * damping * unit;
         }
         normal.cholesky().map(|factors| factors.solve(&self.stiffness.tr_mul(&self.residual)))
+    }
+}
+
+/// Balance of constant tensions, as the loop of all searches sees it.
+struct Descent<'a> {
+    problem: &'a Problem<'a>,
+    point: Point,
+    /// Nothing where a cable has no course.
+    trial: Option<Point>,
+}
+
+impl solve::Problem for Descent<'_> {
+    type Number = f64;
+
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Some(step) = self.point.step(control.damping).filter(|step| step.norm().is_finite()) else {
+            return Step::whole(0.0, false);
+        };
+        let (pose, size) = self.problem.displaced(&self.point.pose, step);
+        self.trial = self.problem.point(&pose).ok();
+        Step::whole(size, true)
+    }
+
+    fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        let helps = self.trial.as_ref().is_some_and(|trial| trial.size < self.point.size);
+        Trial::new(1.0, helps)
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps && let Some(trial) = self.trial.take() {
+            self.point = trial;
+        }
+    }
+
+    /// Rounding: nothing is left to gain.
+    fn rests(&mut self, _: f64, _: f64) -> bool {
+        self.problem.is_balanced(&self.point)
     }
 }
 
@@ -195,42 +235,31 @@ impl<'a> Problem<'a> {
 
     /// Steps from one start until they are short or stop helping.
     fn descend(&self, start: Point) -> End {
-        let mut end = End { point: start, iterations: 0 };
-        let mut damping = 0.0;
-        while end.iterations < self.settings.max_iterations && damping < 1e9 {
-            end.iterations += 1;
-            let Some((pose, size)) = end.point.step(damping).map(|step| self.displaced(&end.point.pose, step)) else {
-                damping = f64::max(10.0 * damping, 1e-9);
-                continue;
-            };
-            match self.point(&pose) {
-                Ok(next) if next.size < end.point.size => {
-                    end.point = next;
-                    damping = if damping < 1e-9 { 0.0 } else { damping * 0.1 };
-                    if size <= self.settings.pose_tolerance * self.mean_length {
-                        break;
-                    }
-                }
-                // rounding: nothing is left to gain
-                _ if self.is_balanced(&end.point) => break,
-                _ => damping = f64::max(10.0 * damping, 1e-6),
-            }
-        }
-        end
+        let from = Point { size: f64::INFINITY, ..start.clone() };
+        let mut descent = Descent { problem: self, point: from, trial: Some(start) };
+        let rules = Rules {
+            tolerance: self.settings.pose_tolerance * self.mean_length,
+            max_iterations: self.settings.max_iterations,
+            least_gain: 0.0,
+            rule: StepRule::Damping,
+        };
+        let end = descend(&mut descent, &rules);
+        End { point: descent.point, iterations: end.iterations as u32 }
     }
 
-    /// The pose after a scaled step, and the step's size (m); no step turns the platform by more than half a radian.
+    /// The pose after a scaled step, and the step's size (m).
     fn displaced(&self, pose: &Pose, step: DVector<f64>) -> (Pose, f64) {
         let amounts = step.component_mul(&self.scaling);
-        let translations = self.model.axes().len();
-        let turn = amounts.rows_range(translations..).norm();
-        let shift = amounts.rows_range(..translations).norm() / self.mean_length;
-        let shorten = (0.5 / turn.max(shift)).min(1.0);
-        let mut twist = Twist::zeros();
-        for (direction, amount) in self.model.twist_basis().iter().zip(amounts.iter()) {
-            twist += direction * (shorten * amount);
+        let measure = Measure {
+            translations: self.model.axes().len(),
+            mean_length: self.mean_length,
+            platform_radius: self.model.platform_radius(),
+        };
+        match self.model.dof() {
+            2 => stepped::<2>(self.model, &measure, pose, amounts.as_slice()),
+            3 => stepped::<3>(self.model, &measure, pose, amounts.as_slice()),
+            _ => stepped::<6>(self.model, &measure, pose, amounts.as_slice()),
         }
-        (pose.displaced(&twist), shorten * step.norm())
     }
 
     fn verdict(&self, point: &Point, stability: f64, restarts: u32) -> (Status, Option<String>) {
@@ -256,4 +285,12 @@ impl<'a> Problem<'a> {
         let text = "tensions and load balance here and beside: they do not determine the pose";
         (Status::Singular, Some(text.to_owned()))
     }
+}
+
+/// The pose after a step that is not too long, and its size (m).
+fn stepped<const N: usize>(model: &Model, measure: &Measure<f64>, pose: &Pose, step: &[f64]) -> (Pose, f64) {
+    let mut amounts = [0.0; N];
+    amounts.copy_from_slice(&step[..N]);
+    let size = measure.shorten(&mut amounts);
+    (displaced(model, pose, &amounts), size)
 }

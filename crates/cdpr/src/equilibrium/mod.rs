@@ -1,7 +1,7 @@
 //! Forward problems: which pose follows from the cables.
 
 pub mod closed_form;
-mod descents;
+
 pub mod distribution;
 pub mod elastostatics;
 pub mod feasibility;
@@ -9,6 +9,7 @@ pub mod forward_kinematics;
 pub mod forward_problem;
 pub mod forward_statics;
 pub mod inverse;
+mod pose_step;
 mod restarts;
 mod solution;
 mod state;

@@ -19,6 +19,7 @@ use super::starts::Basin;
 use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, Parameter, ParameterKind};
+pub use crate::solve::Minimizer;
 
 /// What is assumed, and when the fit stops.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +30,8 @@ pub struct Settings {
     pub priors: Vec<Prior>,
     /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
     pub tolerance: f64,
+    /// Way to the optimum.
+    pub minimizer: Minimizer,
     /// Steps allowed for each cable.
     pub max_iterations: u32,
     /// A direction in parameter space with a larger standard deviation is reported as weak (m).
@@ -45,6 +48,7 @@ impl Default for Settings {
             hold: FreeParameters::default(),
             priors: Vec::new(),
             tolerance: 1e-10,
+            minimizer: Minimizer::default(),
             max_iterations: 200,
             weak_direction_limit: 0.1,
             starts: 1,

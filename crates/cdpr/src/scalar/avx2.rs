@@ -91,6 +91,22 @@ impl Select for Avx2 {
     }
 
     #[inline(always)]
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        [self.token.and_m64x4(a[0], b[0]), self.token.and_m64x4(a[1], b[1])]
+    }
+
+    #[inline(always)]
+    fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        [self.token.or_m64x4(a[0], b[0]), self.token.or_m64x4(a[1], b[1])]
+    }
+
+    #[inline(always)]
+    fn without(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        let not_b = [self.token.not_m64x4(b[0]), self.token.not_m64x4(b[1])];
+        [self.token.and_m64x4(a[0], not_b[0]), self.token.and_m64x4(a[1], not_b[1])]
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         let (token, [a, b]) = (self.token, self.halves);
         Self { token, halves: [token.abs_f64x4(a), token.abs_f64x4(b)] }

@@ -85,6 +85,21 @@ impl Select for Avx512 {
     }
 
     #[inline(always)]
+    fn both(self, a: b8, b: b8) -> b8 {
+        b8(a.0 & b.0)
+    }
+
+    #[inline(always)]
+    fn either(self, a: b8, b: b8) -> b8 {
+        b8(a.0 | b.0)
+    }
+
+    #[inline(always)]
+    fn without(self, a: b8, b: b8) -> b8 {
+        b8(a.0 & !b.0)
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self { token: self.token, value: self.token.abs_f64x8(self.value) }
     }

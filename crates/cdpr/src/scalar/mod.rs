@@ -144,6 +144,18 @@ where
         mask
     }
 
+    fn both(self, a: bool, b: bool) -> bool {
+        a && b
+    }
+
+    fn either(self, a: bool, b: bool) -> bool {
+        a || b
+    }
+
+    fn without(self, a: bool, b: bool) -> bool {
+        a && !b
+    }
+
     fn abs(self) -> Self {
         if self.re < 0.0 { -self } else { self }
     }

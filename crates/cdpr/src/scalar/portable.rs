@@ -91,6 +91,21 @@ impl Select for Portable {
     }
 
     #[inline(always)]
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        [a[0] & b[0], a[1] & b[1], a[2] & b[2], a[3] & b[3]]
+    }
+
+    #[inline(always)]
+    fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        [a[0] | b[0], a[1] | b[1], a[2] | b[2], a[3] | b[3]]
+    }
+
+    #[inline(always)]
+    fn without(self, a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        [a[0] & !b[0], a[1] & !b[1], a[2] & !b[2], a[3] & !b[3]]
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         self.each(f64x2::abs)
     }

@@ -13,8 +13,23 @@ pub trait Select: Real {
     /// `self` where the mask holds, `otherwise` elsewhere.
     fn select(self, mask: Self::Mask, otherwise: Self) -> Self;
 
-    /// Whether the mask holds in any lane (the value of `self` does not matter).
+    /// Whether the mask holds in any lane (the value of `self` does not matter, here and in the next three).
     fn any(self, mask: Self::Mask) -> bool;
+
+    /// Where both hold.
+    fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+
+    /// Where one of them holds.
+    fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+
+    /// Where the first holds without the second.
+    fn without(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+
+    /// Everywhere, or nowhere.
+    #[inline(always)]
+    fn everywhere(self, holds: bool) -> Self::Mask {
+        self.constant(if holds { 0.0 } else { 1.0 }).is_less(self.constant(0.5))
+    }
 
     /// Absolute value.
     fn abs(self) -> Self;
@@ -48,6 +63,21 @@ impl Select for f64 {
     #[inline(always)]
     fn any(self, mask: bool) -> bool {
         mask
+    }
+
+    #[inline(always)]
+    fn both(self, a: bool, b: bool) -> bool {
+        a && b
+    }
+
+    #[inline(always)]
+    fn either(self, a: bool, b: bool) -> bool {
+        a || b
+    }
+
+    #[inline(always)]
+    fn without(self, a: bool, b: bool) -> bool {
+        a && !b
     }
 
     #[inline(always)]

@@ -57,7 +57,13 @@ impl Random {
             }
             Cable { frame_anchor: a, platform_anchor: b, ..Cable::default() }
         };
-        robot.cables = (0..cables).map(|_| cable(rng)).collect();
+        robot.cables = loop {
+            let drawn: Vec<Cable> = (0..cables).map(|_| cable(rng)).collect();
+            // frame anchors that are one point have no box around them
+            if drawn.iter().any(|cable| cable.frame_anchor != drawn[0].frame_anchor) {
+                break drawn;
+            }
+        };
         robot.motion_pattern = pattern;
         (robot.home, robot.travel) = (None, None);
         let mut down = Vector3::zeros();

@@ -4,13 +4,18 @@ use super::sagging::Evaluation;
 use super::{CableLaw, Hold, HoldError, Known};
 use crate::cable::span::{Shape, State};
 use crate::scalar::{add, dot, scale, sub};
+use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// States of one cable after which no further search begins: tensions that weight leaves no cable take some hundreds.
 pub(super) const MAX_STEPS: u32 = 2500;
 /// States that one run of Newton's method tries before giving up; where it succeeds it mostly takes fewer than ten.
 pub(super) const MAX_NEWTON_STEPS: u32 = 400;
-/// A step this small, relative to force and length, is the last: Newton doubles the digits.
-const LAST_STEP: f64 = 1e-9;
+/// Distance from the state sought, relative to force and length, that ends the search.
+const TOLERANCE: f64 = 1e-12;
+/// Gap beside the free length that is left to rounding.
+const ROUNDING: f64 = 1e-12;
+/// Longest step, relative to force and length.
+const LONGEST_STEP: f64 = 0.7;
 
 /// A 4 × 4 matrix by rows.
 #[derive(Clone, Copy, Debug)]
@@ -175,6 +180,7 @@ struct Search<'a> {
 }
 
 /// A state put into the equations, with what they leave open.
+#[derive(Clone, Copy)]
 struct Tried {
     state: State<f64>,
     evaluation: Evaluation,
@@ -182,6 +188,65 @@ struct Tried {
     gap: [f64; 4],
     /// Size of the gap (m).
     size: f64,
+}
+
+/// Equations of one cable, as the loop of all searches sees them.
+struct Newton<'a, 's> {
+    search: &'a mut Search<'s>,
+    known: Known,
+    at: Tried,
+    trial: Tried,
+    /// Change of force (N) and length (m).
+    step: [f64; 4],
+    /// Of two lengths with one tension, the slacker one is near.
+    is_slacker: bool,
+}
+
+impl solve::Problem for Newton<'_, '_> {
+    type Number = f64;
+
+    fn step(&mut self, _: &Control<f64>) -> Step<f64> {
+        let Tried { state, evaluation, gap, .. } = &self.at;
+        let rows = self.search.rows(evaluation, state, self.known);
+        let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
+        let step = solved.map(|[entry, _]| entry);
+        // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
+        // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
+        // wrapped part shrinks.
+        self.is_slacker = match self.known {
+            Known::ControlledLength(_) => false,
+            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+                let by_tension: f64 = (0..4).map(|k| evaluation.by_state.0[3][k] * solved[k][1]).sum();
+                by_tension * tension > 1e-9 * state.length
+            }
+        };
+        let force_step = [step[0], step[1], step[2]];
+        let tension = dot(state.force, state.force).sqrt();
+        let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
+        // no step turns the force around or makes the length negative
+        let fraction = f64::min(1.0, LONGEST_STEP / relative);
+        self.step = step.map(|entry| fraction * entry);
+        // where only rounding is missing, one more step is enough, however large rounding makes it
+        let size = if self.at.size < ROUNDING * self.search.chord.free_length { 0.0 } else { fraction * relative };
+        Step::whole(size, relative.is_finite())
+    }
+
+    fn evaluate(&mut self, fraction: f64, _: bool) -> Trial<f64> {
+        if self.at.size < f64::INFINITY {
+            self.trial = self.search.tried(moved(&self.at.state, &self.step, fraction), self.known);
+        }
+        Trial::new(1.0, self.trial.size < self.at.size)
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.at = self.trial;
+        }
+    }
+
+    fn rests(&mut self, _: f64, _: f64) -> bool {
+        self.at.size < ROUNDING * self.search.chord.free_length
+    }
 }
 
 impl Search<'_> {
@@ -321,47 +386,16 @@ impl Search<'_> {
 
     /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
     fn newton(&mut self, known: Known, start: State<f64>) -> Result<State<f64>, f64> {
-        let most = MAX_STEPS.min(self.steps + MAX_NEWTON_STEPS);
-        let mut at = self.tried(start, known);
-        while self.steps < most {
-            let Tried { state, evaluation, gap, size } = &at;
-            let rows = self.rows(evaluation, state, known);
-            let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
-            let step = solved.map(|[entry, _]| entry);
-            // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
-            // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
-            // wrapped part shrinks.
-            let is_slacker = match known {
-                Known::ControlledLength(_) => false,
-                Known::OutletTension(tension) | Known::PlatformTension(tension) => {
-                    let by_tension: f64 = (0..4).map(|k| evaluation.by_state.0[3][k] * solved[k][1]).sum();
-                    by_tension * tension > 1e-9 * state.length
-                }
-            };
-            let force_step = [step[0], step[1], step[2]];
-            let tension = dot(state.force, state.force).sqrt();
-            let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
-            if relative < LAST_STEP {
-                return if is_slacker { Err(*size) } else { Ok(moved(state, &step, 1.0)) };
-            }
-            if !relative.is_finite() {
-                return Err(*size);
-            }
-            // no step turns the force around or makes the length negative
-            let mut share = f64::min(1.0, 0.7 / relative);
-            at = loop {
-                let next = self.tried(moved(&at.state, &step, share), known);
-                if next.size < at.size || (at.size < 1e-11 * self.chord.free_length && next.size.is_finite()) {
-                    break next;
-                }
-                share *= 0.5;
-                if share < 1e-8 {
-                    let is_found = at.size < 1e-12 * self.chord.free_length && !is_slacker;
-                    return if is_found { Ok(at.state) } else { Err(at.size) };
-                }
-            };
+        let max_iterations = MAX_NEWTON_STEPS.min(MAX_STEPS.saturating_sub(self.steps));
+        let rules = Rules { tolerance: TOLERANCE, max_iterations, least_gain: 0.0, rule: StepRule::Shortening };
+        let at = self.tried(start, known);
+        let from = Tried { size: f64::INFINITY, ..at };
+        let mut newton = Newton { search: self, known, at: from, trial: at, step: [0.0; 4], is_slacker: false };
+        let end = descend(&mut newton, &rules);
+        match end.stop() == Stop::Stationary && !newton.is_slacker {
+            true => Ok(newton.at.state),
+            false => Err(newton.at.size),
         }
-        Err(at.size)
     }
 
     /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.

@@ -16,6 +16,7 @@ use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, SpanEffect, StretchEffect};
 use crate::scalar::decomposition::smallest_eigenvalue_of;
+use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 use crate::statics::Held;
 
 /// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.
@@ -67,6 +68,60 @@ struct Problem<'a> {
     lengths: &'a [f64],
     radius: f64,
     mean_length: f64,
+}
+
+/// Balance of the cables, as the loop of all searches sees it.
+struct Descent<'a, 'p> {
+    cables: &'a mut Composed,
+    problem: &'a Problem<'p>,
+    start: Pose,
+    /// Newton's step, turns as the way at the platform radius (m).
+    step: Vector6<f64>,
+    /// Nothing before the start was tried.
+    point: Option<Point>,
+    /// Nothing where a cable has no shape.
+    trial: Option<Point>,
+    failure: Option<Failure>,
+}
+
+impl solve::Problem for Descent<'_, '_> {
+    type Number = f64;
+
+    fn step(&mut self, _: &Control<f64>) -> Step<f64> {
+        let found = self.point.as_ref().and_then(|point| self.cables.step(self.problem, point));
+        let is_regular = found.is_some();
+        let step = found.unwrap_or_else(Vector6::zeros);
+        self.step = step * f64::min(1.0, LONGEST_STEP * self.problem.mean_length / step.norm());
+        Step::whole(self.step.norm(), is_regular)
+    }
+
+    /// Helpful is a step that shrinks the residual by a share of what it promises (Armijo 1966), or the last one.
+    fn evaluate(&mut self, fraction: f64, is_last: bool) -> Trial<f64> {
+        let pose = self
+            .point
+            .as_ref()
+            .map_or(self.start, |point| self.problem.displaced(&point.pose, &(self.step * fraction)));
+        self.cables.trial_states.copy_from_slice(&self.cables.states);
+        match self.cables.try_at(self.problem, &pose) {
+            Ok(trial) => self.trial = Some(trial),
+            Err(failure) => (self.trial, self.failure) = (None, Some(failure)),
+        }
+        let most = self.point.as_ref().map_or(f64::INFINITY, |point| point.size * (1.0 - 1e-4 * fraction));
+        let helps = self.trial.as_ref().is_some_and(|trial| is_last || trial.size < most);
+        Trial::new(1.0, helps)
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.cables.accept();
+            self.point = self.trial.take();
+        }
+    }
+
+    /// Where rounding is all that is left.
+    fn rests(&mut self, size: f64, _: f64) -> bool {
+        size <= 1e-9 * self.problem.mean_length.max(1.0)
+    }
 }
 
 impl Composed {
@@ -167,37 +222,23 @@ impl Composed {
     }
 
     fn newton(&mut self, problem: &Problem<'_>, start: &Pose, iterations: &mut u32) -> Result<Point, Failure> {
-        self.trial_states.copy_from_slice(&self.states);
-        let mut point = self.try_at(problem, start)?;
-        self.accept();
-        for _ in 0..problem.settings.max_iterations {
-            *iterations += 1;
-            let Some(step) = self.step(problem, &point) else { return Err(Failure::Stalled) };
-            let size = step.norm();
-            let mut share = f64::min(1.0, LONGEST_STEP * problem.mean_length / size);
-            let is_last = size <= problem.settings.pose_tolerance * problem.mean_length.max(1.0);
-            loop {
-                let next = problem.displaced(&point.pose, &(step * share));
-                self.trial_states.copy_from_slice(&self.states);
-                match self.try_at(problem, &next) {
-                    Ok(trial) if is_last || trial.size < point.size * (1.0 - 1e-4 * share) => {
-                        self.accept();
-                        point = trial;
-                        break;
-                    }
-                    _ => share *= 0.5,
-                }
-                if share < 1e-7 {
-                    // where rounding is all that is left
-                    let is_still = size <= 1e-9 * problem.mean_length.max(1.0);
-                    return if is_still { Ok(point) } else { Err(Failure::Stalled) };
-                }
-            }
-            if is_last {
-                return Ok(point);
-            }
+        let rules = Rules {
+            tolerance: problem.settings.pose_tolerance * problem.mean_length.max(1.0),
+            max_iterations: problem.settings.max_iterations,
+            least_gain: 0.0,
+            rule: StepRule::Shortening,
+        };
+        let none = Vector6::zeros();
+        let mut descent =
+            Descent { cables: self, problem, start: *start, step: none, point: None, trial: None, failure: None };
+        let end = descend(&mut descent, &rules);
+        *iterations += end.iterations as u32;
+        match (descent.point, end.stop()) {
+            (Some(point), Stop::Stationary) => Ok(point),
+            (_, Stop::IterationLimit) => Err(Failure::Iterations),
+            (None, _) => Err(descent.failure.unwrap_or(Failure::Overflow)),
+            _ => Err(Failure::Stalled),
         }
-        Err(Failure::Iterations)
     }
 
     /// All cables at a pose, into `trial`.

@@ -1,12 +1,13 @@
 //! One descent of the energy from one start, by damped Newton steps.
 
-use nalgebra::{Quaternion, UnitQuaternion};
-
 use super::Problem;
 use super::balance::{AtPose, Balance};
 use super::unsymmetric;
-use crate::geometry::{Pose, Twist};
+use crate::equilibrium::pose_step::{Measure, displaced, twist_of};
+use crate::geometry::Pose;
 use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow, ldl};
+pub(super) use crate::solve::Stop;
+use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 
 /// Tensions (N) and geometric lengths (m) packed like the model's groups: where the descent stands, and at its trial.
 #[derive(Clone, Debug)]
@@ -27,18 +28,6 @@ pub(super) struct End {
     pub(super) stiffness: [[f64; 6]; 6],
     pub(super) iterations: u32,
     pub(super) stop: Stop,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Stop {
-    Stationary,
-    /// No shorter step helped, though the steps had not become small.
-    Stalled,
-    IterationLimit,
-    /// The start itself has no valid lengths.
-    Degenerate,
-    /// Bars are in balance, one of them pushes, and nobody asks for what cables would do there.
-    Pushes,
 }
 
 impl Tensions {
@@ -77,99 +66,133 @@ struct Point<const N: usize> {
     residual: [f64; 6],
 }
 
-/// A damped Newton step.
-struct Step<const N: usize> {
-    /// In the robot's degrees of freedom.
-    amounts: [f64; N],
-    /// Length (m); angles times the platform radius.
-    size: f64,
-}
-
 impl<const N: usize> Kernel for Search<'_, N> {
     type Output = End;
 
     #[inline(always)]
-    fn run<L: Lanes>(mut self, lanes: L) -> End {
-        let tolerance = self.problem.settings.pose_tolerance * self.problem.mean_length.max(1.0);
-        let max_iterations = self.problem.settings.max_iterations;
-        let mut pose = *self.start;
-        let mut point = self.evaluate(lanes, &pose, true);
-        self.accept();
-        let mut iterations = 0;
-        if !self.size_of(&point.right).is_finite() {
-            return end(pose, &point, iterations, Stop::Degenerate);
+    fn run<L: Lanes>(self, lanes: L) -> End {
+        let Self { problem, start, tensions } = self;
+        let tolerance = problem.settings.pose_tolerance * problem.mean_length.max(1.0);
+        let max_iterations = problem.settings.max_iterations;
+        // any finite energy is better
+        let point = Point { right: [0.0; N], matrix: [[0.0; N]; N], energy: f64::INFINITY, residual: [0.0; 6] };
+        let (pose, trial, amounts) = (*start, *start, [0.0; N]);
+        let (points, has_stiffness) = ([point; 2], false);
+        let mut descent =
+            Descent { lanes, problem, tensions, pose, trial, points, here: 0, stiffness: 0, has_stiffness, amounts };
+        let rules = Rules { tolerance, max_iterations, least_gain: 0.0, rule: StepRule::Damping };
+        let ended = descend(&mut descent, &rules);
+        // a start without forces is told as it is
+        let here = if ended.stop() == Stop::Degenerate { 1 } else { descent.here };
+        let mut stiffness = [[0.0; 6]; 6];
+        for row in 0..N {
+            stiffness[row][..N].copy_from_slice(&descent.points[descent.stiffness].matrix[row]);
         }
-        let mut damping = 0.0;
-        let mut last_size = 0.0; // none yet: no rate of contraction to judge by
-        let stop = loop {
-            if iterations == max_iterations {
-                break Stop::IterationLimit;
-            }
-            iterations += 1;
-            let Some(step) = self.damped_step(&point, &mut damping) else { break Stop::Stalled };
-            let size = step.size;
-            if damping > 0.0 && size * f64::max(damping, 1.0) <= 1e-3 * tolerance {
-                // in balance where the energy has a saddle, or where some direction is free
-                break Stop::Stationary;
-            }
-            let contraction = size / last_size;
-            // what the remaining steps add up to if they go on shrinking at this rate
-            let settles = damping == 0.0
-                && (contraction < 0.5 && size * contraction <= tolerance * (1.0 - contraction)
-                    || size <= 1e-3 * tolerance);
-            let trial = self.displaced(&pose, &step);
-            let next = self.evaluate(lanes, &trial, !settles);
-            if self.is_better(&point, &next, &step) {
-                self.accept();
-                pose = trial;
-                last_size = size;
-                damping = if damping < 1e-9 { 0.0 } else { damping * 0.1 };
-                if settles {
-                    // the stiffness hardly changes over this last step
-                    point = Point { matrix: point.matrix, ..next };
-                    break Stop::Stationary;
-                }
-                point = next;
-            } else if size <= tolerance && self.is_balanced(&point) {
-                // rounding hides what is left to gain; a step that damping made short says nothing of the kind
-                break Stop::Stationary;
-            } else if damping > 1e9 {
-                break Stop::Stalled;
-            } else {
-                damping = f64::max(10.0 * damping, 1e-3);
-            }
-        };
-        end(pose, &point, iterations, stop)
+        let (residual, iterations) = (descent.points[here].residual, ended.iterations as u32);
+        End { pose: descent.pose, residual, stiffness, iterations, stop: ended.stop() }
     }
 }
 
-#[inline(always)]
-fn end<const N: usize>(pose: Pose, point: &Point<N>, iterations: u32, stop: Stop) -> End {
-    let mut stiffness = [[0.0; 6]; 6];
-    for row in 0..N {
-        stiffness[row][..N].copy_from_slice(&point.matrix[row]);
-    }
-    End { pose, residual: point.residual, stiffness, iterations, stop }
+/// Least energy of the cables under the load, as the loop of all searches sees it.
+struct Descent<'a, L, const N: usize> {
+    lanes: L,
+    problem: &'a Problem<'a>,
+    tensions: &'a mut Tensions,
+    pose: Pose,
+    trial: Pose,
+    /// Where the search stands and where it tries, in turns.
+    points: [Point<N>; 2],
+    here: usize,
+    /// The last point at which the stiffness was needed.
+    stiffness: usize,
+    /// Set where the trial has its stiffness.
+    has_stiffness: bool,
+    /// Step in the robot's degrees of freedom.
+    amounts: [f64; N],
 }
 
-impl<const N: usize> Search<'_, N> {
+impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
+    type Number = f64;
+
+    /// Newton's step, damped by a share of the cables' stiffness.
     #[inline(always)]
-    fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, with_stiffness: bool) -> Point<N> {
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Self { problem, points, here, .. } = &*self;
+        let point = &points[*here];
+        let damping = control.damping;
+        let (mut matrix, mut amounts) = (point.matrix, point.right);
+        for k in 0..N {
+            let radius = self.radius(k);
+            matrix[k][k] += damping * problem.stiffness_scale * radius * radius;
+        }
+        let pivot = ldl::solve(&mut matrix, &mut amounts);
+        let is_regular = pivot.is_some_and(|pivot| pivot > 1e-13 || damping > 0.0);
+        if N == 6 && damping == 0.0 && problem.has_moment && is_regular {
+            amounts = unsymmetric::solve(&point.matrix, &point.right, &problem.load.constant);
+        }
+        let size = problem.measure().shorten(&mut amounts);
+        self.trial = displaced(problem.model, &self.pose, &amounts);
+        self.amounts = amounts;
+        Step::whole(size, is_regular)
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, _: f64, is_last: bool) -> Trial<f64> {
+        self.write_trial(!is_last);
+        Trial::new(1.0, self.is_better())
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.pose = self.trial;
+            self.here = 1 - self.here;
+            self.stiffness = if self.has_stiffness { self.here } else { self.stiffness };
+            let Tensions { accepted, trial, accepted_lengths, trial_lengths } = &mut *self.tensions;
+            accepted.copy_from_slice(trial);
+            accepted_lengths.copy_from_slice(trial_lengths);
+        }
+    }
+
+    /// Rounding hides what is left to gain; a step that damping made short says nothing of the kind.
+    #[inline(never)] // seldom needed: the kernel stays small without it
+    fn rests(&mut self, size: f64, tolerance: f64) -> bool {
+        let undecided = self.problem.undecided(self.tensions);
+        size <= tolerance && self.size_of(&self.points[self.here].right) <= undecided * undecided
+    }
+}
+
+impl Problem<'_> {
+    #[inline(always)]
+    fn measure(&self) -> Measure<f64> {
+        let translations = self.model.axes().len();
+        Measure { translations, mean_length: self.mean_length, platform_radius: self.platform_radius }
+    }
+}
+
+impl<L: Lanes, const N: usize> Descent<'_, L, N> {
+    /// The balance at the trial; the stiffness of an end is that before its last step, over which it hardly changes.
+    #[inline(always)]
+    fn write_trial(&mut self, with_stiffness: bool) {
         let Tensions { trial, trial_lengths, .. } = &mut *self.tensions;
-        let problem = self.problem;
+        let (lanes, problem, pose) = (self.lanes, self.problem, &self.trial);
         let Balance { residual, stiffness, energy } =
             lanes.apart(AtPose { problem, pose, tensions: trial, lengths: trial_lengths, with_stiffness });
-        let mut point = Point { right: [0.0; N], matrix: [[0.0; N]; N], energy, residual };
+        let point = &mut self.points[1 - self.here];
+        (point.residual, point.energy, self.has_stiffness) = (residual, energy, with_stiffness);
         if N == 6 {
             point.right.copy_from_slice(&residual[..N]);
-            for row in 0..N {
-                point.matrix[row].copy_from_slice(&stiffness[row][..N]);
+            if with_stiffness {
+                for row in 0..N {
+                    point.matrix[row].copy_from_slice(&stiffness[row][..N]);
+                }
             }
-            return point;
+            return;
         }
-        let basis = self.problem.model.twist_basis();
+        let basis = problem.model.twist_basis();
         for i in 0..N {
             let mut rows = [0.0; 6];
+            point.right[i] = 0.0;
             for k in 0..6 {
                 point.right[i] += basis[i][k] * residual[k];
                 for l in 0..6 {
@@ -180,15 +203,6 @@ impl<const N: usize> Search<'_, N> {
                 point.matrix[i][j] = (0..6).map(|l| rows[l] * basis[j][l]).sum();
             }
         }
-        point
-    }
-
-    /// Moves on to the trial.
-    #[inline(always)]
-    fn accept(&mut self) {
-        let Tensions { accepted, trial, accepted_lengths, trial_lengths } = &mut *self.tensions;
-        accepted.copy_from_slice(trial);
-        accepted_lengths.copy_from_slice(trial_lengths);
     }
 
     /// What makes an entry a translation, or a rotation times the platform radius.
@@ -208,91 +222,16 @@ impl<const N: usize> Search<'_, N> {
         sum
     }
 
-    /// True where what is out of balance is nothing beside the forces at work.
-    #[inline(never)] // seldom needed: the kernel stays small without it
-    fn is_balanced(&self, point: &Point<N>) -> bool {
-        let undecided = self.problem.undecided(self.tensions);
-        self.size_of(&point.right) <= undecided * undecided
-    }
-
     /// A step counts when energy falls, or when the residual wrench is halved: near the end, where rounding hides energies.
     #[inline(always)]
-    fn is_better(&self, point: &Point<N>, next: &Point<N>, step: &Step<N>) -> bool {
+    fn is_better(&self) -> bool {
+        let (point, next) = (&self.points[self.here], &self.points[1 - self.here]);
         let residual = self.size_of(&next.right);
         let mut work = point.energy - next.energy;
-        if N == 6 {
-            for k in 3..N {
-                work += self.problem.load.constant[k] * step.amounts[k];
-            }
-        } else {
-            let basis = self.problem.model.twist_basis();
-            for (direction, amount) in basis.iter().zip(step.amounts) {
-                for k in 3..6 {
-                    work += self.problem.load.constant[k] * direction[k] * amount;
-                }
-            }
+        let twist = twist_of(self.problem.model, &self.amounts);
+        for k in 3..6 {
+            work += self.problem.load.constant[k] * twist[k];
         }
         residual.is_finite() && (work > 0.0 || residual <= 0.25 * self.size_of(&point.right))
-    }
-
-    /// A step with the least damping, from the given one on, that makes the matrix positive definite; nothing where
-    /// no damping does (no cable and no load).
-    #[inline(always)]
-    fn damped_step(&self, point: &Point<N>, damping: &mut f64) -> Option<Step<N>> {
-        loop {
-            let mut matrix = point.matrix;
-            let mut amounts = point.right;
-            for k in 0..N {
-                let radius = self.radius(k);
-                matrix[k][k] += *damping * self.problem.stiffness_scale * radius * radius;
-            }
-            if let Some(pivot) = ldl::solve(&mut matrix, &mut amounts)
-                && (pivot > 1e-13 || *damping > 0.0)
-            {
-                if N == 6 && *damping == 0.0 && self.problem.has_moment {
-                    amounts = unsymmetric::solve(&point.matrix, &point.right, &self.problem.load.constant);
-                }
-                return Some(self.shortened(amounts));
-            }
-            if !(*damping < 1e9) {
-                return None;
-            }
-            *damping = f64::max(10.0 * *damping, 1e-6);
-        }
-    }
-
-    /// A step that turns the platform by more than half a radian says little about where it leads.
-    #[inline(always)]
-    fn shortened(&self, mut amounts: [f64; N]) -> Step<N> {
-        let translations = self.problem.model.axes().len();
-        let (mut shift_squared, mut turn_squared) = (0.0, 0.0);
-        for k in 0..N {
-            let square = amounts[k] * amounts[k];
-            *(if k < translations { &mut shift_squared } else { &mut turn_squared }) += square;
-        }
-        let mean_length = self.problem.mean_length;
-        let largest = f64::max(turn_squared, shift_squared / (mean_length * mean_length)).sqrt();
-        let shorten = if largest > 0.5 { 0.5 / largest } else { 1.0 };
-        for amount in &mut amounts {
-            *amount *= shorten;
-        }
-        let radius = self.problem.platform_radius;
-        Step { amounts, size: shorten * (shift_squared + radius * radius * turn_squared).sqrt() }
-    }
-
-    /// The pose after a step; the turn (1, ω/2) normalised equals exp(ω) to third order and needs no sine.
-    #[inline(always)]
-    fn displaced(&self, pose: &Pose, step: &Step<N>) -> Pose {
-        let mut twist = Twist::zeros();
-        if N == 6 {
-            twist.as_mut_slice().copy_from_slice(&step.amounts);
-        } else {
-            for (direction, amount) in self.problem.model.twist_basis().iter().zip(step.amounts) {
-                twist += direction * amount;
-            }
-        }
-        let turn = Quaternion::new(1.0, 0.5 * twist[3], 0.5 * twist[4], 0.5 * twist[5]);
-        let rotation = UnitQuaternion::new_normalize(turn * pose.rotation.quaternion());
-        Pose { position: pose.position + twist.fixed_rows::<3>(0), rotation }
     }
 }

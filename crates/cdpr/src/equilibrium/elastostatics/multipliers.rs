@@ -80,7 +80,7 @@ pub(super) fn attempt(
             let undecided = problem.undecided(tensions);
             let stability = stability::beside_rigid_cables(&problem, rigid, tensions, &end, is_polished);
             reset(rigid, springs, stiffening);
-            return Attempt { end, stability, excess, undecided };
+            return Attempt { end, stability, excess, undecided, pushes: false };
         }
         let slow = excess > SLOW * last_excess && excess > base.settings.length_tolerance;
         let stiffer = if slow { 10.0 } else { 1.0 };

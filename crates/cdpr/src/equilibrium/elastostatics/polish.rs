@@ -10,6 +10,7 @@ use super::Problem;
 use super::descent::End;
 use super::multipliers::Rigid;
 use crate::geometry::{Pose, Twist};
+use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 use crate::statics::{Load, geometric_stiffness, wrench_residual};
 
 const MAX_STEPS: u32 = 8;
@@ -27,20 +28,61 @@ struct State {
     excess: f64,
 }
 
+/// Balance of pose and tensions together, as the loop of all searches sees it.
+struct Polish<'a, 'p> {
+    problem: &'a Problem<'p>,
+    rigid: &'a Rigid<'a>,
+    load: &'a Load,
+    taut: &'a [usize],
+    state: Option<State>,
+    trial: Option<State>,
+}
+
+impl solve::Problem for Polish<'_, '_> {
+    type Number = f64;
+
+    fn step(&mut self, _: &Control<f64>) -> Step<f64> {
+        let from = self.state.as_ref();
+        let found = from.and_then(|state| self.problem.step(self.rigid, self.load, self.taut, state));
+        let (is_regular, size) = (found.is_some(), found.as_ref().map_or(0.0, |(_, size)| *size));
+        self.trial = found.map(|(state, _)| state);
+        Step::whole(size, is_regular)
+    }
+
+    /// Helpful is a step that halves what is missing in forces or in lengths.
+    fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        let halves = |trial: &State, state: &State| {
+            trial.residual.norm() < 0.5 * state.residual.norm() || trial.excess < 0.5 * state.excess
+        };
+        let helps =
+            self.trial.as_ref().is_some_and(|trial| self.state.as_ref().is_none_or(|state| halves(trial, state)));
+        Trial::new(1.0, helps)
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.state = self.trial.take();
+        }
+    }
+}
+
 impl Problem<'_> {
     /// Steps on pose and tensions from a pose near the solution; nothing where they do not lead there or change which
     /// cables are taut.
     pub(super) fn polished(&self, rigid: &Rigid<'_>, end: &End, tensions: &[f64]) -> Option<(End, Vec<f64>)> {
         let load = self.full_load;
         let taut: Vec<usize> = rigid.cables().filter(|&cable| tensions[cable] > 0.0).collect();
-        let mut state = self.state(rigid, load, &taut, end.pose, tensions.to_vec())?;
-        for _ in 0..MAX_STEPS {
-            let next = self.step(rigid, load, &taut, &state)?;
-            if !(next.residual.norm() < 0.5 * state.residual.norm()) && !(next.excess < 0.5 * state.excess) {
-                break;
-            }
-            state = next;
-        }
+        let start = self.state(rigid, load, &taut, end.pose, tensions.to_vec())?;
+        let mut polish = Polish { problem: self, rigid, load, taut: &taut, state: None, trial: Some(start) };
+        let rules = Rules {
+            // to the last digit
+            tolerance: f64::EPSILON * self.mean_length,
+            max_iterations: MAX_STEPS,
+            least_gain: 0.0,
+            rule: StepRule::Plain { slowest: f64::INFINITY },
+        };
+        descend(&mut polish, &rules);
+        let state = polish.state?;
         let pushes = state.tensions.iter().any(|&tension| tension < 0.0);
         let too_long = rigid.cables().any(|cable| {
             let (course, _) = self.model.course_or_nan(cable, &state.pose);
@@ -101,7 +143,8 @@ impl Problem<'_> {
         Some(stiffness)
     }
 
-    fn step(&self, rigid: &Rigid<'_>, load: &Load, taut: &[usize], state: &State) -> Option<State> {
+    /// State after Newton's step, and the size of the step (m); rotations count by the platform radius.
+    fn step(&self, rigid: &Rigid<'_>, load: &Load, taut: &[usize], state: &State) -> Option<(State, f64)> {
         let (n, k) = (self.model.dof(), taut.len());
         let structure_matrix = self.model.structure_matrix(&state.pose).ok()?;
         let mut system = DMatrix::zeros(n + k, n + k);
@@ -124,6 +167,7 @@ impl Problem<'_> {
         for (index, &cable) in taut.iter().enumerate() {
             tensions[cable] += step[n + index];
         }
-        self.state(rigid, load, taut, state.pose.displaced(&twist), tensions)
+        let size = twist.fixed_rows::<3>(0).norm().hypot(self.platform_radius * twist.fixed_rows::<3>(3).norm());
+        Some((self.state(rigid, load, taut, state.pose.displaced(&twist), tensions)?, size))
     }
 }

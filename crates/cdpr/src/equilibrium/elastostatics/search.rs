@@ -21,6 +21,8 @@ pub(super) struct Attempt {
     pub(super) excess: f64,
     /// Wrench that balance leaves undecided (N).
     pub(super) undecided: f64,
+    /// Bars are in balance, one of them pushes, and nobody asks for what cables would do there.
+    pub(super) pushes: bool,
 }
 
 impl Attempt {
@@ -32,6 +34,7 @@ impl Attempt {
     /// True where forces balance and rigid cables have their lengths.
     pub(super) fn is_equilibrium(&self, problem: &Problem<'_>) -> bool {
         self.end.stop == Stop::Stationary
+            && !self.pushes
             && self.excess <= problem.settings.length_tolerance
             && problem.wrench_size(&self.end.residual) <= self.undecided
     }
@@ -101,7 +104,7 @@ impl Problem<'_> {
                     return self.attempt(end, iterations, tensions);
                 }
                 if self.only_taut {
-                    return self.attempt(End { stop: Stop::Pushes, ..end }, iterations, tensions);
+                    return Attempt { pushes: true, ..self.attempt(end, iterations, tensions) };
                 }
                 from = end.pose;
             }
@@ -118,7 +121,7 @@ impl Problem<'_> {
     pub(super) fn attempt(&self, end: End, iterations: u32, tensions: &Tensions) -> Attempt {
         let undecided = self.undecided(tensions);
         let stability = stability::of_cables(self, tensions, &end, undecided);
-        Attempt { end: End { iterations, ..end }, stability, excess: 0.0, undecided }
+        Attempt { end: End { iterations, ..end }, stability, excess: 0.0, undecided, pushes: false }
     }
 }
 
@@ -161,7 +164,7 @@ impl Solver<'_> {
         let Some(mut best) = attempt(guess, Way::Direct, tensions) else { return };
         solution.take_tensions(tensions);
         (solution.iterations, solution.restarts) = (best.end.iterations, 0);
-        if !best.is_good(&base) && best.end.stop != Stop::Pushes {
+        if !best.is_good(&base) && !best.pushes {
             let from_soft = (!rigid.any()).then_some((*guess, Way::FromSoft));
             let escapes = stability::escapes(&base, &best).into_iter().flatten();
             let starts =

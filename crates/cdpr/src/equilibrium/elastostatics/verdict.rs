@@ -73,8 +73,10 @@ impl Problem<'_> {
                 cable + 1
             );
         }
+        if best.pushes {
+            return "some cable is slack where the platform comes to rest".to_owned();
+        }
         let stop = match best.end.stop {
-            Stop::Pushes => return "some cable is slack where the platform comes to rest".to_owned(),
             Stop::IterationLimit => format!("the limit of {} iterations was reached", self.settings.max_iterations),
             _ => "no shorter step helped".to_owned(),
         };

@@ -1,11 +1,12 @@
 //! One descent from one start, cables in lanes.
 
-use nalgebra::{Quaternion, UnitQuaternion};
-
 use super::Settings;
-use crate::geometry::{Pose, Twist};
+use crate::equilibrium::pose_step::{Measure, displaced};
+use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, Lanes, constants, cross, dispatch_narrow, dot, ldl};
+pub(super) use crate::solve::Stop;
+use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 
 /// A model with lengths to meet.
 pub(super) struct Problem<'a> {
@@ -46,16 +47,6 @@ pub(super) struct End {
     pub(super) pivot_ratio: f64,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Stop {
-    Stationary,
-    /// No shorter step helped, though the steps had not become small.
-    Stalled,
-    IterationLimit,
-    /// The start itself has no valid lengths.
-    Degenerate,
-}
-
 impl Problem<'_> {
     /// Descends from one start.
     pub(super) fn descend(&self, start: &Pose, residuals: &mut Residuals) -> End {
@@ -64,6 +55,12 @@ impl Problem<'_> {
             3 => dispatch_narrow(Search::<3> { problem: self, start, residuals }),
             _ => dispatch_narrow(Search::<6> { problem: self, start, residuals }),
         }
+    }
+
+    #[inline(always)]
+    fn measure(&self) -> Measure<f64> {
+        let translations = self.model.axes().len();
+        Measure { translations, mean_length: self.mean_length, platform_radius: self.platform_radius }
     }
 }
 
@@ -84,83 +81,99 @@ struct Normal<const N: usize> {
     matrix: [[f64; N]; N],
 }
 
-/// A damped Gauss–Newton step.
-struct Step<const N: usize> {
-    /// In the robot's degrees of freedom.
-    amounts: [f64; N],
-    /// Length (m); angles times the platform radius.
-    size: f64,
-    pivot_ratio: f64,
-}
-
 impl<const N: usize> Kernel for Search<'_, N> {
     type Output = End;
 
     #[inline(always)]
-    fn run<L: Lanes>(mut self, lanes: L) -> End {
-        let settings = self.problem.settings;
-        let mean_length = self.problem.mean_length;
-        let tolerance = settings.pose_tolerance * mean_length.max(1.0);
-        let mut pose = *self.start;
-        let mut normal = Normal { cost: 0.0, right: [0.0; N], matrix: [[0.0; N]; N] };
-        normal.cost = self.evaluate(lanes, &pose, Some(&mut normal));
-        self.accept();
-        let mut end = End { pose, rms: f64::NAN, iterations: 0, stop: Stop::IterationLimit, pivot_ratio: f64::NAN };
-        if !normal.cost.is_finite() {
-            return End { stop: Stop::Degenerate, ..end };
+    fn run<L: Lanes>(self, lanes: L) -> End {
+        let Self { problem, start, residuals } = self;
+        let tolerance = problem.settings.pose_tolerance * problem.mean_length.max(1.0);
+        let max_iterations = problem.settings.max_iterations;
+        let normal = Normal { cost: f64::INFINITY, right: [0.0; N], matrix: [[0.0; N]; N] };
+        let (pose, trial, next) = (*start, *start, normal);
+        let mut descent =
+            Descent { lanes, problem, residuals, pose, trial, normal, next, slow: false, pivot_ratio: f64::NAN };
+        let rules = Rules { tolerance, max_iterations, least_gain: 0.0, rule: StepRule::Damping };
+        let end = descend(&mut descent, &rules);
+        let stop = match end.stop() {
+            // some direction moves no cable at all
+            Stop::Singular => Stop::Stationary,
+            stop => stop,
+        };
+        if stop != Stop::Degenerate && descent.pivot_ratio.is_nan() {
+            // neither damping nor curvature may hide that lengths do not determine the pose
+            let Normal { mut matrix, mut right, .. } = descent.normal;
+            descent.pivot_ratio = ldl::solve(&mut matrix, &mut right).unwrap_or(0.0);
         }
-        let mut damping = 0.0;
-        let mut slow = false;
-        let mut last_size = 0.0; // none yet: no rate of contraction to judge by
-        while end.iterations < settings.max_iterations {
-            end.iterations += 1;
-            let matrix = if slow { normal.with(&self.problem.curvature(&pose)) } else { normal.matrix };
-            let Some(step) = self.step(&normal, matrix, damping) else {
-                if damping > 1e6 {
-                    // some direction moves no cable at all
-                    end.stop = Stop::Stationary;
-                    break;
-                }
-                damping = f64::max(10.0 * damping, 1e-6);
-                continue;
-            };
-            let plain = !slow && damping == 0.0;
-            end.pivot_ratio = if plain { step.pivot_ratio } else { f64::NAN };
-            let size = step.size;
-            let contraction = size / last_size;
-            // what the remaining steps add up to if they go on shrinking at this rate
-            let settles =
-                contraction < 0.5 && size * contraction <= tolerance * (1.0 - contraction) || size <= 1e-3 * tolerance;
-            let trial = self.displaced(&pose, &step);
-            let mut next = normal;
-            next.cost = self.evaluate(lanes, &trial, if settles && plain { None } else { Some(&mut next) });
-            // rounding of the cost: equal costs near the optimum must not look like a failure
-            if next.cost <= normal.cost * (1.0 + 1e-12) + 1e-29 * mean_length * mean_length {
-                self.accept();
-                (pose, normal, last_size) = (trial, next, size);
-                slow = contraction.is_finite() && contraction > SLOW_CONTRACTION;
-                damping = if damping < 1e-9 { 0.0 } else { damping * 0.1 };
-                if settles {
-                    end.stop = Stop::Stationary;
-                    break;
-                }
-            } else if size <= tolerance {
-                end.stop = Stop::Stationary;
-                break;
-            } else if damping > 1e12 {
-                end.stop = Stop::Stalled;
-                break;
-            } else {
-                damping = f64::max(10.0 * damping, 1e-3);
-                slow = true;
+        let rms = (descent.normal.cost / problem.model.cable_count() as f64).sqrt();
+        let rms = if stop == Stop::Degenerate { f64::NAN } else { rms };
+        End { pose: descent.pose, rms, iterations: end.iterations as u32, stop, pivot_ratio: descent.pivot_ratio }
+    }
+}
+
+/// Least squares of the lengths, as the loop of all searches sees them.
+struct Descent<'a, L, const N: usize> {
+    lanes: L,
+    problem: &'a Problem<'a>,
+    residuals: &'a mut Residuals,
+    pose: Pose,
+    trial: Pose,
+    normal: Normal<N>,
+    next: Normal<N>,
+    /// Set where steps shrink slowly, so that second derivatives are worth their price.
+    slow: bool,
+    /// Smallest pivot of the last plain step.
+    pivot_ratio: f64,
+}
+
+impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
+    type Number = f64;
+
+    /// A damped Gauss–Newton step, with the curvature of the residuals where steps are slow.
+    #[inline(always)]
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Self { problem, normal, .. } = &*self;
+        let mut matrix = if self.slow { normal.with(&problem.curvature(&self.pose)) } else { normal.matrix };
+        for k in 0..N {
+            matrix[k][k] += control.damping * normal.matrix[k][k];
+        }
+        let mut amounts = normal.right;
+        let pivot_ratio = ldl::solve(&mut matrix, &mut amounts);
+        let size = problem.measure().shorten(&mut amounts);
+        self.trial = displaced(problem.model, &self.pose, &amounts);
+        let is_plain = !self.slow && control.damping == 0.0;
+        self.pivot_ratio = if is_plain { pivot_ratio.unwrap_or(f64::NAN) } else { f64::NAN };
+        Step::whole(size, pivot_ratio.is_some())
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, _: f64, is_last: bool) -> Trial<f64> {
+        let Self { lanes, problem, trial, .. } = self;
+        let residuals = &mut self.residuals.trial;
+        self.next.cost = match is_last {
+            // the normal equations of the end are those before its last step
+            true => {
+                self.next = self.normal;
+                lanes.apart(AtPose::<N> { problem, pose: trial, residuals, normal: None })
+            }
+            false => lanes.apart(AtPose { problem, pose: trial, residuals, normal: Some(&mut self.next) }),
+        };
+        // rounding of the cost: equal costs near the optimum must not look like a failure
+        let rounding = 1e-29 * problem.mean_length * problem.mean_length;
+        let helps = self.next.cost.is_finite() && self.next.cost <= self.normal.cost * (1.0 + 1e-12) + rounding;
+        Trial::new(1.0, helps)
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, helps: bool, contraction: f64) {
+        self.slow = !helps || (contraction.is_finite() && contraction > SLOW_CONTRACTION);
+        if helps {
+            (self.pose, self.normal) = (self.trial, self.next);
+            let Residuals { accepted, trial } = &mut *self.residuals;
+            for (accepted, trial) in accepted.iter_mut().zip(trial) {
+                *accepted = *trial;
             }
         }
-        if end.pivot_ratio.is_nan() {
-            // neither damping nor curvature may hide that lengths do not determine the pose
-            end.pivot_ratio = self.step(&normal, normal.matrix, 0.0).map_or(0.0, |step| step.pivot_ratio);
-        }
-        let count = self.problem.model.cable_count() as f64;
-        End { pose, rms: (normal.cost / count).sqrt(), ..end }
     }
 }
 
@@ -200,64 +213,6 @@ impl<const N: usize> Kernel for AtPose<'_, N> {
             }
         }
         cost
-    }
-}
-
-impl<const N: usize> Search<'_, N> {
-    #[inline(always)]
-    fn evaluate<L: Lanes>(&mut self, lanes: L, pose: &Pose, normal: Option<&mut Normal<N>>) -> f64 {
-        lanes.apart(AtPose { problem: self.problem, pose, residuals: &mut self.residuals.trial, normal })
-    }
-
-    /// Moves on to the trial.
-    #[inline(always)]
-    fn accept(&mut self) {
-        let Residuals { accepted, trial } = &mut *self.residuals;
-        for (accepted, trial) in accepted.iter_mut().zip(trial) {
-            *accepted = *trial;
-        }
-    }
-
-    /// The step by `matrix`, the normal matrix or that with curvature; nothing where it is not positive definite.
-    #[inline(always)]
-    fn step(&self, normal: &Normal<N>, mut matrix: [[f64; N]; N], damping: f64) -> Option<Step<N>> {
-        let mut amounts = normal.right;
-        for k in 0..N {
-            matrix[k][k] += damping * normal.matrix[k][k];
-        }
-        let pivot_ratio = ldl::solve(&mut matrix, &mut amounts)?;
-        let translations = self.problem.model.axes().len();
-        let (mut shift_squared, mut turn_squared) = (0.0, 0.0);
-        for k in 0..N {
-            let square = amounts[k] * amounts[k];
-            *(if k < translations { &mut shift_squared } else { &mut turn_squared }) += square;
-        }
-        // a step that turns the platform by more than half a radian says little about where it leads
-        let mean_length = self.problem.mean_length;
-        let largest = f64::max(turn_squared, shift_squared / (mean_length * mean_length)).sqrt();
-        let shorten = if largest > 0.5 { 0.5 / largest } else { 1.0 };
-        for amount in &mut amounts {
-            *amount *= shorten;
-        }
-        let radius = self.problem.platform_radius;
-        let size = shorten * (shift_squared + radius * radius * turn_squared).sqrt();
-        Some(Step { amounts, size, pivot_ratio })
-    }
-
-    /// The pose after a step; the turn (1, ω/2) normalised equals exp(ω) to third order and needs no sine.
-    #[inline(always)]
-    fn displaced(&self, pose: &Pose, step: &Step<N>) -> Pose {
-        let mut twist = Twist::zeros();
-        if N == 6 {
-            twist.as_mut_slice().copy_from_slice(&step.amounts);
-        } else {
-            for (direction, amount) in self.problem.model.twist_basis().iter().zip(step.amounts) {
-                twist += direction * amount;
-            }
-        }
-        let turn = Quaternion::new(1.0, 0.5 * twist[3], 0.5 * twist[4], 0.5 * twist[5]);
-        let rotation = UnitQuaternion::new_normalize(turn * pose.rotation.quaternion());
-        Pose { position: pose.position + twist.fixed_rows::<3>(0), rotation }
     }
 }
 

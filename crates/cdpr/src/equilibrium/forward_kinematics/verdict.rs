@@ -74,7 +74,7 @@ impl Problem<'_> {
                     "no step lowers the residual of {rms:.3e} m rms any further, though the steps are not yet small"
                 )),
             ),
-            Stop::Stationary => (Status::Converged, self.remark(rms, restarts)),
+            Stop::Stationary | Stop::Singular => (Status::Converged, self.remark(rms, restarts)),
         }
     }
 

@@ -9,6 +9,10 @@ use crate::identification::fit::{Settings, prior_sigma};
 use crate::identification::misfit::Misfit;
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
+use crate::solve::{
+    self, Control, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings, Trial, descend,
+    minimizer,
+};
 use crate::statics::Load;
 
 /// The problem that a descent solves.
@@ -150,81 +154,114 @@ impl<'a> Problem<'a> {
 
     /// Descends from these values until the next step promises no more than this share of the cost.
     pub(super) fn descend(&self, from: &[f64], at: &Linearization, stop: f64) -> End {
-        let mut rows = SampleRows::new(self.model, self.parameters.len());
-        let mut current = NormalEquations::new(&rows, &first_columns(self.model, self.parameters));
-        let mut next = current.clone();
-        let mut end =
-            End { values: from.to_vec(), cost: f64::NAN, iterations: 0, history: Vec::new(), converged: false };
-        if !self.equations(from, at, &mut rows, &mut current) {
-            return end;
+        let rows = SampleRows::new(self.model, self.parameters.len());
+        let equations = NormalEquations::new(&rows, &first_columns(self.model, self.parameters));
+        let trial = Place { values: from.to_vec(), equations };
+        let mut descent = Descent { problem: self, at, rows, here: trial.clone(), trial, history: Vec::new() };
+        descent.here.equations.add_to_cost(f64::INFINITY);
+        let rules = Rules {
+            tolerance: self.settings.tolerance,
+            max_iterations: if from.is_empty() { 0 } else { self.settings.max_iterations },
+            least_gain: stop,
+            rule: self.settings.minimizer.rule(),
+        };
+        let end = descend(&mut descent, &rules);
+        let mut iterations = end.iterations as u32;
+        let Place { mut values, equations } = descent.here;
+        if end.stop() == Stop::Degenerate {
+            return End { values, cost: f64::NAN, iterations, history: Vec::new(), converged: false };
         }
-        end.history.push(current.cost());
-        let (mut damping, mut last_size, mut settled) = (0.0_f64, 0.0_f64, false);
-        end.converged = from.is_empty();
-        while !end.converged && end.iterations < self.settings.max_iterations {
-            end.iterations += 1;
-            let Some(step) = self.step(&end.values, &current, damping) else {
-                damping = f64::max(10.0 * damping, 1e-9);
-                end.converged = damping > 1e9; // a parameter that moves nothing at all: analysis names it
-                continue;
-            };
-            let size = step.iter().zip(&self.worth).map(|(step, worth)| (step * worth).abs()).fold(0.0, f64::max);
-            let promise: f64 = -(0..step.len()).map(|k| step[k] * current.gradient(k)).sum::<f64>();
-            let trial: Vec<f64> = end.values.iter().zip(&step).map(|(value, step)| value + step).collect();
-            // no reduction that the rounding of the cost would show
-            if settled || promise <= stop * current.cost() || size <= 1e-3 * self.settings.tolerance {
-                if damping == 0.0 {
-                    end.values = trial;
-                }
-                end.converged = true;
-                break;
-            }
-            let is_finite = self.equations(&trial, at, &mut rows, &mut next);
-            if is_finite && next.cost() <= current.cost() * (1.0 + 1e-12) {
-                let contraction = size / last_size;
-                settled = contraction < 0.5 && size * contraction <= self.settings.tolerance * (1.0 - contraction);
-                last_size = size;
-                std::mem::swap(&mut current, &mut next);
-                end.values = trial;
-                end.history.push(current.cost());
-                damping = if damping <= 1e-8 { 0.0 } else { damping * 0.1 };
-            } else {
-                damping = f64::max(10.0 * damping, 1e-4);
-                end.converged = damping > 1e12 && size <= self.settings.tolerance;
+        // a parameter that moves nothing at all is analysis' to name
+        let converged = from.is_empty() || matches!(end.stop(), Stop::Stationary | Stop::Singular);
+        if end.stop() == Stop::Stationary && end.damping == 0.0 {
+            iterations += 1;
+            // the gradient still knows the way to more digits, and the step costs no evaluation
+            if let Some((step, _)) = self.step(&values, &equations, &Control::none()) {
+                values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
             }
         }
-        end.cost = current.cost();
-        end
+        End { values, cost: equations.cost(), iterations, history: descent.history, converged }
     }
 
-    /// Damped step that respects the bounds.
-    fn step(&self, values: &[f64], equations: &NormalEquations, damping: f64) -> Option<Vec<f64>> {
-        let count = values.len();
-        let room: Vec<(f64, f64)> = (0..count)
-            .map(|k| {
-                let (low, high) = self.parameters[k].bounds();
-                (low - values[k], high - values[k])
-            })
-            .collect();
-        // a parameter on a bound that the gradient pushes outwards stays there
-        let mut held: Vec<bool> = (0..count)
-            .map(|k| {
-                let gradient = equations.gradient(k);
-                (room[k].0 >= 0.0 && gradient > 0.0) || (room[k].1 <= 0.0 && gradient < 0.0)
-            })
-            .collect();
-        loop {
-            let step = solve(equations, &held, damping)?;
-            let outside = |k: usize| !held[k] && (step[k] < room[k].0 || step[k] > room[k].1);
-            match (0..count).find(|&k| outside(k) && (room[k].0 >= 0.0 || room[k].1 <= 0.0)) {
-                // already on the bound: hold it and solve for the others
-                Some(k) => held[k] = true,
-                None => {
-                    let clamped = |k: usize| step[k].clamp(room[k].0.min(0.0), room[k].1.max(0.0));
-                    return Some((0..count).map(clamped).collect());
-                }
-            }
+    /// A step that respects the bounds, and whether something cut it.
+    fn step(&self, values: &[f64], equations: &NormalEquations, control: &Control<f64>) -> Option<(Vec<f64>, bool)> {
+        let room = |(parameter, value): (&Parameter, &f64)| -> Room {
+            let (low, high) = parameter.bounds();
+            (low - value, high - value)
+        };
+        let room: Vec<Room> = self.parameters.iter().zip(values).map(room).collect();
+        let around = Surroundings { room: &room, scale: &self.worth };
+        let (mut held, mut step) = (vec![false; values.len()], vec![0.0; values.len()]);
+        let is_cut = self.settings.minimizer.step(equations, around, control, (&mut held, &mut step))?;
+        Some((step, is_cut))
+    }
+}
+
+/// Parameter values with their normal equations.
+#[derive(Clone)]
+struct Place {
+    values: Vec<f64>,
+    equations: NormalEquations,
+}
+
+/// Least squares of lengths and wrenches, as the loop of all searches sees it.
+struct Descent<'a, 'p> {
+    problem: &'a Problem<'p>,
+    at: &'a Linearization,
+    rows: SampleRows,
+    here: Place,
+    trial: Place,
+    history: Vec<f64>,
+}
+
+impl solve::Problem for Descent<'_, '_> {
+    type Number = f64;
+
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Place { values, equations } = &self.here;
+        let Some((step, is_cut)) = self.problem.step(values, equations, control) else {
+            return Step::whole(0.0, false);
+        };
+        for (trial, (value, step)) in self.trial.values.iter_mut().zip(values.iter().zip(&step)) {
+            *trial = value + step;
         }
+        let size = minimizer::size(&step, &self.problem.worth);
+        let gain = self.problem.settings.minimizer.gain(equations, &step, equations.cost());
+        Step { size, gain, is_cut, is_regular: true }
+    }
+
+    fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        let Self { problem, at, rows, trial, .. } = self;
+        let is_finite = problem.equations(&trial.values, at, rows, &mut trial.equations);
+        let (cost, here) = (trial.equations.cost(), self.here.equations.cost());
+        Trial { helps: is_finite && cost <= here * (1.0 + 1e-12), gain: 1.0 - cost / here }
+    }
+
+    /// Steps along a descent that do not help however short leave rounding, as damped steps do once they are within the tolerance.
+    fn rests(&mut self, size: f64, tolerance: f64) -> bool {
+        size <= tolerance || self.problem.settings.minimizer.rule() == StepRule::Shortening
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            std::mem::swap(&mut self.here, &mut self.trial);
+            self.history.push(self.here.equations.cost());
+        }
+    }
+}
+
+impl NormalSystem for NormalEquations {
+    fn gradient(&self, k: usize) -> f64 {
+        self.gradient(k)
+    }
+
+    fn entry(&self, i: usize, j: usize) -> f64 {
+        self.entry(i, j)
+    }
+
+    fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
+        step.copy_from_slice(&solve(self, held, damping)?);
+        Some(())
     }
 }
 
@@ -245,7 +282,7 @@ fn solve(equations: &NormalEquations, held: &[bool], damping: f64) -> Option<Vec
     let factor = Cholesky::new(matrix)?;
     let smallest = factor.l_dirty().diagonal().min();
     // undamped, directions that nothing determines would wander on rounding errors
-    if smallest * smallest < 1e-11 && damping < 1e-9 {
+    if smallest * smallest < REGULAR && damping < OF_SINGULAR {
         return None;
     }
     let mut step = DVector::from_fn(count, |k, _| -equations.gradient(k) * scale[k]);

@@ -8,7 +8,7 @@ use super::rows::{Recorded, RowModel, SampleRows};
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet;
 use crate::geometry::Pose;
-use crate::identification::fit::{Prior, Settings, Status, fit};
+use crate::identification::fit::{Minimizer, Prior, Settings, Status, fit};
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model, Parameter, ParameterKind};
 use crate::robot::{Robot, StiffnessBasis};
@@ -322,4 +322,28 @@ fn priors_count_as_rows() {
     let freedom = found.history.last().unwrap() / found.noise_factor.powi(2);
     // 5 × (6 + 8) rows, 8 priors, 8 parameters
     assert!((freedom - 70.0).abs() < 1e-9 * 70.0, "{freedom}");
+}
+
+/// Each way ends at the same optimum of data with errors.
+#[test]
+fn every_minimizer_ends_at_the_same_cost() {
+    let truth = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let machine = Model::new(truth, Composition::ELASTIC).unwrap();
+    let mut samples = exact_samples(&machine, 40);
+    samples.lengths.iter_mut().enumerate().for_each(|(index, length)| *length += 2e-4 * (1.3 * index as f64).sin());
+    let mut start = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    start.cables.iter_mut().for_each(|cable| cable.axial_stiffness = Some(2e6));
+    let model = Model::new(start, Composition::ELASTIC).unwrap();
+    let free: FreeParameters = "frame-anchor,compliance".parse().unwrap();
+    let cost = |minimizer| {
+        let settings = Settings { minimizer, ..Settings::default() };
+        let found = fit(&model, &samples, &free, &settings).unwrap();
+        assert_eq!(found.status, Status::Converged, "{minimizer:?}: {}", found.reason);
+        found.noise_factor
+    };
+    let expected = cost(Minimizer::LevenbergMarquardt);
+    for minimizer in [Minimizer::GaussNewton, Minimizer::Dogleg, Minimizer::TrustRegion] {
+        let cost = cost(minimizer);
+        assert!((cost / expected - 1.0).abs() < 1e-10, "{minimizer:?}: {cost} {expected}");
+    }
 }

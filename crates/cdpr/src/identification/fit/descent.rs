@@ -4,6 +4,10 @@ use super::{Settings, prior_sigma};
 use crate::identification::blocks::{Block, NormalEquations, SLOTS};
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::scalar::ldl;
+use crate::solve::{
+    self, Control, NormalSystem, OF_SINGULAR, REGULAR, ROUNDING_GAIN, Room, Rules, Step, StepRule, Stop, Surroundings,
+    Trial, descend, minimizer,
+};
 
 /// Steps that are recorded without allocating again; few descents take more.
 const HISTORY_CAPACITY: usize = 16;
@@ -79,85 +83,135 @@ impl<'a, const P: usize> Search<'a, P> {
     fn run(&self, from: Option<&[f64]>) -> End {
         let mut change = [0.0; P];
         change.iter_mut().zip(from.into_iter().flatten()).for_each(|(value, &earlier)| *value = earlier);
-        let (mut values, mut equations) = self.equations(&change);
-        let mut history = Vec::with_capacity(HISTORY_CAPACITY);
-        history.push(equations.cost);
-        // last_size 0: no step yet, so no rate of contraction to judge by
-        let (mut damping, mut last_size, mut iterations) = (0.0, 0.0, 0);
-        let (mut settled, mut converged) = (false, P == 0);
-        while !converged && iterations < self.settings.max_iterations {
+        let values = self.block.start;
+        let none = NormalEquations { cost: f64::INFINITY, gradient: [0.0; P], matrix: [[0.0; P]; P] };
+        let history = Vec::with_capacity(HISTORY_CAPACITY);
+        let here = Place { change, values, equations: none };
+        let mut descent = Descent { search: self, here, trial: here, history };
+        let rules = Rules {
+            tolerance: self.settings.tolerance,
+            max_iterations: if P == 0 { 0 } else { self.settings.max_iterations },
+            least_gain: ROUNDING_GAIN,
+            rule: self.settings.minimizer.rule(),
+        };
+        let end = descend(&mut descent, &rules);
+        let mut iterations = end.iterations as u32;
+        // a parameter that moves no length at all is analysis' to name
+        let converged = P == 0 || matches!(end.stop(), Stop::Stationary | Stop::Singular);
+        if end.stop() == Stop::Stationary && end.damping == 0.0 {
             iterations += 1;
-            let Some((step, ratio)) = self.step(&change, &equations, damping) else {
-                damping = f64::max(10.0 * damping, 1e-9);
-                converged = damping > 1e9; // a parameter that moves no length at all: analysis names it
-                continue;
-            };
-            // undamped, unidentifiable directions would wander on rounding errors
-            if ratio < 1e-11 && damping < 1e-9 {
-                damping = 1e-9;
-                continue;
-            }
-            let size = (0..P).map(|k| (step[k] * self.worth[k]).abs()).fold(0.0, f64::max);
-            let promise: f64 = -(0..P).map(|k| step[k] * equations.gradient[k]).sum::<f64>();
-            // no reduction that the rounding of the cost would show
-            if settled || promise <= 1e-13 * equations.cost || size <= 1e-3 * self.settings.tolerance {
-                if damping == 0.0 {
-                    // the gradient still knows the way to more digits, and the step costs no evaluation
-                    change = add(&change, &step);
-                    values = self.block.moved(&self.block.start, &change);
-                }
-                converged = true;
-                break;
-            }
-            let trial = add(&change, &step);
-            let (trial_values, next) = self.equations(&trial);
-            if next.cost <= equations.cost * (1.0 + 1e-12) {
-                let contraction = size / last_size;
-                (change, values, equations, last_size) = (trial, trial_values, next, size);
-                history.push(equations.cost);
-                damping = if damping <= 1e-9 { damping } else { damping * 0.1 };
-                // what the remaining steps add up to if they go on shrinking at this rate; they may not, so one more follows
-                settled = contraction < 0.5 && size * contraction <= self.settings.tolerance * (1.0 - contraction);
-            } else {
-                damping = f64::max(10.0 * damping, 1e-4);
-                converged = damping > 1e12 && size <= self.settings.tolerance;
-            }
+            descent.part();
         }
+        if end.stop() == Stop::Degenerate {
+            // a start without a cost is told as it is
+            descent.here = descent.trial;
+            descent.history.push(descent.here.equations.cost);
+        }
+        let Descent { here: Place { change, values, equations }, history, .. } = descent;
         End { values, change: change.to_vec(), cost: equations.cost, iterations, history, converged }
     }
 
-    /// Damped step that respects the bounds, with the smallest pivot ratio of the normal equations.
-    fn step(&self, change: &[f64; P], equations: &NormalEquations<P>, damping: f64) -> Option<([f64; P], f64)> {
-        let room: [(f64, f64); P] = std::array::from_fn(|k| {
+    /// A step that respects the bounds, and whether something cut it; nothing where the normal equations do not determine it.
+    fn step(
+        &self,
+        change: &[f64; P],
+        equations: &NormalEquations<P>,
+        control: &Control<f64>,
+    ) -> Option<([f64; P], bool)> {
+        let room: [Room; P] = std::array::from_fn(|k| {
             let value = self.start[k] + change[k];
             (self.bounds[k].0 - value, self.bounds[k].1 - value)
         });
-        // a parameter on a bound that the gradient pushes outwards stays there
-        let mut held: [bool; P] = std::array::from_fn(|k| {
-            (room[k].0 >= 0.0 && equations.gradient[k] > 0.0) || (room[k].1 <= 0.0 && equations.gradient[k] < 0.0)
-        });
-        loop {
-            let mut matrix = equations.matrix;
-            let mut step = equations.gradient.map(|x| -x);
-            for k in 0..P {
-                if held[k] {
-                    step[k] = 0.0;
-                    (0..P).for_each(|j| (matrix[k][j], matrix[j][k]) = (0.0, 0.0));
-                    matrix[k][k] = 1.0;
-                } else {
-                    matrix[k][k] *= 1.0 + damping;
-                }
+        let mut step = [0.0; P];
+        let around = Surroundings { room: &room, scale: &self.worth };
+        let is_cut = self.settings.minimizer.step(equations, around, control, (&mut [false; P], &mut step))?;
+        Some((step, is_cut))
+    }
+}
+
+impl<const P: usize> NormalSystem for NormalEquations<P> {
+    fn gradient(&self, k: usize) -> f64 {
+        self.gradient[k]
+    }
+
+    fn entry(&self, i: usize, j: usize) -> f64 {
+        self.matrix[i.max(j)][i.min(j)]
+    }
+
+    #[inline(always)]
+    fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
+        let mut matrix = self.matrix;
+        let mut right = self.gradient.map(|x| -x);
+        for k in 0..P {
+            if held[k] {
+                right[k] = 0.0;
+                (0..P).for_each(|j| (matrix[k][j], matrix[j][k]) = (0.0, 0.0));
+                matrix[k][k] = 1.0;
+            } else {
+                matrix[k][k] *= 1.0 + damping;
             }
-            let ratio = ldl::solve(&mut matrix, &mut step)?;
-            let outside = |k: usize| !held[k] && (step[k] < room[k].0 || step[k] > room[k].1);
-            match (0..P).find(|&k| outside(k) && (room[k].0 >= 0.0 || room[k].1 <= 0.0)) {
-                // already on the bound: hold it and solve for the others
-                Some(k) => held[k] = true,
-                None => {
-                    let clamped = std::array::from_fn(|k| step[k].clamp(room[k].0.min(0.0), room[k].1.max(0.0)));
-                    return Some((clamped, ratio));
-                }
-            }
+        }
+        let ratio = ldl::solve(&mut matrix, &mut right)?;
+        step.copy_from_slice(&right);
+        (ratio >= REGULAR || damping >= OF_SINGULAR).then_some(())
+    }
+}
+
+/// Parameters of one cable with their normal equations.
+#[derive(Clone, Copy)]
+struct Place<const P: usize> {
+    change: [f64; P],
+    values: CableValues,
+    equations: NormalEquations<P>,
+}
+
+/// Least squares of one cable's lengths, as the loop of all searches sees it.
+struct Descent<'a, 'b, const P: usize> {
+    search: &'a Search<'b, P>,
+    here: Place<P>,
+    trial: Place<P>,
+    history: Vec<f64>,
+}
+
+impl<const P: usize> solve::Problem for Descent<'_, '_, P> {
+    type Number = f64;
+
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Place { change, equations, .. } = &self.here;
+        let found = self.search.step(change, equations, control);
+        let (step, is_cut) = found.unwrap_or(([0.0; P], false));
+        self.trial.change = add(change, &step);
+        let size = minimizer::size(&step, &self.search.worth);
+        let gain = self.search.settings.minimizer.gain(equations, &step, equations.cost);
+        Step { size, gain, is_cut, is_regular: found.is_some() }
+    }
+
+    fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        (self.trial.values, self.trial.equations) = self.search.equations(&self.trial.change);
+        let (cost, here) = (self.trial.equations.cost, self.here.equations.cost);
+        Trial { helps: cost.is_finite() && cost <= here * (1.0 + 1e-12), gain: 1.0 - cost / here }
+    }
+
+    /// Steps along a descent that do not help however short leave rounding, as damped steps do once they are within the tolerance.
+    fn rests(&mut self, size: f64, tolerance: f64) -> bool {
+        size <= tolerance || self.search.settings.minimizer.rule() == StepRule::Shortening
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.here = self.trial;
+            self.history.push(self.here.equations.cost);
+        }
+    }
+}
+
+impl<const P: usize> Descent<'_, '_, P> {
+    /// Takes a last step that costs no evaluation: the gradient still knows the way to more digits.
+    fn part(&mut self) {
+        let Place { change, values, equations } = &mut self.here;
+        if let Some((step, _)) = self.search.step(change, equations, &Control::none()) {
+            *change = add(change, &step);
+            *values = self.search.block.moved(&self.search.block.start, change);
         }
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::{Fit, Prior, checked_parameters, fit, is_at_bound};
 use crate::geometry::Pose;
 use crate::identification::blocks::{Accumulate, Block};
-use crate::identification::fit::Settings;
+use crate::identification::fit::{Minimizer, Settings};
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::weights::length_weights;
 use crate::measurement::{Samples, SensorSigmas};
@@ -137,4 +137,33 @@ fn values_within_rounding_of_a_bound_are_at_it() {
     let compliance = (0.0, f64::INFINITY);
     assert!(is_at_bound(1e-18, 5e-7, compliance) && !is_at_bound(1e-9, 5e-7, compliance));
     assert!(!is_at_bound(0.0, 0.0, (f64::NEG_INFINITY, f64::INFINITY)));
+}
+
+/// Each way ends at the same optimum, one of pulleys that want to be smaller than none too. The bound is met by an active set, from inside
+/// only to rounding.
+#[test]
+fn every_minimizer_ends_at_the_same_cost() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let plain = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+    let pulleys = place_pulleys(&robot, &[(0.161, Vector3::z()); 8], &robot.home_or_middle()).unwrap();
+    let pulleys = Model::new(pulleys, Composition::PULLEY).unwrap();
+    let samples = samples(&plain);
+    for (model, free, bounds) in
+        [(&plain, "frame-anchor,length-offset", 0), (&pulleys, "frame-anchor,pulley-radius", 1)]
+    {
+        let of = |minimizer| {
+            let settings = Settings { minimizer, ..Settings::default() };
+            let found = fit(model, &samples, &free.parse().unwrap(), &settings).unwrap();
+            assert_ne!(found.status, super::Status::NotConverged, "{minimizer:?} {free}: {}", found.reason);
+            found
+        };
+        let reference = of(Minimizer::LevenbergMarquardt);
+        let at_bound = reference.parameters.iter().filter(|parameter| parameter.at_bound).count();
+        assert!(at_bound >= bounds, "{at_bound} of {free} at a bound");
+        for minimizer in [Minimizer::GaussNewton, Minimizer::Dogleg, Minimizer::TrustRegion] {
+            let other = of(minimizer);
+            let (cost, expected) = (other.noise_factor.powi(2), reference.noise_factor.powi(2));
+            assert!((cost / expected - 1.0).abs() < 1e-10, "{minimizer:?} {free}: {cost} {expected}");
+        }
+    }
 }

@@ -6,13 +6,14 @@ use super::starts::starts;
 use super::{Fit, Optimum, Target, Task, Wanted, emerging, offsets_of, wanted};
 use crate::geometry::Pose;
 use crate::metamodel::input_error::InputError;
+use crate::solve::{self, Control, Rules, Step, StepRule, Stop, descend};
 use crate::tension::{Limits, null_space, quadratic};
 
 /// Steps at most; tensions follow f_ini almost linearly, so that few are needed.
 const STEPS: u32 = 30;
 /// Difference of initial tensions that derivatives are taken over, as a share of the range of the limits.
 const DIFFERENCE: f64 = 1e-4;
-/// A step below this share of the range is the last.
+/// Distance from the optimum, as a share of the range, that ends the search.
 const SETTLED: f64 = 1e-7;
 /// Ends nearer to each other than this share of the range are one optimum.
 const AGREEING: f64 = 1e-4;
@@ -106,36 +107,81 @@ impl Trial {
     }
 }
 
+/// Nearness to the target, as the loop of all searches sees it.
+struct Descent<'a, 's> {
+    search: &'a Search<'s>,
+    /// Nothing before the start was tried.
+    here: Option<Trial>,
+    there: Option<Trial>,
+    /// Step in the tensions, within the limits (N).
+    way: Vec<f64>,
+    refusal: Option<InputError>,
+}
+
+impl Descent<'_, '_> {
+    fn way(&self, here: &Trial) -> Result<Vec<f64>, InputError> {
+        let (step, root) = self.search.step(here, DIFFERENCE * self.search.range)?;
+        let goal = self.search.within(&here.tensions, &step, &root)?;
+        Ok(goal.iter().zip(&here.tensions).map(|(goal, from)| goal - from).collect())
+    }
+}
+
+impl solve::Problem for Descent<'_, '_> {
+    type Number = f64;
+
+    fn step(&mut self, _: &Control<f64>) -> Step<f64> {
+        let way = self.here.as_ref().map_or_else(|| Ok(Vec::new()), |here| self.way(here));
+        match way {
+            Ok(way) => self.way = way,
+            Err(refusal) => self.refusal = Some(refusal),
+        }
+        let size = self.way.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        Step::whole(size, self.refusal.is_none())
+    }
+
+    fn evaluate(&mut self, fraction: f64, _: bool) -> solve::Trial<f64> {
+        let Some(here) = &self.here else { return solve::Trial::new(1.0, true) };
+        let tensions = here.tensions.iter().zip(&self.way).map(|(from, part)| from + fraction * part).collect();
+        match self.search.at(tensions) {
+            Ok(there) => self.there = Some(there),
+            Err(refusal) => (self.there, self.refusal) = (None, Some(refusal)),
+        }
+        let helps = self.there.as_ref().is_some_and(|there| there.is_better_than(here));
+        solve::Trial::new(1.0, helps)
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            self.here = self.there.take();
+        }
+    }
+
+    /// Only places next to here are left.
+    fn rests(&mut self, _: f64, _: f64) -> bool {
+        true
+    }
+}
+
 impl Search<'_> {
     /// Steps from one start until they come to rest.
     fn descend(&self, start: Vec<f64>) -> Result<End, InputError> {
-        let mut end = End { trial: self.at(start)?, iterations: 0, is_settled: false };
-        while end.iterations < STEPS && !end.is_settled {
-            end.iterations += 1;
-            let here = &end.trial;
-            let (step, root) = self.step(here, DIFFERENCE * self.range)?;
-            let goal = self.within(&here.tensions, &step, &root)?;
-            let way: Vec<f64> = goal.iter().zip(&here.tensions).map(|(goal, from)| goal - from).collect();
-            match self.along(here, &way)? {
-                Some(there) => end.trial = there,
-                None => end.is_settled = true,
+        let start = self.at(start)?;
+        let mut descent = Descent { search: self, here: None, there: Some(start), way: Vec::new(), refusal: None };
+        let rules = Rules {
+            tolerance: SETTLED * self.range,
+            max_iterations: STEPS,
+            least_gain: 0.0,
+            rule: StepRule::Shortening,
+        };
+        let end = descend(&mut descent, &rules);
+        let is_settled = end.stop() == Stop::Stationary;
+        match descent {
+            Descent { refusal: Some(refusal), .. } => Err(refusal),
+            Descent { here: Some(trial), .. } | Descent { there: Some(trial), .. } => {
+                Ok(End { trial, iterations: end.iterations as u32, is_settled })
             }
+            Descent { here: None, there: None, .. } => unreachable!("the start is always there"),
         }
-        Ok(end)
-    }
-
-    /// The first better place on a way, its end or a quarter of the way and so on; nothing where only places next to here are left.
-    fn along(&self, here: &Trial, way: &[f64]) -> Result<Option<Trial>, InputError> {
-        let size = way.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
-        let mut share = 1.0;
-        while share * size > SETTLED * self.range {
-            let there = self.at(here.tensions.iter().zip(way).map(|(from, part)| from + share * part).collect())?;
-            if there.is_better_than(here) {
-                return Ok(Some(there));
-            }
-            share *= 0.25;
-        }
-        Ok(None)
     }
 
     fn at(&self, tensions: Vec<f64>) -> Result<Trial, InputError> {

@@ -2,13 +2,14 @@
 
 use super::unsymmetric::unsymmetric;
 use super::{ITERATIONS, RMS, STATUS, TENSIONS};
-use crate::equilibrium::descents::{displaced, flag, settles, sum};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, stiffness_terms};
 use crate::equilibrium::elastostatics::search::ROUNDING;
 use crate::equilibrium::elastostatics::{LoadParts, Settings, Status};
+use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean_length, sum};
 use crate::geometry::{POSE_ROWS, in_lanes};
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, constants, cross, dispatch_on, dot, ldl};
+use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// Eight problems of a robot with six degrees of freedom and six to eight linearly elastic cables.
 pub(super) struct Descents<'a> {
@@ -37,17 +38,6 @@ struct Point<L> {
     doubt: L,
 }
 
-/// Where the eight descents stand; flags are 1 or 0.
-struct State<L> {
-    pose: [Line; POSE_ROWS],
-    tensions: [Line; LANES],
-    last_size: L,
-    residual_squared: L,
-    is_running: L,
-    is_done: L,
-    iterations: L,
-}
-
 impl Descents<'_> {
     /// On an available unit; compiled here, once for library and tests.
     #[inline(never)]
@@ -68,102 +58,119 @@ pub(super) enum Ending {
     Pushes,
 }
 
+/// Least energy of eight platforms, as the loop of all searches sees it.
+struct Eight<'a, L> {
+    lanes: L,
+    descents: &'a Descents<'a>,
+    measure: Measure<L>,
+    /// Stiffness of the cables at rest (N/m).
+    springs: [L; LANES],
+    pose: [Line; POSE_ROWS],
+    trial: [Line; POSE_ROWS],
+    tensions: [Line; LANES],
+    trial_tensions: [Line; LANES],
+    /// Shares of the cables, which stay zeros where there is no cable.
+    terms: [[L; TERMS]; LANES],
+    /// Equations of the trial: plain steps go on from there or not at all. The stiffness of an end is that before its last step.
+    point: Point<L>,
+    trial_squared: L,
+    /// Residual wrench at the pose, squared (N²).
+    residual_squared: L,
+}
+
 impl Kernel for Descents<'_> {
     type Output = [Ending; LANES];
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> [Ending; LANES] {
-        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        let mean_length = self.mean_length(lanes);
-        let tolerance = lanes.constant(self.settings.pose_tolerance) * mean_length.max(one);
-        let radius = lanes.constant(self.platform_radius);
+        let (zero, one, infinite) = (lanes.constant(0.0), lanes.constant(1.0), lanes.constant(f64::INFINITY));
+        let mean_length = mean_length(lanes, self.lengths);
         let (springs, stiffness_scale) = self.springs(lanes);
-        let mut trial = [Line::default(); POSE_ROWS];
-        trial.copy_from_slice(self.guesses);
-        let mut tensions = [Line::default(); LANES];
-        let mut state = State {
-            pose: trial,
-            tensions,
-            last_size: zero,
-            residual_squared: lanes.constant(f64::INFINITY),
-            is_running: one,
-            is_done: zero,
-            iterations: zero,
+        let mut start = [Line::default(); POSE_ROWS];
+        start.copy_from_slice(self.guesses);
+        let mut eight = Eight {
+            lanes,
+            descents: &self,
+            measure: Measure { translations: 3, mean_length, platform_radius: lanes.constant(self.platform_radius) },
+            springs,
+            pose: start,
+            trial: start,
+            tensions: [Line::default(); LANES],
+            trial_tensions: [Line::default(); LANES],
+            terms: [[zero; TERMS]; LANES],
+            point: Point { residual: [zero; 6], stiffness: [[zero; 6]; 6], doubt: zero },
+            trial_squared: infinite,
+            residual_squared: infinite,
         };
-        // the guess is a trial like all others, so that the evaluation is compiled once
-        let (mut size, mut last) = (zero, zero);
-        let mut before = [[zero; 6]; 6];
-        let mut stiffness = before;
-        let mut terms = [[zero; TERMS]; LANES];
-        // a plain descent needs far fewer steps
-        for _ in 0..=self.settings.max_iterations.min(30) {
-            let all_end = !lanes.any(last.is_less(state.is_running));
-            let point = self.evaluate(lanes, &trial, &springs, (&mut tensions, &mut terms), !all_end);
-            let residual_squared = self.squared(&point.residual);
-            let is_cut = flag(one, residual_squared.is_less(lanes.constant(CUT) * state.residual_squared));
-            let has_courses = one - flag(one, zero.is_less(point.doubt));
-            state.is_running = state.is_running * is_cut * has_courses;
-            state.accept(lanes, &trial, &tensions, [size, residual_squared]);
-            let ends = zero.is_less(state.is_running * last);
-            if lanes.any(ends) {
-                for row in 0..self.model.dof() {
-                    for column in 0..=row {
-                        // the stiffness of an end is that before its last step
-                        stiffness[row][column] = before[row][column].select(ends, stiffness[row][column]);
-                    }
-                }
-            }
-            before = point.stiffness;
-            state.is_done = one.select(ends, state.is_done);
-            state.is_running = state.is_running * (one - last);
-            if !lanes.any(zero.is_less(state.is_running)) {
-                break;
-            }
-            state.iterations = state.iterations + state.is_running;
-            let (step, is_regular) = self.step(&point);
-            let shift_squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-            let turn_squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
-            let largest_squared = turn_squared.max(shift_squared / (mean_length * mean_length));
-            let is_short = flag(one, largest_squared.is_less(lanes.constant(0.2499)));
-            state.is_running = state.is_running * is_regular * is_short;
-            size = (shift_squared + radius * radius * turn_squared).sqrt();
-            last = settles(size, size / state.last_size, tolerance);
-            trial = displaced(lanes, &state.pose, &step);
-        }
-        self.conclude(lanes, &state, stiffness, [stiffness_scale, mean_length])
+        let rules = Rules {
+            tolerance: lanes.constant(self.settings.pose_tolerance) * mean_length.max(one),
+            // a plain descent needs far fewer steps
+            max_iterations: self.settings.max_iterations.min(30),
+            least_gain: 0.0,
+            rule: StepRule::Plain { slowest: f64::INFINITY },
+        };
+        let end = descend(&mut eight, &rules);
+        let is_done = end.is(Stop::Stationary);
+        let Eight { pose, tensions, point, residual_squared, .. } = eight;
+        let ended = Ended { pose, tensions, residual_squared, is_done, iterations: end.iterations };
+        self.conclude(lanes, &ended, point.stiffness, [stiffness_scale, mean_length])
     }
 }
 
-impl<L: Lanes> State<L> {
-    /// Moves on to the trial where the descent still runs.
+/// Ends of the eight descents.
+struct Ended<L: Lanes> {
+    pose: [Line; POSE_ROWS],
+    tensions: [Line; LANES],
+    residual_squared: L,
+    is_done: L::Mask,
+    iterations: L,
+}
+
+impl<L: Lanes> solve::Problem for Eight<'_, L> {
+    type Number = L;
+
+    /// The undamped Newton step, regular where the stiffness is clearly positive definite.
     #[inline(always)]
-    fn accept(
-        &mut self,
-        lanes: L,
-        trial: &[Line; POSE_ROWS],
-        tensions: &[Line; LANES],
-        [size, residual_squared]: [L; 2],
-    ) {
-        let runs = lanes.constant(0.0).is_less(self.is_running);
-        let here = self.pose.iter_mut().chain(&mut self.tensions);
-        for (here, there) in here.zip(trial.iter().chain(tensions)) {
-            lanes.load(&there.0).select(runs, lanes.load(&here.0)).store(&mut here.0);
+    fn step(&mut self, _: &Control<L>) -> Step<L> {
+        let (l, descents) = (self.lanes, self.descents);
+        let (mut matrix, mut amounts) = (self.point.stiffness, self.point.residual);
+        let is_regular = ldl::solve_in_lanes(descents.model.dof(), &mut matrix, &mut amounts);
+        let moment = &descents.load.constant;
+        if moment[3..].iter().any(|&moment| moment != 0.0) {
+            amounts = unsymmetric(descents.model.dof(), &self.point.stiffness, &self.point.residual, moment);
         }
-        self.last_size = size.select(runs, self.last_size);
-        self.residual_squared = residual_squared.select(runs, self.residual_squared);
+        let size = self.measure.shorten(&mut amounts);
+        self.trial = displaced_lines(l, &self.pose, &amounts);
+        Step::whole(size, l.constant(0.0).is_less(is_regular))
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, _: L, is_last: bool) -> Trial<L> {
+        let l = self.lanes;
+        let Self { descents, trial, springs, trial_tensions, terms, .. } = self;
+        let next = descents.evaluate(l, trial, springs, (trial_tensions, terms), !is_last);
+        let stiffness = if is_last { self.point.stiffness } else { next.stiffness };
+        self.point = Point { stiffness, ..next };
+        self.trial_squared = descents.squared(&next.residual);
+        let is_cut = self.trial_squared.is_less(l.constant(CUT) * self.residual_squared);
+        Trial::new(l, l.without(is_cut, l.constant(0.0).is_less(next.doubt)))
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, helps: L::Mask, _: L) {
+        accept_lines(self.lanes, helps, &mut self.pose, &self.trial);
+        accept_lines(self.lanes, helps, &mut self.tensions, &self.trial_tensions);
+        self.residual_squared = self.trial_squared.select(helps, self.residual_squared);
+    }
+
+    /// Not decided here: the single pose looks closer.
+    #[inline(always)]
+    fn rests(&mut self, size: L, _: L) -> L::Mask {
+        size.everywhere(false)
     }
 }
 
 impl Descents<'_> {
-    #[inline(always)]
-    fn mean_length<L: Lanes>(&self, lanes: L) -> L {
-        let mut sum = lanes.constant(0.0);
-        for line in self.lengths {
-            sum = sum + lanes.load(&line.0);
-        }
-        sum / lanes.constant(self.lengths.len() as f64)
-    }
-
     /// Stiffness of the cables at rest, and its sum (N/m).
     #[inline(always)]
     fn springs<L: Lanes>(&self, lanes: L) -> ([L; LANES], L) {
@@ -191,17 +198,6 @@ impl Descents<'_> {
             sum = sum + entry * entry;
         }
         sum
-    }
-
-    /// The undamped Newton step, and 1 where the stiffness is clearly positive definite.
-    #[inline(always)]
-    fn step<L: Lanes>(&self, point: &Point<L>) -> ([L; 6], L) {
-        let (mut matrix, mut amounts) = (point.stiffness, point.residual);
-        let is_regular = ldl::solve_in_lanes(self.model.dof(), &mut matrix, &mut amounts);
-        if self.load.constant[3..].iter().any(|&moment| moment != 0.0) {
-            amounts = unsymmetric(self.model.dof(), &point.stiffness, &point.residual, &self.load.constant);
-        }
-        (amounts, is_regular)
     }
 
     /// Residual, tensions and, where it is asked for, stiffness; `terms` are the cables' shares, which stay zeros where there is
@@ -275,7 +271,7 @@ impl Descents<'_> {
     fn conclude<L: Lanes>(
         self,
         lanes: L,
-        state: &State<L>,
+        ended: &Ended<L>,
         mut stiffness: [[L; 6]; 6],
         [scale, mean_length]: [L; 2],
     ) -> [Ending; LANES] {
@@ -289,7 +285,7 @@ impl Descents<'_> {
         let load = |force: &[f64]| lanes.constant(force.iter().map(|entry| entry * entry).sum::<f64>().sqrt());
         let mut pull = load(&self.load.constant[..3]) + load(&self.load.weight);
         let (mut pushes, mut least_tension) = (zero, lanes.constant(f64::INFINITY));
-        for tension in &state.tensions[..self.lengths.len()] {
+        for tension in &ended.tensions[..self.lengths.len()] {
             let tension = lanes.load(&tension.0);
             pushes = one.select(tension.is_less(zero), pushes);
             pull = pull + tension.abs();
@@ -298,19 +294,16 @@ impl Descents<'_> {
         // clearly in balance and clearly taut; what is not clear is the single pose's to decide
         let undecided = lanes.constant(self.settings.wrench_tolerance) * pull;
         let most = lanes.constant(0.25) * undecided * undecided;
-        let is_clear = flag(one, state.residual_squared.is_less(most))
-            * flag(
-                one,
-                (lanes.constant(2.0) * (undecided + lanes.constant(ROUNDING) * scale * mean_length))
-                    .is_less(least_tension),
-            );
-        let is_solved = state.is_done * is_stable * is_clear * (one - pushes);
-        self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
+        let clear_tension = lanes.constant(2.0) * (undecided + lanes.constant(ROUNDING) * scale * mean_length);
+        let is_clear = lanes.both(ended.residual_squared.is_less(most), clear_tension.is_less(least_tension));
+        let is_done = one.select(ended.is_done, zero);
+        let is_solved = is_done.select(is_clear, zero) * is_stable * (one - pushes);
+        self.solutions[..POSE_ROWS].copy_from_slice(&ended.pose);
         self.solutions[RMS].0 = [0.0; LANES];
-        state.iterations.store(&mut self.solutions[ITERATIONS].0);
+        ended.iterations.store(&mut self.solutions[ITERATIONS].0);
         self.solutions[STATUS].0 = [Status::Converged.code(); LANES];
-        self.solutions[TENSIONS..].copy_from_slice(&state.tensions[..self.lengths.len()]);
-        let (solved, pushing) = (is_solved.to_array(), (state.is_done * pushes).to_array());
+        self.solutions[TENSIONS..].copy_from_slice(&ended.tensions[..self.lengths.len()]);
+        let (solved, pushing) = (is_solved.to_array(), (is_done * pushes).to_array());
         let mut endings = [Ending::Open; LANES];
         for lane in 0..LANES {
             if solved[lane] > 0.0 {

@@ -1,12 +1,13 @@
 //! Eight plain descents side by side, with the bits of the single one.
 
 use super::{ITERATIONS, RMS, STATUS};
-use crate::equilibrium::descents::{displaced, flag, product, settles};
 use crate::equilibrium::forward_kinematics::descent::SLOW_CONTRACTION;
 use crate::equilibrium::forward_kinematics::{Settings, Status};
+use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean_length, product};
 use crate::geometry::{POSE_ROWS, in_lanes};
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, cross, dispatch_on, ldl};
+use crate::solve::{self, Control, End, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// Eight problems of a robot with six degrees of freedom and six to eight cables.
 pub(super) struct Descents<'a> {
@@ -19,6 +20,7 @@ pub(super) struct Descents<'a> {
 }
 
 /// Sum of squares, gradient side and normal matrix.
+#[derive(Clone, Copy)]
 struct Normal<L> {
     cost: L,
     right: [L; 6],
@@ -26,17 +28,6 @@ struct Normal<L> {
     matrix: [[L; 6]; 6],
     /// 1 where a cable may have no course.
     doubt: L,
-}
-
-/// Where the eight descents stand; flags are 1 or 0.
-struct State<L> {
-    pose: [Line; POSE_ROWS],
-    last_size: L,
-    is_running: L,
-    is_done: L,
-    iterations: L,
-    /// Sum of squared residuals at the pose.
-    cost: L,
 }
 
 impl Descents<'_> {
@@ -47,6 +38,22 @@ impl Descents<'_> {
     }
 }
 
+/// Least squares of eight sets of lengths, as the loop of all searches sees them.
+struct Eight<'a, L> {
+    lanes: L,
+    model: &'a Model,
+    lengths: &'a [Line],
+    measure: Measure<L>,
+    /// Share of the cost that is left to rounding (m²).
+    rounding: L,
+    pose: [Line; POSE_ROWS],
+    trial: [Line; POSE_ROWS],
+    /// Sum of squared residuals at the pose.
+    cost: L,
+    /// Equations of the trial: plain steps go on from there or not at all.
+    normal: Normal<L>,
+}
+
 impl Kernel for Descents<'_> {
     /// Which of the eight are solved.
     type Output = [bool; LANES];
@@ -54,84 +61,69 @@ impl Kernel for Descents<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> [bool; LANES] {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        let mean_length = self.mean_length(lanes);
-        let tolerance = lanes.constant(self.settings.pose_tolerance) * mean_length.max(one);
-        let rounding = lanes.constant(1e-29) * mean_length * mean_length;
-        let radius = lanes.constant(self.platform_radius);
-        let mut trial = [Line::default(); POSE_ROWS];
-        trial.copy_from_slice(self.guesses);
-        let mut state = State {
-            pose: trial,
-            last_size: zero,
-            is_running: one,
-            is_done: zero,
-            iterations: zero,
+        let mean_length = mean_length(lanes, self.lengths);
+        let mut start = [Line::default(); POSE_ROWS];
+        start.copy_from_slice(self.guesses);
+        let mut eight = Eight {
+            lanes,
+            model: self.model,
+            lengths: self.lengths,
+            measure: Measure { translations: 3, mean_length, platform_radius: lanes.constant(self.platform_radius) },
+            rounding: lanes.constant(1e-29) * mean_length * mean_length,
+            pose: start,
+            trial: start,
             cost: lanes.constant(f64::INFINITY),
+            normal: Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], doubt: zero },
         };
-        // the guess is a trial like all others, so that the evaluation is compiled once
-        let (mut size, mut contraction, mut last) = (zero, zero, zero);
-        let mut most = state.cost;
-        // a plain descent needs far fewer steps
-        for _ in 0..=self.settings.max_iterations.min(30) {
-            let all_end = !lanes.any(last.is_less(state.is_running));
-            let mut normal = self.evaluate(lanes, &trial, !all_end);
-            let falls = one - flag(most, most.is_less(normal.cost));
-            let is_finite = flag(most, normal.cost.is_less(lanes.constant(f64::INFINITY)));
-            state.is_running = state.is_running * falls * is_finite * (one - normal.doubt);
-            state.accept(lanes, &trial, size, normal.cost);
-            state.is_done = state.is_done.max(last * state.is_running);
-            // steps that shrink slowly ask for second derivatives
-            let is_slow = flag(size, lanes.constant(SLOW_CONTRACTION).is_less(contraction))
-                * flag(size, contraction.is_less(lanes.constant(f64::INFINITY)));
-            state.is_running = state.is_running * (one - last) * (one - is_slow);
-            if !lanes.any(zero.is_less(state.is_running)) {
-                break;
-            }
-            state.iterations = state.iterations + state.is_running;
-            let mut step = normal.right;
-            let is_regular = ldl::solve_in_lanes(self.model.dof(), &mut normal.matrix, &mut step);
-            let shift_squared = step[0] * step[0] + step[1] * step[1] + step[2] * step[2];
-            let turn_squared = step[3] * step[3] + step[4] * step[4] + step[5] * step[5];
-            let largest_squared = turn_squared.max(shift_squared / (mean_length * mean_length));
-            let is_short = flag(largest_squared, largest_squared.is_less(lanes.constant(0.2499)));
-            state.is_running = state.is_running * is_regular * is_short;
-            size = (shift_squared + radius * radius * turn_squared).sqrt();
-            contraction = size / state.last_size;
-            last = settles(size, contraction, tolerance);
-            most = state.cost * lanes.constant(1.0 + 1e-12) + rounding;
-            trial = displaced(lanes, &state.pose, &step);
-        }
-        self.conclude(lanes, &state, mean_length)
+        let rules = Rules {
+            tolerance: lanes.constant(self.settings.pose_tolerance) * mean_length.max(one),
+            // a plain descent needs far fewer steps
+            max_iterations: self.settings.max_iterations.min(30),
+            least_gain: 0.0,
+            rule: StepRule::Plain { slowest: SLOW_CONTRACTION },
+        };
+        let end = descend(&mut eight, &rules);
+        self.conclude(&eight, &end)
     }
 }
 
-impl<L: Lanes> State<L> {
-    /// Moves on to the trial where the descent still runs.
+impl<L: Lanes> solve::Problem for Eight<'_, L> {
+    type Number = L;
+
     #[inline(always)]
-    fn accept(&mut self, lanes: L, trial: &[Line; POSE_ROWS], size: L, cost: L) {
-        let runs = lanes.constant(0.0).is_less(self.is_running);
-        for (pose, trial) in self.pose.iter_mut().zip(trial) {
-            lanes.load(&trial.0).select(runs, lanes.load(&pose.0)).store(&mut pose.0);
-        }
-        self.last_size = size.select(runs, self.last_size);
-        self.cost = cost.select(runs, self.cost);
+    fn step(&mut self, _: &Control<L>) -> Step<L> {
+        let l = self.lanes;
+        let mut amounts = self.normal.right;
+        let is_regular = ldl::solve_in_lanes(self.model.dof(), &mut self.normal.matrix, &mut amounts);
+        let size = self.measure.shorten(&mut amounts);
+        self.trial = displaced_lines(l, &self.pose, &amounts);
+        Step::whole(size, l.constant(0.0).is_less(is_regular))
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, _: L, is_last: bool) -> Trial<L> {
+        let l = self.lanes;
+        self.normal = self.equations(!is_last);
+        let (cost, infinite) = (self.normal.cost, l.constant(f64::INFINITY));
+        let most = self.cost * l.constant(1.0 + 1e-12) + self.rounding;
+        let has_courses = self.normal.doubt.is_less(l.constant(0.5));
+        let helps = l.both(l.without(cost.is_less(infinite), most.is_less(cost)), has_courses);
+        Trial::new(l, helps)
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, helps: L::Mask, _: L) {
+        accept_lines(self.lanes, helps, &mut self.pose, &self.trial);
+        self.cost = self.normal.cost.select(helps, self.cost);
     }
 }
 
-impl Descents<'_> {
-    #[inline(always)]
-    fn mean_length<L: Lanes>(&self, lanes: L) -> L {
-        let mut sum = lanes.constant(0.0);
-        for line in self.lengths {
-            sum = sum + lanes.load(&line.0);
-        }
-        sum / lanes.constant(self.lengths.len() as f64)
-    }
-
+impl<L: Lanes> Eight<'_, L> {
     /// Sum of squared residuals, with the normal equations where they are asked for; sums over cables in the order of
     /// [`Lanes::sum`].
     #[inline(always)]
-    fn evaluate<L: Lanes>(&self, lanes: L, pose: &[Line; POSE_ROWS], with_matrix: bool) -> Normal<L> {
+    fn equations(&self, with_matrix: bool) -> Normal<L> {
+        let (lanes, pose) = (self.lanes, &self.trial);
         let zero = lanes.constant(0.0);
         let (position, rotation) = in_lanes(lanes, pose);
         let mut rows = [[zero; LANES]; 7];
@@ -159,23 +151,25 @@ impl Descents<'_> {
         }
         normal
     }
+}
 
+impl Descents<'_> {
     /// Writes the solutions; which of them are those of a good plain descent.
     #[inline(always)]
-    fn conclude<L: Lanes>(self, lanes: L, state: &State<L>, mean_length: L) -> [bool; LANES] {
-        let one = lanes.constant(1.0);
-        let settings = self.settings;
-        let rms = (state.cost / lanes.constant(self.lengths.len() as f64)).sqrt();
+    fn conclude<L: Lanes>(self, eight: &Eight<'_, L>, end: &End<L>) -> [bool; LANES] {
+        let (lanes, mean_length) = (eight.lanes, eight.measure.mean_length);
+        let (settings, one) = (self.settings, lanes.constant(1.0));
+        let rms = (eight.cost / lanes.constant(self.lengths.len() as f64)).sqrt();
         let plausible = lanes.constant(settings.plausible_residual) * mean_length;
         let most = match self.lengths.len() == self.model.dof() {
             true => plausible.min(lanes.constant(settings.length_tolerance) * mean_length.max(one)),
             false => plausible,
         };
-        let is_good = one - flag(one, most.is_less(rms));
-        let is_done = (state.is_done * is_good).to_array();
-        self.solutions[..POSE_ROWS].copy_from_slice(&state.pose);
+        let is_done = lanes.without(end.is(Stop::Stationary), most.is_less(rms));
+        let is_done = one.select(is_done, lanes.constant(0.0)).to_array();
+        self.solutions[..POSE_ROWS].copy_from_slice(&eight.pose);
         rms.store(&mut self.solutions[RMS].0);
-        state.iterations.store(&mut self.solutions[ITERATIONS].0);
+        end.iterations.store(&mut self.solutions[ITERATIONS].0);
         self.solutions[STATUS].0 = [Status::Converged.code(); LANES];
         let mut done = [false; LANES];
         for lane in 0..LANES {

@@ -1,0 +1,19 @@
+//! The convergence test of all searches.
+
+use crate::scalar::Select;
+
+/// Share of the tolerance below which a step is the last, whatever the steps before it were.
+const NEGLIGIBLE: f64 = 1e-3;
+
+/// Lanes in which this step is the last: the remaining ones, if they go on shrinking at this rate, add up to less than the
+/// tolerance.
+///
+/// Σ size·contractionᵏ (k ≥ 1) = size·contraction/(1 − contraction); a rate above a half is no sign of convergence. Judging the
+/// step, not the residual, is what serves lengths that contradict each other (the residual stays) and exact ones alike.
+#[inline(always)]
+pub(super) fn settles<N: Select>(size: N, contraction: N, tolerance: N) -> N::Mask {
+    let shrinks = contraction.is_less(size.constant(0.5));
+    let remaining = (tolerance * (size.constant(1.0) - contraction)).is_less(size * contraction);
+    let is_negligible = size.is_less(size.constant(NEGLIGIBLE) * tolerance);
+    size.either(size.without(shrinks, remaining), is_negligible)
+}
