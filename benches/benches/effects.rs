@@ -5,6 +5,7 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
+use cdpr::equilibrium::State;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
@@ -42,23 +43,12 @@ fn poses() -> Vec<Pose> {
 
 /// Controlled lengths of all cables at all poses, summed.
 fn sweep(model: &Model, poses: &[Pose]) -> f64 {
-    let closed_form = model.composition().has_closed_form();
-    let mut sum = 0.0;
-    for pose in poses {
-        for cable in 0..model.cable_count() {
-            sum += match closed_form {
-                true => {
-                    let length = model.course(cable, pose).map_or(f64::NAN, |(course, _)| course.length);
-                    model.elasticity(cable).controlled_length(length, 4000.0)
-                }
-                false => {
-                    let hold = model.hold(cable, pose, model.known_tension(cable, 4000.0));
-                    hold.map_or(f64::NAN, |(hold, _)| hold.controlled_length)
-                }
-            };
-        }
-    }
-    sum
+    let (mut state, tensions) = (State::at_home(model), vec![4000.0; model.cable_count()]);
+    let length = |pose| match model.inverse(pose, &tensions, &mut state) {
+        Ok(command) => command.cables.iter().map(|cable| cable.controlled_length).sum(),
+        Err(_) => f64::NAN,
+    };
+    poses.iter().map(length).sum()
 }
 
 /// Shortest time per pose of many sweeps (ns): what the machine can, whatever else it does.

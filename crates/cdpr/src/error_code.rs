@@ -5,10 +5,9 @@
 
 mod identification;
 
-use crate::cable::DegenerateCourse;
-use crate::cable::law::HoldError;
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
+use crate::cable::{CableStateError, DegenerateCourse};
 use crate::equilibrium::{ForwardError, distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::identification::PredictionError;
@@ -34,7 +33,7 @@ impl ErrorCode for ReadError {
     }
 }
 
-impl ErrorCode for HoldError {
+impl ErrorCode for CableStateError {
     fn code(&self) -> &'static str {
         match self {
             Self::NoCourse => "cable::no-course",
@@ -161,7 +160,7 @@ impl ErrorCode for StaticsError {
             Self::TensionCount { .. } => "tensions::count",
             Self::NotFinite { .. } => "tensions::not-finite",
             Self::Negative { .. } => "tensions::negative",
-            Self::Hold { reason, .. } => reason.code(),
+            Self::CableState { reason, .. } => reason.code(),
             Self::Overstretched { .. } => "tensions::overstretched",
             Self::Rigid { .. } => "stiffness::rigid-cable",
             Self::UnknownCable { .. } | Self::RepeatedCable { .. } => "group::cables",

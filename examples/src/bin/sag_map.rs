@@ -8,10 +8,11 @@
 use std::error::Error;
 use std::path::Path;
 
-use cdpr::cable::law::{CableLaw, Hold, HoldError, Kind, Known};
+use cdpr::cable::law::{CableLaw, Kind};
 use cdpr::cable::outlet::Outlet;
 use cdpr::cable::span::{Shape, State as Span};
 use cdpr::cable::stretch::Stretch;
+use cdpr::cable::{CableInput, CableStateError, Recording};
 use cdpr::equilibrium::distribution;
 use cdpr::metamodel::effects::{Contribution, State, contributions, largest};
 use cdpr::model::{Composition, Model, Supported};
@@ -47,22 +48,23 @@ fn rope(shape: Shape) -> CableLaw {
         hidden_length: 0.0,
         series_compliance: 0.0,
         weight: [0.0, 0.0, -DENSITY * GRAVITY],
+        recording: Recording::EXACT,
         kind: Kind::Sagging(shape),
     }
 }
 
 /// Sag in the middle and length beyond the chord (m) of a rope to `end` with this tension at its outlet (N).
-fn sag(end: [f64; 3], tension: f64) -> Result<(f64, f64), HoldError> {
-    let hold = rope(Shape::Catenary).hold(end, Known::OutletTension(tension))?;
-    let half = Span { force: hold.state.force, length: 0.5 * hold.state.length };
+fn sag(end: [f64; 3], tension: f64) -> Result<(f64, f64), CableStateError> {
+    let cable = rope(Shape::Catenary).state(end, CableInput::OutletTension(tension))?;
+    let half = Span { force: cable.span.force, length: 0.5 * cable.span.length };
     let middle = Shape::Catenary.vector(&half, [0.0, 0.0, -DENSITY * GRAVITY], &Stretch::Rigid);
     let chord = end.iter().map(|x| x * x).sum::<f64>().sqrt();
-    Ok((0.5 * end[2] - middle[2], hold.controlled_length - chord))
+    Ok((0.5 * end[2] - middle[2], cable.controlled_length - chord))
 }
 // ANCHOR_END: cable
 
 /// Tension, sag and extra length of a level span of 10 m.
-fn level_span() -> Result<Vec<[f64; 3]>, HoldError> {
+fn level_span() -> Result<Vec<[f64; 3]>, CableStateError> {
     println!("| tension at the outlet N | sag in the middle mm | longer than the chord mm |\n|---|---|---|");
     let mut rows = Vec::new();
     for tension in [250.0, 500.0, 1000.0, 2000.0, 4000.0, 8000.0] {
@@ -78,31 +80,31 @@ fn level_span() -> Result<Vec<[f64; 3]>, HoldError> {
 }
 
 /// Length and tension at the lower end, where the outlet is, of a span of 6 m × 4 m.
-fn two_lengths() -> Result<Vec<(f64, f64)>, HoldError> {
+fn two_lengths() -> Result<Vec<(f64, f64)>, CableStateError> {
     let end = [6.0, 0.0, 4.0];
-    let tension = |length: f64| -> Result<f64, HoldError> {
-        let hold: Hold = rope(Shape::Catenary).hold(end, Known::ControlledLength(length))?;
-        Ok(hold.outlet_tension)
+    let tension = |length: f64| -> Result<f64, CableStateError> {
+        Ok(rope(Shape::Catenary).state(end, CableInput::ControlledLength(length))?.outlet_tension)
     };
     let points = (0..=120).map(|k| 7.215 + 0.065 * f64::from(k));
     let points: Vec<(f64, f64)> =
-        points.map(|length| Ok((length, tension(length)?))).collect::<Result<_, HoldError>>()?;
+        points.map(|length| Ok((length, tension(length)?))).collect::<Result<_, CableStateError>>()?;
     let least = points.iter().copied().fold((0.0, f64::INFINITY), |a, b| if b.1 < a.1 { b } else { a });
     println!("\n6 m × 4 m: least tension at the lower end {:.1} N, at {:.2} m", least.1, least.0);
     assert!((least.1 - 24.4).abs() < 0.1, "{least:?}");
-    let taut = rope(Shape::Catenary).hold(end, Known::OutletTension(40.0))?.controlled_length;
+    let taut = rope(Shape::Catenary).state(end, CableInput::OutletTension(40.0))?.controlled_length;
     println!("40 N there belong to {taut:.3} m, and to a longer rope");
     Ok(points)
 }
 
 /// How near chains of elements come to the catenary.
-fn finite_elements() -> Result<(), HoldError> {
+fn finite_elements() -> Result<(), CableStateError> {
     let end = [8.0, 0.0, 6.0];
-    let exact = rope(Shape::Catenary).hold(end, Known::OutletTension(1000.0))?.controlled_length;
+    let exact = rope(Shape::Catenary).state(end, CableInput::OutletTension(1000.0))?.controlled_length;
     println!("\n| elements | length error µm | order |\n|---|---|---|");
     let mut before = None;
     for count in [1, 2, 4, 8, 16, 32] {
-        let length = rope(Shape::FiniteElements(count)).hold(end, Known::OutletTension(1000.0))?.controlled_length;
+        let length =
+            rope(Shape::FiniteElements(count)).state(end, CableInput::OutletTension(1000.0))?.controlled_length;
         let error = (length - exact).abs();
         let order = before.map(|before: f64| (before / error).log2());
         println!("| {count} | {:.3} | {} |", 1e6 * error, order.map_or("–".to_owned(), |order| format!("{order:.2}")));

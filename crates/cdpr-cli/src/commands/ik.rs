@@ -91,17 +91,19 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let mut state = State::at(&model, &pose);
     let command = |tensions: &[f64], state: &mut State| {
         let solution = model.inverse(&pose, tensions, state).map_err(|error| refused("--tensions", &error))?;
-        InverseKinematics::of(&model, solution)
+        InverseKinematics::of(&model, solution).map(|answer| (answer, solution.needs_tensions()))
     };
-    let mut answer = command(&vec![f64::NAN; model.cable_count()], &mut state)?;
-    if model.depends_on_tension() {
-        if answer.reason.is_none() {
-            match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {
-                Chosen::Tensions(tensions) => {
-                    answer = InverseKinematics { tensions: Some(tensions.clone()), ..command(&tensions, &mut state)? };
-                }
-                Chosen::None { status, reason } => (answer.status, answer.reason) = (status, Some(reason)),
+    let (mut answer, needs_tensions) = command(&vec![f64::NAN; model.cable_count()], &mut state)?;
+    if answer.reason.is_some() {
+        return output.answer(&answer);
+    }
+    if needs_tensions {
+        match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {
+            Chosen::Tensions(tensions) => {
+                answer = command(&tensions, &mut state)?.0;
+                answer.tensions = Some(tensions);
             }
+            Chosen::None { status, reason } => (answer.status, answer.reason) = (status, Some(reason)),
         }
     } else if arguments.tensions.is_some() || arguments.wrench.is_some() {
         let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };

@@ -133,7 +133,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 /// The tensions of the state; none where lengths do not depend on them.
 fn tensions(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Chosen, Failure> {
-    if arguments.tensions.is_none() && !model.composition().depends_on_tension() {
+    if arguments.tensions.is_none() && model.lengths_without_tensions(pose).is_some() {
         return Ok(Chosen::Tensions(Vec::new()));
     }
     tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())

@@ -92,7 +92,7 @@ struct Matrices {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.robot.model(arguments.model)?;
-    if !model.composition().depends_on_tension() {
+    if !model.needs_tensions() {
         let elastic = Composition { stretch: StretchEffect::Linear, ..model.composition() };
         let message = format!("--model {}: its cables are rigid, so the stiffness is infinite", model.composition());
         return Err(Failure::input("stiffness::rigid-cable", message, format!("use `--model {elastic}`")));

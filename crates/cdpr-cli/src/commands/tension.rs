@@ -169,7 +169,9 @@ fn find(
     let balance = match balance {
         Ok(balance) => balance,
         // a cable that hangs in no shape is an answer about the pose
-        Err(DistributionError::Statics(ref error @ StaticsError::Hold { reason, .. })) if !reason.is_overflow() => {
+        Err(DistributionError::Statics(ref error @ StaticsError::CableState { reason, .. }))
+            if !reason.is_overflow() =>
+        {
             let reason = Some(error.to_string());
             return Ok((Found { status: "no-shape", reason, wrench: Some(wrench), ..Found::default() }, limits));
         }

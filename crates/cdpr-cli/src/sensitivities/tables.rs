@@ -16,7 +16,7 @@ pub(crate) fn derivatives(found: &Deviations, experiment: &Experiment) -> String
         "pose,x_m,y_m,z_m,parameter,unit,position_x_m_per_unit,position_y_m_per_unit,position_z_m_per_unit,\
          rotation_x_rad_per_unit,rotation_y_rad_per_unit,rotation_z_rad_per_unit",
     );
-    let has_tensions = machine.composition().depends_on_tension();
+    let has_tensions = experiment.tensions_emerge();
     let tension_count = if has_tensions { machine.cable_count() } else { 0 };
     (1..=tension_count).for_each(|cable| text.push_str(&format!(",tension_N_{cable}_per_unit")));
     text.push('\n');

@@ -51,7 +51,7 @@ pub(crate) fn render(page: &StudyPage<'_>) -> Result<String, Failure> {
     let values = context! {
         is_planar,
         turns => robot.motion_pattern.has_rotation(),
-        has_tensions => machine.composition().depends_on_tension(),
+        has_tensions => page.study_file.tensions_emerge(),
         headline => headline(&page.found.summary),
         comparison => comparison(&page.found.summary),
         facts => facts(page),
@@ -105,8 +105,7 @@ fn facts(page: &StudyPage<'_>) -> Value {
         ("Poses", page.found.samples.len().to_string()),
         ("Winch offsets", format!("{} mm", offsets.join(", "))),
     ];
-    let limits = study_file.limits().filter(|_| study_file.machine.composition().depends_on_tension());
-    if let Some(limits) = limits {
+    if let Some(limits) = study_file.requirements().tensions {
         let same = |values: &[f64]| values.iter().all(|value| Some(value) == values.first());
         let words = match (limits.minimum(), limits.maximum()) {
             ([low, ..], [high, ..]) if same(limits.minimum()) && same(limits.maximum()) => {
@@ -122,7 +121,7 @@ fn facts(page: &StudyPage<'_>) -> Value {
 /// What counts as reached.
 fn reached_words(experiment: &Experiment) -> String {
     let most = experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
-    match (most, experiment.machine.composition().depends_on_tension()) {
+    match (most, experiment.requirements().tensions.is_some()) {
         (Some(most), true) => format!(
             "the tensions that emerge keep the limits and the position error is at most {} mm",
             short(1e3 * most)

@@ -63,7 +63,7 @@ pub(super) fn poses(page: &StudyPage<'_>) -> Value {
     titles.push("error, mm".to_owned());
     titles.extend(pattern.has_rotation().then(|| "rotation error, °".to_owned()));
     titles.push("linear step, mm".to_owned());
-    let has_tensions = page.study_file.machine.composition().depends_on_tension();
+    let has_tensions = page.study_file.tensions_emerge();
     titles.extend(has_tensions.then(|| "tensions, N".to_owned()));
     let row = |(index, sample): (usize, &Sample)| -> Vec<String> {
         let components = pattern.pose_to_components(robot.plane, &sample.commanded);

@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-use crate::scalar::{Real, cross, dot, rotate_back, scale};
+use super::wrench::wrench;
+use crate::scalar::{Real, dot, rotate_back, scale};
 
 /// Length and pull of one rigid, straight cable, with what its derivatives need.
 ///
@@ -82,14 +83,34 @@ impl DegenerateCourse {
 }
 
 impl<T: Real> Course<T> {
-    /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the lever b = R b_P.
+    /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the moment arm b = R b_P.
     ///
     /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (see the book, “Models”).
     #[inline(always)]
-    pub fn by_pose(&self, lever: [T; 3]) -> ([T; 6], [[T; 6]; 3]) {
+    pub fn by_pose(&self, moment_arm: [T; 3]) -> ([T; 6], [[T; 6]; 3]) {
         let [x, y, z] = self.direction_gradient;
-        let length = with_moment(lever, scale(self.length.constant(-1.0), self.direction));
-        (length, [with_moment(lever, x), with_moment(lever, y), with_moment(lever, z)])
+        let length = wrench(moment_arm, scale(self.length.constant(-1.0), self.direction));
+        (length, [wrench(moment_arm, x), wrench(moment_arm, y), wrench(moment_arm, z)])
+    }
+
+    /// Derivatives of the recorded length s q + o, times a weight: by frame anchor (world), platform anchor (platform frame), offset o,
+    /// scale s and pulley radius. R is given by rows.
+    #[inline(always)]
+    pub(crate) fn recorded_length_row(&self, rotation: &[[T; 3]; 3], weight: T, length_scale: T) -> [T; 9] {
+        let factor = weight * length_scale;
+        let u = self.direction;
+        let in_platform = rotate_back(rotation, u);
+        [
+            factor * u[0],
+            factor * u[1],
+            factor * u[2],
+            -(factor * in_platform[0]),
+            -(factor * in_platform[1]),
+            -(factor * in_platform[2]),
+            weight,
+            weight * self.length,
+            factor * self.length_by_radius,
+        ]
     }
 
     /// Derivatives of length and direction by the platform anchor in the platform frame, R given by rows.
@@ -101,13 +122,6 @@ impl<T: Real> Course<T> {
         let length = rotate_back(rotation, scale(self.length.constant(-1.0), self.direction));
         (length, [rotate_back(rotation, x), rotate_back(rotation, y), rotate_back(rotation, z)])
     }
-}
-
-/// \[v; b × v\].
-#[inline(always)]
-fn with_moment<T: Real>(lever: [T; 3], v: [T; 3]) -> [T; 6] {
-    let moment = cross(lever, v);
-    [v[0], v[1], v[2], moment[0], moment[1], moment[2]]
 }
 
 /// Unit vector and length of `v`.

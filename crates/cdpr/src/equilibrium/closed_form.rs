@@ -86,7 +86,7 @@ impl Kernel for Tensions<'_> {
     fn run<L: Lanes>(self, lanes: L) {
         let Self { balance, limits, poses, first, lines } = self;
         let (cables, dof) = (balance.model.cable_count(), balance.model.dof());
-        let fits = (dof..=LANES).contains(&cables) && !balance.model.composition().is_sagging();
+        let fits = Balance::serves(balance.model);
         let mut rows = [[lanes.constant(0.0); LANES]; 6];
         for (group, lines) in (first..).zip(lines.chunks_exact_mut(cables)) {
             if !fits {
@@ -164,7 +164,8 @@ fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut rest: [L; 6]) 
 fn ask_single(balance: &Balance<'_>, limits: &Limits, poses: &PoseBatch, group: usize, lines: &mut [Line]) {
     for lane in 0..LANES.min(poses.len() - group * LANES) {
         let pose = poses.get(group * LANES + lane);
-        let matrix = balance.model.structure_matrix(&pose).ok().filter(|_| !balance.model.composition().is_sagging());
+        let matrix =
+            balance.model.structure_matrix(&pose).ok().filter(|_| balance.model.cables().has_fixed_directions());
         let wrench = balance.load.in_pattern(balance.model, &pose);
         let solve = |matrix| closed_form::solve(&matrix, wrench.as_slice(), limits).ok();
         let found = matrix.and_then(solve);

@@ -8,10 +8,10 @@
 use nalgebra::DMatrix;
 use thiserror::Error;
 
-use crate::cable::law::HoldError;
+use crate::cable::CableStateError;
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::statics::{Load, StaticsError, held};
+use crate::statics::{Load, StaticsError, cable_state};
 use crate::tension::{self, InputError, Limits, Method as TensionMethod, Options};
 
 /// Distributions tried before giving up.
@@ -128,6 +128,11 @@ pub struct Balance {
     pub reason: Option<Reason>,
 }
 
+/// Effort of a distribution at a pose, from that with straight cables; those that sag are solved with their shapes, again and again.
+pub(crate) fn effort(model: &Model, straight: f64) -> f64 {
+    if model.cables().has_fixed_directions() { straight } else { 1e4 }
+}
+
 /// Any method of tension distribution: matrix and wrench to tensions, or to none where it finds none.
 pub type Method<'a> = dyn FnMut(&DMatrix<f64>, &[f64]) -> Result<Option<Vec<f64>>, InputError> + 'a;
 
@@ -143,14 +148,14 @@ pub fn balance(
     let matrix = model.structure_matrix(pose).map_err(StaticsError::from)?;
     let mut balance = Balance { matrix, wrench: wrench.to_vec(), iterations: 1, reason: None };
     let Some(mut tensions) = method(&balance.matrix, &balance.wrench)? else { return Ok(balance) };
-    if !model.composition().is_sagging() {
+    if model.cables().has_fixed_directions() {
         return Ok(balance);
     }
     let mut change = f64::INFINITY;
     while balance.iterations < MAX_ITERATIONS {
         match linearized(model, pose, wrench, &tensions) {
             Ok((matrix, wrench)) => (balance.matrix, balance.wrench) = (matrix, wrench),
-            Err(StaticsError::Hold { cable, reason: reason @ HoldError::TensionTooLow { .. } }) => {
+            Err(StaticsError::CableState { cable, reason: reason @ CableStateError::TensionTooLow { .. } }) => {
                 balance.reason = Some(Reason::Infeasible(format!("cable {cable}: {reason}")));
                 return Ok(balance);
             }
@@ -183,8 +188,8 @@ fn linearized(
     let mut matrix = DMatrix::zeros(basis.len(), tensions.len());
     let mut rest = wrench.to_vec();
     for (cable, &tension) in tensions.iter().enumerate() {
-        let held = held(model, pose, cable, tension)?;
-        let (whole, by_tension) = (held.wrench(), held.wrench_by_tension());
+        let state = cable_state(model, pose, cable, tension)?;
+        let (whole, by_tension) = (state.wrench(), state.wrench_by_tension());
         for (row, twist) in basis.iter().enumerate() {
             let slope = twist.dot(&by_tension);
             matrix[(row, cable)] = slope;

@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::forward_kinematics::Alternative;
 use super::{Solution, Solutions, State, elastostatics, forward_kinematics};
 use crate::geometry::{Pose, PoseBatch};
-use crate::model::Model;
+use crate::model::{Cables, Model};
 use crate::robot::Robot;
 use crate::scalar::LaneTable;
 use crate::statics::{Load, LoadError};
@@ -27,9 +27,9 @@ impl ForwardProblem {
     /// Forward problem of a model whose load is known or not.
     pub fn of(model: &Model, is_load_known: bool) -> Self {
         let is_underactuated = model.cable_count() < model.dof();
-        match model.composition().depends_on_tension() || (is_underactuated && is_load_known) {
-            true => Self::Equilibrium,
-            false => Self::LeastSquares,
+        match model.cables() {
+            Cables::Rigid if !(is_underactuated && is_load_known) => Self::LeastSquares,
+            _ => Self::Equilibrium,
         }
     }
 }
@@ -155,6 +155,12 @@ impl Model {
         })
     }
 
+    /// True where [`Model::forward_batch`] solves many problems side by side: of straight, linear or rigid cables, no fewer than degrees of
+    /// freedom. Others are solved one by one.
+    pub fn has_forward_batch(&self) -> bool {
+        matches!(self.cables(), Cables::Rigid | Cables::Linear) && self.cable_count() >= self.dof()
+    }
+
     /// Forward problem of the model under a load, that of the robot's file without one; or why it cannot be posed.
     pub fn forward_problem(&self, load: Option<&Load>, state: &mut State) -> Result<ForwardProblem, ForwardError> {
         state.solve(self, &ForwardSettings::default(), load, |solver| {
@@ -211,11 +217,11 @@ impl State {
         work: impl FnOnce(&mut ForwardSolver<'_>) -> Result<T, elastostatics::InputError>,
     ) -> Result<T, ForwardError> {
         let known_load = || load.map_or_else(|| Load::of(model.robot()), |load| Ok(*load));
-        let load = match ForwardProblem::of(model, true) {
-            ForwardProblem::LeastSquares => None,
-            ForwardProblem::Equilibrium if model.depends_on_tension() => Some(known_load()?),
+        let load = match [false, true].map(|is_load_known| ForwardProblem::of(model, is_load_known)) {
+            [_, ForwardProblem::LeastSquares] => None,
+            [ForwardProblem::Equilibrium, _] => Some(known_load()?),
             // too few rigid cables of unknown load fit their lengths, which determine no pose
-            ForwardProblem::Equilibrium => known_load().ok(),
+            [ForwardProblem::LeastSquares, ForwardProblem::Equilibrium] => known_load().ok(),
         };
         let mut solver = match load {
             Some(load) => {

@@ -1,10 +1,11 @@
 //! Inverse problem of a model: what winches are told so that the cables hold a pose with given tensions.
 
 use super::State;
+use crate::cable::law::CableLengths;
 use crate::cable::winch::Winch;
 use crate::geometry::Pose;
 use crate::model::{Model, WinchError};
-use crate::statics::{self, CableLengths, StaticsError};
+use crate::statics::{self, StaticsError};
 
 /// One cable of an inverse problem; numbers are NaN where the cable has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +79,11 @@ impl InverseSolution {
         self.numbers(|cable| cable.recorded_length)
     }
 
+    /// True where a cable on its course has no controlled length for want of a tension.
+    pub fn needs_tensions(&self) -> bool {
+        self.cables.iter().any(|cable| cable.length.is_finite() && cable.controlled_length.is_nan())
+    }
+
     fn numbers(&self, of: impl Fn(&CableCommand) -> f64) -> Result<Vec<f64>, StaticsError> {
         match self.failures.first() {
             Some(failure) => Err(failure.clone()),
@@ -127,6 +133,16 @@ impl Model {
         }
         state.inverse = solution;
         Ok(&state.inverse)
+    }
+
+    /// Controlled lengths at a pose of cables whose lengths no tension changes (m); nothing where one belongs to a tension.
+    pub fn lengths_without_tensions(&self, pose: &Pose) -> Option<Result<Vec<f64>, StaticsError>> {
+        let mut state = State::at(self, pose);
+        match self.inverse(pose, &vec![f64::NAN; self.cable_count()], &mut state) {
+            Ok(command) if command.needs_tensions() => None,
+            Ok(command) => Some(command.controlled_lengths()),
+            Err(error) => Some(Err(error)),
+        }
     }
 
     /// Tensions of cables, or NaN for those that have none.

@@ -49,7 +49,7 @@ impl ErrorCode for fit::InputError {
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions => "data::no-tensions",
-            Self::Hold { reason, .. } => reason.code(),
+            Self::CableState { reason, .. } => reason.code(),
             Self::NegativeTension { .. } => "data::negative-tensions",
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",

@@ -5,7 +5,7 @@ use super::recordings::{Recorder, Recordings};
 use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
-use crate::scalar::{Kernel, LANES, Lanes, dispatch, dot, rotate_back};
+use crate::scalar::{Kernel, LANES, Lanes, dispatch, dot};
 
 /// Parameters a cable can have: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
 pub(super) const SLOTS: usize = 11;
@@ -188,23 +188,8 @@ impl Block {
         let first = group * LANES;
         let recorded = l.load(&recordings.map_or(&self.recorded, |changed| &changed.lengths)[first..]);
         let scale = l.constant(values.scale);
-        let factor = weight * scale;
-        let u = course.direction;
-        let in_platform = rotate_back(&rotation, u);
-        let zero = l.constant(0.0);
-        let mut row = [
-            factor * u[0],
-            factor * u[1],
-            factor * u[2],
-            -(factor * in_platform[0]),
-            -(factor * in_platform[1]),
-            -(factor * in_platform[2]),
-            weight,
-            weight * course.length,
-            factor * course.length_by_radius,
-            zero,
-            zero,
-        ];
+        let mut row = [l.constant(0.0); SLOTS];
+        row[..9].copy_from_slice(&course.recorded_length_row(&rotation, weight, scale));
         if let Some(recordings) = recordings {
             for (entry, by_anchor) in row.iter_mut().zip(&recordings.by_anchor) {
                 *entry = *entry - weight * l.load(&by_anchor[first..]);

@@ -183,7 +183,7 @@ pub fn fit_observed(
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
-    let mut fit = if model.composition().depends_on_tension() {
+    let mut fit = if explains_tensions(model) {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
     } else {
@@ -193,6 +193,12 @@ pub fn fit_observed(
     // the starts are those of a robot that may have been completed, with a wrench for instance
     fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.stated(model));
     Ok(fit)
+}
+
+/// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
+/// without tensions, cable by cable.
+fn explains_tensions(model: &Model) -> bool {
+    model.needs_tensions()
 }
 
 /// Descents of one fit: its starts.
@@ -225,7 +231,7 @@ pub fn optimal_parameters(
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
-    if model.composition().depends_on_tension() {
+    if explains_tensions(model) {
         let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
@@ -269,7 +275,7 @@ fn checked_parameters(
         return Err(InputError::NoMotorAngles { kind });
     }
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
-    if model.composition().depends_on_tension() {
+    if explains_tensions(model) {
         let (rows, count) =
             (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
         return match count > rows {

@@ -1,10 +1,10 @@
 //! Measured poses in lanes, and cables computed over them.
 
-use crate::cable::Course;
 use crate::cable::outlet::Outlet;
+use crate::cable::{CableEnd, Course};
 use crate::measurement::Samples;
 use crate::model::Model;
-use crate::scalar::{LANES, Lanes, add, constants, rotate};
+use crate::scalar::{LANES, Lanes, constants};
 
 /// Measured poses as structure of arrays, padded to whole groups of lanes with copies of the last sample.
 pub(super) struct PoseLanes {
@@ -79,12 +79,11 @@ impl CableValues {
         }
     }
 
-    /// Course and lever b = R b_P at poses in lanes.
+    /// Course and moment arm b = R b_P at poses in lanes.
     #[inline(always)]
     pub(super) fn course<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Course<L>, [L; 3]) {
         let l = position[0];
-        let lever = rotate(rotation, constants(l, self.platform_anchor));
-        let anchor = add(position, lever);
-        (self.outlet.map(|number| l.constant(*number)).course(anchor), lever)
+        let end = CableEnd::at(position, rotation, constants(l, self.platform_anchor));
+        (self.outlet.map(|number| l.constant(*number)).course(end.anchor), end.moment_arm)
     }
 }

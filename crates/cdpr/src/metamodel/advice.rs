@@ -11,7 +11,7 @@ use super::input_error::InputError;
 use super::operate::{Outcome, Status};
 use super::poorer::richness;
 use super::study::{History, Initial, TensionMethod};
-use super::winches::winch_offsets;
+use super::winches::{tension_model, winch_offsets};
 use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, StretchEffect, Supported};
 use crate::tension::Limits;
@@ -134,7 +134,7 @@ pub fn advise(
 fn outcomes(control: Control<'_>, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
     let initial = Initial {
         tension_method: Some(TensionMethod::Qp),
-        offset: (!machine.composition().depends_on_tension()).then(|| "none".to_owned()),
+        offset: tension_model(control.model, machine).is_none().then(|| "none".to_owned()),
         ..Initial::default()
     };
     let offsets = winch_offsets(&initial, control.model, machine, home)?;

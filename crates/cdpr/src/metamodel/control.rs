@@ -35,6 +35,32 @@ impl<'a> From<&'a Model> for Control<'a> {
     }
 }
 
+/// Choice of tensions of a control model.
+#[derive(Clone, Debug)]
+pub(super) struct TensionChoice<'a> {
+    pub(super) solver: distribution::Solver<'a>,
+    pub(super) load: Load,
+    pub(super) limits: Limits,
+}
+
+impl<'a> Control<'a> {
+    /// True where its lengths belong to tensions that it has to choose.
+    pub(super) fn chooses_tensions(&self) -> bool {
+        self.model.needs_tensions()
+    }
+
+    /// Choice of the tensions; nothing where lengths belong to none.
+    pub(super) fn tension_choice(self) -> Result<Option<TensionChoice<'a>>, InputError> {
+        if !self.chooses_tensions() {
+            return Ok(None);
+        }
+        let Self { model, tension_method } = self;
+        let (limits, load) = (Limits::of(model.robot(), None, None)?, Load::of(model.robot())?);
+        let solver = distribution::Solver::by(tension_method, model, &load, &limits);
+        Ok(Some(TensionChoice { solver, load, limits }))
+    }
+}
+
 /// A control model that commands a machine.
 #[derive(Clone, Debug)]
 pub(super) struct Controller<'a> {
@@ -47,15 +73,8 @@ pub(super) struct Controller<'a> {
 
 impl<'a> Controller<'a> {
     pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
-        let Control { model, tension_method } = control;
-        let distribution = match model.composition().depends_on_tension() {
-            true => {
-                let limits = Limits::of(model.robot(), None, None)?;
-                Some(distribution::Solver::by(tension_method, model, &Load::of(model.robot())?, &limits))
-            }
-            false => None,
-        };
-        Ok(Self { model, distribution, tensions: vec![f64::NAN; model.cable_count()] })
+        let distribution = control.tension_choice()?.map(|choice| choice.solver);
+        Ok(Self { model: control.model, distribution, tensions: vec![f64::NAN; control.model.cable_count()] })
     }
 
     pub(super) fn model(&self) -> &'a Model {

@@ -76,7 +76,7 @@ fn home(machine: &Model, state: &State) -> Result<State, String> {
     }
     let tensions = match distribution(machine, &pose, &state.load) {
         Ok(tensions) => Some(tensions),
-        Err(_) if !machine.composition().depends_on_tension() => None,
+        Err(_) if machine.lengths_without_tensions(&pose).is_some() => None,
         Err(reason) => return Err(format!("at the home pose: {reason}")),
     };
     Ok(State { pose, load: state.load.clone(), tensions })
@@ -129,15 +129,13 @@ impl Comparison<'_> {
 
     /// Controlled lengths of the control model minus those of the machine, for the same tensions where robots measure them.
     fn lengths(&self, state: &State) -> Result<Vec<f64>, String> {
-        let none = vec![0.0; self.machine.cable_count()];
-        let tensions = match &state.tensions {
-            Some(tensions) => tensions,
-            None if self.machine.composition().depends_on_tension() => {
-                return Err("the tensions are unknown".to_owned());
-            }
-            None => &none,
+        let of = |model: &Model| match &state.tensions {
+            Some(tensions) => controlled_lengths(model, &state.pose, tensions).map_err(|error| error.to_string()),
+            None => match model.lengths_without_tensions(&state.pose) {
+                Some(lengths) => lengths.map_err(|error| error.to_string()),
+                None => Err("the tensions are unknown".to_owned()),
+            },
         };
-        let of = |model: &Model| controlled_lengths(model, &state.pose, tensions).map_err(|error| error.to_string());
         let paid_out = |(cable, length): (usize, f64)| self.paid_out(cable, length).map_err(|error| error.to_string());
         let control: Vec<f64> =
             of(self.control)?.into_iter().enumerate().map(paid_out).collect::<Result<_, String>>()?;

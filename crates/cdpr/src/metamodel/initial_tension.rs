@@ -125,7 +125,7 @@ type Wanted = Result<Vec<f64>, InputError>;
 
 /// f_ref at each pose. Refuses a target that no pose has.
 fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Wanted>, InputError> {
-    if !task.machine.composition().depends_on_tension() {
+    if !task.machine.needs_tensions() {
         return Err(InputError::RigidMachine);
     }
     let wanted: Vec<Wanted> = poses.iter().map(|pose| initial_tensions(target, task.machine, pose)).collect();

@@ -1,6 +1,6 @@
 //! Machines poorer than their control model: what such a study shows is not what a control model leaves out.
 
-use crate::model::{Composition, StretchEffect};
+use crate::model::{Composition, SpanEffect, StretchEffect};
 
 /// Effects of a control model that the machine lacks or has in a simpler form, in their order along the cable.
 ///
@@ -11,7 +11,7 @@ pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'stat
         "pulley" => !machine.pulley,
         "drum" => !machine.drum,
         "elastic" | "polynomial" | "hysteresis" => richness(machine.stretch) < richness(control.stretch),
-        _ => !machine.is_sagging(),
+        _ => machine.span == SpanEffect::Straight,
     };
     control.words().filter(is_missing).collect()
 }

@@ -50,7 +50,7 @@ impl<'a> Reachable<'a> {
     pub fn new(driving: Driving<'a>, requirements: Requirements) -> Result<Self, InputError> {
         let machine = driving.machine();
         let Requirements { tensions, position_error_max, rotation_error_max } = &requirements;
-        let is_elastic = machine.composition().depends_on_tension();
+        let is_elastic = machine.needs_tensions();
         if position_error_max.is_none() && rotation_error_max.is_none() && !(is_elastic && tensions.is_some()) {
             return Err(InputError::NoRequirement { is_elastic });
         }

@@ -110,6 +110,11 @@ impl RobotModel {
     fn composition(&self) -> Option<Composition> {
         self.model.parse().ok()
     }
+
+    /// True where its lengths belong to tensions, see [`Composition::needs_tensions`].
+    fn needs_tensions(&self) -> bool {
+        self.composition().is_some_and(Composition::needs_tensions)
+    }
 }
 
 fn standard() -> String {
@@ -246,9 +251,7 @@ impl Study {
 
     /// True when a side of the study knows tensions.
     fn is_elastic(&self) -> bool {
-        [&self.control.robot_model(), &self.machine]
-            .iter()
-            .any(|side| side.composition().is_some_and(|effects| effects.depends_on_tension()))
+        [&self.control.robot_model(), &self.machine].iter().any(|side| side.needs_tensions())
     }
 
     /// What is odd about the study: a machine poorer than its control model, and what it states without effect.
@@ -264,7 +267,7 @@ impl Study {
 
     /// A way to choose tensions where none are commanded.
     fn idle_method(&self) -> Option<String> {
-        let commands = self.control.robot_model().composition().is_some_and(|effects| effects.depends_on_tension());
+        let commands = self.control.robot_model().needs_tensions();
         let model = &self.control.model;
         (self.control.tension_method.is_some() && !commands)
             .then(|| format!("a `{model}` control model commands no tensions: [control] tension_method without effect"))

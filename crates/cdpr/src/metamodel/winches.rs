@@ -37,14 +37,27 @@ pub fn winch_offsets(
         };
     }
     check_same_robot(set_with, machine)?;
-    let tensions = match [machine, set_with].into_iter().find(|model| model.composition().depends_on_tension()) {
-        Some(elastic) => initial_tensions(initial, elastic, pose)?,
-        // rigid cables have the same length at any tension
-        None => vec![0.0; expected],
-    };
+    // rigid cables have the same length at any tension
+    let tensions = tensions_set(initial, set_with, machine, pose)?.unwrap_or_else(|| vec![0.0; expected]);
     let wanted = Winding::new(set_with, machine)?.to_control(&lengths_at(machine, pose, &tensions)?)?;
     let sent = lengths_at(set_with, pose, &tensions)?;
     Ok(wanted.iter().zip(&sent).map(|(wanted, sent)| wanted - sent).collect())
+}
+
+/// Model that says which tensions the winches set: the machine, or the model in use then where the machine is straight and rigid; nothing where
+/// both are, whose lengths no tension changes.
+pub(super) fn tension_model<'a>(set_with: &'a Model, machine: &'a Model) -> Option<&'a Model> {
+    [machine, set_with].into_iter().find(|model| model.needs_tensions())
+}
+
+/// [`initial_tensions`] of the model that says which tensions the winches set; nothing where none does.
+pub(super) fn tensions_set(
+    initial: &Initial,
+    set_with: &Model,
+    machine: &Model,
+    pose: &Pose,
+) -> Result<Option<Vec<f64>>, InputError> {
+    tension_model(set_with, machine).map(|model| initial_tensions(initial, model, pose)).transpose()
 }
 
 /// The tensions f_ini that a study asks for at its initial pose, in balance with the load of the model's robot (N).

@@ -44,6 +44,26 @@ pub enum SpanEffect {
     FiniteElement,
 }
 
+/// Laws that the cables of a model obey, by the method that solves them: what a solver dispatches on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cables {
+    /// Straight and rigid: lengths and directions follow from the pose alone.
+    Rigid,
+    /// Straight and linear: lengths follow from pose and tensions in closed form, and tensions from lengths.
+    Linear,
+    /// Straight with another law of stretch, solved cable by cable.
+    Stretching,
+    /// With weight: directions, too, follow from the tensions.
+    Sagging,
+}
+
+impl Cables {
+    /// True where the pose alone determines the directions of all pulls, so that the balance is linear in the tensions.
+    pub fn has_fixed_directions(self) -> bool {
+        self != Self::Sagging
+    }
+}
+
 impl Composition {
     /// Point outlets, rigid straight cables.
     pub const STANDARD: Self =
@@ -77,19 +97,20 @@ impl Composition {
         self.stretch != StretchEffect::Rigid
     }
 
-    /// True when cables have a weight of their own and sag.
-    pub fn is_sagging(self) -> bool {
-        self.span != SpanEffect::Straight
+    /// Laws that the cables obey.
+    pub fn cables(self) -> Cables {
+        match (self.span, self.stretch) {
+            (SpanEffect::Straight, StretchEffect::Rigid) => Cables::Rigid,
+            (SpanEffect::Straight, StretchEffect::Linear) => Cables::Linear,
+            (SpanEffect::Straight, StretchEffect::Polynomial | StretchEffect::Hysteresis) => Cables::Stretching,
+            (SpanEffect::Catenary | SpanEffect::FiniteElement, _) => Cables::Sagging,
+        }
     }
 
-    /// True when lengths depend on tensions, so that lengths and load determine pose and tensions together.
-    pub fn depends_on_tension(self) -> bool {
-        self.is_elastic() || self.is_sagging()
-    }
-
-    /// True when every cable is straight and stretches linearly or not at all: the laws that have closed forms.
-    pub fn has_closed_form(self) -> bool {
-        !self.is_sagging() && matches!(self.stretch, StretchEffect::Rigid | StretchEffect::Linear)
+    /// True where a controlled length belongs to a tension: who tells winches lengths has to choose tensions, and limits and initial values
+    /// of tensions have a meaning.
+    pub fn needs_tensions(self) -> bool {
+        self.cables() != Cables::Rigid
     }
 
     /// The words of the command line for the effects, in their order along the cable.

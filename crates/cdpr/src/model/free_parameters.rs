@@ -145,7 +145,7 @@ impl FreeParameters {
                 kind if kind.needs_motor_angles() && !composition.drum => "drum",
                 ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => "elastic",
                 ParameterKind::HiddenLength if !composition.is_elastic() => "elastic",
-                kind if kind.needs_elasticity() && !composition.depends_on_tension() => "elastic",
+                kind if kind.needs_elasticity() && !composition.needs_tensions() => "elastic",
                 _ => continue,
             };
             return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });

@@ -1,10 +1,10 @@
 //! Cables packed eight at a time into lanes, for single poses.
 
-use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet::Outlet;
+use crate::cable::{CableEnd, Course};
 use crate::model::batch::CourseInLanes;
-use crate::scalar::{LANES, Lanes, add, constants, rotate};
+use crate::scalar::{LANES, Lanes, constants};
 
 /// Eight cables, or fewer with copies of the last one that weigh nothing.
 #[derive(Clone, Debug)]
@@ -19,11 +19,11 @@ pub(crate) struct CableGroup {
 }
 
 impl CableGroup {
-    /// Courses and levers (b = R b_P) of the group at a pose given by position and rotation rows.
+    /// Courses and moment arms b = R b_P of the group's cables at a pose given by position and rotation rows.
     #[inline(always)]
     pub(crate) fn courses<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (Course<L>, [L; 3]) {
         let cables = self.checked_courses(l, position, rotation);
-        (cables.course, cables.lever)
+        (cables.course, cables.moment_arm)
     }
 
     /// [`CableGroup::courses`], and the cables that may have none.
@@ -35,12 +35,11 @@ impl CableGroup {
         rotation: &[[f64; 3]; 3],
     ) -> CourseInLanes<L> {
         let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
-        let lever = rotate(&rows, load(l, &self.platform_anchor));
-        let anchor = add(constants(l, position), lever);
+        let end = CableEnd::at(constants(l, position), &rows, load(l, &self.platform_anchor));
         let outlet = self.outlet.load(l);
-        let course = outlet.course(anchor);
-        let doubt = outlet.needs_scalar(anchor, &course);
-        CourseInLanes { course, lever, doubt }
+        let course = outlet.course(end.anchor);
+        let doubt = outlet.needs_scalar(end.anchor, &course);
+        CourseInLanes { course, moment_arm: end.moment_arm, doubt }
     }
 
     /// The elasticity of the group's cables.

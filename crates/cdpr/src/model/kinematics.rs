@@ -3,19 +3,19 @@
 use nalgebra::Vector3;
 
 use super::CableGroup;
-use super::composition::{Composition, StretchEffect};
+use super::composition::{Cables, Composition, StretchEffect};
 use super::error::{ModelError, require};
 use super::laws;
 use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
-use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::law::CableLaw;
 use crate::cable::outlet::{self, Outlet};
-use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::winch::Winch;
-use crate::cable::{Course, DegenerateCourse};
+use crate::cable::wrench::wrench;
+use crate::cable::{CableEnd, CableInput, CableState, CableStateError, Course, DegenerateCourse};
 use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Robot, TensionPlace};
-use crate::scalar::{LANES, add, cross, rotate};
+use crate::scalar::LANES;
 
 /// A robot with chosen effects. Immutable: a changed parameter makes a new model.
 #[derive(Clone, Debug)]
@@ -84,9 +84,21 @@ impl Model {
         self.composition
     }
 
-    /// True when lengths depend on tensions, so that lengths and load determine pose and tensions together.
-    pub fn depends_on_tension(&self) -> bool {
-        self.composition.depends_on_tension()
+    /// Laws that the cables obey.
+    pub fn cables(&self) -> Cables {
+        self.composition.cables()
+    }
+
+    /// True where a controlled length belongs to a tension, see [`Composition::needs_tensions`].
+    pub fn needs_tensions(&self) -> bool {
+        self.composition.needs_tensions()
+    }
+
+    /// Frame and platform anchors of cables that run straight from one to the other (world, m; platform, m); nothing for pulleys and for
+    /// cables with weight.
+    pub(crate) fn straight_lines(&self) -> Option<impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)>> {
+        let is_straight = !self.composition.pulley && self.cables().has_fixed_directions();
+        is_straight.then(|| self.robot.cables.iter().map(|cable| (&cable.frame_anchor, &cable.platform_anchor)))
     }
 
     /// Number of cables m.
@@ -119,33 +131,24 @@ impl Model {
         &self.laws[cable]
     }
 
-    /// One cable (0-based) at rest at a pose, with one more thing known of it; its lever b = R b_P (world, m).
-    pub fn hold(&self, cable: usize, pose: &Pose, known: Known) -> Result<(Hold, Vector3<f64>), HoldError> {
-        self.hold_from(cable, pose, known, None)
+    /// One cable (0-based) at rest at a pose, with one more quantity given.
+    ///
+    /// Asks nothing of the course of its straight cable beyond a length ([`Model::course`] does).
+    pub fn cable_state(&self, cable: usize, pose: &Pose, input: CableInput) -> Result<CableState, CableStateError> {
+        self.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
     }
 
-    /// [`Model::hold`] of a cable that comes from a memory; never loaded without one.
-    pub fn hold_from(
-        &self,
-        cable: usize,
-        pose: &Pose,
-        known: Known,
-        memory: Option<&Memory>,
-    ) -> Result<(Hold, Vector3<f64>), HoldError> {
-        let lever = pose.rotation * self.robot.cables[cable].platform_anchor;
-        let (law, anchor) = (&self.laws[cable], (pose.position + lever).into());
-        let hold = match memory {
-            Some(memory) => law.with_memory(memory).hold(anchor, known),
-            None => law.hold(anchor, known),
-        };
-        Ok((hold?, lever))
+    /// End of one cable (0-based) on a platform given by position and rotation rows.
+    #[inline(always)]
+    pub(crate) fn cable_end(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> CableEnd<f64> {
+        CableEnd::at(position, rotation, self.robot.cables[cable].platform_anchor.into())
     }
 
     /// A tension as robots measure it, at the outlet, or where the file says.
-    pub fn known_tension(&self, cable: usize, tension: f64) -> Known {
+    pub fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
         match self.robot.cables[cable].tension_at {
-            Some(TensionPlace::Platform) => Known::PlatformTension(tension),
-            _ => Known::OutletTension(tension),
+            Some(TensionPlace::Platform) => CableInput::PlatformTension(tension),
+            _ => CableInput::OutletTension(tension),
         }
     }
 
@@ -153,42 +156,44 @@ impl Model {
         &self.groups
     }
 
-    /// Course and lever b = R b_P of one cable (0-based) at a pose, or why it has none.
+    /// Course and moment arm b = R b_P of one cable (0-based) at a pose, or why it has none.
     pub fn course(&self, cable: usize, pose: &Pose) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
-        self.checked_course(cable, pose.position.into(), &pose.rotation_rows())
+        let (course, end) = self.checked_course(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((course, end.moment_arm.into()))
     }
 
-    /// [`Model::course`] for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who asks for a
-    /// length alone pays for no derivative.
+    /// [`Model::course`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who
+    /// asks for a length alone pays for no derivative.
     #[inline(always)]
     pub(crate) fn checked_course(
         &self,
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
-        let (course, lever) = self.course_at(cable, position, rotation);
-        match self.laws[cable].outlet.degeneracy(cable + 1, add(position, lever.into()), &course) {
+    ) -> Result<(Course<f64>, CableEnd<f64>), DegenerateCourse> {
+        let (course, end) = self.course_at(cable, position, rotation);
+        match self.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &course) {
             Some(reason) => Err(reason),
-            None => Ok((course, lever)),
+            None => Ok((course, end)),
         }
     }
 
     /// [`Model::course`] without the question whether it exists: numbers that are not finite where it does not.
     pub(crate) fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
-        self.course_at(cable, pose.position.into(), &pose.rotation_rows())
+        let (course, end) = self.course_at(cable, pose.position.into(), &pose.rotation_rows());
+        (course, end.moment_arm.into())
     }
 
-    /// [`Model::course_or_nan`] for a pose given by position and rotation rows, when many cables share it.
+    /// [`Model::course_or_nan`] and end for a pose given by position and rotation rows, when many cables share it.
     #[inline(always)]
     pub(crate) fn course_at(
         &self,
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> (Course<f64>, Vector3<f64>) {
-        let lever = rotate(rotation, self.robot.cables[cable].platform_anchor.into());
-        (self.laws[cable].outlet.course(add(position, lever)), lever.into())
+    ) -> (Course<f64>, CableEnd<f64>) {
+        let end = self.cable_end(cable, position, rotation);
+        (self.laws[cable].outlet.course(end.anchor), end)
     }
 
     /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
@@ -209,49 +214,47 @@ impl Model {
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
     ) -> Result<Twist, DegenerateCourse> {
-        Ok(structure_column(self.checked_course(cable, position, rotation)?))
+        let (course, end) = self.checked_course(cable, position, rotation)?;
+        Ok(wrench(end.moment_arm, course.direction).into())
     }
 
     /// \[u; b × u\] of one cable (0-based; world).
     pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, DegenerateCourse> {
-        Ok(structure_column(self.course(cable, pose)?))
+        let (course, moment_arm) = self.course(cable, pose)?;
+        Ok(wrench(moment_arm.into(), course.direction).into())
     }
 
     /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
     pub fn recorded_length(&self, cable: usize, length: f64) -> f64 {
-        let data = &self.robot.cables[cable];
-        data.length_scale.unwrap_or(1.0) * length + data.length_offset.unwrap_or(0.0)
+        self.laws[cable].recording.length(length)
     }
 
     /// Controlled length q_θ behind a recorded one: the inverse of [`Model::recorded_length`] (m).
     pub fn controlled_length(&self, cable: usize, recorded: f64) -> f64 {
-        let data = &self.robot.cables[cable];
-        (recorded - data.length_offset.unwrap_or(0.0)) / data.length_scale.unwrap_or(1.0)
+        self.laws[cable].recording.controlled_length(recorded)
     }
 
     /// Tension that the robot records for a real one: tension_scale · f + tension_offset (N).
     pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
-        let data = &self.robot.cables[cable];
-        data.tension_scale.unwrap_or(1.0) * tension + data.tension_offset.unwrap_or(0.0)
+        self.laws[cable].recording.tension(tension)
     }
 
     /// Real tension behind a recorded one: the inverse of [`Model::recorded_tension`] (N).
     pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
-        let data = &self.robot.cables[cable];
-        (recorded - data.tension_offset.unwrap_or(0.0)) / data.tension_scale.unwrap_or(1.0)
+        self.laws[cable].recording.real_tension(recorded)
     }
 
     /// Derivatives of the recorded length of a cable by that cable's parameters.
     pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, DegenerateCourse> {
         let (course, _) = self.course(cable, pose)?;
-        let scale = self.robot.cables[cable].length_scale.unwrap_or(1.0);
-        let (by_platform_anchor, _) = course.by_platform_anchor(&pose.rotation_rows());
+        let scale = self.laws[cable].recording.length_scale;
+        let row = course.recorded_length_row(&pose.rotation_rows(), 1.0, scale);
         Ok(CableGradient {
-            frame_anchor: Vector3::from(course.direction) * scale,
-            platform_anchor: Vector3::from(by_platform_anchor) * scale,
-            length_offset: 1.0,
-            length_scale: course.length,
-            pulley_radius: scale * course.length_by_radius,
+            frame_anchor: Vector3::new(row[0], row[1], row[2]),
+            platform_anchor: Vector3::new(row[3], row[4], row[5]),
+            length_offset: row[6],
+            length_scale: row[7],
+            pulley_radius: row[8],
         })
     }
 
@@ -263,14 +266,6 @@ impl Model {
         let mean = sum / self.cable_count() as f64;
         if mean > 0.0 { mean } else { 1.0 }
     }
-}
-
-/// \[u; b × u\] of a cable with this course and lever b (world).
-#[inline]
-fn structure_column((course, lever): (Course<f64>, Vector3<f64>)) -> Twist {
-    let u = course.direction;
-    let moment = cross(lever.into(), u);
-    Twist::new(u[0], u[1], u[2], moment[0], moment[1], moment[2])
 }
 
 /// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::error::require;
-use super::{Composition, ModelError, SpanEffect, StretchEffect};
+use super::{Cables, Composition, ModelError, SpanEffect, StretchEffect};
+use crate::cable::Recording;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Kind};
 use crate::cable::outlet::Outlet;
@@ -13,7 +14,7 @@ use crate::cable::span::Shape;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::{Hysteresis, Memory};
 use crate::cable::stretch::polynomial::Polynomial;
-use crate::robot::{Cable, Robot};
+use crate::robot::{Cable, Robot, StiffnessBasis};
 
 /// Elements of a cable whose file does not say how many.
 pub(crate) const FINITE_ELEMENTS: usize = 10;
@@ -24,12 +25,12 @@ pub(super) fn laws(
     composition: Composition,
     elasticity: &[Elasticity<f64>],
 ) -> Result<Vec<CableLaw>, ModelError> {
-    let gravity = match (composition.is_sagging(), robot.gravity) {
+    let gravity = match (composition.cables() == Cables::Sagging, robot.gravity) {
         (true, None) => return Err(ModelError::NoGravity { robot: robot.name.clone() }),
         (_, gravity) => gravity.unwrap_or_else(Vector3::zeros),
     };
     let law = |(index, (cable, linear)): (usize, (&Cable, &Elasticity<f64>))| {
-        if composition.is_sagging() {
+        if composition.cables() == Cables::Sagging {
             let effect = composition.words().last().unwrap_or("catenary");
             require(cable.linear_density.is_some(), (effect, "linear_density_kg_per_m", ""), index, cable)?;
         }
@@ -43,17 +44,34 @@ pub(super) fn laws(
             stretch,
             hidden_length: cable.hidden_length.unwrap_or(0.0),
             weight: (gravity * cable.linear_density.unwrap_or(0.0)).into(),
+            recording: recording(cable),
             kind: match (composition.span, composition.stretch) {
                 (SpanEffect::Catenary, _) => Kind::Sagging(Shape::Catenary),
                 (SpanEffect::FiniteElement, _) => {
                     Kind::Sagging(Shape::FiniteElements(cable.finite_elements.unwrap_or(FINITE_ELEMENTS)))
                 }
-                (SpanEffect::Straight, StretchEffect::Rigid | StretchEffect::Linear) => Kind::Linear(*linear),
+                (SpanEffect::Straight, StretchEffect::Rigid) => Kind::Rigid,
+                (SpanEffect::Straight, StretchEffect::Linear) => Kind::Linear(*linear, stiffness_basis(cable)),
                 (SpanEffect::Straight, _) => Kind::Stretching,
             },
         })
     };
     robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
+}
+
+/// Basis of a cable's stiffness; nothing for a constant spring.
+fn stiffness_basis(cable: &Cable) -> Option<StiffnessBasis> {
+    cable.spring_constant.is_none().then(|| cable.stiffness_by.unwrap_or(StiffnessBasis::Actual))
+}
+
+/// Calibration of what a robot records of a cable.
+fn recording(cable: &Cable) -> Recording {
+    Recording {
+        length_scale: cable.length_scale.unwrap_or(1.0),
+        length_offset: cable.length_offset.unwrap_or(0.0),
+        tension_scale: cable.tension_scale.unwrap_or(1.0),
+        tension_offset: cable.tension_offset.unwrap_or(0.0),
+    }
 }
 
 /// Outlet of a cable: a point, or a pulley where the composition has them.

@@ -16,7 +16,7 @@ mod tests;
 mod winching;
 
 pub(crate) use batch::in_pattern;
-pub use composition::{Composition, CompositionError, SpanEffect, StretchEffect};
+pub use composition::{Cables, Composition, CompositionError, SpanEffect, StretchEffect};
 pub use error::ModelError;
 pub use free_parameters::{FreeParameters, ParameterError};
 pub(crate) use groups::CableGroup;

@@ -3,9 +3,14 @@
 use std::fmt;
 use std::str::FromStr;
 
+use nalgebra::Matrix3;
+
 use super::{Model, ParameterError};
+use crate::cable::CableState;
+use crate::cable::law::LawParameter;
 use crate::geometry::Wrench;
 use crate::robot::{Cable, ExternalWrench, Robot};
+use crate::scalar::cross;
 
 /// A kind of parameter: one group per cable, but for the wrench, which the platform has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -253,4 +258,48 @@ pub(crate) fn specific_compliance(cable: &Cable) -> f64 {
 pub(crate) fn axis_name(robot: &Robot, axis: usize) -> String {
     let names = if robot.motion_pattern.is_planar() { robot.plane.axes() } else { "xyz".to_owned() };
     names.chars().nth(axis).map(String::from).unwrap_or_default()
+}
+
+impl Model {
+    /// Change of the wrench (world) and of the recorded length of a cable (0-based) in a state by one of its parameters, at fixed tension where
+    /// it is given.
+    #[inline]
+    pub(crate) fn by_parameter(
+        &self,
+        (cable, state): (usize, &CableState),
+        parameter: &Parameter,
+        rotation: &Matrix3<f64>,
+    ) -> (Wrench, f64) {
+        let none = Wrench::zeros();
+        let law = |kind: LawParameter| {
+            let change = self.law(cable).by_parameter(state, kind);
+            let (pull, length) = state.at_given(change.pull, change.controlled_length);
+            (state.wrench_of(pull), length)
+        };
+        match parameter.kind {
+            ParameterKind::FrameAnchor => {
+                // moving the frame anchor is moving the platform anchor the other way
+                let (pull, length) = state.by_anchor((-self.axes()[parameter.axis]).into());
+                (state.wrench_of(pull), length)
+            }
+            ParameterKind::PlatformAnchor => {
+                let axis: [f64; 3] = (rotation * self.axes()[parameter.axis]).into();
+                let (pull, length) = state.by_anchor(axis);
+                let [x, y, z] = cross(axis, state.pull);
+                (state.wrench_of(pull) + Wrench::new(0.0, 0.0, 0.0, x, y, z), length)
+            }
+            ParameterKind::PulleyRadius => law(LawParameter::PulleyRadius),
+            ParameterKind::Compliance => law(LawParameter::Compliance),
+            ParameterKind::HiddenLength => law(LawParameter::HiddenLength),
+            ParameterKind::LengthOffset => (none, 1.0),
+            ParameterKind::LengthScale => (none, state.controlled_length),
+            ParameterKind::TensionScale => {
+                state.by_given_tension(-state.given_tension() / state.recording.tension_scale)
+            }
+            ParameterKind::TensionOffset => state.by_given_tension(-1.0 / state.recording.tension_scale),
+            // they change what is recorded, not what is expected
+            ParameterKind::DrumRadius | ParameterKind::StartLength => (none, 0.0),
+            ParameterKind::Wrench => (none, 0.0),
+        }
+    }
 }

@@ -6,9 +6,10 @@ use nalgebra::DMatrix;
 
 use super::{Model, in_pattern};
 use crate::cable::DegenerateCourse;
+use crate::cable::wrench::wrench;
 use crate::geometry::{Pose, Twist};
 use crate::model::CableGroup;
-use crate::scalar::{Kernel, LANES, Lanes, cross, dispatch_narrow};
+use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow};
 
 impl Model {
     /// Geometric cable lengths q at a pose (m).
@@ -106,8 +107,7 @@ impl Kernel for Columns<'_> {
         for (group, target) in self.groups.iter().zip(self.columns.chunks_mut(LANES * n)) {
             let cables = group.checked_courses(lanes, self.position, self.rotation);
             doubt = doubt + cables.doubt;
-            let moment = cross(cables.lever, cables.course.direction);
-            let rows = in_pattern(self.basis, cables.course.direction, moment);
+            let rows = in_pattern(self.basis, wrench(cables.moment_arm, cables.course.direction));
             let mut numbers = [[0.0; LANES]; 6];
             for row in 0..6 {
                 numbers[row] = rows[row].to_array();

@@ -51,13 +51,14 @@ impl Composition {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::SpanEffect;
 
     /// The built-in example has pulleys of a radius but without a swivel axis, and linear cables.
     #[test]
     fn what_a_file_lacks_is_named_by_its_key() {
         let mut robot = Robot::builtin("planar-example").unwrap();
         let supported = Composition::supported(&robot).unwrap();
-        assert!(supported.richest.is_elastic() && !supported.richest.is_sagging(), "{supported:?}");
+        assert!(supported.richest.is_elastic() && supported.richest.span == SpanEffect::Straight, "{supported:?}");
         let reason = |effect: &str, supported: &Supported| {
             supported.missing.iter().find(|(word, _)| *word == effect).map(|(_, reason)| reason.to_string())
         };

@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-use crate::cable::DegenerateCourse;
-use crate::cable::law::HoldError;
+use crate::cable::{CableStateError, DegenerateCourse};
 use crate::model::Model;
 
 /// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no course.
@@ -56,11 +55,11 @@ pub enum StaticsError {
     },
     /// A cable that cannot be as its tension asks.
     #[error("cable {cable}: {reason}")]
-    Hold {
+    CableState {
         /// Number of the cable, from 1.
         cable: usize,
         /// What is wrong.
-        reason: HoldError,
+        reason: CableStateError,
     },
     /// A cable group names a cable that the robot does not have.
     #[error("the group names cable {cable}, but the robot has the cables 1 to {count}")]
@@ -79,6 +78,19 @@ pub enum StaticsError {
     /// A cable has no unique course at the pose.
     #[error(transparent)]
     Course(#[from] DegenerateCourse),
+}
+
+impl StaticsError {
+    /// Why one cable (0-based) of a geometric length (m) is in no state.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn of_cable(index: usize, length: f64, reason: CableStateError) -> Self {
+        let cable = index + 1;
+        match reason {
+            CableStateError::Overstretched { tension } => Self::Overstretched { cable, tension, length },
+            reason => Self::CableState { cable, reason },
+        }
+    }
 }
 
 /// One finite tension of zero or more per cable, or an error that names the cable.

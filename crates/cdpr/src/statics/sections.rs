@@ -1,10 +1,9 @@
 //! Wrenches of groups of cables: what a part of the platform has to carry.
 
+use super::cable_states::cable_state;
 use super::error::{StaticsError, check_tensions};
-use super::holding::held;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
-use crate::scalar::cross;
 
 /// Wrench that a group of cables (0-based) exerts on the platform, A₁ᵀ f₁ (eq. 5.11; world axes, moment about the platform
 /// origin; N, N·m).
@@ -24,14 +23,7 @@ pub fn section_wrench(model: &Model, pose: &Pose, tensions: &[f64], cables: &[us
         if cables[..place].contains(&index) {
             return Err(StaticsError::RepeatedCable { cable });
         }
-        if model.composition().is_sagging() {
-            wrench += held(model, pose, index, tensions[index])?.wrench();
-            continue;
-        }
-        let (course, lever) = model.course(index, pose)?;
-        let u = course.direction;
-        let moment = cross(lever.into(), u);
-        wrench += Wrench::new(u[0], u[1], u[2], moment[0], moment[1], moment[2]) * tensions[index];
+        wrench += cable_state(model, pose, index, tensions[index])?.wrench();
     }
     // the basis is orthonormal, so this keeps what the pattern has
     Ok(model.twist_basis().iter().map(|twist| twist * twist.dot(&wrench)).sum())

@@ -3,13 +3,11 @@
 use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::Load;
+use super::cable_states::cable_states;
 use super::error::{StaticsError, check_tensions};
-use super::holding::{Held, holds};
-use super::lengths::controlled_length;
-use crate::cable::Course;
+use crate::cable::CableState;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Model, StretchEffect};
-use crate::scalar::cross;
 use crate::scalar::decomposition::{svd, symmetric_eigen};
 
 /// How the wrench on the platform answers to small displacements at fixed controlled lengths.
@@ -63,65 +61,42 @@ impl Stiffness {
     pub fn at(model: &Model, pose: &Pose, tensions: &[f64], load: &Load) -> Result<Self, StaticsError> {
         check_tensions(model, tensions)?;
         let (n, m) = (model.dof(), model.cable_count());
-        let structure_matrix = model.structure_matrix(pose)?;
         let mut stiffness = Self {
             cable: DMatrix::zeros(n, n),
             geometric: DMatrix::zeros(n, n),
             load: in_pattern(model, &load.gradient(pose)),
             system: DMatrix::zeros(n, n),
-            by_controlled_length: structure_matrix.clone(),
+            by_controlled_length: DMatrix::zeros(n, m),
             cable_stiffness: Vec::with_capacity(m),
             controlled_length_stiffness: Vec::with_capacity(m),
             controlled_lengths: Vec::with_capacity(m),
             scaling: scaling(model),
         };
-        if !model.composition().has_closed_form() {
-            stiffness.of_holds(model, &holds(model, pose, tensions)?);
-            return Ok(stiffness);
-        }
-        stiffness.geometric = geometric_stiffness(model, pose, tensions)?;
-        for (index, &tension) in tensions.iter().enumerate() {
-            let (course, _) = model.course(index, pose)?;
-            stiffness.stretch(model, index, course.length, tension)?;
-            let column = structure_matrix.column(index);
-            stiffness.cable.ger(stiffness.cable_stiffness[index], &column, &column, 1.0);
-            stiffness.by_controlled_length.column_mut(index).scale_mut(stiffness.controlled_length_stiffness[index]);
+        for (index, state) in cable_states(model, pose, tensions)?.iter().enumerate() {
+            if model.law(index).is_inextensible_line() {
+                return Err(StaticsError::Rigid { cable: index + 1, cure: cure(model, index) });
+            }
+            stiffness.add(model, index, state);
         }
         stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
         Ok(stiffness)
     }
 
-    /// The same for cables whose laws have no closed form: K_C is what changes of tension add to K_G.
-    fn of_holds(&mut self, model: &Model, holds: &[Held]) {
-        for (index, held) in holds.iter().enumerate() {
-            let at_tension = in_pattern(model, &held.stiffness_at_tension());
-            self.cable += in_pattern(model, &held.stiffness()) - &at_tension;
-            self.geometric -= at_tension;
-            let by_length = held.wrench_by_controlled_length();
-            for (row, twist) in model.twist_basis().iter().enumerate() {
-                self.by_controlled_length[(row, index)] = -twist.dot(&by_length);
+    /// Adds a cable: K_C is what its change of tension adds to K_G, (∂W/∂q_θ)(∂q_θ/∂x) at fixed tension.
+    fn add(&mut self, model: &Model, index: usize, state: &CableState) {
+        let basis = model.twist_basis();
+        self.geometric += in_pattern(model, &state.wrench_by_pose());
+        let (by_length, by_pose) = (state.wrench_by_controlled_length(), state.controlled_length_by_pose());
+        for (row, twist) in basis.iter().enumerate() {
+            self.by_controlled_length[(row, index)] = -twist.dot(&by_length);
+            for (column, other) in basis.iter().enumerate() {
+                self.cable[(row, column)] += twist.dot(&by_length) * other.dot(&by_pose);
             }
-            let along = |a: [f64; 3]| crate::scalar::dot(a, held.hold.direction);
-            self.cable_stiffness.push(-along(held.hold.tangent.map(along)));
-            self.controlled_length_stiffness.push(-along(held.hold.by_controlled_length));
-            self.controlled_lengths.push(held.hold.controlled_length);
         }
-        self.system = &self.cable - &self.geometric - &self.load;
-    }
-
-    /// Appends controlled length, K and K_θ of the next cable.
-    fn stretch(&mut self, model: &Model, index: usize, length: f64, tension: f64) -> Result<(), StaticsError> {
-        let law = model.elasticity(index);
-        if law.is_rigid() {
-            return Err(StaticsError::Rigid { cable: index + 1, cure: cure(model, index) });
-        }
-        let controlled = controlled_length(model, index, length, tension)?;
-        let derivatives = law.tension(length, controlled);
-        let taut = if tension > 0.0 { 1.0 } else { 0.0 };
-        self.controlled_lengths.push(controlled);
-        self.cable_stiffness.push(taut * derivatives.by_length);
-        self.controlled_length_stiffness.push(-taut * derivatives.by_controlled_length);
-        Ok(())
+        let along = |a: [f64; 3]| crate::scalar::dot(a, state.direction);
+        self.cable_stiffness.push(-along(state.tangent.map(along)));
+        self.controlled_length_stiffness.push(-along(state.by_controlled_length));
+        self.controlled_lengths.push(state.controlled_length);
     }
 
     /// Compliance K_wx⁻¹, the displacement per wrench, δx = K_wx⁻¹ δw (m/N, 1/N, rad/(N·m)); `None` when the stiffness is
@@ -179,43 +154,14 @@ impl Stiffness {
 /// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
 pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     check_tensions(model, tensions)?;
-    if model.composition().is_sagging() {
-        let shares = holds(model, pose, tensions)?;
-        let sum = shares.iter().fold(Matrix6::zeros(), |sum, held| sum - held.stiffness_at_tension());
-        return Ok(in_pattern(model, &sum));
-    }
-    let mut geometric = Matrix6::zeros();
-    for (index, &tension) in tensions.iter().enumerate() {
-        let (course, lever) = model.course(index, pose)?;
-        geometric += turning(&course, lever.into()) * tension;
-    }
-    Ok(in_pattern(model, &geometric))
+    let states = cable_states(model, pose, tensions)?;
+    Ok(in_pattern(model, &states.iter().map(CableState::wrench_by_pose).sum()))
 }
 
 fn scaling(model: &Model) -> DVector<f64> {
     let translations = model.robot().motion_pattern.translations();
     let radius = model.platform_radius();
     DVector::from_fn(model.dof(), |row, _| if row < translations { 1.0 } else { 1.0 / radius })
-}
-
-/// ∂\[u; b × u\]/∂\[δr; δφ\]: the direction changes with the platform anchor, and the lever turns, δb = δφ × b.
-fn turning(course: &Course<f64>, lever: [f64; 3]) -> Matrix6<f64> {
-    let (_, rows) = course.by_pose(lever);
-    let mut matrix = Matrix6::zeros();
-    for axis in 0..6 {
-        let direction = [rows[0][axis], rows[1][axis], rows[2][axis]];
-        let mut moment = cross(lever, direction);
-        if axis >= 3 {
-            let unit = [0, 1, 2].map(|k| if k == axis - 3 { 1.0 } else { 0.0 });
-            let of_lever = cross(cross(unit, lever), course.direction);
-            moment = [0, 1, 2].map(|k| moment[k] + of_lever[k]);
-        }
-        for k in 0..3 {
-            matrix[(k, axis)] = direction[k];
-            matrix[(3 + k, axis)] = moment[k];
-        }
-    }
-    matrix
 }
 
 /// Bᵀ M B for the twist basis B.

@@ -8,7 +8,7 @@ use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::branches::branches;
 use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};
 use cdpr::metamodel::{Operation, initial_tensions, operate, winch_offsets};
-use cdpr::model::{Composition, FreeParameters, Model};
+use cdpr::model::{Cables, Composition, FreeParameters, Model};
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::{self, Load};
 use cdpr::tension::Limits;
@@ -41,7 +41,7 @@ fn machine() -> Robot {
 
 /// All compositions of pulleys, stretch and span; drums act before the cable and have their own tests.
 fn compositions() -> impl Iterator<Item = Composition> {
-    Composition::all().filter(|composition| !composition.drum && composition.depends_on_tension())
+    Composition::all().filter(|composition| !composition.drum && composition.cables() != Cables::Rigid)
 }
 
 /// Poses over the middle of the frame, turned by up to 6°.

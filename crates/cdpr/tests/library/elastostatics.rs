@@ -521,10 +521,10 @@ fn sagging_cables_that_do_not_stretch_come_to_rest() {
         }
         // each cable held by its length: the same pulls, solved anew
         let wrench = (0..sagging.cable_count()).fold(load.wrench(&solution.pose), |sum, cable| {
-            let known = cdpr::cable::law::Known::ControlledLength(lengths[cable]);
-            let (hold, lever) = sagging.hold(cable, &solution.pose, known).unwrap();
-            let pull = Vector3::from(hold.pull);
-            let moment = lever.cross(&pull);
+            let input = cdpr::cable::CableInput::ControlledLength(lengths[cable]);
+            let state = sagging.cable_state(cable, &solution.pose, input).unwrap();
+            let pull = Vector3::from(state.pull);
+            let moment = (solution.pose.rotation * sagging.robot().cables[cable].platform_anchor).cross(&pull);
             sum + Wrench::new(pull.x, pull.y, pull.z, moment.x, moment.y, moment.z)
         });
         // 1e-11 m at the stiffness of chords a thousandth shorter than their cables

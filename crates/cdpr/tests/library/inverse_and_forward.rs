@@ -10,7 +10,7 @@ use cdpr::metamodel::simulate::simulate_operation;
 use cdpr::metamodel::study::{CommandedPose, History, Reach};
 use cdpr::metamodel::sweep::{Subjects, Sweep, row};
 use cdpr::metamodel::{self, Experiment, Operation, Outcome, Robots, Study};
-use cdpr::model::{Composition, Model, StretchEffect};
+use cdpr::model::{Cables, Composition, Model, SpanEffect, StretchEffect};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::Load;
@@ -78,7 +78,7 @@ fn the_forward_problem_leads_back_to_where_the_inverse_problem_came_from() {
             let home = state.pose();
             let name = format!("{} with {} cables, {composition}", robot.name, model.cable_count());
             let under = model.cable_count() < model.dof();
-            let expected = under || composition.depends_on_tension();
+            let expected = under || composition.cables() != Cables::Rigid;
             let problem = model.forward_problem(None, &mut state).unwrap();
             assert_eq!(problem == ForwardProblem::Equilibrium, expected, "{name}");
 
@@ -101,7 +101,8 @@ fn the_forward_problem_leads_back_to_where_the_inverse_problem_came_from() {
             let lengths = command.controlled_lengths().unwrap();
             let guess = found.pose.displaced(&model.twist_basis().iter().fold(Twist::zeros(), |sum, b| sum + b * 0.01));
             let back = model.forward(&lengths, None, Some(&guess), &mut state).unwrap().clone();
-            let is_inextensible = composition.is_sagging() && composition.stretch == StretchEffect::Rigid;
+            let is_inextensible =
+                composition.span != SpanEffect::Straight && composition.stretch == StretchEffect::Rigid;
             if is_inextensible && back.status == Status::NotConverged {
                 // from beside, a cable that does not stretch may be too short for any shape: no answer, and no wrong one
                 assert!(back.reason.is_some(), "{name}");
@@ -153,7 +154,7 @@ fn a_control_model_that_is_the_machine_makes_no_error() {
         for composition in Composition::all() {
             let model = Model::new(robot.clone(), composition).unwrap();
             let poses = path(&robot);
-            if model.depends_on_tension() {
+            if model.needs_tensions() {
                 let feasible = |command: &CommandedPose| {
                     distribution::solve(&model, &command.pose, &load, &limits).is_ok_and(|found| found.reason.is_none())
                 };
@@ -217,7 +218,7 @@ fn evaluation_of_exact_records_is_the_accuracy_of_the_control_model() {
         let machine = Model::new(robot.clone(), Composition::PULLEY_ELASTIC).unwrap();
         for words in ["standard", "pulley", "pulley+drum", "elastic", "pulley+elastic"] {
             let control = Model::new(robot.clone(), words.parse().unwrap()).unwrap();
-            if under && control.depends_on_tension() {
+            if under && control.needs_tensions() {
                 // four cables hold no pose that a controller could choose tensions for
                 continue;
             }

@@ -97,7 +97,7 @@ fn a_reused_state_allocates_nothing() {
     for (robot, words) in cases.into_iter().chain([(&unloaded, "standard")]) {
         let model = Model::new(robot.clone(), words.parse().unwrap()).unwrap();
         let load = Load::constant(Wrench::new(0.0, 0.0, -5000.0, 0.0, 100.0, 0.0));
-        let load = model.depends_on_tension().then_some(&load);
+        let load = model.needs_tensions().then_some(&load);
         let mut state = State::at_home(&model);
         let mut lengths = vec![0.0; 8];
         let mut answer = |pose: &Pose| {

@@ -42,7 +42,7 @@ impl Case {
         let Some((cable, by)) = tension else {
             return winch_offsets(&self.initial, control, machine, &self.home).unwrap();
         };
-        let elastic = if machine.composition().depends_on_tension() { machine } else { control };
+        let elastic = if machine.needs_tensions() { machine } else { control };
         let mut tensions = initial_tensions(&self.initial, elastic, &self.home).unwrap();
         tensions[cable] += by;
         let changed = Initial { tension_method: None, ..initial(Some(&tensions), None) };

@@ -1,9 +1,11 @@
 //! How a cable at given tension changes with its own parameters.
 
 use super::solve::Matrix4;
-use super::{CableLaw, Hold, Kind};
+use super::{CableLaw, Kind};
+use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;
-use crate::scalar::{add, dot, scale};
+use crate::robot::StiffnessBasis;
+use crate::scalar::{add, scale};
 
 /// A parameter of one cable, beside its anchors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,37 +28,52 @@ pub struct LawChange {
 }
 
 impl CableLaw {
-    /// Derivative of a hold at this platform anchor by a parameter; zero for one that the law does not have, and for compliance and
-    /// hidden length of a linear law, which has its own ([`crate::cable::elasticity::Elasticity::controlled_length_gradient`]).
-    pub fn by_parameter(&self, hold: &Hold, platform_anchor: [f64; 3], parameter: LawParameter) -> LawChange {
-        let tension = hold.outlet_tension;
-        match self.kind {
-            Kind::Sagging(shape) => {
-                let side = self.chord(platform_anchor).map_or(1.0, |chord| chord.side);
-                let evaluation = self.evaluate(shape, &hold.state, side);
-                let (end, length) = self.sagging_change(hold, parameter, side);
-                self.held_change(hold, &evaluation.by_state, end, length)
+    /// Derivative of a cable's state by a parameter; zero for one that the law does not have.
+    pub fn by_parameter(&self, state: &CableState, parameter: LawParameter) -> LawChange {
+        let length_change = |controlled_length| LawChange { pull: [0.0; 3], controlled_length };
+        match (self.kind, parameter) {
+            (Kind::Sagging(shape), _) => {
+                let course = self.course(state.end.anchor);
+                let side = Self::chord(&course).map_or(1.0, |chord| chord.side);
+                let evaluation = self.evaluate(shape, &state.span, side);
+                let (end, length) = self.sagging_change(state, parameter, side);
+                self.held_change(state, &evaluation.by_state, end, length)
             }
-            _ => match (parameter, self.outlet.pulley()) {
-                (LawParameter::PulleyRadius, Some(_)) => {
-                    let course = self.course(platform_anchor);
+            (_, LawParameter::PulleyRadius) => match self.outlet.pulley() {
+                Some(_) => {
+                    let course = self.course(state.end.anchor);
+                    let by_length = self.length(course.length, state.outlet_tension).by_length;
                     LawChange {
-                        pull: scale(tension, course.direction_by_radius),
-                        controlled_length: self.length(course.length, tension).by_length * course.length_by_radius,
+                        pull: scale(state.outlet_tension, course.direction_by_radius),
+                        controlled_length: by_length * course.length_by_radius,
                     }
                 }
-                (LawParameter::HiddenLength, _) if self.kind == Kind::Stretching => {
-                    let (strain, _) = self.stretch.strain(tension);
-                    LawChange { pull: [0.0; 3], controlled_length: 1.0 / (1.0 + strain) - 1.0 }
-                }
-                _ => LawChange { pull: [0.0; 3], controlled_length: 0.0 },
+                None => length_change(0.0),
             },
+            (Kind::Linear(law, Some(basis)), _) => {
+                let controlled = law.controlled_length_gradient(
+                    state.strained_length,
+                    state.outlet_tension,
+                    self.hidden_length,
+                    law.by_length + law.by_controlled_length,
+                    basis == StiffnessBasis::Unstrained,
+                );
+                length_change(match parameter {
+                    LawParameter::Compliance => controlled.by_compliance,
+                    _ => controlled.by_hidden_length,
+                })
+            }
+            (Kind::Stretching, LawParameter::HiddenLength) => {
+                let (strain, _) = self.stretch.strain(state.outlet_tension);
+                length_change(1.0 / (1.0 + strain) - 1.0)
+            }
+            (Kind::Rigid | Kind::Linear(..) | Kind::Stretching, _) => length_change(0.0),
         }
     }
 
     /// Changes of end and controlled length at a fixed state.
-    fn sagging_change(&self, hold: &Hold, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
-        let state = &hold.state;
+    fn sagging_change(&self, cable: &CableState, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
+        let state = &cable.span;
         let frame = self.frame_end(state, side);
         let ratio = frame.ratio;
         match (parameter, &frame.outlet) {
@@ -69,15 +86,15 @@ impl CableLaw {
             (LawParameter::Compliance, _) => {
                 // ∫ τ ds, of elements too
                 let middle = add(state.force, scale(-0.5 * state.length, self.weight));
-                (scale(state.length, middle), -frame.outside * ratio * ratio * hold.outlet_tension)
+                (scale(state.length, middle), -frame.outside * ratio * ratio * cable.outlet_tension)
             }
             (LawParameter::HiddenLength, _) => ([0.0; 3], ratio - 1.0),
         }
     }
 
     /// What the state does so that end and tension stay.
-    fn held_change(&self, hold: &Hold, by_state: &Matrix4, end: [f64; 3], length: f64) -> LawChange {
-        let [x, y, z] = scale(1.0 / hold.outlet_tension, hold.state.force);
+    fn held_change(&self, cable: &CableState, by_state: &Matrix4, end: [f64; 3], length: f64) -> LawChange {
+        let [x, y, z] = scale(1.0 / cable.outlet_tension, cable.span.force);
         let mut rows = *by_state;
         let length_row = rows.0[3];
         rows.0[3] = [x, y, z, 0.0];
@@ -86,9 +103,4 @@ impl CableLaw {
         let by_state: f64 = length_row.iter().zip(state).map(|(by, change)| by * change).sum();
         LawChange { pull, controlled_length: length + by_state }
     }
-}
-
-/// Change of the tension at the outlet that keeps the tension at the platform when the pull changes at fixed outlet tension.
-pub(crate) fn outlet_change(hold: &Hold, pull: [f64; 3]) -> f64 {
-    -dot(hold.direction, pull) / dot(hold.direction, hold.by_tension)
 }

@@ -1,8 +1,11 @@
 //! Newton's method for the state of a cable with weight, and what follows from the state.
 
+use super::CableLaw;
 use super::sagging::Evaluation;
-use super::{CableLaw, Hold, HoldError, Known};
+use crate::cable::course::Course;
 use crate::cable::span::{Shape, State};
+use crate::cable::state::{CableInput, CableState, CableStateError};
+use crate::cable::wrench::CableEnd;
 use crate::scalar::{add, dot, scale, sub};
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
@@ -74,10 +77,9 @@ pub(super) struct Chord {
 
 impl CableLaw {
     /// The straight cable between the same ends.
-    pub(super) fn chord(&self, platform_anchor: [f64; 3]) -> Result<Chord, HoldError> {
-        let course = self.course(platform_anchor);
+    pub(super) fn chord(course: &Course<f64>) -> Result<Chord, CableStateError> {
         if !(course.length.is_finite() && course.free_length > 0.0) {
-            return Err(HoldError::NoCourse);
+            return Err(CableStateError::NoCourse);
         }
         let side = if course.wrap_angle > std::f64::consts::PI { -1.0 } else { 1.0 };
         let away = scale(-1.0, course.direction);
@@ -85,16 +87,16 @@ impl CableLaw {
     }
 
     /// The law of a cable with weight, solved.
-    pub(super) fn hold_sagging(
+    pub(super) fn sagging_state(
         &self,
-        shape: Shape,
-        platform_anchor: [f64; 3],
-        known: Known,
+        (shape, course): (Shape, &Course<f64>),
+        end: &CableEnd<f64>,
+        known: CableInput,
         guess: Option<State<f64>>,
-    ) -> Result<Hold, HoldError> {
-        let chord = self.chord(platform_anchor)?;
+    ) -> Result<CableState, CableStateError> {
+        let chord = Self::chord(course)?;
         self.refuse_impossible(&chord, known)?;
-        let mut search = Search { law: self, shape, platform_anchor, chord, steps: 0 };
+        let mut search = Search { law: self, shape, platform_anchor: end.anchor, chord, steps: 0 };
         let first = guess.unwrap_or_else(|| search.start(known));
         let found = match search.newton(known, first) {
             Err(_) if guess.is_some() => search.newton(known, search.start(known)),
@@ -105,25 +107,26 @@ impl CableLaw {
             Err(gap) => search.by_length(known, gap)?,
         };
         let evaluation = self.evaluate(shape, &state, chord.side);
-        Ok(self.hold_of(&state, &evaluation))
+        let is_given_at_platform = matches!(known, CableInput::PlatformTension(_));
+        Ok(CableState { is_given_at_platform, ..self.state_of(&state, &evaluation, end) })
     }
 
-    fn refuse_impossible(&self, chord: &Chord, known: Known) -> Result<(), HoldError> {
+    fn refuse_impossible(&self, chord: &Chord, known: CableInput) -> Result<(), CableStateError> {
         match known {
-            Known::ControlledLength(controlled_length)
+            CableInput::ControlledLength(controlled_length)
                 if self.stretch.is_rigid() && self.series_compliance == 0.0 && !(controlled_length > chord.length) =>
             {
-                Err(HoldError::TooShort { controlled_length, least: chord.length })
+                Err(CableStateError::TooShort { controlled_length, least: chord.length })
             }
-            Known::OutletTension(tension) | Known::PlatformTension(tension) if !(tension > 0.0) => {
-                Err(HoldError::TensionTooLow { tension, least: 0.0 })
+            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) if !(tension > 0.0) => {
+                Err(CableStateError::TensionTooLow { tension, least: 0.0 })
             }
             _ => Ok(()),
         }
     }
 
     /// Everything that follows from a state that obeys the equations.
-    pub(super) fn hold_of(&self, state: &State<f64>, evaluation: &Evaluation) -> Hold {
+    pub(super) fn state_of(&self, state: &State<f64>, evaluation: &Evaluation, end: &CableEnd<f64>) -> CableState {
         let tension = dot(state.force, state.force).sqrt();
         let t = scale(1.0 / tension, state.force);
         let platform_tension = dot(evaluation.end_force, evaluation.end_force).sqrt();
@@ -135,7 +138,10 @@ impl CableLaw {
         let pull_change = |column: usize, by: &[[f64; 4]; 4]| -> [f64; 3] {
             std::array::from_fn(|row| self.weight[row] * by[3][column] - by[row][column])
         };
-        let columns = [0, 1, 2].map(|column| pull_change(column, &fixed));
+        let tangent = |by: &[[f64; 4]; 4]| {
+            let columns = [0, 1, 2].map(|column| pull_change(column, by));
+            [0, 1, 2].map(|row| [0, 1, 2].map(|column: usize| columns[column][row]))
+        };
         // at fixed |F|: the last row is t·δF
         let mut rows = evaluation.by_state;
         let length_row = rows.0[3];
@@ -143,8 +149,11 @@ impl CableLaw {
         let held = rows.solve(right);
         let controlled_change = |column: usize| -> f64 { (0..4).map(|row| length_row[row] * held[row][column]).sum() };
         let strained = self.strained_length(state, evaluation);
-        Hold {
-            state: *state,
+        CableState {
+            end: *end,
+            recording: self.recording,
+            is_given_at_platform: false,
+            span: *state,
             controlled_length: evaluation.controlled_length,
             pull,
             direction: scale(1.0 / platform_tension, pull),
@@ -152,7 +161,8 @@ impl CableLaw {
             platform_tension,
             wrap_angle: evaluation.wrap_angle,
             strained_length: strained,
-            tangent: std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row])),
+            tangent: tangent(&fixed),
+            tangent_at_tension: tangent(&held),
             by_controlled_length: pull_change(3, &fixed),
             by_tension: pull_change(3, &held),
             controlled_length_by_tension: controlled_change(3),
@@ -193,7 +203,7 @@ struct Tried {
 /// Equations of one cable, as the loop of all searches sees them.
 struct Newton<'a, 's> {
     search: &'a mut Search<'s>,
-    known: Known,
+    known: CableInput,
     at: Tried,
     trial: Tried,
     /// Change of force (N) and length (m).
@@ -214,8 +224,8 @@ impl solve::Problem for Newton<'_, '_> {
         // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
         // wrapped part shrinks.
         self.is_slacker = match self.known {
-            Known::ControlledLength(_) => false,
-            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+            CableInput::ControlledLength(_) => false,
+            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
                 let by_tension: f64 = (0..4).map(|k| evaluation.by_state.0[3][k] * solved[k][1]).sum();
                 by_tension * tension > 1e-9 * state.length
             }
@@ -250,23 +260,23 @@ impl solve::Problem for Newton<'_, '_> {
 }
 
 impl Search<'_> {
-    fn tried(&mut self, state: State<f64>, known: Known) -> Tried {
+    fn tried(&mut self, state: State<f64>, known: CableInput) -> Tried {
         self.steps += 1;
         let evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
         let gap = self.gap(&evaluation, &state, known);
         Tried { state, evaluation, gap, size: self.size(&gap, known) }
     }
 
-    fn not_found(&self, gap: f64) -> HoldError {
-        HoldError::NotConverged { iterations: self.steps, gap }
+    fn not_found(&self, gap: f64) -> CableStateError {
+        CableStateError::NotConverged { iterations: self.steps, gap }
     }
 
     /// A state near the one sought.
-    fn start(&self, known: Known) -> State<f64> {
+    fn start(&self, known: CableInput) -> State<f64> {
         match known {
-            Known::OutletTension(tension) => self.taut(tension, 0.5),
-            Known::PlatformTension(tension) => self.taut(tension, -0.5),
-            Known::ControlledLength(length) => self.of_length(length),
+            CableInput::OutletTension(tension) => self.taut(tension, 0.5),
+            CableInput::PlatformTension(tension) => self.taut(tension, -0.5),
+            CableInput::ControlledLength(length) => self.of_length(length),
         }
     }
 
@@ -335,11 +345,11 @@ impl Search<'_> {
         State { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
     }
 
-    fn gap(&self, evaluation: &Evaluation, state: &State<f64>, known: Known) -> [f64; 4] {
+    fn gap(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> [f64; 4] {
         let [x, y, z] = sub(evaluation.end, self.platform_anchor);
         let last = match known {
-            Known::ControlledLength(length) => evaluation.controlled_length - length,
-            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+            CableInput::ControlledLength(length) => evaluation.controlled_length - length,
+            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
                 self.known_tension(state, known) - tension
             }
         };
@@ -347,25 +357,25 @@ impl Search<'_> {
     }
 
     /// The tension at the end where it is known (N).
-    fn known_tension(&self, state: &State<f64>, known: Known) -> f64 {
+    fn known_tension(&self, state: &State<f64>, known: CableInput) -> f64 {
         let force = match known {
-            Known::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
+            CableInput::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
             _ => state.force,
         };
         dot(force, force).sqrt()
     }
 
     /// Rows of the equations by the state.
-    fn rows(&self, evaluation: &Evaluation, state: &State<f64>, known: Known) -> Matrix4 {
+    fn rows(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> Matrix4 {
         let mut rows = evaluation.by_state;
         let unit = |force: [f64; 3]| scale(1.0 / dot(force, force).sqrt(), force);
         match known {
-            Known::ControlledLength(_) => {}
-            Known::OutletTension(_) => {
+            CableInput::ControlledLength(_) => {}
+            CableInput::OutletTension(_) => {
                 let [x, y, z] = unit(state.force);
                 rows.0[3] = [x, y, z, 0.0];
             }
-            Known::PlatformTension(_) => {
+            CableInput::PlatformTension(_) => {
                 let t = unit(evaluation.end_force);
                 rows.0[3] = [t[0], t[1], t[2], -dot(t, self.law.weight)];
             }
@@ -374,10 +384,10 @@ impl Search<'_> {
     }
 
     /// Size of what is missing (m); a missing tension counts by the share of the tension.
-    fn size(&self, gap: &[f64; 4], known: Known) -> f64 {
+    fn size(&self, gap: &[f64; 4], known: CableInput) -> f64 {
         let last = match known {
-            Known::ControlledLength(_) => gap[3],
-            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
+            CableInput::ControlledLength(_) => gap[3],
+            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
                 gap[3] / tension * self.chord.free_length
             }
         };
@@ -385,7 +395,7 @@ impl Search<'_> {
     }
 
     /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
-    fn newton(&mut self, known: Known, start: State<f64>) -> Result<State<f64>, f64> {
+    fn newton(&mut self, known: CableInput, start: State<f64>) -> Result<State<f64>, f64> {
         let max_iterations = MAX_NEWTON_STEPS.min(MAX_STEPS.saturating_sub(self.steps));
         let rules = Rules { tolerance: TOLERANCE, max_iterations, least_gain: 0.0, rule: StepRule::Shortening };
         let at = self.tried(start, known);
@@ -399,15 +409,15 @@ impl Search<'_> {
     }
 
     /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.
-    fn of_known_length(&mut self, length: f64, known: Known) -> Option<(f64, State<f64>)> {
-        let state = self.newton(Known::ControlledLength(length), self.of_length(length)).ok()?;
+    fn of_known_length(&mut self, length: f64, known: CableInput) -> Option<(f64, State<f64>)> {
+        let state = self.newton(CableInput::ControlledLength(length), self.of_length(length)).ok()?;
         Some((self.known_tension(&state, known), state))
     }
 
     /// Tension by length, which is found for every length: the taut length of a tension by bisection, or the least tension.
     /// `gap` is what Newton's method left (m).
-    fn by_length(&mut self, known: Known, gap: f64) -> Result<State<f64>, HoldError> {
-        let (Known::OutletTension(wanted) | Known::PlatformTension(wanted)) = known else {
+    fn by_length(&mut self, known: CableInput, gap: f64) -> Result<State<f64>, CableStateError> {
+        let (CableInput::OutletTension(wanted) | CableInput::PlatformTension(wanted)) = known else {
             return Err(self.not_found(gap));
         };
         let least_length = match self.law.stretch.is_rigid() {
@@ -417,7 +427,7 @@ impl Search<'_> {
         let mut long = self.length_of_least_tension(known, least_length, 4.0 * self.chord.length);
         let Some((least, mut best)) = self.of_known_length(long, known) else { return Err(self.not_found(gap)) };
         if wanted < least * (1.0 - 1e-12) {
-            return Err(HoldError::TensionTooLow { tension: wanted, least });
+            return Err(CableStateError::TensionTooLow { tension: wanted, least });
         }
         let mut short = least_length;
         loop {
@@ -439,7 +449,7 @@ impl Search<'_> {
     }
 
     /// The tension falls with the length, then grows with the weight that hangs: its least value by golden sections.
-    fn length_of_least_tension(&mut self, known: Known, mut low: f64, mut high: f64) -> f64 {
+    fn length_of_least_tension(&mut self, known: CableInput, mut low: f64, mut high: f64) -> f64 {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let mut tension = |length| self.of_known_length(length, known).map_or(f64::INFINITY, |found| found.0);
         let (mut a, mut b) = (high - golden * (high - low), low + golden * (high - low));

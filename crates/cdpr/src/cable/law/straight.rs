@@ -1,9 +1,11 @@
 //! The law of a straight cable: one equation between length, controlled length and tension.
 
-use super::{CableLaw, Hold, HoldError, Kind, Known};
+use super::{CableLaw, Kind};
 use crate::cable::course::Course;
 use crate::cable::elasticity::Elasticity;
-use crate::cable::span::State;
+use crate::cable::span;
+use crate::cable::state::{CableInput, CableState, CableStateError, Recording};
+use crate::cable::wrench::CableEnd;
 use crate::scalar::scale;
 
 /// The equation q_θ(q, f) with its derivatives.
@@ -15,33 +17,45 @@ pub(super) struct Length {
 }
 
 impl CableLaw {
-    pub(super) fn hold_straight(&self, platform_anchor: [f64; 3], known: Known) -> Result<Hold, HoldError> {
-        let course = self.course(platform_anchor);
+    #[inline]
+    pub(super) fn straight_state(
+        &self,
+        course: &Course<f64>,
+        end: &CableEnd<f64>,
+        input: CableInput,
+    ) -> Result<CableState, CableStateError> {
         if !(course.length.is_finite() && course.free_length > 0.0) {
-            return Err(HoldError::NoCourse);
+            return Err(CableStateError::NoCourse);
         }
         let q = course.length;
-        match known {
-            Known::OutletTension(tension) | Known::PlatformTension(tension) => {
-                let length = self.length(q, tension);
-                if !(length.value > 0.0) {
-                    return Err(HoldError::Overstretched { tension });
-                }
-                Ok(self.straight_hold(&course, tension, &length))
+        let state = |tension: f64, length: &Length| straight(course, end, self.recording, tension, length);
+        match input {
+            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
+                Ok(state(tension, &self.length(q, tension)))
             }
-            Known::ControlledLength(controlled_length) => {
+            CableInput::ControlledLength(controlled_length) => {
                 let tension = self.straight_tension(q, controlled_length)?;
-                let length = Length { value: controlled_length, ..self.length(q, tension) };
-                Ok(self.straight_hold(&course, tension, &length))
+                Ok(state(tension, &Length { value: controlled_length, ..self.length(q, tension) }))
             }
         }
     }
 
-    /// q_θ of a cable of this length and tension.
-    pub(super) fn length(&self, q: f64, tension: f64) -> Length {
+    /// Law of a straight cable in closed form; nothing for others.
+    #[inline]
+    pub(super) fn closed_form(&self) -> Option<Elasticity<f64>> {
         match self.kind {
-            Kind::Linear(law) => linear(&law, q, tension),
-            _ => {
+            Kind::Rigid => Some(Elasticity::RIGID),
+            Kind::Linear(law, _) => Some(law),
+            Kind::Stretching | Kind::Sagging(_) => None,
+        }
+    }
+
+    /// q_θ of a cable of this length and tension.
+    #[inline]
+    pub(super) fn length(&self, q: f64, tension: f64) -> Length {
+        match self.closed_form() {
+            Some(law) => linear(&law, q, tension),
+            None => {
                 let (strain, slope) = self.stretch.strain(tension);
                 let ratio = 1.0 / (1.0 + strain);
                 let strained = q + self.hidden_length - self.series_compliance * tension;
@@ -55,13 +69,13 @@ impl CableLaw {
     }
 
     /// Tension of a cable of this length, 0 where slack.
-    fn straight_tension(&self, q: f64, controlled_length: f64) -> Result<f64, HoldError> {
+    fn straight_tension(&self, q: f64, controlled_length: f64) -> Result<f64, CableStateError> {
         if !(q > controlled_length) {
             return Ok(0.0);
         }
-        if let Kind::Linear(law) = self.kind {
+        if let Some(law) = self.closed_form() {
             return match law.is_rigid() {
-                true => Err(HoldError::TooShort { controlled_length, least: q }),
+                true => Err(CableStateError::TooShort { controlled_length, least: q }),
                 false => Ok(law.tension(q, controlled_length).value),
             };
         }
@@ -71,7 +85,7 @@ impl CableLaw {
             low = high;
             high *= 4.0;
             if high > 1e15 {
-                return Err(HoldError::TooShort { controlled_length, least: q });
+                return Err(CableStateError::TooShort { controlled_length, least: q });
             }
         }
         let mut tension = 0.5 * (low + high);
@@ -94,36 +108,53 @@ impl CableLaw {
         }
         Ok(tension)
     }
+}
 
-    fn straight_hold(&self, course: &Course<f64>, tension: f64, length: &Length) -> Hold {
-        let u = course.direction;
-        // ∂f/∂q at fixed q_θ, and by q_θ; a slack cable has none, a rigid one no number
-        let taut = tension > 0.0;
-        let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
-        let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
-        Hold {
-            state: State { force: scale(-tension, u), length: course.free_length * length.by_length },
-            controlled_length: length.value,
-            pull: scale(tension, u),
-            direction: u,
-            outlet_tension: tension,
-            platform_tension: tension,
-            wrap_angle: course.wrap_angle,
-            strained_length: course.length,
-            // δq = −u·δp_B
-            tangent: std::array::from_fn(|row| {
-                std::array::from_fn(|column| {
-                    tension * course.direction_gradient[row][column] - stiffness * u[row] * u[column]
-                })
-            }),
-            by_controlled_length: scale(by_controlled, u),
-            by_tension: u,
-            controlled_length_by_tension: length.by_tension,
-            controlled_length_by_anchor: scale(-length.by_length, u),
-        }
+/// A straight cable on its course with this tension and length.
+#[inline]
+fn straight(
+    course: &Course<f64>,
+    end: &CableEnd<f64>,
+    recording: Recording,
+    tension: f64,
+    length: &Length,
+) -> CableState {
+    let u = course.direction;
+    // ∂f/∂q at fixed q_θ, and by q_θ; a slack cable has none, a rigid one no number
+    let taut = tension > 0.0;
+    let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
+    let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
+    let turning = course.direction_gradient.map(|row| scale(tension, row));
+    CableState {
+        end: *end,
+        recording,
+        is_given_at_platform: false,
+        span: span::State { force: scale(-tension, u), length: course.free_length * length.by_length },
+        controlled_length: length.value,
+        pull: scale(tension, u),
+        direction: u,
+        outlet_tension: tension,
+        platform_tension: tension,
+        wrap_angle: course.wrap_angle,
+        strained_length: course.length,
+        // δq = −u·δp_B
+        tangent: [0, 1, 2].map(|row| [0, 1, 2].map(|column| turning[row][column] - stiffness * u[row] * u[column])),
+        tangent_at_tension: turning,
+        by_controlled_length: scale(by_controlled, u),
+        by_tension: u,
+        controlled_length_by_tension: length.by_tension,
+        controlled_length_by_anchor: scale(-length.by_length, u),
     }
 }
 
+/// The straight cable on a course as a spring of 1 N/m with this tension, of any sign: least squares of lengths are the equilibrium of such
+/// springs (eq. 2.81).
+pub(crate) fn unit_spring(course: &Course<f64>, end: &CableEnd<f64>, recording: Recording, tension: f64) -> CableState {
+    const UNIT: Elasticity<f64> = Elasticity { by_length: 0.0, by_controlled_length: 0.0, constant: 1.0 };
+    straight(course, end, recording, tension, &linear(&UNIT, course.length, tension))
+}
+
+#[inline]
 fn linear(law: &Elasticity<f64>, q: f64, tension: f64) -> Length {
     let value = law.controlled_length(q, tension);
     let inverse = 1.0 / (1.0 + tension * law.by_controlled_length);

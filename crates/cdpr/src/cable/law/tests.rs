@@ -22,6 +22,7 @@ fn steel(shape: Shape, with_pulley: bool) -> CableLaw {
         hidden_length: 3.0,
         series_compliance: 2e-7,
         weight: [0.0, 0.0, -0.8 * 9.81],
+        recording: Recording::EXACT,
         kind: Kind::Sagging(shape),
     }
 }
@@ -56,22 +57,22 @@ fn tension_and_length_lead_to_each_other() {
         for shape in shapes() {
             let law = steel(shape, index % 2 == 0);
             for tension in [60.0, 150.0, 1e3, 1.2e4] {
-                let Ok(hold) = law.hold(anchor, Known::OutletTension(tension)) else { continue };
+                let Ok(cable) = law.state(anchor, CableInput::OutletTension(tension)) else { continue };
                 // at the least tension of a span the length is sensitive to it, so bisection ends there
                 assert!(
-                    (hold.outlet_tension / tension - 1.0).abs() < 1e-9,
+                    (cable.outlet_tension / tension - 1.0).abs() < 1e-9,
                     "{anchor:?} {tension} {} {shape:?} {}",
-                    hold.outlet_tension,
+                    cable.outlet_tension,
                     law.outlet.pulley().is_some()
                 );
-                let Ok(back) = law.hold(anchor, Known::ControlledLength(hold.controlled_length)) else {
+                let Ok(back) = law.state(anchor, CableInput::ControlledLength(cable.controlled_length)) else {
                     lost += 1;
                     continue;
                 };
-                let gap = distance(hold.pull, back.pull);
+                let gap = distance(cable.pull, back.pull);
                 assert!(gap < 1e-6 * tension, "{index} {shape:?} {tension} {anchor:?}: {gap}");
-                if let Ok(other) = law.hold(anchor, Known::PlatformTension(hold.platform_tension)) {
-                    assert!(other.controlled_length <= hold.controlled_length + 1e-9, "the taut length is meant");
+                if let Ok(other) = law.state(anchor, CableInput::PlatformTension(cable.platform_tension)) {
+                    assert!(other.controlled_length <= cable.controlled_length + 1e-9, "the taut length is meant");
                     solved_both += 1;
                 }
                 solved += 1;
@@ -94,11 +95,11 @@ fn every_length_has_a_shape() {
             if let Outlet::Swivel { swivel_axis, .. } = &mut law.outlet {
                 *swivel_axis = [0.0, 0.0, 1.0];
             }
-            let chord = law.chord(anchor).unwrap().length;
+            let chord = CableLaw::chord(&law.course(anchor)).unwrap().length;
             for share in [0.98, 0.999, 1.0, 1.001, 1.05, 1.5, 3.0] {
-                let hold = law.hold(anchor, Known::ControlledLength(share * chord));
-                let hold = hold.unwrap_or_else(|error| panic!("{index} {share} {anchor:?} {with_pulley}: {error}"));
-                assert!((hold.controlled_length - share * chord).abs() < 1e-9);
+                let cable = law.state(anchor, CableInput::ControlledLength(share * chord));
+                let cable = cable.unwrap_or_else(|error| panic!("{index} {share} {anchor:?} {with_pulley}: {error}"));
+                assert!((cable.controlled_length - share * chord).abs() < 1e-9);
             }
         }
     }
@@ -112,9 +113,9 @@ fn the_search_for_a_cable_without_a_shape_ends() {
     for density in [1e14, 1e20] {
         let weight = [0.0, 0.0, -9.81 * density];
         let law = CableLaw { weight, stretch: Stretch::Linear(1e-6), ..steel(Shape::Catenary, false) };
-        for known in [Known::OutletTension(3e3), Known::PlatformTension(3e3)] {
-            match law.hold([-3.0, -2.0, 11.0], known) {
-                Err(HoldError::NotConverged { iterations, .. }) => {
+        for known in [CableInput::OutletTension(3e3), CableInput::PlatformTension(3e3)] {
+            match law.state([-3.0, -2.0, 11.0], known) {
+                Err(CableStateError::NotConverged { iterations, .. }) => {
                     assert!(bounded.contains(&iterations), "{iterations}")
                 }
                 other => panic!("{density} {known:?}: {other:?}"),
@@ -128,9 +129,9 @@ fn the_search_for_a_cable_without_a_shape_ends() {
 fn forces_and_moments_of_the_span_balance() {
     for anchor in anchors(200) {
         let law = steel(Shape::Catenary, false);
-        let Ok(hold) = law.hold(anchor, Known::OutletTension(400.0)) else { continue };
-        let (state, length) = (hold.state, hold.state.length);
-        let total = sub(add(state.force, hold.pull), scale(length, law.weight));
+        let Ok(cable) = law.state(anchor, CableInput::OutletTension(400.0)) else { continue };
+        let (state, length) = (cable.span, cable.span.length);
+        let total = sub(add(state.force, cable.pull), scale(length, law.weight));
         assert!(dot(total, total).sqrt() < 1e-9, "{total:?}");
         // moment of the weight: ∫ r × p ds by Gauss panels over the shape of a shorter cable with the same force
         let moment = integral(length, |s| {
@@ -138,7 +139,7 @@ fn forces_and_moments_of_the_span_balance() {
             cross(Shape::Catenary.vector(&part, law.weight, &law.stretch), law.weight)
         });
         let end = sub(anchor, *law.outlet.frame_anchor());
-        let missing = sub(moment, cross(end, hold.pull));
+        let missing = sub(moment, cross(end, cable.pull));
         assert!(dot(missing, missing).sqrt() < 1e-9 * 400.0 * 10.0, "{missing:?}");
     }
 }
@@ -175,21 +176,21 @@ fn a_level_inextensible_cable_is_the_classical_catenary() {
         let length = 2.0 * horizontal / weight * (0.5 * weight * width / horizontal).sinh();
         let tension = f64::hypot(horizontal, 0.5 * weight * length);
         let anchor = [width, 0.0, 5.0];
-        let mut holds = vec![law.hold(anchor, Known::ControlledLength(length)).unwrap()];
+        let mut holds = vec![law.state(anchor, CableInput::ControlledLength(length)).unwrap()];
         // with less than 1.2 between half the weight's parameter and 1 the tension belongs to a slacker cable, too
         if horizontal > 0.5 * weight * width / 1.19 {
-            holds.push(law.hold(anchor, Known::OutletTension(tension)).unwrap());
+            holds.push(law.state(anchor, CableInput::OutletTension(tension)).unwrap());
         }
-        for hold in holds {
-            assert!((hold.controlled_length / length - 1.0).abs() < 1e-11, "{horizontal}");
+        for cable in holds {
+            assert!((cable.controlled_length / length - 1.0).abs() < 1e-11, "{horizontal}");
             assert!(
-                (hold.outlet_tension / tension - 1.0).abs() < 1e-9
-                    && (hold.platform_tension / tension - 1.0).abs() < 1e-9
+                (cable.outlet_tension / tension - 1.0).abs() < 1e-9
+                    && (cable.platform_tension / tension - 1.0).abs() < 1e-9
             );
         }
     }
-    let short = law.hold([width, 0.0, 5.0], Known::ControlledLength(9.9));
-    assert!(matches!(short, Err(HoldError::TooShort { .. })), "{short:?}");
+    let short = law.state([width, 0.0, 5.0], CableInput::ControlledLength(9.9));
+    assert!(matches!(short, Err(CableStateError::TooShort { .. })), "{short:?}");
 }
 
 /// The span of the issue: 6 m wide, 4 m high, 0.8 kg/m. Above 24.4 N at the lower end two lengths have a tension, below none.
@@ -203,13 +204,13 @@ fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
         ..steel(Shape::Catenary, false)
     };
     let anchor = [6.0, 0.0, 0.0];
-    let too_low = law.hold(anchor, Known::PlatformTension(24.0));
+    let too_low = law.state(anchor, CableInput::PlatformTension(24.0));
     match too_low {
-        Err(HoldError::TensionTooLow { least, .. }) => assert!((least - 24.4).abs() < 0.05, "{least}"),
+        Err(CableStateError::TensionTooLow { least, .. }) => assert!((least - 24.4).abs() < 0.05, "{least}"),
         other => panic!("{other:?}"),
     }
-    let taut = law.hold(anchor, Known::PlatformTension(24.6)).unwrap();
-    let tighter = law.hold(anchor, Known::PlatformTension(30.0)).unwrap();
+    let taut = law.state(anchor, CableInput::PlatformTension(24.6)).unwrap();
+    let tighter = law.state(anchor, CableInput::PlatformTension(30.0)).unwrap();
     assert!(tighter.controlled_length < taut.controlled_length);
 }
 
@@ -217,10 +218,10 @@ fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
 #[test]
 fn finite_elements_converge_with_order_two() {
     let anchor = [6.0, 1.0, 1.5];
-    let exact = steel(Shape::Catenary, true).hold(anchor, Known::OutletTension(150.0)).unwrap();
+    let exact = steel(Shape::Catenary, true).state(anchor, CableInput::OutletTension(150.0)).unwrap();
     let error = |count: usize| {
-        let hold = steel(Shape::FiniteElements(count), true).hold(anchor, Known::OutletTension(150.0)).unwrap();
-        (hold.controlled_length - exact.controlled_length).abs()
+        let cable = steel(Shape::FiniteElements(count), true).state(anchor, CableInput::OutletTension(150.0)).unwrap();
+        (cable.controlled_length - exact.controlled_length).abs()
     };
     for count in [8, 16, 32, 64] {
         let order = (error(count) / error(2 * count)).log2();
@@ -234,8 +235,8 @@ fn weight_zero_is_the_straight_cable() {
     for (anchor, with_pulley) in anchors(100).zip([true, false].into_iter().cycle()) {
         let law = |weight: f64| CableLaw { weight: [0.0, 0.0, -weight], ..steel(Shape::Catenary, with_pulley) };
         let straight = CableLaw { kind: Kind::Stretching, ..law(0.0) };
-        let known = Known::OutletTension(900.0);
-        let (expected, found) = (straight.hold(anchor, known).unwrap(), law(0.0).hold(anchor, known).unwrap());
+        let known = CableInput::OutletTension(900.0);
+        let (expected, found) = (straight.state(anchor, known).unwrap(), law(0.0).state(anchor, known).unwrap());
         assert!((expected.controlled_length - found.controlled_length).abs() < 1e-12);
         assert!(distance(expected.pull, found.pull) < 1e-9);
         for k in 0..3 {
@@ -244,7 +245,7 @@ fn weight_zero_is_the_straight_cable() {
                 assert!((expected.tangent[k][j] - found.tangent[k][j]).abs() < 1e-7 * scale);
             }
         }
-        let sag = |weight: f64| law(weight).hold(anchor, known).unwrap().controlled_length - found.controlled_length;
+        let sag = |weight: f64| law(weight).state(anchor, known).unwrap().controlled_length - found.controlled_length;
         // strain by the weight's own tension, 1e-7 · w L²/2, and sag, w² L³/(24 T²), for L up to 16 m
         for weight in [0.1, 0.01, 0.001] {
             assert!(sag(weight).abs() < 1.3e-5 * weight + 3e-4 * weight * weight + 1e-12, "{weight}: {}", sag(weight));
@@ -252,35 +253,35 @@ fn weight_zero_is_the_straight_cable() {
     }
 }
 
-/// Everything that follows from a hold is the derivative of what is held, against central differences of the full solve.
+/// Everything that follows from a state is the derivative of what is given, against central differences of the full solve.
 #[test]
-fn derivatives_of_a_hold_are_those_of_the_solve() {
+fn derivatives_of_a_state_are_those_of_the_solve() {
     for (index, anchor) in anchors(40).enumerate() {
         for law in [
             steel(Shape::Catenary, index % 2 == 0),
             steel(Shape::FiniteElements(5), index % 2 == 1),
             CableLaw { kind: Kind::Stretching, ..steel(Shape::Catenary, true) },
         ] {
-            let Ok(hold) = law.hold(anchor, Known::OutletTension(700.0)) else { continue };
+            let Ok(cable) = law.state(anchor, CableInput::OutletTension(700.0)) else { continue };
             let h = 1e-6;
-            let at = |axis: usize, step: f64, known: Known| {
+            let at = |axis: usize, step: f64, known: CableInput| {
                 let mut moved = anchor;
                 moved[axis] += step;
-                law.hold(moved, known).unwrap()
+                law.state(moved, known).unwrap()
             };
-            let length = Known::ControlledLength(hold.controlled_length);
-            let stiffest = (0..3).map(|k| hold.tangent[k][k].abs()).fold(0.0, f64::max);
+            let length = CableInput::ControlledLength(cable.controlled_length);
+            let stiffest = (0..3).map(|k| cable.tangent[k][k].abs()).fold(0.0, f64::max);
             for axis in 0..3 {
                 let slope = scale(0.5 / h, sub(at(axis, h, length).pull, at(axis, -h, length).pull));
                 for row in 0..3 {
                     // truncation goes with h² and the curvature of the law
                     assert!(
-                        (slope[row] - hold.tangent[row][axis]).abs() < 2e-5 * stiffest,
+                        (slope[row] - cable.tangent[row][axis]).abs() < 2e-5 * stiffest,
                         "{law:?} {anchor:?} {} {} {stiffest}",
                         slope[row],
-                        hold.tangent[row][axis]
+                        cable.tangent[row][axis]
                     );
-                    let (one, other) = (hold.tangent[row][axis], hold.tangent[axis][row]);
+                    let (one, other) = (cable.tangent[row][axis], cable.tangent[axis][row]);
                     // Left out is the weight on the pulley: at its edge w r_p of 700 N are missing to an energy. A chain of
                     // elements takes cable up at all of them, not at the outlet alone: 1/n² of the weight's share.
                     let missing = match (law.kind, law.outlet.pulley().is_some()) {
@@ -291,20 +292,20 @@ fn derivatives_of_a_hold_are_those_of_the_solve() {
                     assert!((one - other).abs() < missing * stiffest, "symmetric: {one} {other}");
                 }
                 let (ahead, behind) =
-                    (at(axis, h, Known::OutletTension(700.0)), at(axis, -h, Known::OutletTension(700.0)));
+                    (at(axis, h, CableInput::OutletTension(700.0)), at(axis, -h, CableInput::OutletTension(700.0)));
                 let slope = (ahead.controlled_length - behind.controlled_length) / (2.0 * h);
-                assert!((slope - hold.controlled_length_by_anchor[axis]).abs() < 1e-7);
+                assert!((slope - cable.controlled_length_by_anchor[axis]).abs() < 1e-7);
             }
             let (more, less) = (
-                law.hold(anchor, Known::OutletTension(701.0)).unwrap(),
-                law.hold(anchor, Known::OutletTension(699.0)).unwrap(),
+                law.state(anchor, CableInput::OutletTension(701.0)).unwrap(),
+                law.state(anchor, CableInput::OutletTension(699.0)).unwrap(),
             );
             let by_tension = 0.5 * (more.controlled_length - less.controlled_length);
-            assert!((by_tension / hold.controlled_length_by_tension - 1.0).abs() < 1e-4);
+            assert!((by_tension / cable.controlled_length_by_tension - 1.0).abs() < 1e-4);
             let pulls = scale(0.5, sub(more.pull, less.pull));
-            assert!(distance(pulls, hold.by_tension) < 1e-5);
-            let by_length: f64 = dot(hold.by_controlled_length, hold.direction) * by_tension;
-            assert!((by_length - dot(pulls, hold.direction)).abs() < 1e-3);
+            assert!(distance(pulls, cable.by_tension) < 1e-5);
+            let by_length: f64 = dot(cable.by_controlled_length, cable.direction) * by_tension;
+            assert!((by_length - dot(pulls, cable.direction)).abs() < 1e-3);
         }
     }
 }

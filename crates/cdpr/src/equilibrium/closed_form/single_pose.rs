@@ -1,9 +1,10 @@
 //! The closed form at one pose, a cable per lane: structure matrix, products and tensions without leaving the registers.
 
 use super::normal::Normal;
+use crate::cable::wrench::wrench;
 use crate::geometry::Twist;
 use crate::model::{CableGroup, in_pattern};
-use crate::scalar::{Kernel, LANES, Lanes, cross};
+use crate::scalar::{Kernel, LANES, Lanes};
 
 /// Sizes of load and tensions (N, N·m) from which on the general way must look.
 const LARGEST: f64 = 1e100;
@@ -63,8 +64,7 @@ impl OnePose<'_> {
     #[inline(always)]
     fn rows<L: Lanes>(&self, lanes: L) -> ([L; 6], L) {
         let found = self.cables.checked_courses(lanes, self.position, self.rotation);
-        let moment = cross(found.lever, found.course.direction);
-        let mut rows = in_pattern(self.basis, found.course.direction, moment);
+        let mut rows = in_pattern(self.basis, wrench(found.moment_arm, found.course.direction));
         let weight = lanes.load(&self.cables.weight);
         for k in 0..6 {
             rows[k] = rows[k] * weight;

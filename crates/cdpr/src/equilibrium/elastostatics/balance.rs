@@ -1,8 +1,9 @@
 //! Residual wrench, stiffness and energy at one pose, cables in lanes.
 
 use super::Problem;
+use crate::cable::wrench::{moment_columns, turned_row, wrench};
 use crate::geometry::Pose;
-use crate::scalar::{Kernel, LANES, Lanes, Select, cross, dot};
+use crate::scalar::{Kernel, LANES, Lanes, Real, Select, cross, dot, scale};
 
 /// Springs that eight cables are, with the law f = k₀ e/(1 + κ_q k₀ e) of the stretch e = q − q_θ.
 ///
@@ -54,21 +55,16 @@ impl Kernel for AtPose<'_> {
         let mut totals = [0.0; TERMS];
         let cables = problem.model.groups().iter().zip(problem.springs).zip(tensions).zip(lengths);
         for (((group, springs), tensions), lengths) in cables {
-            let (course, lever) = group.courses(lanes, position, &rotation);
+            let (course, moment_arm) = group.courses(lanes, position, &rotation);
             let pull = problem.pull(course.length, group.elasticity(lanes).by_length, springs);
             pull.tension.store(tensions);
             course.length.store(lengths);
             let zero = lanes.constant(0.0);
             let mut terms = [zero; TERMS];
-            let (u, f) = (course.direction, pull.tension);
-            let moment = cross(lever, u);
             terms[0] = pull.energy;
-            for k in 0..3 {
-                terms[1 + k] = f * u[k];
-                terms[4 + k] = f * moment[k];
-            }
+            force_terms(&mut terms, course.direction, moment_arm, pull.tension);
             if with_stiffness {
-                stiffness_terms(&mut terms, &course.direction_gradient, u, lever, &pull);
+                stiffness_terms(&mut terms, &course.direction_gradient, course.direction, moment_arm, &pull);
             }
             let count = if with_stiffness { TERMS } else { FORCE_TERMS };
             for first in (0..count).step_by(4) {
@@ -78,7 +74,8 @@ impl Kernel for AtPose<'_> {
                 }
             }
         }
-        let mut balance = unpack(&totals);
+        let (residual, stiffness) = unpack(&totals);
+        let mut balance = Balance { residual, stiffness, energy: totals[0] };
         if !with_stiffness {
             balance.stiffness = [[0.0; 6]; 6];
         }
@@ -176,16 +173,22 @@ pub(super) struct Pull<L> {
     pub(super) energy: L,
 }
 
-/// Fills in the terms of K_C − K_G.
-///
-/// With M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u and dp_B = \[I, −\[b\]×\] δx:
-/// \[I, −\[b\]×\]ᵀ M \[I, −\[b\]×\], and for the lever that turns f ((b·u) I − ½ (b uᵀ + u bᵀ)).
+/// Fills in the terms of the wrench f \[u; b × u\].
+#[inline(always)]
+pub(super) fn force_terms<L: Lanes>(terms: &mut [L; TERMS], u: [L; 3], moment_arm: [L; 3], tension: L) {
+    let column = wrench(moment_arm, u);
+    for k in 0..6 {
+        terms[1 + k] = tension * column[k];
+    }
+}
+
+/// Fills in the terms of K_C − K_G from M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u.
 #[inline(always)]
 pub(super) fn stiffness_terms<L: Lanes>(
     terms: &mut [L; TERMS],
     direction_gradient: &[[L; 3]; 3],
     u: [L; 3],
-    lever: [L; 3],
+    moment_arm: [L; 3],
     pull: &Pull<L>,
 ) {
     let f = pull.tension;
@@ -198,18 +201,16 @@ pub(super) fn stiffness_terms<L: Lanes>(
             tangent[j][i] = tangent[i][j];
         }
     }
-    // columns of [b]× M, then its rows
-    let columns = [cross(lever, tangent[0]), cross(lever, tangent[1]), cross(lever, tangent[2])];
+    let columns = moment_columns(&tangent, moment_arm);
     let fu = [f * u[0], f * u[1], f * u[2]];
-    let half_b =
-        [lever[0] * lever[0].constant(0.5), lever[1] * lever[0].constant(0.5), lever[2] * lever[0].constant(0.5)];
-    let along = dot(lever, fu);
+    let half_b = scale(f.constant(0.5), moment_arm);
+    let along = dot(moment_arm, fu);
     let mut count = 7;
     for i in 0..3 {
-        let row = [columns[0][i], columns[1][i], columns[2][i]];
-        let turned = cross(lever, row);
+        let turned = turned_row(&columns, moment_arm, i);
         for j in 0..=i {
             terms[count] = tangent[i][j];
+            // the moment arm turns under the pull: (b·t) I − ½ (b tᵀ + t bᵀ)
             terms[count + 1] = turned[j] - (half_b[i] * fu[j] + half_b[j] * fu[i]);
             if i == j {
                 terms[count + 1] = terms[count + 1] + along;
@@ -225,26 +226,27 @@ pub(super) fn stiffness_terms<L: Lanes>(
     }
 }
 
-/// The order of the terms, undone.
+/// Wrench, and lower triangle of the stiffness, of sums of the terms: their order undone.
 #[inline(always)]
-fn unpack(totals: &[f64; TERMS]) -> Balance {
-    let mut balance = Balance { residual: [0.0; 6], stiffness: [[0.0; 6]; 6], energy: totals[0] };
-    balance.residual.copy_from_slice(&totals[1..7]);
+pub(super) fn unpack<T: Real>(totals: &[T; TERMS]) -> ([T; 6], [[T; 6]; 6]) {
+    let zero = totals[0].constant(0.0);
+    let (mut residual, mut stiffness) = ([zero; 6], [[zero; 6]; 6]);
+    residual.copy_from_slice(&totals[1..7]);
     let mut count = 7;
     for i in 0..3 {
         for j in 0..=i {
-            balance.stiffness[i][j] = totals[count];
-            balance.stiffness[3 + i][3 + j] = totals[count + 1];
+            stiffness[i][j] = totals[count];
+            stiffness[3 + i][3 + j] = totals[count + 1];
             count += 2;
         }
     }
     for i in 0..3 {
         for j in 0..3 {
-            balance.stiffness[3 + i][j] = totals[count];
+            stiffness[3 + i][j] = totals[count];
             count += 1;
         }
     }
-    balance
+    (residual, stiffness)
 }
 
 #[cfg(test)]

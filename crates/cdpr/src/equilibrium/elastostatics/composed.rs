@@ -9,15 +9,15 @@
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::{InputError, Load, Model, Settings, Solution, Status};
-use crate::cable::law::{CableLaw, Hold, HoldError, Known};
+use crate::cable::law::CableLaw;
 use crate::cable::span::State;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Memory;
+use crate::cable::{CableInput, CableState, CableStateError};
 use crate::geometry::{Pose, Twist};
-use crate::model::{Composition, SpanEffect, StretchEffect};
+use crate::model::{Cables, Composition, SpanEffect, StretchEffect};
 use crate::scalar::decomposition::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
-use crate::statics::Held;
 
 /// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.
 const FIRST_COMPLIANCE: f64 = 1e-7;
@@ -33,8 +33,8 @@ pub(super) struct Composed {
     laws: Vec<CableLaw>,
     states: Vec<Option<State<f64>>>,
     trial_states: Vec<Option<State<f64>>>,
-    held: Vec<Held>,
-    trial: Vec<Held>,
+    accepted: Vec<CableState>,
+    trial: Vec<CableState>,
     /// Sagging cables without any stretch.
     is_rigid: bool,
 }
@@ -51,7 +51,7 @@ struct Point {
 /// Why a search ended without an equilibrium.
 enum Failure {
     /// A cable has no shape at the start.
-    Cable(usize, HoldError),
+    Cable(usize, CableStateError),
     /// Forces that are not finite numbers.
     Overflow,
     /// No shorter step helped.
@@ -127,7 +127,7 @@ impl solve::Problem for Descent<'_, '_> {
 impl Composed {
     /// True for models that no closed form serves.
     pub(super) fn serves(model: &Model) -> bool {
-        !model.composition().has_closed_form()
+        matches!(model.cables(), Cables::Stretching | Cables::Sagging)
     }
 
     /// Memory for the models that it serves.
@@ -140,7 +140,7 @@ impl Composed {
             laws: (0..count).map(|cable| model.law(cable).clone()).collect(),
             states: vec![None; count],
             trial_states: vec![None; count],
-            held: Vec::with_capacity(count),
+            accepted: Vec::with_capacity(count),
             trial: Vec::with_capacity(count),
             is_rigid: false,
         })
@@ -244,17 +244,15 @@ impl Composed {
     /// All cables at a pose, into `trial`.
     fn try_at(&mut self, problem: &Problem<'_>, pose: &Pose) -> Result<Point, Failure> {
         self.trial.clear();
-        let mut wrench = problem.load.wrench(pose);
+        let (mut wrench, rotation) = (problem.load.wrench(pose), pose.rotation_rows());
         for (cable, law) in self.laws.iter().enumerate() {
-            let lever = pose.rotation * problem.model.robot().cables[cable].platform_anchor;
-            let known = Known::ControlledLength(problem.lengths[cable]);
-            let anchor = (pose.position + lever).into();
-            let hold: Hold =
-                law.hold_from(anchor, known, self.trial_states[cable]).map_err(|error| Failure::Cable(cable, error))?;
-            let held = Held { hold, lever, is_known_at_platform: false };
-            wrench += held.wrench();
-            self.trial_states[cable] = Some(hold.state);
-            self.trial.push(held);
+            let end = problem.model.cable_end(cable, pose.position.into(), &rotation);
+            let input = CableInput::ControlledLength(problem.lengths[cable]);
+            let state =
+                law.state_from(end, input, self.trial_states[cable]).map_err(|error| Failure::Cable(cable, error))?;
+            wrench += state.wrench();
+            self.trial_states[cable] = Some(state.span);
+            self.trial.push(state);
         }
         let residual = problem.scaled(&wrench);
         let size = residual.norm();
@@ -265,13 +263,13 @@ impl Composed {
     }
 
     fn accept(&mut self) {
-        std::mem::swap(&mut self.held, &mut self.trial);
+        std::mem::swap(&mut self.accepted, &mut self.trial);
         std::mem::swap(&mut self.states, &mut self.trial_states);
     }
 
     /// K_wx of the accepted cables, turns as the way at the platform radius; the unit matrix where the pattern has no motion.
     fn stiffness(&self, problem: &Problem<'_>, pose: &Pose) -> Matrix6<f64> {
-        let whole = self.held.iter().fold(-problem.load.gradient(pose), |sum, held| sum + held.stiffness());
+        let whole = self.accepted.iter().fold(-problem.load.gradient(pose), |sum, cable| sum + cable.stiffness());
         let basis = problem.model.twist_basis();
         let mut scaled = Matrix6::identity();
         for (i, row) in basis.iter().enumerate() {
@@ -297,11 +295,11 @@ impl Composed {
         solution.pose = point.pose;
         solution.wrench_residual = point.size;
         solution.slack = 0;
-        for (cable, held) in self.held.iter().enumerate() {
-            solution.tensions[cable] = held.hold.outlet_tension;
-            solution.residuals[cable] = held.hold.controlled_length - problem.lengths[cable];
-            let weight = Vector3::from(self.laws[cable].weight).norm() * held.hold.state.length;
-            solution.slack += usize::from(held.hold.platform_tension <= 0.5 * weight);
+        for (cable, state) in self.accepted.iter().enumerate() {
+            solution.tensions[cable] = state.outlet_tension;
+            solution.residuals[cable] = state.controlled_length - problem.lengths[cable];
+            let weight = Vector3::from(self.laws[cable].weight).norm() * state.span.length;
+            solution.slack += usize::from(state.platform_tension <= 0.5 * weight);
         }
         let stiffness = self.stiffness(problem, &point.pose);
         solution.stability = smallest(&((stiffness + stiffness.transpose()) * 0.5), problem.model.dof());

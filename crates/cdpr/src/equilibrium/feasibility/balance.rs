@@ -1,6 +1,7 @@
 //! Structure matrix and load at eight poses at once.
 
 use super::factors::Rows;
+use crate::cable::wrench::wrench;
 use crate::model::{Model, in_pattern};
 use crate::scalar::{LANES, Lanes, add, constants, cross, rotate};
 use crate::statics::Load;
@@ -23,6 +24,11 @@ impl<'a> Balance<'a> {
         Self { model, load, middle }
     }
 
+    /// True for robots with as many cables as degrees of freedom to eight, whose directions follow from the pose alone.
+    pub(in crate::equilibrium) fn serves(model: &Model) -> bool {
+        model.cables().has_fixed_directions() && (model.dof()..=LANES).contains(&model.cable_count())
+    }
+
     /// Fills in the rows of the structure matrix, zeros from row n on; where a cable may have no course the answer is above 0.
     /// Columns without a cable are left as they are.
     #[inline(always)]
@@ -37,8 +43,7 @@ impl<'a> Balance<'a> {
         let basis = self.model.twist_basis();
         for cable in 0..self.model.cable_count() {
             let found = cables.course_in_lanes(cable, position, rotation);
-            let moment = cross(found.lever, found.course.direction);
-            let column = in_pattern(basis, found.course.direction, moment);
+            let column = in_pattern(basis, wrench(found.moment_arm, found.course.direction));
             for row in 0..6 {
                 rows[row][cable] = column[row];
             }
@@ -53,11 +58,12 @@ impl<'a> Balance<'a> {
         let l = rotation[0][0];
         let (weight, center) = self.load.weight();
         let weight = constants(l, (*weight).into());
-        let lever = rotate(rotation, constants(l, (*center).into()));
+        let center = rotate(rotation, constants(l, (*center).into()));
         let constant = self.load.constant_part();
         let force = add(constants(l, [constant[0], constant[1], constant[2]]), weight);
-        let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(lever, weight));
-        let mut rest = in_pattern(self.model.twist_basis(), force, moment);
+        let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(center, weight));
+        let [[x, y, z], [a, b, c]] = [force, moment];
+        let mut rest = in_pattern(self.model.twist_basis(), [x, y, z, a, b, c]);
         for cable in 0..self.model.cable_count() {
             let middle = l.constant(self.middle[cable]);
             for row in 0..6 {

@@ -92,7 +92,7 @@ impl<'a> Solver<'a> {
 
     fn solve_part(&mut self, poses: &[Pose], answers: &mut [bool]) {
         let (cables, dof) = (self.model.cable_count(), self.model.dof());
-        let in_lanes = !self.model.composition().is_sagging() && cables <= LANES && (dof..=dof + 2).contains(&cables);
+        let in_lanes = Balance::serves(self.model) && cables <= dof + 2;
         for (poses, answers) in poses.chunks(CHUNK).zip(answers.chunks_mut(CHUNK)) {
             let mut verdicts = [Verdict::Doubt; CHUNK];
             if in_lanes {
@@ -111,7 +111,7 @@ impl<'a> Solver<'a> {
     /// The verdict of the single pose; no where it has none.
     fn ask_one(&mut self, pose: &Pose) -> bool {
         self.single_poses += 1;
-        if self.model.composition().is_sagging() {
+        if !self.model.cables().has_fixed_directions() {
             let found = distribution::solve(self.model, pose, &self.load, &self.limits);
             return found.is_ok_and(|found| found.reason.is_none());
         }

@@ -4,7 +4,7 @@ use super::covariance::sigmas;
 use super::descent::{End, Problem};
 use super::linearization::Linearization;
 use super::noise::Sigmas;
-use super::rows::RowModel;
+use super::rows::{RowModel, recorded_state};
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
 use crate::identification::misfit::Misfit;
@@ -12,7 +12,7 @@ use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
 use crate::robot::{ExternalWrench, Robot};
-use crate::statics::Load;
+use crate::statics::{Load, StaticsError, cable_state};
 
 /// Most descents with corrections between them.
 const ADJUSTMENTS: u32 = 12;
@@ -223,14 +223,15 @@ fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputE
 
 fn check_courses(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
     let m = model.cable_count();
-    let has_closed_form = model.composition().has_closed_form();
     for (sample, pose) in samples.poses.iter().enumerate() {
         for cable in 0..model.cable_count() {
-            model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
-            if !has_closed_form {
-                let tension = model.real_tension(cable, tensions[sample * m + cable]);
-                let refused = |reason| InputError::Hold { sample: sample + 1, cable: cable + 1, reason };
-                model.hold(cable, pose, model.known_tension(cable, tension)).map_err(refused)?;
+            let tension = model.real_tension(cable, tensions[sample * m + cable]);
+            match cable_state(model, pose, cable, tension) {
+                Err(StaticsError::Course(reason)) => return Err(InputError::Degenerate { sample: sample + 1, reason }),
+                Err(StaticsError::CableState { cable, reason }) => {
+                    return Err(InputError::CableState { sample: sample + 1, cable, reason });
+                }
+                _ => {}
             }
         }
     }
@@ -264,17 +265,9 @@ fn pull(model: &Model, samples: &Samples, tensions: &[f64], sample: usize) -> Wr
     let m = model.cable_count();
     let mut sum = Wrench::zeros();
     for cable in 0..m {
-        if model.composition().is_sagging() {
-            let tension = model.real_tension(cable, tensions[sample * m + cable]);
-            let held = crate::statics::held(model, &samples.poses[sample], cable, tension);
-            sum += held.map_or_else(|_| Wrench::repeat(f64::NAN), |held| held.wrench());
-            continue;
-        }
-        let (course, lever) = model.course_or_nan(cable, &samples.poses[sample]);
-        let u = nalgebra::Vector3::from(course.direction);
-        let moment = lever.cross(&u);
-        let tension = model.real_tension(cable, tensions[sample * m + cable]);
-        sum += Wrench::new(u.x, u.y, u.z, moment.x, moment.y, moment.z) * tension;
+        let pose = &samples.poses[sample];
+        let state = recorded_state(model, cable, (pose, &pose.rotation_rows()), tensions[sample * m + cable]);
+        sum += state.map_or_else(|| Wrench::repeat(f64::NAN), |state| state.wrench());
     }
     sum
 }

@@ -1,12 +1,15 @@
 //! Residuals of one sample and their derivatives by parameters and by what is measured.
 
+use nalgebra::Matrix6;
+
 use super::noise::{Noise, SLACK_SIGMA, Sigmas};
+use crate::cable::CableState;
 use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Wrench};
 use crate::measurement::Samples;
 use crate::model::{Model, Parameter, ParameterKind};
 use crate::scalar::LANES;
-use crate::statics::{GeneralCable, Load, StraightCable};
+use crate::statics::Load;
 
 /// Where the rows of one sample are written: n + m rows of the padded Jacobian, its last used column the residual.
 #[derive(Clone, Debug)]
@@ -99,40 +102,30 @@ impl<'a> RowModel<'a> {
         Self { model, load, parameters, first: first_columns(model, parameters) }
     }
 
-    fn cable(
-        &self,
-        cable: usize,
-        position: [f64; 3],
-        rotation: &[[f64; 3]; 3],
-        recorded_tension: f64,
-    ) -> StraightCable {
-        let tension = self.model.real_tension(cable, recorded_tension);
-        StraightCable::at(self.model, cable, position, rotation, tension)
-    }
-
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
     pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
         rows.entries.fill(0.0);
-        let (position, rotation_rows, rotation) = (pose.position.into(), pose.rotation_rows(), pose.rotation_matrix());
+        let (rotation_rows, rotation) = (pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
         let (stride, residual) = (rows.stride, rows.parameter_count);
         let mut wrench = self.load.wrench(pose);
         for cable in 0..m {
-            if !self.model.composition().has_closed_form() {
-                wrench += self.write_general(cable, pose, tensions[cable], recorded, rows);
-                continue;
-            }
-            let data = self.cable(cable, position, &rotation_rows, tensions[cable]);
-            wrench += data.column() * data.tension;
-            let expected = self.model.recorded_length(cable, data.controlled.value);
             let length_row = (n + cable) * stride;
+            let Some(state) = recorded_state(self.model, cable, (pose, &rotation_rows), tensions[cable]) else {
+                rows.entries[length_row + residual] = f64::NAN;
+                wrench = Wrench::repeat(f64::NAN);
+                continue;
+            };
+            wrench += state.wrench();
+            let expected = state.recording.length(state.controlled_length);
             let wound = recorded.wound(self.model, cable);
             rows.entries[length_row + residual] =
                 expected - wound.as_ref().map_or(recorded.lengths[cable], |w| w.value);
             for column in self.first[cable]..self.first[cable + 1] {
-                let (wrench_change, length_change) = data.by(&self.parameters[column], self.model, &rotation);
+                let parameter = &self.parameters[column];
+                let (wrench_change, length_change) = self.model.by_parameter((cable, &state), parameter, &rotation);
                 self.write_wrench(&wrench_change, column, rows);
-                let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, &self.parameters[column], self.model));
+                let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, parameter, self.model));
                 rows.entries[length_row + column] = length_change - by_winch;
             }
         }
@@ -140,64 +133,6 @@ impl<'a> RowModel<'a> {
         for column in self.first[m]..self.parameters.len() {
             rows.entries[self.parameters[column].axis * stride + column] = 1.0;
         }
-    }
-
-    /// `None` where the cable cannot have this tension at this pose.
-    fn general_cable(&self, cable: usize, pose: &Pose, recorded_tension: f64) -> Option<GeneralCable<'_>> {
-        GeneralCable::at(self.model, cable, pose, self.model.real_tension(cable, recorded_tension)).ok()
-    }
-
-    /// Writes the rows of a cable whose law has no closed form; the answer is its wrench. Rows are NaN where it has no shape.
-    fn write_general(
-        &self,
-        cable: usize,
-        pose: &Pose,
-        tension: f64,
-        recorded: Recorded<'_>,
-        rows: &mut SampleRows,
-    ) -> Wrench {
-        let length_row = (self.model.dof() + cable) * rows.stride;
-        let Some(data) = self.general_cable(cable, pose, tension) else {
-            rows.entries[length_row + rows.parameter_count] = f64::NAN;
-            return Wrench::repeat(f64::NAN);
-        };
-        let expected = self.model.recorded_length(cable, data.controlled_length());
-        let wound = recorded.wound(self.model, cable);
-        rows.entries[length_row + rows.parameter_count] =
-            expected - wound.as_ref().map_or(recorded.lengths[cable], |w| w.value);
-        let rotation = pose.rotation_matrix();
-        for column in self.first[cable]..self.first[cable + 1] {
-            let (wrench_change, length_change) = data.by(&self.parameters[column], &rotation);
-            self.write_wrench(&wrench_change, column, rows);
-            let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, &self.parameters[column], self.model));
-            rows.entries[length_row + column] = length_change - by_winch;
-        }
-        data.wrench()
-    }
-
-    /// [`RowModel::noise`] of a cable whose law has no closed form; the answer is the change of its wrench by the pose.
-    fn general_noise(
-        &self,
-        cable: usize,
-        pose: &Pose,
-        tension: f64,
-        sigmas: &Sigmas,
-        noise: &mut Noise,
-    ) -> nalgebra::Matrix6<f64> {
-        let Some(data) = self.general_cable(cable, pose, tension) else {
-            return nalgebra::Matrix6::repeat(f64::NAN);
-        };
-        let basis = self.model.twist_basis();
-        let n = basis.len();
-        let (wrench, length) = data.by_recorded_tension();
-        for (k, twist) in basis.iter().enumerate() {
-            noise.by_tension[cable][k] = twist.dot(&wrench) * sigmas.tension;
-            noise.by_pose[n + cable][k] = data.length_by_twist(twist) * sigmas.along(twist);
-        }
-        noise.by_tension[cable][n] = length * sigmas.tension;
-        let is_slack = data.tension <= SLACK_SIGMAS * sigmas.tension && !self.model.composition().is_sagging();
-        noise.length[cable] = if is_slack { SLACK_SIGMA } else { sigmas.length };
-        data.wrench_by_pose()
     }
 
     /// Writes a wrench (world) to the wrench rows of a column, in the degrees of freedom of the pattern.
@@ -214,37 +149,47 @@ impl<'a> RowModel<'a> {
     /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
     /// standard deviation of what it is by.
     pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
-        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        let rotation = pose.rotation_rows();
         let basis = self.model.twist_basis();
         let n = basis.len();
         // ∂(wrench)/∂\[δr; δφ\] of load and cables together
         let mut by_twist = self.load.gradient(pose);
         for (cable, &recorded) in tensions.iter().enumerate() {
-            if !self.model.composition().has_closed_form() {
-                by_twist += self.general_noise(cable, pose, recorded, sigmas, noise);
+            let Some(state) = recorded_state(self.model, cable, (pose, &rotation), recorded) else {
+                by_twist = Matrix6::repeat(f64::NAN);
                 continue;
-            }
-            let data = self.cable(cable, position, &rotation, recorded);
-            by_twist += data.column_by_pose() * data.tension;
-            let column = data.column();
-            let real_sigma = sigmas.tension / data.tension_scale;
-            let slope = -data.length_scale * data.controlled.by_length;
+            };
+            by_twist += state.wrench_by_pose_at_given();
+            let real_sigma = sigmas.tension / state.recording.tension_scale;
+            let (wrench, length) = state.by_given_tension(real_sigma);
             let (by_tension, by_pose) = (&mut noise.by_tension[cable], &mut noise.by_pose[n + cable]);
             for k in 0..n {
-                let along = basis[k].dot(&column);
-                by_tension[k] = along * real_sigma;
-                by_pose[k] = slope * along * sigmas.along(&basis[k]);
+                by_tension[k] = basis[k].dot(&wrench);
+                by_pose[k] = state.recorded_length_by_twist(&basis[k]) * sigmas.along(&basis[k]);
             }
-            by_tension[n] = data.length_scale * data.controlled.by_tension * real_sigma;
+            by_tension[n] = length;
             // the law says nothing of the length of a slack cable
-            let is_slack = data.tension <= SLACK_SIGMAS * real_sigma;
-            noise.length[cable] = if is_slack { SLACK_SIGMA } else { sigmas.length };
+            let may_be_slack = self.model.law(cable).may_be_slack(state.given_tension(), SLACK_SIGMAS * real_sigma);
+            noise.length[cable] = if may_be_slack { SLACK_SIGMA } else { sigmas.length };
         }
         for k in 0..n {
             let change = by_twist * basis[k] * sigmas.along(&basis[k]);
             (0..n).for_each(|row| noise.by_pose[row][k] = basis[row].dot(&change));
         }
     }
+}
+
+/// State of a cable (0-based) with a recorded tension (N) at a pose with these rows of its rotation; nothing where it has none.
+#[inline]
+pub(super) fn recorded_state(
+    model: &Model,
+    cable: usize,
+    (pose, rotation): (&Pose, &[[f64; 3]; 3]),
+    recorded_tension: f64,
+) -> Option<CableState> {
+    let (course, end) = model.course_at(cable, pose.position.into(), rotation);
+    let input = model.measured_tension(cable, model.real_tension(cable, recorded_tension));
+    model.law(cable).state_on(&course, &end, input, None).ok()
 }
 
 /// Tensions below this many standard deviations of the force sensor may be those of a slack cable.

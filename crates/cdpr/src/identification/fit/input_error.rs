@@ -20,13 +20,13 @@ pub enum InputError {
     Winch(#[from] WinchError),
     /// A recorded tension that the model's cable cannot have.
     #[error("sample {sample}, cable {cable}: {reason}; is the recorded tension right, or the cable's weight?")]
-    Hold {
+    CableState {
         /// Number of the sample, from 1.
         sample: usize,
         /// Number of the cable, from 1.
         cable: usize,
         /// What is wrong.
-        reason: crate::cable::law::HoldError,
+        reason: crate::cable::CableStateError,
     },
     /// No samples.
     #[error("the data set has no samples")]

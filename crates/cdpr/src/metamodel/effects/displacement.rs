@@ -6,7 +6,7 @@ use super::{State, largest};
 use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Status};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
-use crate::statics::{Stiffness, held};
+use crate::statics::{Stiffness, cable_state};
 
 /// The machine's own lengths must lead back to its pose within this (m; angles times the platform radius): otherwise the
 /// forward problem does not answer for this machine.
@@ -44,7 +44,9 @@ pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Di
     };
     match by_equilibrium(machine, state, tensions, change) {
         Some(found) => Ok(found),
-        None if machine.composition().depends_on_tension() => to_first_order(machine, state, tensions, change),
+        None if ForwardProblem::of(machine, false) == ForwardProblem::Equilibrium => {
+            to_first_order(machine, state, tensions, change)
+        }
         None => Err("the lengths of this pose, or the changed ones, let the platform rest nowhere near it".to_owned()),
     }
 }
@@ -99,11 +101,11 @@ fn to_first_order(machine: &Model, state: &State, tensions: &[f64], change: &[f6
     let (step, turn) = (Vector3::new(twist[0], twist[1], twist[2]), Vector3::new(twist[3], twist[4], twist[5]));
     let (mut most, mut slack) = (0.0_f64, 0);
     for (index, (&tension, change)) in tensions.iter().zip(change).enumerate() {
-        let held = held(machine, &state.pose, index, tension).map_err(|error| error.to_string())?;
-        let by_anchor = Vector3::from(held.hold.controlled_length_by_anchor).dot(&(step + turn.cross(&held.lever)));
-        let tension_change = (change - by_anchor) / held.hold.controlled_length_by_tension;
+        let cable = cable_state(machine, &state.pose, index, tension).map_err(|error| error.to_string())?;
+        let tension_change =
+            (change - cable.controlled_length_by_pose().dot(&twist)) / cable.controlled_length_by_tension;
         most = most.max(tension_change.abs());
-        slack += usize::from(held.hold.outlet_tension + tension_change < 0.0);
+        slack += usize::from(cable.outlet_tension + tension_change < 0.0);
     }
     let (translation, rotation) = (step.norm(), turn.norm());
     Ok(Displacement { translation, rotation, tension: Some(most), slack, method: Method::FirstOrder })

@@ -4,18 +4,16 @@ use super::Experiment;
 use crate::metamodel::initial_tension::Task;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::sensitivity::{Cause, Offsets, Sensitivity, Setting, causes};
-use crate::metamodel::winches::initial_tensions;
+use crate::metamodel::winches::tensions_set;
 use crate::tension::Limits;
 
 impl Experiment {
     /// The tensions at which the winches were set (N); nothing where the study states offsets, or cables have none.
     pub fn initial_tensions(&self) -> Result<Option<Vec<f64>>, InputError> {
         let initial = &self.study.initial;
-        let elastic =
-            [&self.machine, self.set_with()].into_iter().find(|model| model.composition().depends_on_tension());
-        match elastic.filter(|_| initial.offset.is_none() && initial.offset_m.is_none()) {
-            Some(model) => initial_tensions(initial, model, &self.start).map(Some),
-            None => Ok(None),
+        match initial.offset.is_none() && initial.offset_m.is_none() {
+            true => tensions_set(initial, self.set_with(), &self.machine, &self.start),
+            false => Ok(None),
         }
     }
 

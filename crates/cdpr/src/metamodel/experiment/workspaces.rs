@@ -3,6 +3,7 @@
 use nalgebra::UnitQuaternion;
 
 use super::Experiment;
+use crate::equilibrium::ForwardProblem;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::reachable::{Reachable, Requirements};
 use crate::model::Model;
@@ -23,11 +24,17 @@ impl Experiment {
         self.known_limits().ok()
     }
 
+    /// True where tensions emerge with the pose.
+    pub fn tensions_emerge(&self) -> bool {
+        let is_load_known = Load::of(self.machine.robot()).is_ok();
+        ForwardProblem::of(&self.machine, is_load_known) == ForwardProblem::Equilibrium
+    }
+
     /// Requirements of the study on a pose that counts as reached.
     pub fn requirements(&self) -> Requirements {
         let limits = self.study.limits.as_ref();
         Requirements {
-            tensions: self.limits().filter(|_| self.machine.composition().depends_on_tension()),
+            tensions: self.limits().filter(|_| self.machine.needs_tensions()),
             position_error_max: limits.and_then(|limits| limits.position_error_max_m),
             rotation_error_max: limits.and_then(|limits| limits.rotation_error_max_rad),
         }

@@ -2,11 +2,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::cable::law::Known;
+use crate::cable::CableInput;
 use crate::geometry::{Pose, Twist};
 use crate::metamodel::operate::Operation;
-use crate::model::Model;
-use crate::statics::{Held, Load, Stiffness};
+use crate::model::{Cables, Model};
+use crate::statics::{Load, Stiffness};
 use crate::tension::Limits;
 
 /// Displacement of the platform from the commanded pose (m, rad), δx ≈ −K_wx⁻¹ K_wq (q_θ − φ̂(x, f₀)) (eq. 3.23).
@@ -18,10 +18,12 @@ use crate::tension::Limits;
 pub(super) fn displacement(operation: &mut Operation<'_>, commanded: &Pose) -> Option<Twist> {
     let controlled = operation.controlled_lengths(commanded).ok()?;
     let machine = operation.machine();
-    let amounts = match machine.composition().depends_on_tension() {
-        true => elastic(machine, commanded, &controlled)?,
-        false => rigid(machine, commanded, &controlled)?,
-    };
+    let held = || as_held(machine, commanded, &controlled);
+    let amounts = match machine.cables() {
+        Cables::Rigid => rigid(machine, commanded, &controlled),
+        Cables::Linear => at_balance(machine, commanded, &controlled).or_else(held),
+        Cables::Stretching | Cables::Sagging => held(),
+    }?;
     let mut twist = Twist::zeros();
     for (direction, amount) in machine.twist_basis().iter().zip(amounts.iter()) {
         twist += direction * *amount;
@@ -29,17 +31,10 @@ pub(super) fn displacement(operation: &mut Operation<'_>, commanded: &Pose) -> O
     Some(twist)
 }
 
-/// In the robot's degrees of freedom.
-fn elastic(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f64>> {
-    match machine.composition().has_closed_form() {
-        true => at_balance(machine, pose, controlled).or_else(|| as_held(machine, pose, controlled)),
-        false => as_held(machine, pose, controlled),
-    }
-}
-
 /// Tensions below this are taken for it (N): a slack cable has no stiffness to go by.
 const TAUT: f64 = 1.0;
 
+/// In the robot's degrees of freedom.
 fn at_balance(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f64>> {
     let load = Load::of(machine.robot()).ok()?;
     let limits = Limits::of(machine.robot(), None, None).ok()?;
@@ -65,10 +60,9 @@ fn as_held(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f
     let load = Load::of(machine.robot()).ok()?;
     let (mut wrench, mut stiffness) = (load.wrench(pose), -load.gradient(pose));
     for (cable, &length) in controlled.iter().enumerate() {
-        let (hold, lever) = machine.hold(cable, pose, Known::ControlledLength(length)).ok()?;
-        let held = Held { hold, lever, is_known_at_platform: false };
-        wrench += held.wrench();
-        stiffness += held.stiffness();
+        let state = machine.cable_state(cable, pose, CableInput::ControlledLength(length)).ok()?;
+        wrench += state.wrench();
+        stiffness += state.stiffness();
     }
     let basis = machine.twist_basis();
     let n = machine.dof();

@@ -247,15 +247,16 @@ impl Cause {
 /// All that may deviate on one side, ordered by cable, kind and axis; what acts on the platform last.
 pub fn causes_of(side: Side, model: &Model) -> Vec<Cause> {
     let mut causes = Vec::new();
+    let has_tensions = model.needs_tensions();
     for cable in 0..model.cable_count() {
-        for kind in Kind::ALL.into_iter().filter(|&kind| belongs(side, kind, model, cable)) {
+        for kind in Kind::ALL.into_iter().filter(|&kind| belongs((side, kind), model, cable, has_tensions)) {
             let count = if matches!(kind, Kind::FrameAnchor | Kind::PlatformAnchor) { model.axes().len() } else { 1 };
             // a point platform has no anchors to measure
             let is_point = kind == Kind::PlatformAnchor && is_point(model);
             causes.extend((0..if is_point { 0 } else { count }).map(|axis| Cause { side, kind, cable, axis }));
         }
     }
-    if side != Side::Winches && model.composition().depends_on_tension() {
+    if side != Side::Winches && has_tensions {
         let of = |kind: Kind, count: usize| (0..count).map(move |axis| Cause { side, kind, cable: 0, axis });
         let (axes, turns) = (model.axes().len(), model.dof() - model.axes().len());
         causes.extend(of(Kind::Force, axes).chain(of(Kind::Moment, turns)));
@@ -281,11 +282,11 @@ fn weighs(model: &Model) -> bool {
 }
 
 /// What a cable of a model has.
-fn belongs(side: Side, kind: Kind, model: &Model, cable: usize) -> bool {
+fn belongs((side, kind): (Side, Kind), model: &Model, cable: usize, has_tensions: bool) -> bool {
     let composition = model.composition();
     let data = &model.robot().cables[cable];
     if side == Side::Winches {
-        return kind == Kind::WinchOffset || (kind == Kind::InitialTension && composition.depends_on_tension());
+        return kind == Kind::WinchOffset || (kind == Kind::InitialTension && has_tensions);
     }
     let is_spring = data.spring_constant.is_some();
     match kind {

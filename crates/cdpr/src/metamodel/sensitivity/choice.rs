@@ -13,16 +13,16 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cable::CableState;
 use super::cause::Cause;
 use super::equilibrium::load_change;
+use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
 use crate::metamodel::study::TensionMethod;
-use crate::model::{Model, Parameter};
-use crate::statics::{Load, StaticsError, StraightCable};
+use crate::model::Model;
+use crate::statics::{Load, StaticsError, cable_state};
 use crate::tension::{Limits, NotSmooth, Response};
 
-/// Share of a tension over which slopes of derivatives are taken: h⁴ and rounding over h are both below 1e-9 of what they belong to.
+/// Share of a tension (of 1 N at least) over which slopes of derivatives are taken: h⁴ and rounding over h are both below 1e-9 of what they belong to.
 const STEP: f64 = 1e-3;
 
 /// Chosen tensions of a model at a pose.
@@ -31,7 +31,7 @@ pub(super) struct Choice<'a> {
     pose: Pose,
     tensions: Vec<f64>,
     response: Response,
-    /// (I − K)⁻¹ of sagging cables.
+    /// (I − K)⁻¹; the unit matrix for straight cables, whose columns do not turn with their tensions.
     turning: Option<DMatrix<f64>>,
 }
 
@@ -46,11 +46,9 @@ impl<'a> Choice<'a> {
     ) -> Result<Result<Self, NotSmooth>, StaticsError> {
         let matrix = by_tensions(model, pose, tensions)?;
         let mut wrench = load.in_pattern(model, pose);
-        if model.composition().is_sagging() {
-            for (cable, &tension) in tensions.iter().enumerate() {
-                let pull = in_pattern(model, &CableState::at_measured(model, cable, pose, tension)?.wrench());
-                wrench += pull - matrix.column(cable) * tension;
-            }
+        for (cable, &tension) in tensions.iter().enumerate() {
+            let pull = in_pattern(model, &cable_state(model, pose, cable, tension)?.wrench());
+            wrench += pull - matrix.column(cable) * tension;
         }
         let response = Response::of(method, &matrix, wrench.as_slice(), limits, tensions);
         Self::new(model, pose, tensions, response)
@@ -79,16 +77,14 @@ impl<'a> Choice<'a> {
             Err(reason) => return Ok(Err(reason)),
         };
         let mut choice = Self { model, pose: *pose, tensions: tensions.to_vec(), response, turning: None };
-        if model.composition().is_sagging() {
-            let mut matrix = DMatrix::identity(tensions.len(), tensions.len());
-            for (cable, &tension) in tensions.iter().enumerate() {
-                let slope = choice.slope_by_tension(cable, |state| state.by_tension().0)?;
-                let change = choice.response.change(cable, slope.as_slice(), (-&slope * tension).as_slice());
-                let mut column = matrix.column_mut(cable);
-                column -= change;
-            }
-            choice.turning = matrix.try_inverse();
+        let mut matrix = DMatrix::identity(tensions.len(), tensions.len());
+        for (cable, &tension) in tensions.iter().enumerate() {
+            let slope = choice.slope_by_tension(cable, |state| state.by_given_tension(1.0).0)?;
+            let change = choice.response.change(cable, slope.as_slice(), (-&slope * tension).as_slice());
+            let mut column = matrix.column_mut(cable);
+            column -= change;
         }
+        choice.turning = matrix.try_inverse();
         Ok(Ok(choice))
     }
 
@@ -99,14 +95,11 @@ impl<'a> Choice<'a> {
         if let Some(parameter) = cause.parameter() {
             let unit = cause.parameter_change(self.model);
             let rotation = self.pose.rotation_matrix();
-            if self.turning.is_some() {
-                let state = self.state(cause.cable, self.tensions[cause.cable])?;
-                column = self.slope_by_tension(cause.cable, |state| state.by(&parameter, &rotation).0)? * unit;
-                wrench += in_pattern(self.model, &state.by(&parameter, &rotation).0) * unit;
-                wrench -= &column * self.tensions[cause.cable];
-            } else {
-                column = in_pattern(self.model, &self.column_change(cause.cable, &parameter)) * unit;
-            }
+            let of = |state: &CableState| self.model.by_parameter((cause.cable, state), &parameter, &rotation).0;
+            let state = cable_state(self.model, &self.pose, cause.cable, self.tensions[cause.cable])?;
+            column = self.slope_by_tension(cause.cable, of)? * unit;
+            wrench += in_pattern(self.model, &of(&state)) * unit;
+            wrench -= &column * self.tensions[cause.cable];
         }
         Ok(self.turned(self.response.change(cause.cable, column.as_slice(), wrench.as_slice())))
     }
@@ -124,29 +117,19 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// Change of a straight cable's column of the structure matrix by a parameter (world).
-    fn column_change(&self, cable: usize, parameter: &Parameter) -> Wrench {
-        let (position, rows) = (self.pose.position.into(), self.pose.rotation_rows());
-        let straight = StraightCable::at(self.model, cable, position, &rows, 1.0);
-        straight.by(parameter, self.model, &self.pose.rotation_matrix()).0
-    }
-
-    fn state(&self, cable: usize, tension: f64) -> Result<CableState<'a>, StaticsError> {
-        CableState::at_measured(self.model, cable, &self.pose, tension)
-    }
-
     /// How a wrench of one cable grows with its tension, in the pattern's rows.
     fn slope_by_tension(
         &self,
         cable: usize,
-        wrench: impl Fn(&CableState<'_>) -> Wrench,
+        wrench: impl Fn(&CableState) -> Wrench,
     ) -> Result<DVector<f64>, StaticsError> {
-        let tension = self.tensions[cable];
+        let (tension, step) = (self.tensions[cable], STEP * self.tensions[cable].max(1.0));
         let at = |steps: f64| -> Result<DVector<f64>, StaticsError> {
-            Ok(in_pattern(self.model, &wrench(&self.state(cable, tension * (1.0 + steps * STEP))?)))
+            let state = cable_state(self.model, &self.pose, cable, tension + steps * step)?;
+            Ok(in_pattern(self.model, &wrench(&state)))
         };
         let (near, far) = (at(1.0)? - at(-1.0)?, at(2.0)? - at(-2.0)?);
-        Ok((near * 8.0 - far) / (12.0 * STEP * tension))
+        Ok((near * 8.0 - far) / (12.0 * step))
     }
 }
 
@@ -154,7 +137,7 @@ impl<'a> Choice<'a> {
 fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     let mut matrix = DMatrix::zeros(model.dof(), tensions.len());
     for (cable, &tension) in tensions.iter().enumerate() {
-        let (wrench, _) = CableState::at_measured(model, cable, pose, tension)?.by_tension();
+        let (wrench, _) = cable_state(model, pose, cable, tension)?.by_given_tension(1.0);
         matrix.set_column(cable, &in_pattern(model, &wrench));
     }
     Ok(matrix)

@@ -2,36 +2,24 @@
 
 use nalgebra::DVector;
 
-use super::cable::CableState;
 use super::cause::Cause;
 use super::choice::Choice;
-use crate::equilibrium::distribution;
 use crate::geometry::Pose;
-use crate::metamodel::control::Control;
+use crate::metamodel::control::{Control, TensionChoice};
 use crate::metamodel::input_error::InputError;
 use crate::model::Model;
-use crate::statics::{Load, StaticsError};
-use crate::tension::Limits;
+use crate::statics::{StaticsError, cable_state};
 
 /// A control model with what its derivatives need.
 pub(super) struct Command<'a> {
     control: Control<'a>,
     /// How tensions are chosen, where lengths depend on them.
-    force_control: Option<(distribution::Solver<'a>, Load, Limits)>,
+    choice: Option<TensionChoice<'a>>,
 }
 
 impl<'a> Command<'a> {
     pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
-        let Control { model, tension_method } = control;
-        let force_control = match model.composition().depends_on_tension() {
-            true => {
-                let limits = Limits::of(model.robot(), None, None)?;
-                let load = Load::of(model.robot())?;
-                Some((distribution::Solver::by(tension_method, model, &load, &limits), load, limits))
-            }
-            false => None,
-        };
-        Ok(Self { control, force_control })
+        Ok(Self { control, choice: control.tension_choice()? })
     }
 
     /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
@@ -39,7 +27,7 @@ impl<'a> Command<'a> {
         let words = |error: &dyn std::error::Error| error.to_string();
         let Control { model, tension_method } = self.control;
         let m = model.cable_count();
-        let Some((solver, load, limits)) = &mut self.force_control else {
+        let Some(TensionChoice { solver, load, limits }) = &mut self.choice else {
             return causes.iter().map(|cause| at_tensions(model, pose, &vec![0.0; m], cause)).collect();
         };
         let found = solver.solve(pose).map_err(|error| words(&error))?;
@@ -63,8 +51,8 @@ impl<'a> Command<'a> {
 pub(super) fn at_tensions(model: &Model, pose: &Pose, tensions: &[f64], cause: &Cause) -> Result<DVector<f64>, String> {
     let mut change = DVector::zeros(model.cable_count());
     if let Some(parameter) = cause.parameter() {
-        let state = CableState::at_measured(model, cause.cable, pose, tensions[cause.cable]);
-        let (_, length) = state.map_err(|error| error.to_string())?.by(&parameter, &pose.rotation_matrix());
+        let state = cable_state(model, pose, cause.cable, tensions[cause.cable]).map_err(|error| error.to_string())?;
+        let (_, length) = model.by_parameter((cause.cable, &state), &parameter, &pose.rotation_matrix());
         change[cause.cable] = length * cause.parameter_change(model);
     }
     Ok(change)
@@ -72,7 +60,7 @@ pub(super) fn at_tensions(model: &Model, pose: &Pose, tensions: &[f64], cause: &
 
 /// Change of each recorded length per newton of the cable's tension (m/N).
 pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DVector<f64>, String> {
-    let slope = |(cable, &tension)| Ok(CableState::at_measured(model, cable, pose, tension)?.by_tension().1);
+    let slope = |(cable, &tension)| Ok(cable_state(model, pose, cable, tension)?.by_given_tension(1.0).1);
     let slopes: Result<Vec<f64>, StaticsError> = tensions.iter().enumerate().map(slope).collect();
     Ok(DVector::from_vec(slopes.map_err(|error| error.to_string())?))
 }

@@ -11,17 +11,17 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cable::CableState;
 use super::cause::{Cause, Kind};
+use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
-use crate::statics::{Load, StaticsError};
+use crate::statics::{Load, StaticsError, cable_state_at_outlet, unit_spring_state};
 
 /// A machine at an emerging state.
 pub(super) struct Equilibrium<'a> {
     model: &'a Model,
     pose: Pose,
-    cables: Vec<CableState<'a>>,
+    cables: Vec<CableState>,
     is_slack: Vec<bool>,
     /// Inverse of the matrix above, with tensions in `scale` newtons and wrench rows by it, which makes all of it metres.
     inverse: DMatrix<f64>,
@@ -47,13 +47,13 @@ impl<'a> Equilibrium<'a> {
         tensions: &[f64],
         load: &Load,
     ) -> Result<Option<Self>, StaticsError> {
-        let cables: Vec<CableState<'_>> = tensions
+        let cables: Vec<CableState> = tensions
             .iter()
             .enumerate()
-            .map(|(cable, &tension)| CableState::at(model, cable, pose, tension))
+            .map(|(cable, &tension)| cable_state_at_outlet(model, pose, cable, tension))
             .collect::<Result<_, _>>()?;
-        let is_sagging = model.composition().is_sagging();
-        let is_slack: Vec<bool> = tensions.iter().map(|&tension| tension == 0.0 && !is_sagging).collect();
+        let is_slack = |(cable, &tension): (usize, &f64)| model.law(cable).may_be_slack(tension, 0.0);
+        let is_slack: Vec<bool> = tensions.iter().enumerate().map(is_slack).collect();
         Ok(Self::of(model, pose, cables, is_slack, Some(load)))
     }
 
@@ -61,9 +61,9 @@ impl<'a> Equilibrium<'a> {
     pub(super) fn rigid(model: &'a Model, pose: &Pose, lengths: &[f64]) -> Result<Option<Self>, StaticsError> {
         let geometric = model.cable_lengths(pose)?;
         let residuals = geometric.iter().zip(lengths).map(|(q, length)| q - length);
-        let cables: Vec<CableState<'_>> = residuals
+        let cables: Vec<CableState> = residuals
             .enumerate()
-            .map(|(cable, residual)| CableState::unit_spring(model, cable, pose, residual))
+            .map(|(cable, residual)| unit_spring_state(model, pose, cable, residual))
             .collect::<Result<_, _>>()?;
         let is_slack = vec![false; cables.len()];
         Ok(Self::of(model, pose, cables, is_slack, None))
@@ -72,20 +72,20 @@ impl<'a> Equilibrium<'a> {
     fn of(
         model: &'a Model,
         pose: &Pose,
-        cables: Vec<CableState<'a>>,
+        cables: Vec<CableState>,
         is_slack: Vec<bool>,
         load: Option<&Load>,
     ) -> Option<Self> {
         let (basis, n) = (model.twist_basis(), model.dof());
         let size = n + cables.len();
-        let slope = |cable: &CableState<'_>| cable.by_tension().1.abs();
+        let slope = |cable: &CableState| cable.by_given_tension(1.0).1.abs();
         let softest = cables.iter().map(slope).fold(0.0, f64::max);
         // cables that do not stretch need no unit of their own
         let scale = if softest > 0.0 { 1.0 / softest } else { 1.0 };
         let mut matrix = DMatrix::zeros(size, size);
         let mut by_pose = load.map_or_else(Default::default, |load| load.gradient(pose));
         for (index, cable) in cables.iter().enumerate() {
-            let (wrench, length) = cable.by_tension();
+            let (wrench, length) = cable.by_given_tension(1.0);
             by_pose += cable.wrench_by_pose();
             if is_slack[index] {
                 matrix[(n + index, n + index)] = 1.0;
@@ -93,7 +93,7 @@ impl<'a> Equilibrium<'a> {
             }
             for (row, twist) in basis.iter().enumerate() {
                 matrix[(row, n + index)] = twist.dot(&wrench);
-                matrix[(n + index, row)] = cable.length_by_twist(twist);
+                matrix[(n + index, row)] = cable.recorded_length_by_twist(twist);
             }
             matrix[(n + index, n + index)] = length * scale;
         }
@@ -135,7 +135,8 @@ impl<'a> Equilibrium<'a> {
     fn deviation(&self, cause: &Cause) -> (Wrench, f64) {
         if let Some(parameter) = cause.parameter() {
             let change = cause.parameter_change(self.model);
-            let (wrench, length) = self.cables[cause.cable].by(&parameter, &self.pose.rotation_matrix());
+            let state = (cause.cable, &self.cables[cause.cable]);
+            let (wrench, length) = self.model.by_parameter(state, &parameter, &self.pose.rotation_matrix());
             return (wrench * change, length * change);
         }
         match self.has_load {

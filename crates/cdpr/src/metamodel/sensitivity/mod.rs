@@ -6,7 +6,6 @@
 //! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember are
 //! moved to and fro along their path (`remembering`).
 
-mod cable;
 mod cause;
 mod choice;
 mod command;
@@ -26,6 +25,7 @@ use super::control::Control;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::{CommandedPose, History};
+use super::winches::tension_model;
 use crate::geometry::Pose;
 use crate::model::{Model, StretchEffect};
 use crate::statics::Load;
@@ -193,8 +193,7 @@ impl<'a> Sensitivity<'a> {
 
 /// All that may deviate: control model, machine, winches.
 pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<Cause> {
-    let elastic =
-        [machine, setting.set_with(control)].into_iter().find(|model| model.composition().depends_on_tension());
+    let elastic = tension_model(setting.set_with(control), machine);
     let mut causes = causes_of(Side::Control, control);
     causes.extend(causes_of(Side::Machine, machine));
     let winches = causes_of(Side::Winches, elastic.unwrap_or(machine));

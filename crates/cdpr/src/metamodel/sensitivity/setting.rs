@@ -11,7 +11,7 @@ use crate::geometry::Pose;
 use crate::metamodel::control::lengths_at;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::study::{Initial, TensionMethod};
-use crate::metamodel::winches::{aim, initial_tensions, winch_offsets};
+use crate::metamodel::winches::{aim, initial_tensions, tension_model, winch_offsets};
 use crate::model::Model;
 use crate::statics::Load;
 
@@ -80,6 +80,8 @@ struct AtInitial<'a> {
     machine: &'a Model,
     set_with: &'a Model,
     tensions: Vec<f64>,
+    /// Side whose model says which tensions are set; nothing where neither has any.
+    carries: Option<Side>,
     /// Windings between the model in use and the machine.
     windings: Windings<'a>,
     /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
@@ -93,7 +95,8 @@ struct AtInitial<'a> {
 impl<'a> AtInitial<'a> {
     fn new(setting: &'a Setting<'a>, control: &'a Model, machine: &'a Model) -> Result<Self, InputError> {
         let (set_with, pose, m) = (setting.set_with(control), &setting.pose, machine.cable_count());
-        let elastic = [machine, set_with].into_iter().find(|model| model.composition().depends_on_tension());
+        let elastic = tension_model(set_with, machine);
+        let carries = elastic.map(|elastic| if std::ptr::eq(elastic, machine) { Side::Machine } else { Side::Control });
         let tensions = match elastic {
             Some(elastic) => initial_tensions(setting.initial, elastic, pose)?,
             None => vec![0.0; m],
@@ -110,7 +113,7 @@ impl<'a> AtInitial<'a> {
         }
         let stretch = |model| by_tensions(model, pose, &tensions).map_err(|reason| InputError::NotBalanced { reason });
         let stretch = [stretch(machine)?, stretch(set_with)?];
-        Ok(Self { setting, control, machine, set_with, tensions, windings, as_they_are, chosen, stretch })
+        Ok(Self { setting, control, machine, set_with, tensions, carries, windings, as_they_are, chosen, stretch })
     }
 
     /// Of the tensions of all cables to the offsets: what the machine needs, as the model in use counts it, minus what that
@@ -133,12 +136,7 @@ impl<'a> AtInitial<'a> {
             Side::Control if self.setting.former.is_none() => self.set_with,
             _ => return Ok(DVector::zeros(self.tensions.len())),
         };
-        let carries = match self.machine.composition().depends_on_tension() {
-            true => Side::Machine,
-            false => Side::Control,
-        };
-        let is_elastic = [self.machine, self.set_with].iter().any(|model| model.composition().depends_on_tension());
-        let tensions = match (is_elastic && cause.side == carries, &self.chosen) {
+        let tensions = match (self.carries == Some(cause.side), &self.chosen) {
             (false, _) => DVector::zeros(self.tensions.len()),
             (true, Some(choice)) => choice.by_cause(cause)?,
             (true, None) => return self.by_differences(cause),

@@ -130,7 +130,7 @@ fn check_tolerances(tolerances: &Tolerances, place: &Place<'_>) -> Result<(), Re
 
 fn check_tension_tests(study: &Study, tests: &TensionTests, place: &Place<'_>) -> Result<(), ReadError> {
     let path = ["poses", "tension_tests"];
-    if tests.count > 0 && !study.machine.composition().is_some_and(|effects| effects.depends_on_tension()) {
+    if tests.count > 0 && !study.machine.needs_tensions() {
         let message = format!("tension tests need an elastic machine; its model is `{}`", study.machine.model);
         return Err(place
             .error(&path, message)

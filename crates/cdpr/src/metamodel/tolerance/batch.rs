@@ -3,6 +3,7 @@
 use super::robots::Made;
 use crate::equilibrium::{self, ForwardError, ForwardSettings, Solutions, State, elastostatics};
 use crate::geometry::{Pose, PoseBatch};
+use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::Status;
 use crate::metamodel::sensitivity::PoseSensitivity;
@@ -37,11 +38,9 @@ impl Batch {
     ) -> Option<Self> {
         let has_drums = control.composition().drum || machine.composition().drum;
         let is_shortened = poses.iter().any(|command| command.shortened.is_some());
-        let chooses = deviates && control.composition().depends_on_tension();
+        let chooses = deviates && Control::from(control).chooses_tensions();
         let is_answered = nominal.iter().all(|at| at.outcome.status == Status::Converged);
-        // the batch of a rigid machine asks nothing of a robot with too few cables
-        let is_plain = machine.composition().has_closed_form() && machine.cable_count() >= machine.dof();
-        if has_drums || is_shortened || chooses || !is_answered || !is_plain {
+        if has_drums || is_shortened || chooses || !is_answered || !machine.has_forward_batch() {
             return None;
         }
         let mut sent = LaneTable::new(machine.cable_count());

@@ -7,7 +7,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::sensitivity::{Cause, Kind, Offsets, Setting, Side};
 use crate::metamodel::study::{Distribution, Initial};
-use crate::metamodel::winches::{initial_tensions, winch_offsets};
+use crate::metamodel::winches::{tensions_set, winch_offsets};
 use crate::model::Model;
 
 /// Streams of random numbers below this one are those of poses and sensors.
@@ -105,7 +105,6 @@ impl<'a> Makers<'a> {
     }
 
     fn initial_tensions(&self, set_with: &Model, machine: &Model) -> Result<Vec<f64>, InputError> {
-        let elastic = [machine, set_with].into_iter().find(|model| model.composition().depends_on_tension());
-        elastic.map_or(Ok(Vec::new()), |elastic| initial_tensions(self.setting.initial, elastic, &self.setting.pose))
+        Ok(tensions_set(self.setting.initial, set_with, machine, &self.setting.pose)?.unwrap_or_default())
     }
 }

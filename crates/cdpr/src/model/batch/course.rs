@@ -1,20 +1,20 @@
 //! One cable at eight poses at once.
 
-use crate::cable::Course;
+use crate::cable::{CableEnd, Course};
 use crate::model::CableGroup;
-use crate::scalar::{LANES, Lanes, add, constants, rotate};
+use crate::scalar::{LANES, Lanes, constants};
 
 /// A cable at poses in lanes, or cables in lanes at a pose.
 pub(crate) struct CourseInLanes<L> {
     pub(crate) course: Course<L>,
     /// b = R b_P (world, m).
-    pub(crate) lever: [L; 3],
+    pub(crate) moment_arm: [L; 3],
     /// 0 where the course exists for sure, 1 where the single pose must say whether it does.
     pub(crate) doubt: L,
 }
 
 impl CableGroup {
-    /// Course and lever of one of the group's cables at poses given by positions and rotation rows: the bits of
+    /// Course and moment arm of one of the group's cables at poses given by positions and rotation rows: the bits of
     /// `Model::course_at`.
     #[inline(always)]
     pub(crate) fn course_in_lanes<L: Lanes>(
@@ -24,12 +24,11 @@ impl CableGroup {
         rotation: &[[L; 3]; 3],
     ) -> CourseInLanes<L> {
         let l = position[0];
-        let lever = rotate(rotation, constants(l, entry(&self.platform_anchor, lane)));
-        let anchor = add(position, lever);
+        let end = CableEnd::at(position, rotation, constants(l, entry(&self.platform_anchor, lane)));
         let outlet = self.outlet.spread(l, lane);
-        let course = outlet.course(anchor);
-        let doubt = outlet.needs_scalar(anchor, &course);
-        CourseInLanes { course, lever, doubt }
+        let course = outlet.course(end.anchor);
+        let doubt = outlet.needs_scalar(end.anchor, &course);
+        CourseInLanes { course, moment_arm: end.moment_arm, doubt }
     }
 }
 

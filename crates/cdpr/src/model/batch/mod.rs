@@ -11,8 +11,9 @@ mod tests;
 pub(super) use course::CourseInLanes;
 
 use super::Model;
+use crate::cable::wrench::wrench;
 use crate::geometry::{PoseBatch, Twist};
-use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, cross, dispatch_on, over_parts};
+use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Real, Unit, dispatch_on, over_parts};
 
 impl Model {
     /// Geometric cable lengths q (m) of many poses, a row per cable: [`Model::cable_lengths`] for each.
@@ -137,8 +138,7 @@ impl Kernel for StructureMatrices<'_> {
             for (cables, target) in model.groups().iter().zip(matrices.chunks_mut(LANES * n)) {
                 for (lane, target) in target.chunks_exact_mut(n).enumerate() {
                     let cable = cables.course_in_lanes(lane, position, &rotation);
-                    let moment = cross(cable.lever, cable.course.direction);
-                    let column = in_pattern(model.twist_basis(), cable.course.direction, moment);
+                    let column = in_pattern(model.twist_basis(), wrench(cable.moment_arm, cable.course.direction));
                     for (target, entry) in target.iter_mut().zip(column) {
                         entry.store(&mut target.0);
                     }
@@ -152,12 +152,10 @@ impl Kernel for StructureMatrices<'_> {
     }
 }
 
-/// [force; moment] in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that
-/// start at zero.
+/// A wrench in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that start at zero.
 #[inline(always)]
-pub(crate) fn in_pattern<L: Lanes>(basis: &[Twist], force: [L; 3], moment: [L; 3]) -> [L; 6] {
-    let zero = force[0].constant(0.0);
-    let wrench = [force[0], force[1], force[2], moment[0], moment[1], moment[2]];
+pub(crate) fn in_pattern<T: Real>(basis: &[Twist], wrench: [T; 6]) -> [T; 6] {
+    let zero = wrench[0].constant(0.0);
     let mut column = [zero; 6];
     if basis.len() == 6 {
         for row in 0..6 {

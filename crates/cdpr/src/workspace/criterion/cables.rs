@@ -91,6 +91,14 @@ pub(super) fn length_scale(model: &Model, criterion: &'static str, given: Option
     }
 }
 
+/// Refuses a model whose structure matrix follows its tensions, for a criterion that asks the matrix alone.
+pub(super) fn fixed_directions(model: &Model, criterion: &'static str) -> Result<(), WorkspaceError> {
+    match model.cables().has_fixed_directions() {
+        true => Ok(()),
+        false => Err(WorkspaceError::SaggingCables { criterion }),
+    }
+}
+
 /// The course of a cable, and its lever b = R b_P (world, m).
 pub(super) type CourseAndLever = (Course<f64>, Vector3<f64>);
 

@@ -53,13 +53,12 @@ impl Criterion for LengthLimits<'_> {
     }
 
     fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {
-        let composition = self.model.composition();
-        if composition.pulley || composition.drum || composition.is_sagging() {
+        if self.model.composition().drum {
             return None;
         }
         let mut spans = Spans::whole(length);
-        for (cable, [least, largest]) in self.model.robot().cables.iter().zip(&self.limits) {
-            let way = start.transform(&cable.platform_anchor) - cable.frame_anchor;
+        for ((frame_anchor, platform_anchor), [least, largest]) in self.model.straight_lines()?.zip(&self.limits) {
+            let way = start.transform(platform_anchor) - frame_anchor;
             if largest.is_finite() {
                 spans = in_sphere(&way, direction, *largest).map_or_else(Spans::default, |inside| spans.within(inside));
             }

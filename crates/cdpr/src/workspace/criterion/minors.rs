@@ -29,27 +29,21 @@ impl Minors {
     /// Along a direction of length 1 from a pose; `None` for outlets that are no points, for sagging cables, and for more cables
     /// than can be looked at.
     pub(super) fn along(model: &Model, pose: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Self> {
-        let composition = model.composition();
+        let lines = model.straight_lines()?;
         let count = binomial(model.cable_count(), model.dof());
-        if composition.pulley || composition.is_sagging() || count > MOST {
+        if count > MOST {
             return None;
         }
-        let column = |way: &Vector3<f64>, lever: &Vector3<f64>| {
-            let moment = lever.cross(way);
+        let column = |way: &Vector3<f64>, moment_arm: &Vector3<f64>| {
+            let moment = moment_arm.cross(way);
             let column = Twist::new(way.x, way.y, way.z, moment.x, moment.y, moment.z);
             DVector::from_iterator(model.dof(), model.twist_basis().iter().map(|basis| basis.dot(&column)))
         };
-        let columns = |way: &dyn Fn(usize, &Vector3<f64>) -> Vector3<f64>| {
-            let all: Vec<DVector<f64>> = (0..model.cable_count())
-                .map(|cable| {
-                    let lever = pose.rotation * model.robot().cables[cable].platform_anchor;
-                    column(&way(cable, &lever), &lever)
-                })
-                .collect();
-            DMatrix::from_columns(&all)
-        };
-        let start = columns(&|cable, lever| model.robot().cables[cable].frame_anchor - pose.position - lever);
-        let change = columns(&|_, _| -direction * length);
+        let ends: Vec<_> = lines.map(|(frame_anchor, anchor)| (frame_anchor, pose.rotation * anchor)).collect();
+        let columns = |columns: Vec<DVector<f64>>| DMatrix::from_columns(&columns);
+        let start = ends.iter().map(|(frame_anchor, arm)| column(&(*frame_anchor - pose.position - arm), arm));
+        let change = ends.iter().map(|(_, arm)| column(&(-direction * length), arm));
+        let (start, change) = (columns(start.collect()), columns(change.collect()));
         Some(Self { start, change, length })
     }
 

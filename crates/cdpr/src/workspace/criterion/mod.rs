@@ -49,7 +49,6 @@ use nalgebra::Vector3;
 
 use super::Verdict;
 use crate::geometry::Pose;
-use crate::model::Model;
 
 /// Something that holds at some poses and fails at others.
 ///
@@ -90,9 +89,4 @@ pub trait Criterion: Sync {
             *answer = self.holds(pose);
         }
     }
-}
-
-/// [Effort](Criterion::effort) of a pose at which tensions are chosen, from that with straight cables; those that sag are solved with their shapes.
-fn effort_of_tensions(model: &Model, straight: f64) -> f64 {
-    if model.composition().is_sagging() { 1e4 } else { straight }
 }

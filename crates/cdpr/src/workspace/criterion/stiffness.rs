@@ -113,7 +113,7 @@ impl<'a> HeldPlatform<'a> {
                 .to_owned();
             return Err(WorkspaceError::MissingEffect { criterion, effect: "elastic", cure });
         }
-        let is_rigid = |cable: &usize| composition.has_closed_form() && model.elasticity(*cable).is_rigid();
+        let is_rigid = |cable: &usize| model.law(*cable).is_inextensible_line();
         if let Some(cable) = (0..expected).find(is_rigid) {
             return Err(WorkspaceError::MissingKey {
                 criterion,
@@ -127,7 +127,7 @@ impl<'a> HeldPlatform<'a> {
 
     /// Effort of a pose, see [`Criterion::effort`].
     pub(super) fn effort(&self) -> f64 {
-        super::effort_of_tensions(self.model, 100.0)
+        distribution::effort(self.model, 100.0)
     }
 
     /// The stiffness at the tensions that hold the load, or why there are none.

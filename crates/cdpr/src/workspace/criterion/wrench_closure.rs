@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
+use super::cables::fixed_directions;
 use super::minors::Minors;
 use super::narrowing::{Closing, Narrowing, largest};
 use super::{Criterion, Spans, Verdict};
@@ -33,10 +34,7 @@ const LOST: f64 = 1e-9;
 impl<'a> WrenchClosure<'a> {
     /// The criterion for a model of straight cables.
     pub fn new(model: &'a Model) -> Result<Self, WorkspaceError> {
-        match model.composition().is_sagging() {
-            true => Err(WorkspaceError::SaggingCables { criterion: "wrench-closure" }),
-            false => Ok(Self { model }),
-        }
+        fixed_directions(model, "wrench-closure").map(|()| Self { model })
     }
 
     fn programme(&self) -> Solver {

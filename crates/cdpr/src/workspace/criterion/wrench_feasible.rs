@@ -7,7 +7,7 @@ use crate::equilibrium::feasibility;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError};
-use crate::tension::quadratic::{Solver, Status};
+use crate::tension::quadratic::Solver;
 use crate::tension::{InputError, Limits};
 use crate::workspace::WorkspaceError;
 
@@ -37,15 +37,6 @@ impl<'a> WrenchFeasible<'a> {
 
     fn programme(&self) -> Solver {
         Solver::new(self.model.cable_count(), self.model.dof())
-    }
-
-    /// The verdict for straight cables by one programme; `programme` carries memory only.
-    fn holds_straight(&self, programme: &mut Solver, pose: &Pose) -> bool {
-        let Ok(matrix) = self.model.structure_matrix(pose) else { return false };
-        let wrench = self.load.in_pattern(self.model, pose);
-        programme.forget();
-        let found = programme.solve(&matrix, wrench.as_slice(), &self.limits, None);
-        found.is_ok_and(|found| found.status == Status::Feasible)
     }
 
     fn margin(&self, programme: &mut Solver, balance: &Balance, is_feasible: bool) -> Narrowing {
@@ -88,14 +79,13 @@ impl Criterion for WrenchFeasible<'_> {
     }
 
     fn effort(&self) -> f64 {
-        super::effort_of_tensions(self.model, 1.0)
+        distribution::effort(self.model, 1.0)
     }
 
     fn holds(&self, pose: &Pose) -> bool {
-        match self.model.composition().is_sagging() {
-            true => self.judge(pose).holds(),
-            false => self.holds_straight(&mut self.programme(), pose),
-        }
+        let mut answer = [false];
+        self.holds_all(std::slice::from_ref(pose), &mut answer);
+        answer[0]
     }
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
@@ -110,7 +100,7 @@ impl Criterion for WrenchFeasible<'_> {
 pub(super) fn cable_of(error: &DistributionError) -> Option<usize> {
     match error {
         DistributionError::Statics(StaticsError::Course(course)) => Some(course.cable() - 1),
-        DistributionError::Statics(StaticsError::Hold { cable, .. }) => Some(cable - 1),
+        DistributionError::Statics(StaticsError::CableState { cable, .. }) => Some(cable - 1),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! Wrench feasibility of a whole set of wrenches.
 
-use super::cables::{length_scale, named, not_negative};
+use super::cables::{fixed_directions, length_scale, named, not_negative};
 use super::{Criterion, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
@@ -51,9 +51,7 @@ impl<'a> WrenchSetFeasible<'a> {
         if expected > CABLE_LIMIT {
             return Err(WrenchSetError::TooManyCables { found: expected }.into());
         }
-        if model.composition().is_sagging() {
-            return Err(WorkspaceError::SaggingCables { criterion: NAME });
-        }
+        fixed_directions(model, NAME)?;
         match &requirement {
             Requirement::AroundLoad(_, set) if !set.fits(model.dof()) => {
                 return Err(InputError::NotFinite { what: "required set of wrenches" }.into());

@@ -2,7 +2,7 @@
 
 use super::unsymmetric::unsymmetric;
 use super::{ITERATIONS, RMS, STATUS, TENSIONS};
-use crate::equilibrium::elastostatics::balance::{Pull, TERMS, stiffness_terms};
+use crate::equilibrium::elastostatics::balance::{Pull, TERMS, force_terms, stiffness_terms, unpack};
 use crate::equilibrium::elastostatics::search::ROUNDING;
 use crate::equilibrium::elastostatics::{LoadParts, Settings, Status};
 use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean_length, sum};
@@ -216,19 +216,15 @@ impl Descents<'_> {
         let mut doubt = zero;
         for (cable, length) in self.lengths.iter().enumerate() {
             let found = self.model.groups()[0].course_in_lanes(cable, position, &rotation);
-            let (u, lever) = (found.course.direction, found.lever);
+            let (u, moment_arm) = (found.course.direction, found.moment_arm);
             let force_at_rest = springs[cable] * (found.course.length - lanes.load(&length.0));
             let softer = one / (one + lanes.constant(self.model.elasticity(cable).by_length) * force_at_rest);
             let stiffness = springs[cable] * softer * softer;
             let pull = Pull { tension: force_at_rest * softer, stiffness, energy: zero };
             pull.tension.store(&mut tensions[cable].0);
-            let moment = cross(lever, u);
-            for k in 0..3 {
-                terms[cable][1 + k] = pull.tension * u[k];
-                terms[cable][4 + k] = pull.tension * moment[k];
-            }
+            force_terms(&mut terms[cable], u, moment_arm, pull.tension);
             if with_stiffness {
-                stiffness_terms(&mut terms[cable], &found.course.direction_gradient, u, lever, &pull);
+                stiffness_terms(&mut terms[cable], &found.course.direction_gradient, u, moment_arm, &pull);
             }
             doubt = doubt.max(found.doubt);
         }
@@ -240,7 +236,8 @@ impl Descents<'_> {
             }
             totals[term] = sum(cables);
         }
-        let mut point = unpack(zero, &totals, doubt);
+        let (residual, stiffness) = unpack(&totals);
+        let mut point = Point { residual, stiffness, doubt };
         self.add_load(&mut point, &rotation);
         point
     }
@@ -314,26 +311,4 @@ impl Descents<'_> {
         }
         endings
     }
-}
-
-/// The order of the terms, undone.
-#[inline(always)]
-fn unpack<L: Lanes>(zero: L, totals: &[L; TERMS], doubt: L) -> Point<L> {
-    let mut point = Point { residual: [zero; 6], stiffness: [[zero; 6]; 6], doubt };
-    point.residual.copy_from_slice(&totals[1..7]);
-    let mut count = 7;
-    for i in 0..3 {
-        for j in 0..=i {
-            point.stiffness[i][j] = totals[count];
-            point.stiffness[3 + i][3 + j] = totals[count + 1];
-            count += 2;
-        }
-    }
-    for i in 0..3 {
-        for j in 0..3 {
-            point.stiffness[3 + i][j] = totals[count];
-            count += 1;
-        }
-    }
-    point
 }

@@ -131,7 +131,7 @@ impl<L: Lanes> Eight<'_, L> {
         for (cable, length) in self.lengths.iter().enumerate() {
             let found = self.model.groups()[0].course_in_lanes(cable, position, &rotation);
             let u = found.course.direction;
-            let moment = cross(found.lever, u);
+            let moment = cross(found.moment_arm, u);
             for axis in 0..3 {
                 rows[axis][cable] = u[axis];
                 rows[3 + axis][cable] = moment[axis];

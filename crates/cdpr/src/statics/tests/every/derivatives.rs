@@ -4,12 +4,12 @@ use nalgebra::{Const, DMatrix, SVector, Vector3};
 use num_dual::DualVec;
 
 use super::*;
-use crate::cable::Course;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{Kind, LawParameter};
 use crate::cable::outlet::bent;
 use crate::cable::span::{Shape, State};
 use crate::cable::stretch::Stretch;
+use crate::cable::{CableState, Course};
 use crate::scalar::{Real, Smooth, add, cross, dot, rotate, scale, sub};
 
 /// Derivatives by what the equations determine (force and length of a span, or the tension of a straight cable), and by what
@@ -52,7 +52,7 @@ struct Twin {
 }
 
 impl Twin {
-    fn of(model: &Model, index: usize, pose: &Pose, held: &Held) -> Self {
+    fn of(model: &Model, index: usize, pose: &Pose, state: &CableState) -> Self {
         let cable = &model.robot().cables[index];
         let turn = vector(Vector3::zeros(), TWIST + 3);
         let rows = pose.rotation_rows().map(|row| row.map(Dual::from));
@@ -60,21 +60,22 @@ impl Twin {
         let lever = add(turned, cross(turn, turned));
         let anchor = add(vector(pose.position, TWIST), lever);
         match model.law(index).kind {
-            Kind::Sagging(shape) => Self::sagging(model, index, shape, anchor, lever, held),
-            _ => Self::straight(model, index, anchor, lever, held),
+            Kind::Sagging(shape) => Self::sagging(model, index, shape, anchor, lever, state),
+            _ => Self::straight(model, index, anchor, lever, state),
         }
     }
 
-    fn straight(model: &Model, index: usize, anchor: [Dual; 3], lever: [Dual; 3], held: &Held) -> Self {
+    fn straight(model: &Model, index: usize, anchor: [Dual; 3], lever: [Dual; 3], state: &CableState) -> Self {
         let (cable, law) = (&model.robot().cables[index], model.law(index));
         let mut outlet = law.outlet.map(|number| Dual::from(*number));
         *outlet.frame_anchor_mut() = vector(cable.frame_anchor, FRAME_ANCHOR);
         outlet.radius_mut().into_iter().for_each(|radius| *radius = variable(radius.re, RADIUS));
         let course: Course<Dual> = outlet.course(anchor);
-        let tension = variable(held.hold.outlet_tension, STATE);
+        let tension = variable(state.outlet_tension, STATE);
         let hidden = variable(law.hidden_length, HIDDEN);
         let controlled_length = match law.kind {
-            Kind::Linear(linear) => {
+            Kind::Rigid => course.length,
+            Kind::Linear(linear, _) => {
                 dual_elasticity(model, index, &linear, hidden).controlled_length(course.length, tension)
             }
             _ => {
@@ -93,9 +94,16 @@ impl Twin {
         }
     }
 
-    fn sagging(model: &Model, index: usize, shape: Shape, anchor: [Dual; 3], lever: [Dual; 3], held: &Held) -> Self {
+    fn sagging(
+        model: &Model,
+        index: usize,
+        shape: Shape,
+        anchor: [Dual; 3],
+        lever: [Dual; 3],
+        state: &CableState,
+    ) -> Self {
         let (cable, law) = (&model.robot().cables[index], model.law(index));
-        let found = held.hold.state;
+        let found = state.span;
         let (force, length) = (vector(found.force.into(), STATE), variable(found.length, STATE + 3));
         let tension = dot(force, force).sqrt();
         let weight = constants(law.weight);
@@ -194,25 +202,25 @@ fn every_derivative_of_every_composition_agrees_with_dual_numbers() {
         let robot = random_robot(seed);
         for model in models(&robot) {
             for (pose, tensions) in random_states(&model, 100 + seed, 3) {
-                for (index, held) in holds(&model, &pose, &tensions).unwrap().iter().enumerate() {
-                    check_by_pose(&model, index, &pose, held);
-                    check_by_tension(&model, index, &pose, held);
-                    check_by_parameters(&model, index, &pose, held);
-                    check_symmetry(&model, index, held);
-                    check_drum(&model, index, held.hold.controlled_length);
+                for (index, state) in cable_states(&model, &pose, &tensions).unwrap().iter().enumerate() {
+                    check_by_pose(&model, index, &pose, state);
+                    check_by_tension(&model, index, &pose, state);
+                    check_by_parameters(&model, index, &pose, state);
+                    check_symmetry(&model, index, state);
+                    check_drum(&model, index, state.controlled_length);
                 }
             }
         }
     }
 }
 
-fn check_by_pose(model: &Model, index: usize, pose: &Pose, held: &Held) {
-    let twin = Twin::of(model, index, pose, held);
+fn check_by_pose(model: &Model, index: usize, pose: &Pose, state: &CableState) {
+    let twin = Twin::of(model, index, pose, state);
     let composition = model.composition();
-    let mut wanted = vec![(twin.outlet_tension, held.stiffness_at_tension(), "tension")];
-    if composition.depends_on_tension() {
+    let mut wanted = vec![(twin.outlet_tension, -state.wrench_by_pose(), "tension")];
+    if composition.needs_tensions() {
         // a rigid straight cable has no stiffness in numbers
-        wanted.push((twin.controlled_length, held.stiffness(), "length"));
+        wanted.push((twin.controlled_length, state.stiffness(), "length"));
     }
     for (known, stiffness, name) in wanted {
         let total = twin.total(&known, &twin.wrench());
@@ -221,45 +229,44 @@ fn check_by_pose(model: &Model, index: usize, pose: &Pose, held: &Held) {
         assert!(off < ROUNDING, "{composition}, cable {index}, wrench at fixed {name}: {off:e}");
     }
     let total = twin.total(&twin.outlet_tension, &[twin.controlled_length]);
-    let off = difference(&held.hold.controlled_length_by_anchor, (0..3).map(|column| total[(0, column)]));
+    let off = difference(&state.controlled_length_by_anchor, (0..3).map(|column| total[(0, column)]));
     assert!(off < ROUNDING, "{composition}, cable {index}, length by anchor: {off:e}");
 }
 
-fn check_by_tension(model: &Model, index: usize, pose: &Pose, held: &Held) {
-    let twin = Twin::of(model, index, pose, held);
+fn check_by_tension(model: &Model, index: usize, pose: &Pose, state: &CableState) {
+    let twin = Twin::of(model, index, pose, state);
     let composition = model.composition();
     let last = COUNT - TWIST;
-    let known = if held.is_known_at_platform { twin.platform_tension } else { twin.outlet_tension };
+    let known = if state.is_given_at_platform { twin.platform_tension } else { twin.outlet_tension };
     let total = twin.total(&known, &twin.wrench());
-    let off = difference(held.wrench_by_tension().as_slice(), (0..6).map(|row| total[(row, last)]));
+    let off = difference(state.wrench_by_tension().as_slice(), (0..6).map(|row| total[(row, last)]));
     assert!(off < ROUNDING, "{composition}, cable {index}, wrench by tension: {off:e}");
-    if composition.depends_on_tension() {
+    if composition.needs_tensions() {
         let total = twin.total(&twin.controlled_length, &twin.wrench());
-        let off = difference(held.wrench_by_controlled_length().as_slice(), (0..6).map(|row| total[(row, last)]));
+        let off = difference(state.wrench_by_controlled_length().as_slice(), (0..6).map(|row| total[(row, last)]));
         assert!(off < ROUNDING, "{composition}, cable {index}, wrench by length: {off:e}");
         let total = twin.total(&twin.outlet_tension, &[twin.controlled_length]);
-        let off = difference(&[held.hold.controlled_length_by_tension], [total[(0, last)]]);
+        let off = difference(&[state.controlled_length_by_tension], [total[(0, last)]]);
         assert!(off < ROUNDING, "{composition}, cable {index}, length by tension: {off:e}");
     }
 }
 
-fn check_by_parameters(model: &Model, index: usize, pose: &Pose, held: &Held) {
-    let twin = Twin::of(model, index, pose, held);
-    let (composition, law, hold) = (model.composition(), model.law(index), &held.hold);
+fn check_by_parameters(model: &Model, index: usize, pose: &Pose, state: &CableState) {
+    let twin = Twin::of(model, index, pose, state);
+    let (composition, law) = (model.composition(), model.law(index));
     let total = twin.total(&twin.outlet_tension, &[twin.pull[0], twin.pull[1], twin.pull[2], twin.controlled_length]);
-    let anchor = Vector3::from(pose.transform(&model.robot().cables[index].platform_anchor));
-    // a closed form has its own derivative by compliance and hidden length, which the elasticity's tests check
-    let mut parameters = vec![(LawParameter::PulleyRadius, RADIUS)];
-    if !composition.has_closed_form() {
-        parameters.extend([(LawParameter::Compliance, COMPLIANCE), (LawParameter::HiddenLength, HIDDEN)]);
-    }
+    let parameters = [
+        (LawParameter::PulleyRadius, RADIUS),
+        (LawParameter::Compliance, COMPLIANCE),
+        (LawParameter::HiddenLength, HIDDEN),
+    ];
     for (parameter, column) in parameters {
-        let change = law.by_parameter(hold, anchor.into(), parameter);
+        let change = law.by_parameter(state, parameter);
         let expected = |row: usize| total[(row, column - TWIST)];
         let off = difference(&change.pull, (0..3).map(expected));
         let none = (0..4).all(|row| expected(row) == 0.0) && change.pull == [0.0; 3] && change.controlled_length == 0.0;
         // pulls change by 0 exactly where only the length does
-        let pulls_agree = off < ROUNDING || change.pull.iter().all(|x| x.abs() < 1e-12 * hold.outlet_tension);
+        let pulls_agree = off < ROUNDING || change.pull.iter().all(|x| x.abs() < 1e-12 * state.outlet_tension);
         assert!(none || pulls_agree, "{composition}, cable {index}, pull by {parameter:?}: {off:e}");
         let off = difference(&[change.controlled_length], [expected(3)]);
         // lengths of meters per unit, to 1e-13 of them where the parameter hardly tells
@@ -268,17 +275,17 @@ fn check_by_parameters(model: &Model, index: usize, pose: &Pose, held: &Held) {
     }
     // moving the outlet is moving the platform anchor the other way
     for k in 0..3 {
-        let (frame, platform) = (total[(3, FRAME_ANCHOR - TWIST + k)], hold.controlled_length_by_anchor[k]);
+        let (frame, platform) = (total[(3, FRAME_ANCHOR - TWIST + k)], state.controlled_length_by_anchor[k]);
         assert!((frame + platform).abs() < ROUNDING, "{composition}, cable {index}: {frame} {platform}");
     }
 }
 
 /// The tangent is the Hessian of an energy, up to what the law leaves out (see [`crate::cable::law`]): the weight on the pulley,
 /// and of a chain of elements the weight of one.
-fn check_symmetry(model: &Model, index: usize, held: &Held) {
-    let tangent = held.hold.tangent;
+fn check_symmetry(model: &Model, index: usize, state: &CableState) {
+    let tangent = state.tangent;
     if !tangent.iter().flatten().all(|x| x.is_finite()) {
-        assert!(!model.composition().depends_on_tension());
+        assert!(!model.needs_tensions());
         return;
     }
     let size = tangent.iter().flatten().fold(0.0, |most, x| f64::max(most, x.abs()));

@@ -1,0 +1,79 @@
+//! Lengths of a cable with a tension on its course: what its winch is told.
+
+use super::{CableLaw, Kind};
+use crate::cable::course::Course;
+use crate::cable::state::{CableInput, CableStateError};
+use crate::cable::stretch::hysteresis::Memory;
+use crate::cable::wrench::CableEnd;
+
+/// Lengths, direction and tensions of a cable at rest, or of one whose tension is unknown: of a
+/// [`CableState`](crate::cable::CableState) the part that has no derivative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct CableLengths {
+    /// Strained length from frame anchor to platform anchor (m).
+    pub(crate) length: f64,
+    /// q_θ (m); NaN where it depends on a tension that is unknown.
+    pub(crate) controlled_length: f64,
+    /// Direction of the pull at the platform anchor (unit vector, world).
+    pub(crate) direction: [f64; 3],
+    /// Wrap angle (rad).
+    pub(crate) wrap_angle: f64,
+    /// Tension at the outlet (N).
+    pub(crate) outlet_tension: f64,
+    /// Tension at the platform anchor (N) of a cable with weight.
+    pub(crate) platform_tension: Option<f64>,
+}
+
+impl CableLaw {
+    /// Lengths with a tension (N; NaN where it is unknown), from a memory or never loaded. Compiled into its callers: closed forms compute
+    /// nothing but what is asked.
+    #[inline(always)]
+    pub(crate) fn lengths_on(
+        &self,
+        course: &Course<f64>,
+        end: &CableEnd<f64>,
+        (tension, input): (f64, impl FnOnce(f64) -> CableInput),
+        memory: Option<&Memory>,
+    ) -> Result<CableLengths, CableStateError> {
+        let of_course = |controlled_length: f64| CableLengths {
+            length: course.length,
+            controlled_length,
+            direction: course.direction,
+            wrap_angle: course.wrap_angle,
+            outlet_tension: tension,
+            platform_tension: None,
+        };
+        match self.kind {
+            Kind::Rigid => Ok(of_course(course.length)),
+            _ if tension.is_nan() => Ok(of_course(f64::NAN)),
+            Kind::Linear(law, _) => match law.controlled_length(course.length, tension) {
+                controlled_length if controlled_length > 0.0 => Ok(of_course(controlled_length)),
+                _ => Err(CableStateError::Overstretched { tension }),
+            },
+            Kind::Stretching | Kind::Sagging(_) => self.solved_lengths(course, end, input(tension), memory),
+        }
+    }
+
+    #[inline(never)]
+    fn solved_lengths(
+        &self,
+        course: &Course<f64>,
+        end: &CableEnd<f64>,
+        input: CableInput,
+        memory: Option<&Memory>,
+    ) -> Result<CableLengths, CableStateError> {
+        let state = match memory {
+            Some(memory) => self.with_memory(memory).state_on(course, end, input, None)?,
+            None => self.state_on(course, end, input, None)?,
+        };
+        let state = state.unless_overstretched()?;
+        Ok(CableLengths {
+            length: state.strained_length,
+            controlled_length: state.controlled_length,
+            direction: state.direction,
+            wrap_angle: state.wrap_angle,
+            outlet_tension: state.outlet_tension,
+            platform_tension: matches!(self.kind, Kind::Sagging(_)).then_some(state.platform_tension),
+        })
+    }
+}

@@ -1,0 +1,65 @@
+//! States and lengths of a model's cables at a pose with given tensions.
+
+use super::error::{StaticsError, check_tensions};
+use crate::cable::law::{CableLengths, unit_spring};
+use crate::cable::stretch::hysteresis::Memory;
+use crate::cable::{CableInput, CableState};
+use crate::geometry::Pose;
+use crate::model::Model;
+
+/// All cables of a model at a pose with these tensions (N), which are those at the outlets, or where the file says that they
+/// are measured.
+pub fn cable_states(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<CableState>, StaticsError> {
+    check_tensions(model, tensions)?;
+    tensions.iter().enumerate().map(|(index, &tension)| cable_state(model, pose, index, tension)).collect()
+}
+
+/// One cable of [`cable_states`] (0-based).
+pub fn cable_state(model: &Model, pose: &Pose, index: usize, tension: f64) -> Result<CableState, StaticsError> {
+    state_of(model, pose, index, model.measured_tension(index, tension))
+}
+
+/// One cable (0-based) with a tension at its outlet (N), as forward problems give it.
+pub(crate) fn cable_state_at_outlet(
+    model: &Model,
+    pose: &Pose,
+    index: usize,
+    tension: f64,
+) -> Result<CableState, StaticsError> {
+    state_of(model, pose, index, CableInput::OutletTension(tension))
+}
+
+fn state_of(model: &Model, pose: &Pose, index: usize, input: CableInput) -> Result<CableState, StaticsError> {
+    // a pose without a course is told in the words of the geometry
+    let (course, end) = model.checked_course(index, pose.position.into(), &pose.rotation_rows())?;
+    let state = model.law(index).state_on(&course, &end, input, None);
+    let state = state.and_then(CableState::unless_overstretched);
+    state.map_err(|reason| StaticsError::of_cable(index, course.length, reason))
+}
+
+/// One straight cable (0-based) as a spring of 1 N/m with this tension, of any sign (N).
+pub(crate) fn unit_spring_state(
+    model: &Model,
+    pose: &Pose,
+    index: usize,
+    tension: f64,
+) -> Result<CableState, StaticsError> {
+    let (course, end) = model.checked_course(index, pose.position.into(), &pose.rotation_rows())?;
+    Ok(unit_spring(&course, &end, model.law(index).recording, tension))
+}
+
+/// Lengths of one cable (0-based) with a tension where the robot measures it (N; NaN where it is unknown), from a memory of its own or
+/// never loaded: the exact inverse of the cable law (eq. 2.37, 2.41). The rows of the pose's rotation are shared by all cables.
+#[inline]
+pub(crate) fn cable_lengths(
+    model: &Model,
+    (pose, rotation): (&Pose, &[[f64; 3]; 3]),
+    index: usize,
+    tension: f64,
+    memory: Option<&Memory>,
+) -> Result<CableLengths, StaticsError> {
+    let (course, end) = model.checked_course(index, pose.position.into(), rotation)?;
+    let input = |tension| model.measured_tension(index, tension);
+    let lengths = model.law(index).lengths_on(&course, &end, (tension, input), memory);
+    lengths.map_err(|reason| StaticsError::of_cable(index, course.length, reason))
+}
