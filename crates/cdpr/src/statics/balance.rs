@@ -100,7 +100,11 @@ pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Resul
     check_tensions(model, tensions)?;
     let rotation = pose.rotation_rows();
     let length = |(index, &tension): (usize, &f64)| {
-        cable_lengths(model, (pose, &rotation), index, tension, None).map(|lengths| lengths.controlled_length)
+        let (course, _) = model.checked_course(index, pose.position.into(), &rotation)?;
+        match model.law(index).closed_length(course.length, tension) {
+            Some(length) if length > 0.0 => Ok(length),
+            _ => cable_lengths(model, (pose, &rotation), index, tension, None).map(|lengths| lengths.controlled_length),
+        }
     };
     tensions.iter().enumerate().map(length).collect()
 }

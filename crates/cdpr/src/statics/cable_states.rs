@@ -50,7 +50,6 @@ pub(crate) fn unit_spring_state(
 
 /// Lengths of one cable (0-based) with a tension where the robot measures it (N; NaN where it is unknown), from a memory of its own or
 /// never loaded: the exact inverse of the cable law (eq. 2.37, 2.41). The rows of the pose's rotation are shared by all cables.
-#[inline]
 pub(crate) fn cable_lengths(
     model: &Model,
     (pose, rotation): (&Pose, &[[f64; 3]; 3]),

@@ -25,6 +25,16 @@ pub(crate) struct CableLengths {
 }
 
 impl CableLaw {
+    /// q_θ of a cable of geometric length q (m) with a tension (N), where a closed form tells it, whatever its sign.
+    #[inline(always)]
+    pub(crate) fn closed_length(&self, q: f64, tension: f64) -> Option<f64> {
+        match &self.kind {
+            Kind::Rigid => Some(q),
+            Kind::Linear(law, _) => Some(law.controlled_length(q, tension)),
+            Kind::Stretching | Kind::Sagging(_) => None,
+        }
+    }
+
     /// Lengths with a tension (N; NaN where it is unknown), from a memory or never loaded. Compiled into its callers: closed forms compute
     /// nothing but what is asked.
     #[inline(always)]
@@ -43,14 +53,11 @@ impl CableLaw {
             outlet_tension: tension,
             platform_tension: None,
         };
-        match self.kind {
-            Kind::Rigid => Ok(of_course(course.length)),
-            _ if tension.is_nan() => Ok(of_course(f64::NAN)),
-            Kind::Linear(law, _) => match law.controlled_length(course.length, tension) {
-                controlled_length if controlled_length > 0.0 => Ok(of_course(controlled_length)),
-                _ => Err(CableStateError::Overstretched { tension }),
-            },
-            Kind::Stretching | Kind::Sagging(_) => self.solved_lengths(course, end, input(tension), memory),
+        match self.closed_length(course.length, tension) {
+            Some(length) if length > 0.0 || tension.is_nan() => Ok(of_course(length)),
+            Some(_) => Err(CableStateError::Overstretched { tension }),
+            None if tension.is_nan() => Ok(of_course(f64::NAN)),
+            None => self.solved_lengths(course, end, input(tension), memory),
         }
     }
 
