@@ -160,7 +160,6 @@ impl Search {
 
     /// Solves for the free cables, and puts those on a limit that run into it, until none does.
     fn settle(&mut self, wrench: &[f64], scale: &impl Fn(usize) -> f64, limits: &Limits, tensions: &mut [f64]) {
-        let mut is_refined = false;
         while !self.free.is_empty() {
             self.write_step();
             let (mut part, mut blocking) = (1.0, None);
@@ -177,16 +176,9 @@ impl Search {
                 tensions[cable] += part * self.step[place];
             }
             let Some(place) = blocking else {
-                if is_refined {
-                    self.barred.fill(false);
-                    return;
-                }
-                // columns that nearly depend on each other lose digits, which a second step finds
-                is_refined = true;
-                self.write_rest(wrench, scale, tensions);
-                continue;
+                self.barred.fill(false);
+                return;
             };
-            is_refined = false;
             let cable = self.free.remove(place);
             let is_low = self.step[place] < 0.0;
             self.places[cable] = if is_low { Place::Least } else { Place::Largest };
