@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::fit::{self, Estimate, Fit, Prior, Status, descent_count, fit_observed};
+use cdpr::identification::fit::{self, Estimate, Fit, Minimizer, Prior, Status, descent_count, fit_observed};
 use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate_fitted};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model, ParameterKind};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -74,6 +75,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     starts: u32,
 
+    /// Way to the optimum; all lead to the same one.
+    #[arg(long, value_name = "METHOD", default_value = Minimizer::default().name(), value_parser = minimizers())]
+    minimizer: Minimizer,
+
     /// Seed of the split kfold:K and of other starts.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
@@ -85,6 +90,12 @@ pub(crate) struct Arguments {
     /// Report to write: tables and charts in one HTML file.
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
+}
+
+/// Minimizers by their names.
+fn minimizers() -> impl TypedValueParser<Value = Minimizer> {
+    let named = |name: String| Minimizer::ALL.into_iter().find(|minimizer| minimizer.name() == name);
+    PossibleValuesParser::new(Minimizer::ALL.map(Minimizer::name)).map(move |name| named(name).unwrap_or_default())
 }
 
 #[derive(Serialize)]
@@ -199,11 +210,12 @@ impl Task<'_> {
     }
 
     fn settings(&self) -> fit::Settings {
-        let Arguments { hold, prior, starts, seed, .. } = self.arguments;
+        let Arguments { hold, prior, starts, minimizer, seed, .. } = self.arguments;
         fit::Settings {
             hold: hold.clone(),
             priors: prior.clone(),
             starts: *starts,
+            minimizer: *minimizer,
             seed: *seed,
             ..fit::Settings::default()
         }

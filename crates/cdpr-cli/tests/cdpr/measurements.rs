@@ -67,6 +67,21 @@ fn identified_offsets_are_those_of_the_data_and_the_calibrated_robot_predicts_th
 }
 
 #[test]
+fn every_minimizer_finds_the_same_offsets_and_others_are_refused() {
+    for minimizer in ["levenberg-marquardt", "gauss-newton", "dogleg", "trust-region"] {
+        let command =
+            format!("identify square.toml data.csv --free length-offset --minimizer {minimizer} --format json");
+        let (_folder, run) = with_data(&command);
+        for parameter in run.json()["parameters"].as_array().unwrap() {
+            assert!((parameter["value"].as_f64().unwrap() - 0.1).abs() < 1e-9, "{minimizer}: {parameter}");
+        }
+    }
+    let (_folder, run) = with_data("identify square.toml data.csv --free length-offset --minimizer newton");
+    assert_eq!(run.exit_code, 2);
+    assert!(run.stderr.contains("dogleg"), "{}", run.stderr);
+}
+
+#[test]
 fn held_out_samples_are_judged_apart() {
     let (_folder, run) = with_data("identify square.toml data.csv --free length-offset --split column --format json");
     let answer = run.json_with(&["validation", "validation_before"]);

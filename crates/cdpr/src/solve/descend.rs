@@ -8,6 +8,9 @@ use crate::scalar::{Real, Select};
 /// Promised share of the cost below which the cost before and after a step do not tell how good the promise was.
 const HIDDEN_GAIN: f64 = 1e-10;
 
+/// Share of a step below which its direction is no use.
+const LEAST_FRACTION: f64 = 1e-8;
+
 /// Steps from the start, which the problem holds as its first trial, until they are small or no use.
 ///
 /// The start is a trial like all others, so that an evaluation is compiled once; everything here is inlined into its caller, where
@@ -119,8 +122,9 @@ impl<'a, P: Problem> Search<'a, P> {
             }
             StepRule::Shortening => {
                 self.fraction = n.constant(1.0).select(helps, n.constant(0.5) * self.fraction);
-                let is_short = (self.fraction * self.step.size).is_less(self.rules.tolerance);
-                let is_short = n.both(fails, is_short);
+                let is_small = (self.fraction * self.step.size).is_less(self.rules.tolerance);
+                let is_least = self.fraction.is_less(n.constant(LEAST_FRACTION));
+                let is_short = n.both(fails, n.either(is_small, is_least));
                 self.is_last = n.without(self.is_last, fails);
                 if n.any(is_short) {
                     self.end_at_rest(problem, is_short);

@@ -1,14 +1,12 @@
 //! Ways to the least squares of parameters within bounds: what their steps are.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
-use serde::Serialize;
 
 use super::bounded::{Room, bounded_step, clamped, stopped};
 use super::{Control, OF_SINGULAR, StepRule};
 
 /// Method that finds the least squares of parameters. All end at the same optimum; they differ in the way there.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimizer {
     /// Damped Gauss–Newton steps (Levenberg 1944, Marquardt 1963), bounds by an active set.
@@ -44,6 +42,19 @@ pub(crate) struct Surroundings<'a> {
 }
 
 impl Minimizer {
+    /// All of them, the default first.
+    pub const ALL: [Self; 4] = [Self::LevenbergMarquardt, Self::GaussNewton, Self::Dogleg, Self::TrustRegion];
+
+    /// Name in options and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LevenbergMarquardt => "levenberg-marquardt",
+            Self::GaussNewton => "gauss-newton",
+            Self::Dogleg => "dogleg",
+            Self::TrustRegion => "trust-region",
+        }
+    }
+
     /// Rule by which the loop shortens its steps.
     pub(crate) fn rule(self) -> StepRule {
         match self {

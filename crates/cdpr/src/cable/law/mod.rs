@@ -14,6 +14,8 @@
 //! element, 1e-4 and 1e-7 of the stiffness for a steel cable at 700 N.
 
 mod lengths;
+mod matrix4;
+mod newton;
 mod parameters;
 mod sagging;
 mod solve;

@@ -1,6 +1,6 @@
 //! How a cable at given tension changes with its own parameters.
 
-use super::solve::Matrix4;
+use super::matrix4::Matrix4;
 use super::{CableLaw, Kind};
 use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;

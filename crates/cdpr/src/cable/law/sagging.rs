@@ -1,7 +1,7 @@
 //! The equations of a cable with weight, and their derivatives by its state.
 
 use super::CableLaw;
-use super::solve::Matrix4;
+use super::matrix4::Matrix4;
 use crate::cable::outlet::bent::{self, Outlet, Pulley};
 use crate::cable::span::{Change, Shape, State};
 use crate::scalar::{add, dot, scale, sub};

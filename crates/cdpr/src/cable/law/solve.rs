@@ -1,4 +1,4 @@
-//! Newton's method for the state of a cable with weight, and what follows from the state.
+//! The state of a cable with weight, sought from several starts, and what follows from it.
 
 use super::CableLaw;
 use super::sagging::Evaluation;
@@ -7,61 +7,11 @@ use crate::cable::span::{Shape, State};
 use crate::cable::state::{CableInput, CableState, CableStateError};
 use crate::cable::wrench::CableEnd;
 use crate::scalar::{add, dot, scale, sub};
-use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// States of one cable after which no further search begins: tensions that weight leaves no cable take some hundreds.
 pub(super) const MAX_STEPS: u32 = 2500;
 /// States that one run of Newton's method tries before giving up; where it succeeds it mostly takes fewer than ten.
 pub(super) const MAX_NEWTON_STEPS: u32 = 400;
-/// Distance from the state sought, relative to force and length, that ends the search.
-const TOLERANCE: f64 = 1e-12;
-/// Gap beside the free length that is left to rounding.
-const ROUNDING: f64 = 1e-12;
-/// Longest step, relative to force and length.
-const LONGEST_STEP: f64 = 0.7;
-
-/// A 4 × 4 matrix by rows.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Matrix4(pub(super) [[f64; 4]; 4]);
-
-impl Matrix4 {
-    pub(super) fn of_columns(columns: [[f64; 4]; 4]) -> Self {
-        Self(std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row])))
-    }
-
-    /// Solves for several right sides (rows of `right` are the equations) by elimination with pivots; entries that are not
-    /// finite come out where there is no solution.
-    pub(super) fn solve<const N: usize>(mut self, mut right: [[f64; N]; 4]) -> [[f64; N]; 4] {
-        let matrix = &mut self.0;
-        for pivot in 0..4 {
-            let largest =
-                (pivot..4).fold(pivot, |a, b| if matrix[b][pivot].abs() > matrix[a][pivot].abs() { b } else { a });
-            matrix.swap(pivot, largest);
-            right.swap(pivot, largest);
-            let inverse = 1.0 / matrix[pivot][pivot];
-            for row in pivot + 1..4 {
-                let factor = matrix[row][pivot] * inverse;
-                for column in pivot + 1..4 {
-                    matrix[row][column] -= factor * matrix[pivot][column];
-                }
-                for column in 0..N {
-                    right[row][column] -= factor * right[pivot][column];
-                }
-            }
-        }
-        for row in (0..4).rev() {
-            for column in 0..N {
-                let mut entry = right[row][column];
-                for k in row + 1..4 {
-                    entry -= matrix[row][k] * right[k][column];
-                }
-                right[row][column] = entry / matrix[row][row];
-            }
-        }
-        right
-    }
-}
-
 /// A straight cable in place of the span: where it leaves and how far it is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord {
@@ -180,93 +130,16 @@ impl CableLaw {
 }
 
 /// One cable, its end, and the straight line between.
-struct Search<'a> {
-    law: &'a CableLaw,
-    shape: Shape,
-    platform_anchor: [f64; 3],
-    chord: Chord,
+pub(super) struct Search<'a> {
+    pub(super) law: &'a CableLaw,
+    pub(super) shape: Shape,
+    pub(super) platform_anchor: [f64; 3],
+    pub(super) chord: Chord,
     /// States tried.
-    steps: u32,
-}
-
-/// A state put into the equations, with what they leave open.
-#[derive(Clone, Copy)]
-struct Tried {
-    state: State<f64>,
-    evaluation: Evaluation,
-    /// Platform anchor (m), and what is known of the cable.
-    gap: [f64; 4],
-    /// Size of the gap (m).
-    size: f64,
-}
-
-/// Equations of one cable, as the loop of all searches sees them.
-struct Newton<'a, 's> {
-    search: &'a mut Search<'s>,
-    known: CableInput,
-    at: Tried,
-    trial: Tried,
-    /// Change of force (N) and length (m).
-    step: [f64; 4],
-    /// Of two lengths with one tension, the slacker one is near.
-    is_slacker: bool,
-}
-
-impl solve::Problem for Newton<'_, '_> {
-    type Number = f64;
-
-    fn step(&mut self, _: &Control<f64>) -> Step<f64> {
-        let Tried { state, evaluation, gap, .. } = &self.at;
-        let rows = self.search.rows(evaluation, state, self.known);
-        let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
-        let step = solved.map(|[entry, _]| entry);
-        // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
-        // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
-        // wrapped part shrinks.
-        self.is_slacker = match self.known {
-            CableInput::ControlledLength(_) => false,
-            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
-                let by_tension: f64 = (0..4).map(|k| evaluation.by_state.0[3][k] * solved[k][1]).sum();
-                by_tension * tension > 1e-9 * state.length
-            }
-        };
-        let force_step = [step[0], step[1], step[2]];
-        let tension = dot(state.force, state.force).sqrt();
-        let relative = f64::max(dot(force_step, force_step).sqrt() / tension, step[3].abs() / state.length);
-        // no step turns the force around or makes the length negative
-        let fraction = f64::min(1.0, LONGEST_STEP / relative);
-        self.step = step.map(|entry| fraction * entry);
-        // where only rounding is missing, one more step is enough, however large rounding makes it
-        let size = if self.at.size < ROUNDING * self.search.chord.free_length { 0.0 } else { fraction * relative };
-        Step::whole(size, relative.is_finite())
-    }
-
-    fn evaluate(&mut self, fraction: f64, _: bool) -> Trial<f64> {
-        if self.at.size < f64::INFINITY {
-            self.trial = self.search.tried(moved(&self.at.state, &self.step, fraction), self.known);
-        }
-        Trial::new(1.0, self.trial.size < self.at.size)
-    }
-
-    fn accept(&mut self, helps: bool, _: f64) {
-        if helps {
-            self.at = self.trial;
-        }
-    }
-
-    fn rests(&mut self, _: f64, _: f64) -> bool {
-        self.at.size < ROUNDING * self.search.chord.free_length
-    }
+    pub(super) steps: u32,
 }
 
 impl Search<'_> {
-    fn tried(&mut self, state: State<f64>, known: CableInput) -> Tried {
-        self.steps += 1;
-        let evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
-        let gap = self.gap(&evaluation, &state, known);
-        Tried { state, evaluation, gap, size: self.size(&gap, known) }
-    }
-
     fn not_found(&self, gap: f64) -> CableStateError {
         CableStateError::NotConverged { iterations: self.steps, gap }
     }
@@ -345,69 +218,6 @@ impl Search<'_> {
         State { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
     }
 
-    fn gap(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> [f64; 4] {
-        let [x, y, z] = sub(evaluation.end, self.platform_anchor);
-        let last = match known {
-            CableInput::ControlledLength(length) => evaluation.controlled_length - length,
-            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
-                self.known_tension(state, known) - tension
-            }
-        };
-        [x, y, z, last]
-    }
-
-    /// The tension at the end where it is known (N).
-    fn known_tension(&self, state: &State<f64>, known: CableInput) -> f64 {
-        let force = match known {
-            CableInput::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
-            _ => state.force,
-        };
-        dot(force, force).sqrt()
-    }
-
-    /// Rows of the equations by the state.
-    fn rows(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> Matrix4 {
-        let mut rows = evaluation.by_state;
-        let unit = |force: [f64; 3]| scale(1.0 / dot(force, force).sqrt(), force);
-        match known {
-            CableInput::ControlledLength(_) => {}
-            CableInput::OutletTension(_) => {
-                let [x, y, z] = unit(state.force);
-                rows.0[3] = [x, y, z, 0.0];
-            }
-            CableInput::PlatformTension(_) => {
-                let t = unit(evaluation.end_force);
-                rows.0[3] = [t[0], t[1], t[2], -dot(t, self.law.weight)];
-            }
-        }
-        rows
-    }
-
-    /// Size of what is missing (m); a missing tension counts by the share of the tension.
-    fn size(&self, gap: &[f64; 4], known: CableInput) -> f64 {
-        let last = match known {
-            CableInput::ControlledLength(_) => gap[3],
-            CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
-                gap[3] / tension * self.chord.free_length
-            }
-        };
-        (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] + last * last).sqrt()
-    }
-
-    /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
-    fn newton(&mut self, known: CableInput, start: State<f64>) -> Result<State<f64>, f64> {
-        let max_iterations = MAX_NEWTON_STEPS.min(MAX_STEPS.saturating_sub(self.steps));
-        let rules = Rules { tolerance: TOLERANCE, max_iterations, least_gain: 0.0, rule: StepRule::Shortening };
-        let at = self.tried(start, known);
-        let from = Tried { size: f64::INFINITY, ..at };
-        let mut newton = Newton { search: self, known, at: from, trial: at, step: [0.0; 4], is_slacker: false };
-        let end = descend(&mut newton, &rules);
-        match end.stop() == Stop::Stationary && !newton.is_slacker {
-            true => Ok(newton.at.state),
-            false => Err(newton.at.size),
-        }
-    }
-
     /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.
     fn of_known_length(&mut self, length: f64, known: CableInput) -> Option<(f64, State<f64>)> {
         let state = self.newton(CableInput::ControlledLength(length), self.of_length(length)).ok()?;
@@ -467,8 +277,4 @@ impl Search<'_> {
         }
         0.5 * (low + high)
     }
-}
-
-fn moved(state: &State<f64>, step: &[f64; 4], share: f64) -> State<f64> {
-    State { force: [0, 1, 2].map(|k| state.force[k] + share * step[k]), length: state.length + share * step[3] }
 }

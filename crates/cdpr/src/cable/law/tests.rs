@@ -214,6 +214,27 @@ fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
     assert!(tighter.controlled_length < taut.controlled_length);
 }
 
+/// A tension near none is refused with the least one, which the cable can have: rope and steel, over pulleys and without.
+#[test]
+fn the_least_tension_of_a_cable_is_told_wherever_it_ends() {
+    for (density, with_pulley) in [(0.05, false), (0.05, true), (0.8, false), (0.8, true)] {
+        let weight = [0.0, 0.0, -9.81 * density];
+        for (stretch, kind) in
+            [(Stretch::Linear(2e-6), Shape::Catenary), (Stretch::Linear(1e-7), Shape::FiniteElements(12))]
+        {
+            let law = CableLaw { weight, stretch, ..steel(kind, with_pulley) };
+            for anchor in anchors(25) {
+                let least = match law.state(anchor, CableInput::OutletTension(1e-3)) {
+                    Err(CableStateError::TensionTooLow { least, .. }) => least,
+                    other => panic!("{density} {with_pulley} {anchor:?}: {other:?}"),
+                };
+                let cable = law.state(anchor, CableInput::OutletTension(1.01 * least));
+                assert!(cable.is_ok(), "{density} {with_pulley} {anchor:?}: {cable:?}, least {least} N");
+            }
+        }
+    }
+}
+
 /// The chain of elements tends to the catenary with the square of their number.
 #[test]
 fn finite_elements_converge_with_order_two() {
