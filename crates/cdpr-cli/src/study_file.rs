@@ -70,12 +70,12 @@ impl StudyFile {
         self.accepted(self.experiment.poses(self.table()?, seed))
     }
 
-    /// What the experiment answers, or what is wrong with the study.
+    /// Answer of the experiment, or the failure of its study.
     pub(crate) fn accepted<T>(&self, answer: Result<T, InputError>) -> Result<T, Failure> {
         answer.map_err(|error| self.refused(&error))
     }
 
-    /// Something that is wrong with the study.
+    /// Failure of the study.
     pub(crate) fn refused(&self, error: &dyn ErrorCode) -> Failure {
         Failure::refused(&self.name, error)
     }

@@ -165,7 +165,7 @@ impl Point {
 struct Descent<'a> {
     problem: &'a Problem<'a>,
     point: Point,
-    /// Nothing where a cable has no course.
+    /// `None` if a cable has no course.
     trial: Option<Point>,
 }
 

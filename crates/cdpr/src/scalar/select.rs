@@ -16,16 +16,16 @@ pub trait Select: Real {
     /// Whether the mask holds in any lane (the value of `self` does not matter, here and in the next three).
     fn any(self, mask: Self::Mask) -> bool;
 
-    /// Where both hold.
+    /// Lanes in which both hold.
     fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
-    /// Where one of them holds.
+    /// Lanes in which one of them holds.
     fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
-    /// Where the first holds without the second.
+    /// Lanes in which the first holds without the second.
     fn without(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
-    /// Everywhere, or nowhere.
+    /// Mask of all lanes, or of none.
     #[inline(always)]
     fn everywhere(self, holds: bool) -> Self::Mask {
         self.constant(if holds { 0.0 } else { 1.0 }).is_less(self.constant(0.5))

@@ -61,7 +61,7 @@ pub(crate) struct Control<N> {
 }
 
 impl Control<f64> {
-    /// Nothing that limits a step.
+    /// Control that does not limit a step.
     pub(crate) fn none() -> Self {
         Self { damping: 0.0, radius: f64::INFINITY }
     }

@@ -132,7 +132,7 @@ impl Kernel for Eight {
     }
 }
 
-/// What each of eight does never depends on the others, by construction of the loop; here it is seen.
+/// Each of eight is independent of the others, by construction of the loop; here it is seen.
 #[test]
 fn eight_searches_side_by_side_have_the_bits_of_single_ones_on_every_unit() {
     for (rule, weight) in [0, 1, 3].into_iter().flat_map(|rule| [(RULES[rule], 1.0), (RULES[rule], 0.0)]) {

@@ -34,7 +34,7 @@ struct Newton<'a, 's> {
     trial: Tried,
     /// Change of force (N) and length (m).
     step: [f64; 4],
-    /// Of two lengths with one tension, the slacker one is near.
+    /// Set near the slacker of two lengths with one tension.
     is_slacker: bool,
     /// States after which the search gives up.
     most: u32,

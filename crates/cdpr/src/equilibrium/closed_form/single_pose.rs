@@ -33,7 +33,7 @@ pub(in crate::equilibrium) struct Found {
 }
 
 impl Kernel for OnePose<'_> {
-    /// Nothing where the general way must look: a cable may have no course, rows may depend on each other, numbers may not be finite.
+    /// `None` leaves it to the general way: a cable may have no course, rows may depend on each other, numbers may not be finite.
     type Output = Option<Found>;
 
     #[inline(always)]

@@ -77,9 +77,9 @@ struct Descent<'a, 'p> {
     start: Pose,
     /// Newton's step, turns as the way at the platform radius (m).
     step: Vector6<f64>,
-    /// Nothing before the start was tried.
+    /// `None` before the start was tried.
     point: Option<Point>,
-    /// Nothing where a cable has no shape.
+    /// `None` if a cable has no shape.
     trial: Option<Point>,
     failure: Option<Failure>,
 }
@@ -118,7 +118,7 @@ impl solve::Problem for Descent<'_, '_> {
         }
     }
 
-    /// Where rounding is all that is left.
+    /// Rounding is all that is left.
     fn rests(&mut self, size: f64, _: f64) -> bool {
         size <= 1e-9 * self.problem.mean_length.max(1.0)
     }

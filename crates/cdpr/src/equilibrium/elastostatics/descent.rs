@@ -100,7 +100,7 @@ struct Descent<'a, L, const N: usize> {
     tensions: &'a mut Tensions,
     pose: Pose,
     trial: Pose,
-    /// Where the search stands and where it tries, in turns.
+    /// Balances at the pose and at the trial, in turns.
     points: [Point<N>; 2],
     here: usize,
     /// The last point at which the stiffness was needed.

@@ -1,4 +1,4 @@
-//! What deviations do, and how the winches are set best: the questions of an experiment that need no poses of its study.
+//! Effects of deviations, and the best setting of the winches: the questions of an experiment that need no poses of its study.
 
 use super::Experiment;
 use crate::metamodel::initial_tension::Task;
@@ -35,7 +35,7 @@ impl Experiment {
         Setting { initial: &self.study.initial, pose: self.start, former: self.former.as_ref(), offsets }
     }
 
-    /// All that may deviate: control model, machine, winches.
+    /// Deviations of control model, machine and winches.
     pub fn causes(&self, offsets: Offsets) -> Vec<Cause> {
         causes(&self.control, &self.machine, &self.setting(offsets))
     }

@@ -28,7 +28,7 @@ impl Experiment {
         Ok(driving.with_history(self.history().as_ref(), &self.start))
     }
 
-    /// All that the study commands: the poses of the table that it names (`from_table`, as the caller read them), those of its grid,
+    /// Commands of the study: the poses of the table that it names (`from_table`, as the caller read them), those of its grid,
     /// random ones by the seed, and tension tests; without those that `[poses] only` leaves out.
     pub fn commands(&self, from_table: Vec<Pose>, seed: u64) -> Result<Vec<CommandedPose>, InputError> {
         let mut commands = self.study.commanded_poses(self.machine.robot(), from_table, seed)?;
@@ -58,7 +58,7 @@ impl Experiment {
         with_motor_angles(&self.control, &self.machine, samples)
     }
 
-    /// What is known about recorded samples; `source` names who recorded them.
+    /// Sidecar of recorded samples; `source` names who recorded them.
     pub fn sidecar(&self, source: impl Into<String>, seed: u64) -> Sidecar {
         Sidecar {
             layout_version: 1,

@@ -40,12 +40,12 @@ impl Experiment {
         }
     }
 
-    /// Which poses count as reached, by the requirements of the study.
+    /// Reachable workspace by the requirements of the study.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
         self.reachable_with(self.requirements())
     }
 
-    /// Which poses count as reached, by requirements of one's own.
+    /// Reachable workspace by requirements of one's own.
     pub fn reachable_with(&self, requirements: Requirements) -> Result<Reachable<'_>, InputError> {
         Reachable::new(self.driving()?, requirements)
     }

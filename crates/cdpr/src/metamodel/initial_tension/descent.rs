@@ -110,7 +110,7 @@ impl Trial {
 /// Nearness to the target, as the loop of all searches sees it.
 struct Descent<'a, 's> {
     search: &'a Search<'s>,
-    /// Nothing before the start was tried.
+    /// `None` before the start was tried.
     here: Option<Trial>,
     there: Option<Trial>,
     /// Step in the tensions, within the limits (N).

@@ -113,7 +113,7 @@ impl<'a> Sensitivity<'a> {
         self
     }
 
-    /// All that may deviate, in the order of the columns of all derivatives: control model, machine, winches.
+    /// Deviations, in the order of the columns of all derivatives: control model, machine, winches.
     pub fn causes(&self) -> &[Cause] {
         &self.causes
     }

@@ -1,4 +1,4 @@
-//! What deviations do to an experiment: derivatives, spread, robots drawn, and tolerances that an accuracy allows.
+//! Deviations of an experiment: derivatives, spread, robots drawn, and tolerances that an accuracy allows.
 
 use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
 use crate::metamodel::experiment::Experiment;
@@ -10,7 +10,7 @@ use crate::metamodel::study::{AccuracyOf, CommandedPose, Tolerances};
 /// Questions about deviations, beside the tolerances of the study.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeviationSettings {
-    /// What deviations do to the winch offsets.
+    /// Treatment of the winch offsets under deviations.
     pub offsets: Offsets,
     /// How drawn robots answer.
     pub engine: Engine,
@@ -25,7 +25,7 @@ pub struct DeviationSettings {
 /// Effect of deviations at the poses of an experiment.
 #[derive(Clone, Debug)]
 pub struct Deviations {
-    /// All that may deviate, in the order of the columns of all derivatives.
+    /// Deviations, in the order of the columns of all derivatives.
     pub causes: Vec<Cause>,
     /// Commanded poses.
     pub commanded: Vec<CommandedPose>,
@@ -113,7 +113,7 @@ fn position_error(at: &PoseSensitivity, command: &CommandedPose) -> f64 {
 }
 
 impl Deviations {
-    /// Of derivatives by differences, the largest error that is estimated, as a share of the largest derivative by a number of the same
+    /// Largest estimated error of derivatives by differences, as a share of the largest derivative by a number of the same
     /// unit at the same pose; nothing for analytic ones.
     pub fn difference_error(&self) -> Option<f64> {
         let mut worst = None;
