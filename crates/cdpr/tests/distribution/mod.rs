@@ -124,10 +124,20 @@ impl Conic {
         self.solve_with_multipliers().0
     }
 
+    /// The opinion to 1e-12 instead of 1e-8, where clarabel comes that far.
+    pub(crate) fn solve_sharply(&self) -> Opinion {
+        let sharp = 1e-12;
+        self.solve_to(DefaultSettings { tol_gap_abs: sharp, tol_gap_rel: sharp, tol_feas: sharp, ..settings() }).0
+    }
+
     /// The opinion, and the multipliers of the balance y (N): near the optimum f − f_m = A y for tensions off their limits.
     pub(crate) fn solve_with_multipliers(&self) -> (Opinion, Vec<f64>) {
+        self.solve_to(settings())
+    }
+
+    fn solve_to(&self, settings: DefaultSettings<f64>) -> (Opinion, Vec<f64>) {
         let Self { cost, linear, rows, right, cones, .. } = self;
-        let mut solver = DefaultSolver::new(cost, linear, rows, right, cones, settings()).expect("a programme");
+        let mut solver = DefaultSolver::new(cost, linear, rows, right, cones, settings).expect("a programme");
         solver.solve();
         let solution = &solver.solution;
         let multipliers = solution.z.iter().zip(&self.scales).map(|(z, scale)| -z * scale * self.unit).collect();

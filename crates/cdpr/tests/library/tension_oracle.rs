@@ -15,6 +15,8 @@ use rand_chacha::ChaCha8Rng;
 const PROBLEMS: usize = 25_000;
 /// Part of the largest limit within which a problem is on the boundary.
 const BOUNDARY: f64 = 1e-6;
+/// Part of an optimum to which clarabel's usual tolerances are trusted; of a difference beyond it clarabel is asked again, to 1e-12.
+const DOUBT: f64 = 1e-6;
 
 /// What came of the problems of one redundancy.
 #[derive(Debug, Default)]
@@ -23,11 +25,29 @@ struct Tally {
     infeasible: usize,
     boundary: usize,
     unclear: usize,
+    /// Optima of which clarabel was asked again.
+    doubted: usize,
     wrong: Vec<String>,
     /// Largest difference of the optimum, as a part of it.
     cost: f64,
     /// Largest difference of a tension, as a part of the largest limit.
     tension: f64,
+}
+
+/// How far two answers to a problem are from each other.
+struct Apart {
+    /// As a part of the optimum; of one below 1e-3 clarabel's absolute tolerance of 1e-8 would be more than 1e-5 of it.
+    cost: f64,
+    /// Of the tension that differs most, as a part of the largest limit.
+    tension: f64,
+}
+
+impl Apart {
+    fn of(problem: &Problem, ours: &[f64], theirs: &[f64]) -> Self {
+        let [our_cost, their_cost] = [ours, theirs].map(|tensions| problem.cost(tensions));
+        let tension = ours.iter().zip(theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        Self { cost: (our_cost - their_cost).abs() / their_cost.max(1e-3), tension: tension / problem.largest_limit() }
+    }
 }
 
 impl Tally {
@@ -43,11 +63,15 @@ impl Tally {
         }
         match (ours.status, problem.conic().solve()) {
             (Status::Feasible, Opinion::Optimum(theirs)) => {
-                let [our_cost, their_cost] = [&ours.tensions, &theirs].map(|tensions| problem.cost(tensions));
-                // of a smaller optimum clarabel's absolute tolerance of 1e-8 would be more than 1e-5
-                self.cost = self.cost.max((our_cost - their_cost).abs() / their_cost.max(1e-3));
-                let apart = ours.tensions.iter().zip(&theirs).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                self.tension = self.tension.max(apart / problem.largest_limit());
+                let apart = Apart::of(problem, &ours.tensions, &theirs);
+                if apart.cost < DOUBT {
+                    return self.note(&apart);
+                }
+                self.doubted += 1;
+                match problem.conic().solve_sharply() {
+                    Opinion::Optimum(sharper) => self.note(&Apart::of(problem, &ours.tensions, &sharper)),
+                    _ => self.unclear += 1,
+                }
             }
             (Status::Infeasible, Opinion::Infeasible) => {}
             (_, opinion) => {
@@ -62,11 +86,17 @@ impl Tally {
         }
     }
 
+    fn note(&mut self, apart: &Apart) {
+        self.cost = self.cost.max(apart.cost);
+        self.tension = self.tension.max(apart.tension);
+    }
+
     fn add(&mut self, other: Self) {
         self.feasible += other.feasible;
         self.infeasible += other.infeasible;
         self.boundary += other.boundary;
         self.unclear += other.unclear;
+        self.doubted += other.doubted;
         self.wrong.extend(other.wrong);
         self.cost = self.cost.max(other.cost);
         self.tension = self.tension.max(other.tension);
@@ -105,9 +135,9 @@ fn verdicts_and_optima_are_those_of_an_interior_point_solver() {
         total += tally.feasible + tally.infeasible;
         assert!(tally.wrong.is_empty(), "{} wrong, first {}", tally.wrong.len(), tally.wrong[0]);
         assert!(tally.feasible > 250 && tally.infeasible > 250, "a one-sided test: {tally:?}");
-        assert!(tally.boundary < 10 && tally.unclear < 100, "an evasive test: {tally:?}");
-        // clarabel keeps limits and balance to 1e-8, which steep multipliers make up to 1.1e-6 of the optimum in 4e5 problems of the soak
-        assert!(tally.cost < 1e-5, "{tally:?}");
+        assert!(tally.boundary < 10 && tally.unclear < 100 && tally.doubted < 100, "an evasive test: {tally:?}");
+        // clarabel keeps limits and balance to 1e-8, which steep multipliers make up to 1.3e-5 of the optimum in 1e6 problems of the soak
+        assert!(tally.cost < DOUBT, "{tally:?}");
         // the square root of clarabel's 1e-8, as the optimum is flat
         assert!(tally.tension < 1e-4, "{tally:?}");
     }
