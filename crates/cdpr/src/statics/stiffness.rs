@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::Load;
-use super::cable_states::cable_states;
+use super::cable_states::cable_state;
 use super::error::{StaticsError, check_tensions};
 use crate::cable::CableState;
 use crate::geometry::{Pose, Twist};
@@ -72,25 +72,30 @@ impl Stiffness {
             controlled_lengths: Vec::with_capacity(m),
             scaling: scaling(model),
         };
-        for (index, state) in cable_states(model, pose, tensions)?.iter().enumerate() {
+        let mut turning = Matrix6::zeros();
+        for (index, &tension) in tensions.iter().enumerate() {
+            let state = cable_state(model, pose, index, tension)?;
             if model.law(index).is_inextensible_line() {
                 return Err(StaticsError::Rigid { cable: index + 1, cure: cure(model, index) });
             }
-            stiffness.add(model, index, state);
+            turning += state.wrench_by_pose();
+            stiffness.add_stretch(model.twist_basis(), index, &state);
         }
+        stiffness.geometric = in_pattern(model, &turning);
         stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
         Ok(stiffness)
     }
 
-    /// Adds a cable: K_C is what its change of tension adds to K_G, (∂W/∂q_θ)(∂q_θ/∂x) at fixed tension.
-    fn add(&mut self, model: &Model, index: usize, state: &CableState) {
-        let basis = model.twist_basis();
-        self.geometric += in_pattern(model, &state.wrench_by_pose());
+    /// Adds what the change of a cable's tension does: K_C is (∂W/∂q_θ)(∂q_θ/∂x) at fixed tension.
+    fn add_stretch(&mut self, basis: &[Twist], index: usize, state: &CableState) {
         let (by_length, by_pose) = (state.wrench_by_controlled_length(), state.controlled_length_by_pose());
         for (row, twist) in basis.iter().enumerate() {
             self.by_controlled_length[(row, index)] = -twist.dot(&by_length);
-            for (column, other) in basis.iter().enumerate() {
-                self.cable[(row, column)] += twist.dot(&by_length) * other.dot(&by_pose);
+        }
+        for (column, twist) in basis.iter().enumerate() {
+            let lengthens = twist.dot(&by_pose);
+            for row in 0..basis.len() {
+                self.cable[(row, column)] -= self.by_controlled_length[(row, index)] * lengthens;
             }
         }
         let along = |a: [f64; 3]| crate::scalar::dot(a, state.direction);
@@ -154,8 +159,11 @@ impl Stiffness {
 /// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
 pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     check_tensions(model, tensions)?;
-    let states = cable_states(model, pose, tensions)?;
-    Ok(in_pattern(model, &states.iter().map(CableState::wrench_by_pose).sum()))
+    let mut turning = Matrix6::zeros();
+    for (index, &tension) in tensions.iter().enumerate() {
+        turning += cable_state(model, pose, index, tension)?.wrench_by_pose();
+    }
+    Ok(in_pattern(model, &turning))
 }
 
 fn scaling(model: &Model) -> DVector<f64> {
@@ -167,7 +175,12 @@ fn scaling(model: &Model) -> DVector<f64> {
 /// Bᵀ M B for the twist basis B.
 fn in_pattern(model: &Model, matrix: &Matrix6<f64>) -> DMatrix<f64> {
     let basis: &[Twist] = model.twist_basis();
-    DMatrix::from_fn(basis.len(), basis.len(), |i, j| basis[i].dot(&(matrix * basis[j])))
+    let mut projected = DMatrix::zeros(basis.len(), basis.len());
+    for (column, twist) in basis.iter().enumerate() {
+        let change = matrix * twist;
+        basis.iter().enumerate().for_each(|(row, other)| projected[(row, column)] = other.dot(&change));
+    }
+    projected
 }
 
 fn cure(model: &Model, index: usize) -> String {
