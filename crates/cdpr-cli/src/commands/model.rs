@@ -8,7 +8,7 @@ use cdpr::metamodel::effects::{
 };
 use cdpr::model::{Composition, Model, Supported};
 use cdpr::robot::Robot;
-use cdpr::statics::{Load, balanced_wrench};
+use cdpr::statics::{Load, LoadError, balanced_wrench};
 use clap::Args;
 use serde::Serialize;
 
@@ -140,13 +140,13 @@ fn tensions(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Chosen,
 }
 
 /// What given tensions balance, or the load asked for.
-fn load(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Result<Load, String>, Failure> {
+fn load(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Result<Load, LoadError>, Failure> {
     match &arguments.tensions {
         Some(NumberList(tensions)) => {
             let wrench = balanced_wrench(model, pose, tensions).map_err(|error| refused("--tensions", &error))?;
             Ok(Ok(Load::constant(wrench)))
         }
-        None if arguments.wrench.is_none() => Ok(Load::of(model.robot()).map_err(|error| error.to_string())),
+        None if arguments.wrench.is_none() => Ok(Load::of(model.robot())),
         None => load_of(model.robot(), arguments.wrench.as_ref()).map(Ok),
     }
 }
@@ -179,8 +179,9 @@ impl EffectAnswer {
         ];
         let mut told: Vec<String> = Vec::new();
         for reason in reasons.into_iter().flatten() {
-            if !told.contains(reason) {
-                told.push(reason.clone());
+            let reason = reason.to_string();
+            if !told.contains(&reason) {
+                told.push(reason);
             }
         }
         let effect = contribution.effect;

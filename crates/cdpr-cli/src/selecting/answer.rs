@@ -164,7 +164,7 @@ impl CandidateAnswer {
             model: candidate.candidate.composition.to_string(),
             free: candidate.candidate.free.to_string(),
             judged: candidate.outcome.as_ref().ok().map(JudgedAnswer::new),
-            failure: candidate.outcome.as_ref().err().cloned(),
+            failure: candidate.outcome.as_ref().err().map(ToString::to_string),
         }
     }
 }

@@ -17,5 +17,5 @@ mod state;
 pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings, Start};
 pub use inverse::{CableCommand, InverseSolution};
 use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
-pub use solution::{Solution, Solutions, Status};
+pub use solution::{NoSolution, Solution, Solutions, Status};
 pub use state::State;

@@ -1,5 +1,7 @@
 //! Answer of every forward problem.
 
+use thiserror::Error;
+
 use crate::geometry::{POSE_ROWS, Pose};
 use crate::scalar::LaneTable;
 
@@ -71,7 +73,25 @@ impl Status {
     }
 }
 
+/// A forward problem whose search ended without an answer.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{}", .reason.as_deref().unwrap_or("the forward problem has no solution"))]
+pub struct NoSolution {
+    /// End of the search.
+    pub status: Status,
+    /// The reason in words, where one is known.
+    pub reason: Option<String>,
+}
+
 impl Solution {
+    /// The solution where it has converged.
+    pub fn converged(&self) -> Result<&Self, NoSolution> {
+        match self.status {
+            Status::Converged => Ok(self),
+            status => Err(NoSolution { status, reason: self.reason.clone() }),
+        }
+    }
+
     /// Room for an answer of this many cables, with as many tensions or none.
     pub(super) fn unsolved(cables: usize, tensions: usize) -> Self {
         Self {

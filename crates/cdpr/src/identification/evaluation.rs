@@ -8,7 +8,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::equilibrium::{
-    ForwardError, ForwardProblem, ForwardSettings, InverseSolution, State, Status, elastostatics,
+    ForwardError, ForwardProblem, ForwardSettings, InverseSolution, NoSolution, State, elastostatics,
 };
 use crate::geometry::Pose;
 use crate::measurement::Samples;
@@ -97,11 +97,21 @@ struct Prediction {
     tensions: Option<Vec<f64>>,
 }
 
+/// Sample without a prediction.
+#[derive(Debug, Error)]
+#[error(transparent)]
+enum NoPrediction {
+    /// No forward problem can be posed.
+    Forward(#[from] ForwardError),
+    /// It has no solution.
+    NoSolution(#[from] NoSolution),
+}
+
 /// The forward problem of a model, for one sample after the other.
 enum Predictor {
     Problem(ForwardProblem, Box<ForwardSettings>),
     /// No sample has an answer, for this reason.
-    None(String),
+    None(elastostatics::InputError),
 }
 
 impl Predictor {
@@ -118,20 +128,19 @@ impl Predictor {
     }
 
     /// The prediction, or why there is none.
-    fn predict(&self, model: &Model, controlled: &[f64], near: &Pose, state: &mut State) -> Result<Prediction, String> {
+    fn predict(
+        &self,
+        model: &Model,
+        controlled: &[f64],
+        near: &Pose,
+        state: &mut State,
+    ) -> Result<Prediction, NoPrediction> {
         let settings = match self {
-            Self::None(reason) => return Err(reason.clone()),
+            Self::None(reason) => return Err(ForwardError::from(reason.clone()).into()),
             Self::Problem(_, settings) => settings,
         };
-        let found =
-            model.forward_with(settings, controlled, None, Some(near), state).map_err(|error| error.to_string())?;
-        match found.status {
-            Status::Converged => {
-                let tensions = self.knows_tensions().then(|| found.tensions.clone());
-                Ok(Prediction { pose: found.pose, tensions })
-            }
-            _ => Err(found.reason.clone().unwrap_or_else(|| "the forward problem has no solution".to_owned())),
-        }
+        let found = model.forward_with(settings, controlled, None, Some(near), state)?.converged()?;
+        Ok(Prediction { pose: found.pose, tensions: self.knows_tensions().then(|| found.tensions.clone()) })
     }
 }
 
@@ -148,7 +157,7 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
 pub fn evaluate_fitted(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
     let mut state = State::at_home(model);
     let predictor = match Predictor::new(model, &mut state) {
-        Err(EvaluationError::Forward(reason)) => Predictor::None(reason.to_string()),
+        Err(EvaluationError::Forward(reason)) => Predictor::None(reason),
         other => other?,
     };
     evaluate_with(&predictor, model, samples, &mut state)
@@ -195,9 +204,9 @@ fn evaluate_with(
 
 impl Evaluation {
     /// Appends the errors of a predicted pose, or the reason why there is none.
-    fn add_pose(&mut self, predicted: Result<&Prediction, &String>, measured: &Pose) {
+    fn add_pose(&mut self, predicted: Result<&Prediction, &NoPrediction>, measured: &Pose) {
         if let Err(reason) = predicted {
-            self.not_converged.push((self.len(), reason.clone()));
+            self.not_converged.push((self.len(), reason.to_string()));
         }
         let shift = predicted.map_or([f64::NAN; 3], |predicted| (predicted.pose.position - measured.position).into());
         self.position.push(nalgebra::Vector3::from(shift).norm());

@@ -11,10 +11,10 @@ pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 use thiserror::Error;
 
 use super::candidate::Candidate;
-use super::evaluation::{ErrorBlocks, Evaluation, evaluate_fitted};
+use super::evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate_fitted};
 use super::fit::{self, Fit, fit};
 use crate::measurement::{Fold, Samples};
-use crate::model::{Composition, Model};
+use crate::model::{Composition, Model, ModelError};
 use crate::robot::Robot;
 
 /// How candidates are compared.
@@ -37,8 +37,8 @@ pub struct Judged {
     pub name: String,
     /// The candidate.
     pub candidate: Candidate,
-    /// What could be judged, or why the candidate could not be identified.
-    pub outcome: Result<Judgement, String>,
+    /// Fit and errors, or the reason for which the candidate cannot be judged.
+    pub outcome: Result<Judgement, CandidateFailure>,
 }
 
 /// Fit and errors of one candidate.
@@ -98,6 +98,18 @@ impl Selection {
     }
 }
 
+/// Reason for which a candidate cannot be judged.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error(transparent)]
+pub enum CandidateFailure {
+    /// A robot that lacks what the composition asks for.
+    Model(#[from] ModelError),
+    /// Data that do not fit the free parameters.
+    Fit(#[from] fit::InputError),
+    /// A fitted model that cannot be compared with the data.
+    Evaluation(#[from] EvaluationError),
+}
+
 /// A comparison that cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
@@ -112,8 +124,8 @@ pub enum InputError {
     AllFailed {
         /// The first candidate.
         name: String,
-        /// Why it failed.
-        reason: String,
+        /// Its failure.
+        reason: CandidateFailure,
     },
 }
 
@@ -174,10 +186,10 @@ fn judge(
     folds: &[Fold],
     settings: &Settings,
     progress: &(dyn Fn() + Sync),
-) -> Result<Judgement, String> {
-    let model = Model::new(robot.clone(), candidate.composition).map_err(|error| error.to_string())?;
+) -> Result<Judgement, CandidateFailure> {
+    let model = Model::new(robot.clone(), candidate.composition)?;
     let fit_to = |part: &Samples| {
-        let fitted = fit(&model, part, &candidate.free, &settings.fit).map_err(|error| error.to_string());
+        let fitted = fit(&model, part, &candidate.free, &settings.fit);
         progress();
         fitted
     };
@@ -188,8 +200,7 @@ fn judge(
     for fold in folds {
         let train = samples.subset(&fold.train);
         let fitted = fit_to(&train)?;
-        let evaluation =
-            evaluate_fitted(&fitted.model, &samples.subset(&fold.validation)).map_err(|error| error.to_string())?;
+        let evaluation = evaluate_fitted(&fitted.model, &samples.subset(&fold.validation))?;
         fold_blocks.push((fold.name.clone(), evaluation.blocks()));
         errors.extend(&evaluation);
         validation_samples.extend(&fold.validation);
@@ -201,7 +212,7 @@ fn judge(
     };
     let validation = errors.blocks();
     Ok(Judgement {
-        train: evaluate_fitted(&reported.model, &train).map_err(|error| error.to_string())?.blocks(),
+        train: evaluate_fitted(&reported.model, &train)?.blocks(),
         fit: reported,
         requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
         validation,

@@ -1,6 +1,7 @@
 //! A control model as a controller uses it: lengths for poses.
 
 use super::input_error::InputError;
+use super::operation_error::OperationError;
 use super::study::TensionMethod;
 use crate::equilibrium::{State, distribution};
 use crate::geometry::Pose;
@@ -87,17 +88,15 @@ impl<'a> Controller<'a> {
     }
 
     /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none.
-    pub(super) fn lengths(&mut self, pose: &Pose, state: &mut State) -> Result<Vec<f64>, String> {
-        let words = |error: &dyn std::error::Error| error.to_string();
+    pub(super) fn lengths(&mut self, pose: &Pose, state: &mut State) -> Result<Vec<f64>, OperationError> {
         if let Some(distribution) = &mut self.distribution {
-            let found = distribution.solve(pose).map_err(|error| words(&error))?;
+            let found = distribution.solve(pose)?;
             if let Some(reason) = found.reason {
-                return Err(format!("the control model finds no tensions: {}", reason.words()));
+                return Err(OperationError::NoTensions(reason));
             }
             self.tensions = found.tensions;
         }
-        let command = self.model.inverse(pose, &self.tensions, state).map_err(|error| words(&error))?;
-        command.recorded_lengths().map_err(|error| words(&error))
+        Ok(self.model.inverse(pose, &self.tensions, state)?.recorded_lengths()?)
     }
 }
 

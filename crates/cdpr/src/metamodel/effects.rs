@@ -6,15 +6,17 @@
 //! changes between the home pose and this one.
 
 mod displacement;
+mod error;
 
 use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, Supported, WinchError};
 use crate::robot::{Cable, HysteresisTable, Robot};
-use crate::statics::{Load, controlled_lengths};
+use crate::statics::{Load, LoadError, controlled_lengths};
 use crate::tension::Limits;
 
 pub use displacement::{Displacement, Method, displacement};
+pub use error::EffectError;
 
 /// The state at which effects are compared.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,13 +24,13 @@ pub struct State {
     /// The platform pose.
     pub pose: Pose,
     /// The load on the platform, or why it is unknown, which suits rigid straight cables alone.
-    pub load: Result<Load, String>,
+    pub load: Result<Load, LoadError>,
     /// Tensions that balance the load, where the robot measures them (N); `None` when there are none, which suits rigid straight
     /// cables alone.
     pub tensions: Option<Vec<f64>>,
 }
 
-/// What one effect changes. A quantity that cannot be told comes with the reason in words.
+/// What one effect changes. A quantity that cannot be told comes with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
     /// The effect.
@@ -38,15 +40,15 @@ pub struct Contribution {
     /// The effects of the control model.
     pub control: Composition,
     /// Controlled lengths of the control model minus those of the machine, per cable (m).
-    pub lengths: Result<Vec<f64>, String>,
+    pub lengths: Result<Vec<f64>, EffectError>,
     /// Largest change of the tensions that balance the load and are nearest to the middle of the limits (N).
-    pub distribution: Result<f64, String>,
+    pub distribution: Result<f64, EffectError>,
     /// What the platform of the machine does with the control model's lengths.
-    pub platform: Result<Displacement, String>,
+    pub platform: Result<Displacement, EffectError>,
     /// The lengths minus those at the home pose: what winch offsets set there do not take up (m).
-    pub lengths_beyond_home: Result<Vec<f64>, String>,
+    pub lengths_beyond_home: Result<Vec<f64>, EffectError>,
     /// What the platform does with these.
-    pub platform_beyond_home: Result<Displacement, String>,
+    pub platform_beyond_home: Result<Displacement, EffectError>,
 }
 
 /// What the effects of a machine with the richest composition that its robot supports change, each on its own, and what
@@ -69,27 +71,27 @@ pub fn contributions(machine: &Model, supported: &Supported, state: &State) -> R
 }
 
 /// The state at the home pose under the same load.
-fn home(machine: &Model, state: &State) -> Result<State, String> {
-    let pose = machine.robot().home.ok_or("the file has no home pose at which winch offsets would be set")?;
+fn home(machine: &Model, state: &State) -> Result<State, EffectError> {
+    let pose = machine.robot().home.ok_or(EffectError::NoHome)?;
     if pose == state.pose {
         return Ok(state.clone());
     }
     let tensions = match distribution(machine, &pose, &state.load) {
         Ok(tensions) => Some(tensions),
         Err(_) if machine.lengths_without_tensions(&pose).is_some() => None,
-        Err(reason) => return Err(format!("at the home pose: {reason}")),
+        Err(reason) => return Err(EffectError::AtHome(Box::new(reason))),
     };
     Ok(State { pose, load: state.load.clone(), tensions })
 }
 
 /// The tensions nearest to the middle of the limits.
-fn distribution(model: &Model, pose: &Pose, load: &Result<Load, String>) -> Result<Vec<f64>, String> {
+fn distribution(model: &Model, pose: &Pose, load: &Result<Load, LoadError>) -> Result<Vec<f64>, EffectError> {
     let load = load.as_ref().map_err(Clone::clone)?;
-    let limits = Limits::of(model.robot(), None, None).map_err(|error| error.to_string())?;
-    let found = distribution::solve(model, pose, load, &limits).map_err(|error| error.to_string())?;
+    let limits = Limits::of(model.robot(), None, None)?;
+    let found = distribution::solve(model, pose, load, &limits)?;
     match found.reason {
         None => Ok(found.tensions),
-        Some(reason) => Err(reason.words().to_owned()),
+        Some(reason) => Err(EffectError::Unbalanced(reason)),
     }
 }
 
@@ -105,14 +107,14 @@ impl Comparison<'_> {
         effect: &'static str,
         replaced_by: Option<&'static str>,
         state: &State,
-        home: Result<&State, &String>,
+        home: Result<&State, &EffectError>,
     ) -> Contribution {
         let lengths = self.lengths(state);
         let lengths_beyond_home = lengths.clone().and_then(|here| {
             let there = self.lengths(home.map_err(Clone::clone)?)?;
             Ok(here.iter().zip(&there).map(|(here, there)| here - there).collect::<Vec<f64>>())
         });
-        let moved = |lengths: &Result<Vec<f64>, String>| {
+        let moved = |lengths: &Result<Vec<f64>, EffectError>| {
             displacement(self.machine, state, lengths.as_ref().map_err(Clone::clone)?)
         };
         Contribution {
@@ -128,17 +130,17 @@ impl Comparison<'_> {
     }
 
     /// Controlled lengths of the control model minus those of the machine, for the same tensions where robots measure them.
-    fn lengths(&self, state: &State) -> Result<Vec<f64>, String> {
+    fn lengths(&self, state: &State) -> Result<Vec<f64>, EffectError> {
         let of = |model: &Model| match &state.tensions {
-            Some(tensions) => controlled_lengths(model, &state.pose, tensions).map_err(|error| error.to_string()),
+            Some(tensions) => Ok(controlled_lengths(model, &state.pose, tensions)?),
             None => match model.lengths_without_tensions(&state.pose) {
-                Some(lengths) => lengths.map_err(|error| error.to_string()),
-                None => Err("the tensions are unknown".to_owned()),
+                Some(lengths) => Ok(lengths?),
+                None => Err(EffectError::UnknownTensions),
             },
         };
-        let paid_out = |(cable, length): (usize, f64)| self.paid_out(cable, length).map_err(|error| error.to_string());
+        let paid_out = |(cable, length): (usize, f64)| self.paid_out(cable, length);
         let control: Vec<f64> =
-            of(self.control)?.into_iter().enumerate().map(paid_out).collect::<Result<_, String>>()?;
+            of(self.control)?.into_iter().enumerate().map(paid_out).collect::<Result<_, WinchError>>()?;
         Ok(control.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine).collect())
     }
 
@@ -151,7 +153,7 @@ impl Comparison<'_> {
         }
     }
 
-    fn distribution(&self, state: &State) -> Result<f64, String> {
+    fn distribution(&self, state: &State) -> Result<f64, EffectError> {
         let of = |model: &Model| distribution(model, &state.pose, &state.load);
         Ok(largest(of(self.control)?.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine)))
     }

@@ -3,11 +3,12 @@
 use super::control::{Control, Controller};
 use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
+use super::operation_error::OperationError;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
 use crate::equilibrium::{Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
-use crate::model::Model;
+use crate::model::{Model, WinchError};
 use crate::scalar::LaneTable;
 
 /// What a machine answers to one command.
@@ -28,6 +29,16 @@ pub struct Outcome {
     pub status: Status,
     /// The reason in words where the status is not [`Status::Converged`].
     pub reason: Option<String>,
+}
+
+impl Outcome {
+    /// An error with the reason unless the machine has come to rest.
+    pub(super) fn at_rest(&self) -> Result<(), OperationError> {
+        match self.status {
+            Status::Converged => Ok(()),
+            status => Err(OperationError::NoRest { status, reason: self.reason.clone() }),
+        }
+    }
 }
 
 /// What emerges for many commands.
@@ -175,19 +186,20 @@ impl<'a> Operation<'a> {
     }
 
     /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
-    pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
+    pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
         self.control.lengths(pose, &mut self.states.control)
     }
 
     /// Controlled lengths of the machine's cables when a pose is commanded (m), or why there are none.
-    pub fn controlled_lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, String> {
-        let paid_out = self.sent(&CommandedPose::at(*pose)).and_then(|sent| self.winding.to_machine(&sent))?;
+    pub fn controlled_lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
+        let sent = self.sent(&CommandedPose::at(*pose))?;
+        let paid_out = self.winding.to_machine(&sent)?;
         let machine = self.machine.model();
         Ok(paid_out.iter().enumerate().map(|(cable, &length)| machine.controlled_length(cable, length)).collect())
     }
 
     /// Lengths that the winches pay out when these are sent, in the units of the machine's encoders (m).
-    pub(super) fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
+    pub(super) fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.winding.to_machine(sent)
     }
 
@@ -269,7 +281,7 @@ impl<'a> Operation<'a> {
     }
 
     /// What the winches are told (m).
-    fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, String> {
+    fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, OperationError> {
         let mut sent = self.control.lengths(&command.pose, &mut self.states.control)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
         if let Some(test) = command.shortened {
@@ -282,11 +294,11 @@ impl<'a> Operation<'a> {
     fn reach(&mut self, command: &CommandedPose) -> Outcome {
         let sent = match self.sent(command) {
             Ok(lengths) => lengths,
-            Err(reason) => return nothing_sent(&command.pose, reason),
+            Err(reason) => return nothing_sent(&command.pose, &reason),
         };
         let paid_out = match self.winding.to_machine(&sent) {
             Ok(lengths) => lengths,
-            Err(reason) => return nothing_sent(&command.pose, reason),
+            Err(reason) => return nothing_sent(&command.pose, &reason),
         };
         let mut outcome = self.machine.answer(paid_out, &command.pose, &mut self.states.machine);
         outcome.sent = sent;
@@ -298,13 +310,13 @@ impl<'a> Operation<'a> {
     }
 }
 
-fn nothing_sent(commanded: &Pose, reason: String) -> Outcome {
+fn nothing_sent(commanded: &Pose, reason: &dyn std::error::Error) -> Outcome {
     Outcome {
         pose: *commanded,
         sent: Vec::new(),
         recorded: Vec::new(),
         tensions: None,
         status: Status::NotCommanded,
-        reason: Some(reason),
+        reason: Some(reason.to_string()),
     }
 }

@@ -7,8 +7,9 @@ mod set_up;
 mod tests;
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
-pub use key::{Key, KeyError};
+pub use key::{Key, KeyError, KeyReason};
 pub use point::{Row, Subjects, row};
 pub use set_up::{PointError, check};
 
@@ -88,7 +89,7 @@ impl Sweep {
         for (index, parameter) in sweep.parameter.iter().enumerate() {
             let place = [Step::Key("parameter"), Step::Index(index)];
             parameter.key.parse::<Key>().map_err(|reason| error(&place, reason.to_string()))?;
-            parameter.all_values().map_err(|reason| error(&place, reason))?;
+            parameter.all_values().map_err(|reason| error(&place, reason.to_string()))?;
         }
         match sweep.points().len() {
             count if count > MOST_POINTS => {
@@ -112,23 +113,54 @@ impl Sweep {
     }
 }
 
+/// Values of a parameter that make no sweep.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{key}: {reason}")]
+pub struct ValuesError {
+    /// Key of the parameter.
+    pub key: String,
+    /// Its values' fault.
+    pub reason: ValuesReason,
+}
+
+/// Fault of a parameter's values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum ValuesReason {
+    /// Neither a list nor a range, or both.
+    #[error("give either `values`, or `from`, `to` and `count`")]
+    Form,
+    /// An empty list, or a number that is NaN or infinite.
+    #[error("values are finite numbers, one at least")]
+    NotFinite,
+    /// A range of too few or too many points.
+    #[error("count is a whole number from 2 to {MOST_POINTS}")]
+    Count,
+    /// Equal ratios from or to a number that is not positive.
+    #[error("logarithmic spacing needs ends above 0")]
+    Logarithm,
+}
+
 impl Parameter {
-    /// The values, listed or spaced; in words what is wrong with them.
-    pub fn all_values(&self) -> Result<Vec<f64>, String> {
+    /// The values, listed or spaced.
+    pub fn all_values(&self) -> Result<Vec<f64>, ValuesError> {
+        self.values_or_reason().map_err(|reason| ValuesError { key: self.key.clone(), reason })
+    }
+
+    fn values_or_reason(&self) -> Result<Vec<f64>, ValuesReason> {
         let values = match (&self.values, self.from, self.to, self.count) {
             (Some(values), None, None, None) => values.clone(),
             (None, Some(from), Some(to), Some(count)) => self.spaced(from, to, count)?,
-            _ => return Err(format!("{}: give either `values`, or `from`, `to` and `count`", self.key)),
+            _ => return Err(ValuesReason::Form),
         };
         match values.is_empty() || values.iter().any(|value| !value.is_finite()) {
-            true => Err(format!("{}: values are finite numbers, one at least", self.key)),
+            true => Err(ValuesReason::NotFinite),
             false => Ok(values),
         }
     }
 
-    fn spaced(&self, from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
+    fn spaced(&self, from: f64, to: f64, count: usize) -> Result<Vec<f64>, ValuesReason> {
         if !(2..=MOST_POINTS).contains(&count) {
-            return Err(format!("{}: count is a whole number from 2 to {MOST_POINTS}", self.key));
+            return Err(ValuesReason::Count);
         }
         let share = |index: usize| index as f64 / (count - 1) as f64;
         match self.spacing {
@@ -136,7 +168,7 @@ impl Parameter {
             Spacing::Logarithmic if from > 0.0 && to > 0.0 => {
                 Ok((0..count).map(|index| from * (to / from).powf(share(index))).collect())
             }
-            Spacing::Logarithmic => Err(format!("{}: logarithmic spacing needs ends above 0", self.key)),
+            Spacing::Logarithmic => Err(ValuesReason::Logarithm),
         }
     }
 }

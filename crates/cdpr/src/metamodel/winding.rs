@@ -49,13 +49,12 @@ impl<'a> Winding<'a> {
     }
 
     /// Lengths that the machine pays out when the control model sends these (m).
-    pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, String> {
+    pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.convert(sent, |[control, machine], length| machine.controlled_length(control.motor_angle(length)?))
-            .map_err(|error| error.to_string())
     }
 
     /// How the length that the machine pays out follows the one sent, cable by cable; `None` where it is the one sent.
-    pub(super) fn gradients(&self, sent: &[f64]) -> Result<Option<Vec<WindingGradient>>, String> {
+    pub(super) fn gradients(&self, sent: &[f64]) -> Result<Option<Vec<WindingGradient>>, GrooveError> {
         if self.winches.is_empty() {
             return Ok(None);
         }
@@ -68,8 +67,7 @@ impl<'a> Winding<'a> {
             let by_sent = per_angle * control.gear_ratio / control_drum.by_angle;
             Ok(WindingGradient { by_sent, control: control_drum, machine: machine_drum })
         };
-        let gradients: Result<Vec<_>, GrooveError> = self.winches.iter().zip(sent).map(one).collect();
-        gradients.map(Some).map_err(|error| error.to_string())
+        self.winches.iter().zip(sent).map(one).collect::<Result<_, _>>().map(Some)
     }
 
     /// Lengths that the control model believes in when the machine has paid out these (m).

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use roxmltree::{Document, Node, ParsingOptions};
+use thiserror::Error;
 
 use super::{MAGNITUDE_LIMIT, Place, ReadError, Size, text_from_bytes};
 
@@ -202,12 +203,12 @@ impl<'t, 'a> Element<'t, 'a> {
     /// The number inside.
     pub(crate) fn number(&self) -> Result<f64, ReadError> {
         let text = self.text()?;
-        number(text).map_err(|why| self.content_error("xml::wrong-type", why))
+        number(text).map_err(|why| self.content_error("xml::wrong-type", why.to_string()))
     }
 
     /// The three numbers inside.
     pub(crate) fn vector(&self) -> Result<[f64; 3], ReadError> {
-        let list = numbers(self.text()?).map_err(|why| self.content_error("xml::wrong-type", why))?;
+        let list = numbers(self.text()?).map_err(|why| self.content_error("xml::wrong-type", why.to_string()))?;
         let count = list.len();
         list.try_into().map_err(|_| {
             let message = format!("<{}> needs 3 numbers, found {count}", self.name());
@@ -227,20 +228,31 @@ fn is_blank(node: &Node<'_, '_>) -> bool {
     node.text().is_none_or(|text| text.trim().is_empty())
 }
 
+/// Text that is no number to calculate with; its first 40 characters.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub(crate) enum NumberError {
+    #[error("{shown} is beyond ±{MAGNITUDE_LIMIT:e}")]
+    Beyond { shown: String },
+    #[error("{shown} is not a number to calculate with")]
+    NotFinite { shown: String },
+    #[error("`{shown}` is not a number")]
+    NotANumber { shown: String },
+}
+
 /// Numbers separated by spaces or commas; infinite ones only where the caller takes them.
-pub(crate) fn numbers(text: &str) -> Result<Vec<f64>, String> {
+pub(crate) fn numbers(text: &str) -> Result<Vec<f64>, NumberError> {
     let words = text.split(|separator: char| separator.is_whitespace() || separator == ',');
     words.filter(|word| !word.is_empty()).map(number).collect()
 }
 
 /// A number that can be calculated with.
-pub(crate) fn number(text: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str) -> Result<f64, NumberError> {
     let shown: String = text.chars().take(40).collect();
     match text.parse::<f64>() {
         Ok(number) if number.abs() <= MAGNITUDE_LIMIT => Ok(number),
-        Ok(number) if number.is_finite() => Err(format!("{shown} is beyond ±{MAGNITUDE_LIMIT:e}")),
-        Ok(_) => Err(format!("{shown} is not a number to calculate with")),
-        Err(_) => Err(format!("`{shown}` is not a number")),
+        Ok(number) if number.is_finite() => Err(NumberError::Beyond { shown }),
+        Ok(_) => Err(NumberError::NotFinite { shown }),
+        Err(_) => Err(NumberError::NotANumber { shown }),
     }
 }
 

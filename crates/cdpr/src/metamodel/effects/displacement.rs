@@ -2,11 +2,12 @@
 
 use nalgebra::{DVector, Vector3};
 
+use super::error::EffectError;
 use super::{State, largest};
 use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Status};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
-use crate::statics::{Stiffness, cable_state};
+use crate::statics::{StaticsError, Stiffness, cable_state};
 
 /// The machine's own lengths must lead back to its pose within this (m; angles times the platform radius): otherwise the
 /// forward problem does not answer for this machine.
@@ -37,7 +38,7 @@ pub struct Displacement {
 }
 
 /// What the platform of a machine at rest in a state does when its controlled lengths change by `change` (m), one per cable.
-pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Displacement, String> {
+pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Displacement, EffectError> {
     let tensions = match (&state.tensions, ForwardProblem::of(machine, state.load.is_ok())) {
         (Some(tensions), ForwardProblem::Equilibrium) => tensions,
         _ => return by_geometry(machine, &state.pose, change),
@@ -47,24 +48,18 @@ pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Di
         None if ForwardProblem::of(machine, false) == ForwardProblem::Equilibrium => {
             to_first_order(machine, state, tensions, change)
         }
-        None => Err("the lengths of this pose, or the changed ones, let the platform rest nowhere near it".to_owned()),
+        None => Err(EffectError::NotNear),
     }
 }
 
 /// Rigid straight cables: the pose whose lengths fit best.
-fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacement, String> {
-    let own = machine.cable_lengths(pose).map_err(|error| error.to_string())?;
+fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacement, EffectError> {
+    let own = machine.cable_lengths(pose).map_err(StaticsError::from)?;
     let lengths: Vec<f64> = own.iter().zip(change).map(|(own, change)| own + change).collect();
     let mut machine_state = equilibrium::State::at(machine, pose);
-    let found =
-        machine.forward(&lengths, None, Some(pose), &mut machine_state).map_err(|error| error.to_string())?.clone();
-    match found.status {
-        Status::Converged => {
-            let (translation, rotation) = apart(pose, &found.pose);
-            Ok(Displacement { translation, rotation, tension: None, slack: 0, method: Method::Exact })
-        }
-        _ => Err(found.reason.unwrap_or_else(|| "the lengths lead to no pose".to_owned())),
-    }
+    let found = machine.forward(&lengths, None, Some(pose), &mut machine_state)?.converged()?;
+    let (translation, rotation) = apart(pose, &found.pose);
+    Ok(Displacement { translation, rotation, tension: None, slack: 0, method: Method::Exact })
 }
 
 /// By the forward problem; `None` where it has no answer.
@@ -90,18 +85,21 @@ fn by_equilibrium(machine: &Model, state: &State, tensions: &[f64], change: &[f6
     Some(Displacement { translation, rotation, tension, slack, method: Method::Exact })
 }
 
-fn to_first_order(machine: &Model, state: &State, tensions: &[f64], change: &[f64]) -> Result<Displacement, String> {
+fn to_first_order(
+    machine: &Model,
+    state: &State,
+    tensions: &[f64],
+    change: &[f64],
+) -> Result<Displacement, EffectError> {
     let load = state.load.as_ref().map_err(Clone::clone)?;
-    let stiffness = Stiffness::at(machine, &state.pose, tensions, load).map_err(|error| error.to_string())?;
-    let by_lengths = stiffness
-        .pose_by_controlled_lengths()
-        .ok_or("the platform can move without resistance, so that its displacement is not determined")?;
+    let stiffness = Stiffness::at(machine, &state.pose, tensions, load)?;
+    let by_lengths = stiffness.pose_by_controlled_lengths().ok_or(EffectError::Singular)?;
     let moved = by_lengths * DVector::from_column_slice(change);
     let twist: Twist = machine.twist_basis().iter().zip(moved.iter()).map(|(unit, share)| unit * *share).sum();
     let (step, turn) = (Vector3::new(twist[0], twist[1], twist[2]), Vector3::new(twist[3], twist[4], twist[5]));
     let (mut most, mut slack) = (0.0_f64, 0);
     for (index, (&tension, change)) in tensions.iter().zip(change).enumerate() {
-        let cable = cable_state(machine, &state.pose, index, tension).map_err(|error| error.to_string())?;
+        let cable = cable_state(machine, &state.pose, index, tension)?;
         let tension_change =
             (change - cable.controlled_length_by_pose().dot(&twist)) / cable.controlled_length_by_tension;
         most = most.max(tension_change.abs());

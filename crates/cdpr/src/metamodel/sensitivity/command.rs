@@ -7,6 +7,7 @@ use super::choice::Choice;
 use crate::geometry::Pose;
 use crate::metamodel::control::{Control, TensionChoice};
 use crate::metamodel::input_error::InputError;
+use crate::metamodel::operation_error::OperationError;
 use crate::model::Model;
 use crate::statics::{StaticsError, cable_state};
 
@@ -23,24 +24,22 @@ impl<'a> Command<'a> {
     }
 
     /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
-    pub(super) fn by_causes(&mut self, pose: &Pose, causes: &[Cause]) -> Result<Vec<DVector<f64>>, String> {
-        let words = |error: &dyn std::error::Error| error.to_string();
+    pub(super) fn by_causes(&mut self, pose: &Pose, causes: &[Cause]) -> Result<Vec<DVector<f64>>, OperationError> {
         let Control { model, tension_method } = self.control;
         let m = model.cable_count();
         let Some(TensionChoice { solver, load, limits }) = &mut self.choice else {
-            return causes.iter().map(|cause| at_tensions(model, pose, &vec![0.0; m], cause)).collect();
+            return causes.iter().map(|cause| Ok(at_tensions(model, pose, &vec![0.0; m], cause)?)).collect();
         };
-        let found = solver.solve(pose).map_err(|error| words(&error))?;
+        let found = solver.solve(pose)?;
         if let Some(reason) = found.reason {
-            return Err(format!("the control model finds no tensions: {}", reason.words()));
+            return Err(OperationError::NoTensions(reason));
         }
-        let choice = Choice::by(tension_method, (model, pose), load, limits, &found.tensions)
-            .map_err(|error| words(&error))?
-            .map_err(|reason| format!("the tensions of the control model have no derivative: {reason}"))?;
+        let choice = Choice::by(tension_method, (model, pose), load, limits, &found.tensions)?
+            .map_err(OperationError::NotSmooth)?;
         let stretch = by_tensions(model, pose, &found.tensions)?;
         let one = |cause: &Cause| {
             let fixed = at_tensions(model, pose, &found.tensions, cause)?;
-            let chosen = choice.by_cause(cause).map_err(|error| words(&error))?;
+            let chosen = choice.by_cause(cause)?;
             Ok(fixed + stretch.component_mul(&chosen))
         };
         causes.iter().map(one).collect()
@@ -48,10 +47,15 @@ impl<'a> Command<'a> {
 }
 
 /// Change of the recorded lengths at fixed tensions (m).
-pub(super) fn at_tensions(model: &Model, pose: &Pose, tensions: &[f64], cause: &Cause) -> Result<DVector<f64>, String> {
+pub(super) fn at_tensions(
+    model: &Model,
+    pose: &Pose,
+    tensions: &[f64],
+    cause: &Cause,
+) -> Result<DVector<f64>, StaticsError> {
     let mut change = DVector::zeros(model.cable_count());
     if let Some(parameter) = cause.parameter() {
-        let state = cable_state(model, pose, cause.cable, tensions[cause.cable]).map_err(|error| error.to_string())?;
+        let state = cable_state(model, pose, cause.cable, tensions[cause.cable])?;
         let (_, length) = model.by_parameter((cause.cable, &state), &parameter, &pose.rotation_matrix());
         change[cause.cable] = length * cause.parameter_change(model);
     }
@@ -59,8 +63,7 @@ pub(super) fn at_tensions(model: &Model, pose: &Pose, tensions: &[f64], cause: &
 }
 
 /// Change of each recorded length per newton of the cable's tension (m/N).
-pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DVector<f64>, String> {
+pub(super) fn by_tensions(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DVector<f64>, StaticsError> {
     let slope = |(cable, &tension)| Ok(cable_state(model, pose, cable, tension)?.by_given_tension(1.0).1);
-    let slopes: Result<Vec<f64>, StaticsError> = tensions.iter().enumerate().map(slope).collect();
-    Ok(DVector::from_vec(slopes.map_err(|error| error.to_string())?))
+    tensions.iter().enumerate().map(slope).collect::<Result<_, _>>().map(DVector::from_vec)
 }

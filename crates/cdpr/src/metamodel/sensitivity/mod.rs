@@ -23,7 +23,8 @@ pub use setting::{Offsets, Setting};
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome, Status};
+use super::operate::{Operation, Outcome};
+use super::operation_error::OperationError;
 use super::study::{CommandedPose, History};
 use super::winches::tension_model;
 use crate::geometry::Pose;
@@ -39,7 +40,7 @@ pub struct PoseSensitivity {
     /// What emerges without deviations.
     pub outcome: Outcome,
     /// The derivatives, or why there are none.
-    pub derivatives: Result<Derivatives, String>,
+    pub derivatives: Result<Derivatives, OperationError>,
 }
 
 /// Derivatives by every cause, a column each.
@@ -135,31 +136,17 @@ impl<'a> Sensitivity<'a> {
             return alone.pop().ok_or(InputError::NoPoses);
         }
         let outcome = self.operation.answer(command);
-        let derivatives = match (outcome.status, &outcome.reason) {
-            (Status::Converged, _) => self.derivatives(command, &outcome)?,
-            (_, Some(reason)) => Err(reason.clone()),
-            (status, None) => Err(status.name().to_owned()),
-        };
-        Ok(PoseSensitivity { outcome, derivatives })
+        match outcome.at_rest().and_then(|()| self.derivatives(command, &outcome)) {
+            Err(OperationError::Input(error)) => Err(error),
+            derivatives => Ok(PoseSensitivity { outcome, derivatives }),
+        }
     }
 
-    fn derivatives(
-        &mut self,
-        command: &CommandedPose,
-        outcome: &Outcome,
-    ) -> Result<Result<Derivatives, String>, InputError> {
-        let windings = match Windings::at(self.control.model, self.machine, &outcome.sent)? {
-            Ok(windings) => windings,
-            Err(reason) => return Ok(Err(reason)),
-        };
-        let Some(equilibrium) = self.equilibrium(outcome)? else {
-            return Ok(Err("the stiffness of the machine is singular at the emerging pose".to_owned()));
-        };
+    fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {
+        let windings = Windings::at(self.control.model, self.machine, &outcome.sent)?;
+        let equilibrium = self.equilibrium(outcome)?.ok_or(OperationError::Singular)?;
         let of_control: Vec<Cause> = self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
-        let commanded = match self.command.by_causes(&command.pose, &of_control) {
-            Ok(changes) => changes,
-            Err(reason) => return Ok(Err(reason)),
-        };
+        let commanded = self.command.by_causes(&command.pose, &of_control)?;
         let (n, m, count) = (self.machine.dof(), self.machine.cable_count(), self.causes.len());
         let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
         for (column, (cause, offsets)) in self.causes.iter().zip(&self.offsets).enumerate() {
@@ -175,7 +162,7 @@ impl<'a> Sensitivity<'a> {
             tensions.set_column(column, &answer.tensions);
         }
         let tensions = outcome.tensions.is_some().then_some(tensions);
-        Ok(Ok(Derivatives { pose, tensions, errors: None }))
+        Ok(Derivatives { pose, tensions, errors: None })
     }
 
     fn equilibrium(&self, outcome: &Outcome) -> Result<Option<Equilibrium<'a>>, InputError> {
@@ -184,8 +171,7 @@ impl<'a> Sensitivity<'a> {
             return Ok(Equilibrium::elastic(machine, pose, tensions, load)?);
         }
         let controlled = |(cable, &length): (usize, &f64)| machine.controlled_length(cable, length);
-        let paid_out: Vec<f64> =
-            self.operation.paid_out(&outcome.sent).map_err(|reason| InputError::NotBalanced { reason })?;
+        let paid_out: Vec<f64> = self.operation.paid_out(&outcome.sent).map_err(InputError::Winch)?;
         let lengths: Vec<f64> = paid_out.iter().enumerate().map(controlled).collect();
         Ok(Equilibrium::rigid(machine, pose, &lengths)?)
     }

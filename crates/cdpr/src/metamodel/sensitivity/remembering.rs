@@ -12,7 +12,8 @@ use super::cause::{Cause, Side};
 use super::{Derivatives, PoseSensitivity, Sensitivity};
 use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::{Operation, Outcome, Status};
+use crate::metamodel::operate::{Operation, Outcome};
+use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::study::CommandedPose;
 use crate::model::Model;
 
@@ -80,22 +81,18 @@ impl Path<'_> {
         self.drive(own_control.as_ref().unwrap_or(control.model), own_machine.as_ref().unwrap_or(machine), &offsets)
     }
 
-    fn derivatives(&self, place: usize, outcome: &Outcome, shifted: &[Shifted]) -> Result<Derivatives, String> {
-        let reason = |outcome: &Outcome| outcome.reason.clone().unwrap_or_else(|| outcome.status.name().to_owned());
-        if outcome.status != Status::Converged {
-            return Err(reason(outcome));
-        }
+    fn derivatives(&self, place: usize, outcome: &Outcome, shifted: &[Shifted]) -> Result<Derivatives, OperationError> {
+        outcome.at_rest()?;
         let Sensitivity { machine, causes, .. } = self.sensitivity;
         let (n, m, count) = (machine.dof(), machine.cable_count(), causes.len());
         let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
         let mut errors = DVector::zeros(count);
         for (column, (cause, paths)) in causes.iter().zip(shifted).enumerate() {
             let [below, above, near_below, near_above] = paths.each_ref().map(|path| &path[place]);
-            if let Some(lost) =
-                [below, above, near_below, near_above].into_iter().find(|end| end.status != Status::Converged)
-            {
-                return Err(format!("{} deviating: {}", cause.name(machine), reason(lost)));
-            }
+            [below, above, near_below, near_above]
+                .into_iter()
+                .try_for_each(Outcome::at_rest)
+                .map_err(|reason| OperationError::Deviating { cause: cause.name(machine), reason: Box::new(reason) })?;
             let step = step(cause);
             let basis = machine.twist_basis();
             let moved = |from: &Outcome, to: &Outcome, by: f64| {

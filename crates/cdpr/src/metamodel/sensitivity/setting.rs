@@ -10,6 +10,7 @@ use super::windings::Windings;
 use crate::geometry::Pose;
 use crate::metamodel::control::lengths_at;
 use crate::metamodel::input_error::InputError;
+use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::study::{Initial, TensionMethod};
 use crate::metamodel::winches::{aim, initial_tensions, tension_model, winch_offsets};
 use crate::model::Model;
@@ -104,15 +105,16 @@ impl<'a> AtInitial<'a> {
         let sent = lengths_at(set_with, pose, &tensions)?;
         let offsets = winch_offsets(setting.initial, set_with, machine, pose)?;
         let wanted: Vec<f64> = sent.iter().zip(&offsets).map(|(sent, offset)| sent + offset).collect();
-        let windings =
-            Windings::at(set_with, machine, &wanted)?.map_err(|reason| InputError::NotBalanced { reason })?;
+        let windings = Windings::at(set_with, machine, &wanted).map_err(|error| match error {
+            OperationError::Input(error) => error,
+            other => InputError::NotBalanced { reason: other.to_string() },
+        })?;
         let (mut as_they_are, mut chosen) = (None, None);
         if let Some(elastic) = elastic {
             as_they_are = Choice::nearest(elastic, pose, &tensions, &tensions)?.ok();
             chosen = choice(setting.initial, elastic, pose, &tensions)?;
         }
-        let stretch = |model| by_tensions(model, pose, &tensions).map_err(|reason| InputError::NotBalanced { reason });
-        let stretch = [stretch(machine)?, stretch(set_with)?];
+        let stretch = [by_tensions(machine, pose, &tensions)?, by_tensions(set_with, pose, &tensions)?];
         Ok(Self { setting, control, machine, set_with, tensions, carries, windings, as_they_are, chosen, stretch })
     }
 
@@ -141,8 +143,7 @@ impl<'a> AtInitial<'a> {
             (true, Some(choice)) => choice.by_cause(cause)?,
             (true, None) => return self.by_differences(cause),
         };
-        let refused = |reason| InputError::NotBalanced { reason };
-        let own = at_tensions(model, &self.setting.pose, &self.tensions, cause).map_err(refused)?;
+        let own = at_tensions(model, &self.setting.pose, &self.tensions, cause)?;
         let mut machine = DVector::zeros(self.tensions.len());
         machine[cause.cable] -= self.windings.by_cause(cause);
         let mut change = self.by_tension_change(&tensions);
@@ -161,7 +162,6 @@ impl<'a> AtInitial<'a> {
                 let mut robot = model.robot().clone();
                 cause.deviate(model, &mut robot, by);
                 Model::new(robot, model.composition())
-                    .map_err(|error| InputError::NotBalanced { reason: error.to_string() })
             };
             let Setting { initial, pose, former, .. } = self.setting;
             let found = match cause.side {

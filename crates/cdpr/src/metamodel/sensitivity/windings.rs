@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::cause::{Cause, Kind, Side};
 use crate::cable::winch::DrumLength;
-use crate::metamodel::input_error::InputError;
+use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::winding::{Winding, WindingGradient};
 use crate::model::Model;
 
@@ -17,9 +17,9 @@ pub(super) struct Windings<'a> {
 }
 
 impl<'a> Windings<'a> {
-    pub(super) fn at(control: &'a Model, machine: &'a Model, sent: &[f64]) -> Result<Result<Self, String>, InputError> {
+    pub(super) fn at(control: &'a Model, machine: &'a Model, sent: &[f64]) -> Result<Self, OperationError> {
         let winding = Winding::new(control, machine)?;
-        Ok(winding.gradients(sent).map(|gradients| Self { control, machine, gradients }))
+        Ok(Self { control, machine, gradients: winding.gradients(sent)? })
     }
 
     /// Change of the lengths paid out, per change of the lengths sent (m).

@@ -148,12 +148,12 @@ fn check_poses(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
     let points = match &poses.grid {
         None => 0,
         Some(grid) => {
-            check_grid(grid).map_err(|message| place.error(&["poses", "grid"], message))?;
+            check_grid(grid, &|message| place.error(&["poses", "grid"], message))?;
             grid.count.iter().try_fold(1_usize, |all, &count| all.checked_mul(count)).unwrap_or(usize::MAX)
         }
     };
     if let Some(random) = &poses.random {
-        check_random(random, poses.grid.as_ref()).map_err(|message| place.error(&["poses", "random"], message))?;
+        check_random(random, poses.grid.as_ref(), &|message| place.error(&["poses", "random"], message))?;
     }
     let random = poses.random.as_ref().map_or(0, |random| random.count);
     match points.saturating_add(random) > POSE_LIMIT {
@@ -162,32 +162,34 @@ fn check_poses(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
     }
 }
 
-fn check_random(random: &Random, grid: Option<&Grid>) -> Result<(), String> {
+fn check_random(random: &Random, grid: Option<&Grid>, error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
     if random.min.is_some() != random.max.is_some() {
-        return Err("a box has two corners: min and max".to_owned());
+        return Err(error("a box has two corners: min and max".to_owned()));
     }
     match random.corners(grid) {
-        Some([min, max]) => check_corners(min, max),
-        None => Err("random poses need a box: add min and max here, or [poses.grid]".to_owned()),
+        Some([min, max]) => check_corners(min, max, error),
+        None => Err(error("random poses need a box: add min and max here, or [poses.grid]".to_owned())),
     }
 }
 
-fn check_corners(min: &[f64], max: &[f64]) -> Result<(), String> {
+fn check_corners(min: &[f64], max: &[f64], error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
     if min.len() != max.len() {
-        return Err(format!("min has {} components, max {}; they must be equally many", min.len(), max.len()));
+        return Err(error(format!("min has {} components, max {}; they must be equally many", min.len(), max.len())));
     }
     for (index, (min, max)) in min.iter().zip(max).enumerate() {
         if !(min <= max) {
-            return Err(format!("component {}: min {min} is above max {max}", index + 1));
+            return Err(error(format!("component {}: min {min} is above max {max}", index + 1)));
         }
     }
     Ok(())
 }
 
-fn check_grid(grid: &Grid) -> Result<(), String> {
+fn check_grid(grid: &Grid, error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
     let (dimension, max, count) = (grid.min.len(), grid.max.len(), grid.count.len());
     if max != dimension || count != dimension {
-        return Err(format!("min has {dimension} components, max {max}, count {count}; they must be equally many"));
+        return Err(error(format!(
+            "min has {dimension} components, max {max}, count {count}; they must be equally many"
+        )));
     }
-    check_corners(&grid.min, &grid.max)
+    check_corners(&grid.min, &grid.max, error)
 }

@@ -59,9 +59,37 @@ pub enum KeyError {
     Nowhere {
         /// The key.
         key: String,
-        /// What is missing.
-        reason: String,
+        /// Fault of its way.
+        reason: KeyReason,
     },
+}
+
+/// Fault of a key's way through a file.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum KeyReason {
+    /// A table or list that is missing on the way.
+    #[error("there is no `{name}`")]
+    NoTable {
+        /// Its name.
+        name: String,
+    },
+    /// A list that is shorter.
+    #[error("there are {count} entries, not {entry}")]
+    NoEntry {
+        /// Entry asked for, from 1.
+        entry: usize,
+        /// Entries of the list.
+        count: usize,
+    },
+    /// A name behind what is not a table.
+    #[error("`{name}` stands in no table")]
+    InNoTable {
+        /// The name.
+        name: String,
+    },
+    /// Brackets behind what is not a list.
+    #[error("brackets stand behind lists only")]
+    InNoList,
 }
 
 impl FromStr for Key {
@@ -125,7 +153,7 @@ impl fmt::Display for Key {
 impl Key {
     /// Writes a number at the key's place of a file; a key that the last table lacks is added.
     pub fn set(&self, file: &mut Table, value: f64) -> Result<(), KeyError> {
-        let nowhere = |reason: String| KeyError::Nowhere { key: self.to_string(), reason };
+        let nowhere = |reason| KeyError::Nowhere { key: self.to_string(), reason };
         let mut whole = Value::Table(std::mem::take(file));
         let done = set(&mut whole, &self.steps, value).map_err(nowhere);
         if let Value::Table(table) = whole {
@@ -135,7 +163,7 @@ impl Key {
     }
 }
 
-fn set(here: &mut Value, steps: &[Word], value: f64) -> Result<(), String> {
+fn set(here: &mut Value, steps: &[Word], value: f64) -> Result<(), KeyReason> {
     let Some((step, rest)) = steps.split_first() else {
         *here = Value::Float(value);
         return Ok(());
@@ -147,15 +175,15 @@ fn set(here: &mut Value, steps: &[Word], value: f64) -> Result<(), String> {
                 table.insert(name.clone(), Value::Float(value));
                 Ok(())
             }
-            None => Err(format!("there is no `{name}`")),
+            None => Err(KeyReason::NoTable { name: name.clone() }),
         },
         (Word::Entry(Some(index)), Value::Array(list)) => {
             let count = list.len();
-            let entry = list.get_mut(*index).ok_or_else(|| format!("there are {count} entries, not {}", index + 1))?;
+            let entry = list.get_mut(*index).ok_or(KeyReason::NoEntry { entry: index + 1, count })?;
             set(entry, rest, value)
         }
         (Word::Entry(None), Value::Array(list)) => list.iter_mut().try_for_each(|entry| set(entry, rest, value)),
-        (Word::Name(name), _) => Err(format!("`{name}` stands in no table")),
-        (Word::Entry(_), _) => Err("brackets stand behind lists only".to_owned()),
+        (Word::Name(name), _) => Err(KeyReason::InNoTable { name: name.clone() }),
+        (Word::Entry(_), _) => Err(KeyReason::InNoList),
     }
 }

@@ -160,15 +160,15 @@ impl Run<'_> {
         }
         let answers = self.makers.make(deviations).and_then(|made| {
             let batched = match &self.batch {
-                Some(batch) => batch.answers(self.models.1, &made, room).map_err(|error| error.to_string())?,
+                Some(batch) => batch.answers(self.models.1, &made, room)?,
                 None => None,
             };
             match batched {
                 Some(poses) => Ok(self.judged(poses)),
-                None => self.one_by_one(&made).map_err(|error| error.to_string()),
+                None => self.one_by_one(&made),
             }
         });
-        answers.unwrap_or_else(|reason| (vec![[f64::NAN; 3]; self.poses.len()], Some(reason)))
+        answers.unwrap_or_else(|reason| (vec![[f64::NAN; 3]; self.poses.len()], Some(reason.to_string())))
     }
 
     fn judged(&self, poses: Vec<Option<Pose>>) -> Row {
@@ -194,12 +194,13 @@ impl Run<'_> {
         let mut reason = None;
         let answers = self.poses.iter().enumerate().map(|(place, command)| {
             let outcome = operation.answer(command);
-            if outcome.status == Status::Converged {
-                return self.answer(place, &outcome.pose);
+            match outcome.at_rest() {
+                Ok(()) => self.answer(place, &outcome.pose),
+                Err(why) => {
+                    reason.get_or_insert_with(|| format!("pose {}: {why}", place + 1));
+                    [f64::NAN; 3]
+                }
             }
-            let why = || outcome.reason.unwrap_or_else(|| outcome.status.name().to_owned());
-            reason.get_or_insert_with(|| format!("pose {}: {}", place + 1, why()));
-            [f64::NAN; 3]
         });
         Ok((answers.collect(), reason))
     }

@@ -64,22 +64,21 @@ impl<'a> Makers<'a> {
     }
 
     /// The robot with these deviations, or why there is none.
-    pub(super) fn make(&self, deviations: &[f64]) -> Result<Made, String> {
-        let words = |error: InputError| error.to_string();
+    pub(super) fn make(&self, deviations: &[f64]) -> Result<Made, InputError> {
         let (control, machine) =
             (self.deviating(Side::Control, deviations)?, self.deviating(Side::Machine, deviations)?);
         let set = match self.setting.offsets {
             Offsets::Kept => (self.control, self.machine),
             Offsets::SetAnew => (control.as_ref().unwrap_or(self.control), machine.as_ref().unwrap_or(self.machine)),
         };
-        let mut offsets = self.set_offsets(set, deviations).map_err(words)?;
+        let mut offsets = self.set_offsets(set, deviations)?;
         for (cause, by) in self.causes.iter().zip(deviations).filter(|(cause, _)| cause.kind == Kind::WinchOffset) {
             offsets[cause.cable] += by;
         }
         Ok(Made { control, machine, offsets })
     }
 
-    fn deviating(&self, side: Side, deviations: &[f64]) -> Result<Option<Model>, String> {
+    fn deviating(&self, side: Side, deviations: &[f64]) -> Result<Option<Model>, InputError> {
         let model = if side == Side::Control { self.control } else { self.machine };
         let mut own = self.causes.iter().zip(deviations).filter(|(cause, _)| cause.side == side).peekable();
         if own.peek().is_none() {
@@ -87,7 +86,7 @@ impl<'a> Makers<'a> {
         }
         let mut robot = model.robot().clone();
         own.for_each(|(cause, &by)| cause.deviate(model, &mut robot, by));
-        Model::new(robot, model.composition()).map(Some).map_err(|error| error.to_string())
+        Ok(Some(Model::new(robot, model.composition())?))
     }
 
     fn set_offsets(&self, (control, machine): (&Model, &Model), deviations: &[f64]) -> Result<Vec<f64>, InputError> {

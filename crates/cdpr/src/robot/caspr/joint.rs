@@ -95,7 +95,7 @@ impl Joint {
     fn coordinates(&self, element: &Element<'_, '_>, attribute: &str) -> Result<Option<Vec<f64>>, ReadError> {
         let Some(text) = element.attribute(attribute) else { return Ok(None) };
         let wrong = |why: String| element.attribute_error(attribute, "xml::wrong-type", format!("{attribute}: {why}"));
-        let list = numbers(text).map_err(wrong)?;
+        let list = numbers(text).map_err(|why| wrong(why.to_string()))?;
         match (list.len(), self.coordinate_count()) {
             (found, expected) if found == expected => Ok(Some(list)),
             (found, expected) => {
