@@ -8,7 +8,7 @@ use super::Cable;
 use super::file::{CableSection, RobotFile};
 use super::reading::{Reader, key_name};
 use super::{StretchError, rising_range};
-use crate::reading::{ReadError, Step};
+use crate::reading::{MAGNITUDE_LIMIT, ReadError, Step};
 
 /// Most cables that are read: no robot comes near, and every matrix stays small.
 const CABLE_LIMIT: usize = 10_000;
@@ -155,8 +155,10 @@ impl CableReader<'_> {
 
     pub(super) fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
         match number {
-            Some(number) if number <= 0.0 => {
-                let message = format!("{} is {number}; it must be above zero", key_name(&self.path(key)));
+            Some(number) if number < 1.0 / MAGNITUDE_LIMIT => {
+                let least =
+                    if number > 0.0 { format!(", at least {:e}", 1.0 / MAGNITUDE_LIMIT) } else { String::new() };
+                let message = format!("{} is {number:?}; it must be above zero{least}", key_name(&self.path(key)));
                 Err(self.error(key, "robot::not-positive", &message).with_help("leave the key out if unknown"))
             }
             fine => Ok(fine),

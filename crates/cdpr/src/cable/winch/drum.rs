@@ -236,7 +236,8 @@ impl Parameters {
             true => Ok(()),
             false => Err(DrumError::Number { key, value, needed }),
         };
-        number("drum_radius_m", self.radius, self.radius > 0.0, "the radius of a drum is above zero")?;
+        // of a smaller one not even the turns can be counted
+        number("drum_radius_m", self.radius, self.radius >= 1e-30, "the radius of a drum is above zero")?;
         number("drum_pitch_m", self.pitch, self.pitch >= 0.0, "the pitch of a groove is zero or above")?;
         number("drum_start_angle_rad", self.start_angle, true, "it must be a finite number")?;
         number("drum_start_length_m", self.start_length, true, "it must be a finite number")?;

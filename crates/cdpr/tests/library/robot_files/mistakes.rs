@@ -166,6 +166,7 @@ fn mistakes_of_winches_are_told_with_their_place() {
     let text = with_drum();
     for (from, to, at, code) in [
         ("drum_radius_m = 0.1", "drum_radius_m = 0.0", "0.0", "robot::not-positive"),
+        ("drum_radius_m = 0.1", "drum_radius_m = 5e-324", "5e-324", "robot::not-positive"),
         ("drum_radius_m = 0.1", "drum_radius_m = 10.0", "[-1.0, -0.5", "robot::drum-place"),
         ("drum_pitch_m = 0.008", "drum_pitch_m = -0.008", "-0.008", "robot::negative"),
         ("drum_pitch_m = 0.008", "drum_pitch_m = 0.0", "0.2", "robot::groove"),
