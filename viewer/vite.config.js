@@ -1,9 +1,9 @@
-// Bundles the viewer into the files that the command inlines into every report.
+// Bundles the viewer into the files that are inlined into every page.
 import { defineConfig } from "vite";
 import { notices } from "./build/notices.js";
 import { stamp } from "./build/stamp.js";
 
-const output = process.env.CDPR_VIEWER_OUT ?? "../crates/cdpr-cli/src/report/generated";
+const output = process.env.CDPR_VIEWER_OUT ?? "../crates/cdpr-reports/src/html_page/generated";
 
 export default defineConfig({
   logLevel: "warn",

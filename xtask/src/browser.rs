@@ -8,8 +8,8 @@ use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 use crate::{cargo, notices};
 
-/// What `viewer/` makes, in the folder that the command includes it from.
-const GENERATED: &str = "crates/cdpr-cli/src/report/generated";
+/// What `viewer/` makes, in the folder that pages include it from.
+const GENERATED: &str = "crates/cdpr-reports/src/html_page/generated";
 const MADE: [&str; 4] = ["notices.txt", "viewer.css", "viewer.js", "viewer.stamp"];
 
 /// Passes when the bundle is what its sources make and every page is as it should be; says why where it cannot look.
@@ -39,7 +39,7 @@ pub(crate) fn fetch(root: &Path) -> Result<(), String> {
     packages(root)
 }
 
-/// Builds the viewer into the folder of the command.
+/// Builds the viewer into the folder of the pages.
 pub(crate) fn build(root: &Path) -> Result<(), String> {
     packages(root)?;
     run(npm(root, &["run", "build"]))?;

@@ -30,8 +30,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
 /// optimisation themselves, in half of the time.
 const TESTS: [&[&str]; 2] = [
     &["test", "--release", "-p", "cdpr-cli", "-p", "instructions", "--test", "*"],
-    &["test", "--release", "-p", "cdpr-cli", "--bins", "--config", "profile.release.package.cdpr-cli.opt-level=0"],
+    &["test", "--release", "-p", "cdpr-cli", "-p", "cdpr-reports", "--bins", "--lib", "--config", UNOPTIMISED],
 ];
+
+const UNOPTIMISED: &str = "profile.release.package.cdpr-cli.opt-level=0";
 
 /// Compiles what [`check`] runs, without a word: where that fails, `check` says why.
 pub(crate) fn build(root: &Path) {

@@ -24,7 +24,8 @@ const ROOMS: &[&[&str]] = &[
 ];
 
 /// Each crate of the workspace and the workspace crates that it may depend on.
-const CRATES: &[(&str, &[&str])] = &[("cdpr", &[]), ("cdpr-cli", &["cdpr"])];
+const CRATES: &[(&str, &[&str])] =
+    &[("cdpr", &[]), ("cdpr-reports", &["cdpr"]), ("cdpr-cli", &["cdpr", "cdpr-reports"])];
 
 /// Complains of every use to the right, of rooms that are not listed, and of crates that depend the wrong way.
 pub(crate) fn check(root: &Path) -> Outcome {

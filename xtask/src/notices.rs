@@ -8,7 +8,7 @@ use crate::packages::{Licence, Package, linked};
 const FILE: &str = "THIRD-PARTY.txt";
 
 /// What the build of `viewer/` says of the packages in its bundle.
-const BUNDLE: &str = "crates/cdpr-cli/src/report/generated/notices.txt";
+const BUNDLE: &str = "crates/cdpr-reports/src/html_page/generated/notices.txt";
 
 /// A heading, some copyright lines, or Apache's appendix stand beside the terms; more words say more than that.
 const WORDS_BESIDES: usize = 260;

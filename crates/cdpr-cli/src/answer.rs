@@ -8,8 +8,8 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use crate::diagnostics;
-use crate::envelope::Envelope;
 use crate::failure::Failure;
+use cdpr_reports::answers::Envelope;
 
 /// How an answer is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

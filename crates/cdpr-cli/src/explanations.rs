@@ -56,7 +56,7 @@ mod tests {
             }
         }
         let mut found = Vec::new();
-        for folder in ["src", "../cdpr/src"] {
+        for folder in ["src", "../cdpr/src", "../cdpr-reports/src"] {
             collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut found);
         }
         assert!(found.len() > 100, "the sources are not where they were");

@@ -4,6 +4,8 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::console;
 
+pub(crate) use cdpr_reports::number_format::cell;
+
 /// Rows of cells under a heading; the first column is aligned left, the others right unless asked for.
 pub(crate) struct Table {
     heading: Vec<String>,
@@ -141,20 +143,6 @@ fn append(lines: &mut Vec<String>, piece: &str, width: usize) {
         if let Some(line) = lines.last_mut().filter(|line| !(line.is_empty() && character == ' ')) {
             line.push(character);
         }
-    }
-}
-
-/// A number with this many decimals; a dash for none.
-pub(crate) fn cell(number: Option<f64>, decimals: usize) -> String {
-    match number {
-        Some(number) if number.is_finite() => {
-            let text = format!("{number:.decimals$}");
-            // rounded to zero, a number has no sign
-            let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));
-            if is_zero { text.trim_start_matches('-').to_owned() } else { text }
-        }
-        Some(number) if number.is_infinite() => "∞".to_owned(),
-        _ => "–".to_owned(),
     }
 }
 

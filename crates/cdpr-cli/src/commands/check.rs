@@ -18,7 +18,7 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::RobotArgument;
 use crate::missing_effects::{self, MissingEffect, missing_effects};
-use crate::pose_answer::PoseAnswer;
+use cdpr_reports::answers::PoseAnswer;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -13,10 +13,10 @@ use cdpr::robot::Robot;
 use clap::Args;
 
 use crate::answer::Output;
-use crate::envelope::simulated_by;
 use crate::failure::Failure;
 use crate::inputs::read_robot;
-use crate::selecting::{Comparison, NamedFile, Parted, Selected, SelectionArguments, two_files, write_folder};
+use crate::selecting::{Comparison, NamedFile, Parted, SelectionArguments, two_files, write_folder};
+use cdpr_reports::answers::simulated_by;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         ],
         inputs,
     })?;
-    let mut answer = Selected::with_timing(&compared);
+    let mut answer = compared.answer();
     let own_files = compared.comparison.inputs.iter().map(|file| NamedFile::new(&file.name, file.content.clone()));
     write_folder(&arguments.out, &compared, own_files.collect())?;
     answer.out = Some(arguments.out.display().to_string());

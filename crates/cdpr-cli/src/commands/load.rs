@@ -13,10 +13,10 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of};
 use crate::numbers::NumberList;
-use crate::pose_answer::PoseAnswer;
 use crate::statics_failure::{has_no_course, refused};
 use crate::table::{Table, cell};
-use crate::wrench_answer::WrenchAnswer;
+use cdpr_reports::answers::PoseAnswer;
+use cdpr_reports::answers::WrenchAnswer;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -10,9 +10,9 @@ use serde::Serialize;
 
 use crate::CommandLine;
 use crate::answer::{Answer, Output};
-use crate::envelope::PROGRAM;
 use crate::failure::Failure;
 use crate::files;
+use cdpr_reports::answers::PROGRAM;
 
 const EXAMPLES: &str = "\
 Examples:

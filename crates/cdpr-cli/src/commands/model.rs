@@ -17,10 +17,10 @@ use crate::failure::Failure;
 use crate::inputs::{RobotArgument, load_of, pose_of};
 use crate::missing_effects::{self, MissingEffect, missing_effects};
 use crate::numbers::NumberList;
-use crate::pose_answer::PoseAnswer;
 use crate::statics_failure::refused;
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
+use cdpr_reports::answers::PoseAnswer;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -14,8 +14,8 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::{RobotArgument, pose_or_home};
 use crate::numbers::{NumberList, number_from_zero};
-use crate::pose_answer::{PoseAnswer, axis_names, components};
 use crate::table::{Table, cell};
+use cdpr_reports::answers::{PoseAnswer, axis_names, components};
 
 const EXAMPLES: &str = "\
 Examples:

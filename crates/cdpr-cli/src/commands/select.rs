@@ -15,9 +15,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
 use crate::measurements::DataArguments;
-use crate::selecting::{
-    Comparison, NamedFile, Parted, Selected, SelectionArguments, one_file, two_files, write_folder,
-};
+use crate::selecting::{Comparison, NamedFile, Parted, SelectionArguments, one_file, two_files, write_folder};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -59,7 +57,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let comparison = arguments.comparison(output)?;
     let compared = arguments.selection.compare(comparison)?;
-    let mut answer = Selected::with_timing(&compared);
+    let mut answer = compared.answer();
     if let Some(folder) = &arguments.out {
         write_folder(folder, &compared, Vec::new())?;
         answer.out = Some(folder.display().to_string());

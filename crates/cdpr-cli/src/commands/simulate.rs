@@ -8,12 +8,12 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
-use crate::envelope::simulated_by;
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
+use cdpr_reports::answers::simulated_by;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -12,10 +12,10 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{RobotArgument, load_of, pose_of};
 use crate::numbers::NumberList;
-use crate::pose_answer::{PoseAnswer, axis_names};
 use crate::statics_failure::{has_no_course, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
+use cdpr_reports::answers::{PoseAnswer, axis_names};
 
 const EXAMPLES: &str = "\
 Examples:

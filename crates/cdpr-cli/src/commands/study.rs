@@ -15,12 +15,12 @@ use sha2::{Digest, Sha256};
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::number_format::significant;
 use crate::progress::Progress;
 use crate::selecting::NamedFile;
 use crate::study_file::{StudyFile, title};
-use crate::study_page::{self, ErrorRow, StudyPage, error_rows};
 use crate::table::{Table, cell};
+use cdpr_reports::number_format::significant;
+use cdpr_reports::study_page::{self, ErrorRow, StudyPage, StudyPageError, error_rows};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -126,14 +126,18 @@ fn page(
     warnings: Vec<String>,
 ) -> Result<String, Failure> {
     let name = arguments.study.file_stem().unwrap_or(arguments.study.as_os_str()).to_string_lossy();
-    study_page::render(&StudyPage {
-        study_file,
+    let page = study_page::render(&StudyPage {
+        experiment: &study_file.experiment,
         name: &name,
         found,
         warnings: &warnings,
         command: &crate::command_line(),
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
+    });
+    page.map_err(|error| match error {
+        StudyPageError::Page(error) => Failure::unwritable("the page of the study", &error),
+        refused => study_file.refused(&refused),
     })
 }
 

@@ -15,9 +15,9 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, limits_of, load_of, pose_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
-use crate::pose_answer::PoseAnswer;
 use crate::table::{Table, cell};
 use crate::tension_method::{MethodArguments, Wishes, is_turn, refused};
+use cdpr_reports::answers::PoseAnswer;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -7,11 +7,11 @@ use cdpr::identification::selection::{Judged, Judgement};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::{Compared, Selected, figure_tables};
-use crate::envelope::Envelope;
+use super::{Compared, figure_tables};
 use crate::failure::Failure;
 use crate::files;
-use crate::report::render;
+use cdpr_reports::answers::Envelope;
+use cdpr_reports::report::render;
 
 /// A file by its name in the folder.
 pub(crate) struct NamedFile {
@@ -153,9 +153,7 @@ fn run_file(compared: &Compared) -> Result<String, Failure> {
 }
 
 fn result(compared: &Compared) -> Result<String, Failure> {
-    Envelope::default()
-        .file(&Selected::with_timing(compared))
-        .map_err(|error| Failure::unwritable("result.json", &error))
+    Envelope::default().file(&compared.answer()).map_err(|error| Failure::unwritable("result.json", &error))
 }
 
 fn report(compared: &Compared) -> Result<String, Failure> {

@@ -1,8 +1,8 @@
 //! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
 
-mod answer;
 mod figure_tables;
 mod folder;
+mod words;
 
 use std::time::Instant;
 
@@ -14,12 +14,12 @@ use cdpr::model::{FreeParameters, ParameterKind};
 use cdpr::robot::Robot;
 use clap::{Args, ValueEnum};
 
-pub(crate) use answer::Selected;
 pub(crate) use folder::{NamedFile, write_folder};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::report::{Purpose, Report};
+use cdpr_reports::answers::SelectionAnswer;
+use cdpr_reports::report::{Purpose, Report};
 
 /// Options that say how candidates are compared.
 #[derive(Clone, Debug, Args)]
@@ -113,6 +113,11 @@ pub(crate) struct Compared {
 }
 
 impl Compared {
+    /// The answer with wall times.
+    pub(crate) fn answer(&self) -> SelectionAnswer {
+        SelectionAnswer::new(&self.told()).with_timing(self.seconds, &self.inverse_seconds)
+    }
+
     /// What the report and `result.json` tell of it.
     pub(crate) fn told(&self) -> Report<'_> {
         let comparison = &self.comparison;

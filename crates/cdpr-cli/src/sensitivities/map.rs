@@ -9,10 +9,10 @@ use super::tables::in_world;
 use super::words::step;
 use super::{Deviations, place_of};
 use crate::failure::Failure;
-use crate::figures::{Map, MapPoint};
-use crate::number_format::significant;
-use crate::pose_answer::axis_names;
 use crate::study_file::title;
+use cdpr_reports::answers::axis_names;
+use cdpr_reports::figures::{Map, MapPoint};
+use cdpr_reports::number_format::significant;
 
 /// Length of the longest arrow, as a share of what the poses span.
 const LONGEST: f64 = 0.1;

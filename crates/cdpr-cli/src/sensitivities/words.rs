@@ -6,8 +6,8 @@ use cdpr::metamodel::tolerance::Quantiles;
 
 use super::answer::{Told, ToldAllowed, ToldTolerance};
 use crate::answer::Answer;
-use crate::number_format::{NONE, significant};
 use crate::table::Table;
+use cdpr_reports::number_format::{NONE, significant};
 
 /// A step that people think in: what it is in the unit of the kind, and its words.
 pub(super) fn step(kind: Kind) -> (f64, &'static str) {

@@ -8,8 +8,8 @@ use cdpr::workspace::Bounds;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::number_format::significant;
 use crate::table::{Table, cell};
+use cdpr_reports::number_format::significant;
 
 #[derive(Serialize)]
 pub(super) struct Advised {

@@ -2,7 +2,7 @@
 
 use super::Figure;
 use super::result_data::{CandidateData, ResultData};
-use crate::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
+use cdpr_reports::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
 
 /// A part of the largest extent below which positions lie in a plane.
 const FLATNESS: f64 = 1e-6;

@@ -6,8 +6,8 @@ use cdpr::model::Model;
 use serde::Serialize;
 
 use crate::answer::Answer;
-use crate::pose_answer::PoseAnswer;
 use crate::table::{Table, cell};
+use cdpr_reports::answers::PoseAnswer;
 
 /// Nothing for those who know because they said so.
 fn start_words(start: Start) -> &'static str {

@@ -9,8 +9,8 @@ use cdpr::model::FreeParameters;
 use super::Task;
 use crate::command_line;
 use crate::failure::Failure;
-use crate::report::{Purpose, Report, render};
 use crate::selecting::two_files;
+use cdpr_reports::report::{Purpose, Report, render};
 
 /// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
 pub(super) fn page(

@@ -7,9 +7,9 @@ use serde_json::{Map, Value, json};
 
 use super::Differential;
 use crate::answer::Answer;
-use crate::number_format::significant;
 use crate::study_file::{BEYOND_THE_WHOLE, is_beyond_the_whole, title};
 use crate::table::{Table, cell};
+use cdpr_reports::number_format::significant;
 
 /// What a method found; sizes in m² or m³.
 pub(super) struct Found {

@@ -9,11 +9,11 @@ use cdpr::workspace::hull::Hull;
 
 use super::Differential;
 use crate::failure::Failure;
-use crate::figures::{Look, Outline, Outlines};
 use crate::files;
-use crate::number_format::{fixed, short};
-use crate::pose_answer::{axis_names, components};
 use crate::study_file::title;
+use cdpr_reports::answers::{axis_names, components};
+use cdpr_reports::figures::{Look, Outline, Outlines};
+use cdpr_reports::number_format::{fixed, short};
 
 /// What is drawn.
 pub(super) struct Picture<'a> {

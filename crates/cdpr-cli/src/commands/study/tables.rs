@@ -6,9 +6,9 @@ use cdpr::geometry::Twist;
 use cdpr::metamodel::field::{Field, Sample};
 use cdpr::model::Model;
 
-use crate::figures::{Map, MapPoint};
-use crate::number_format::short;
 use crate::selecting::NamedFile;
+use cdpr_reports::figures::{Map, MapPoint};
+use cdpr_reports::number_format::short;
 
 /// One row per commanded pose; empty cells where there is no answer.
 pub(super) fn errors(found: &Field) -> String {

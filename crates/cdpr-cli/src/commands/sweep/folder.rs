@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::answer::Output;
-use crate::envelope::PROGRAM;
 use crate::failure::Failure;
 use crate::files;
+use cdpr_reports::answers::PROGRAM;
 
 /// Everything that decides the result of a sweep.
 #[derive(Deserialize, Serialize)]

@@ -8,11 +8,11 @@ use serde::Serialize;
 use super::folder::{Plan, RowFile};
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
-use crate::figures::{ShareCurve, Shares};
 use crate::files;
-use crate::number_format::{short, significant};
 use crate::study_file::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::table::Table;
+use cdpr_reports::figures::{ShareCurve, Shares};
+use cdpr_reports::number_format::{short, significant};
 
 #[derive(Serialize)]
 pub(super) struct Merged {

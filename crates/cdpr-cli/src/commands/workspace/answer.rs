@@ -13,7 +13,7 @@ use super::Method;
 use super::cell_search::Counted;
 use super::question::Question;
 use crate::answer::Answer;
-use crate::number_format::significant;
+use cdpr_reports::number_format::significant;
 
 #[derive(Default, Serialize)]
 pub(super) struct WorkspaceAnswer {

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cdpr::geometry::Pose;
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
+use cdpr::reading::Size;
 use cdpr::tension::Limits;
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::{Bounds, Point, Polygon, Region, Side};
@@ -13,9 +14,10 @@ use super::Found as Outline;
 use super::answer::WorkspaceAnswer;
 use super::question::Question;
 use crate::failure::Failure;
-use crate::number_format::short;
-use crate::workspace_page::{self, Finding, Shape, WorkspacePage, findings_of};
-use crate::wrench_answer::WrenchAnswer;
+use crate::files;
+use cdpr_reports::answers::WrenchAnswer;
+use cdpr_reports::number_format::short;
+use cdpr_reports::workspace_page::{self, Finding, Shape, WorkspacePage, findings_of};
 
 /// Beyond what was found the grid of the page reaches by this share of its size: what fails is worth a look too.
 const MARGIN: f64 = 0.15;
@@ -33,7 +35,7 @@ pub(super) fn earlier(arguments: &Arguments) -> Result<Vec<Finding>, Failure> {
             help,
         ));
     }
-    let read: Result<Vec<Vec<Finding>>, Failure> = arguments.overlay.iter().map(|path| findings_of(path)).collect();
+    let read: Result<Vec<Vec<Finding>>, Failure> = arguments.overlay.iter().map(|path| findings_in(path)).collect();
     Ok(read?.concat())
 }
 
@@ -76,24 +78,31 @@ pub(super) fn write(
     }
     let mut warnings = answer.remarks();
     warnings.extend(answer.reason().map(str::to_owned));
-    workspace_page::write(
-        path,
-        &WorkspacePage {
-            model: question.model,
-            criterion: region.criterion().name(),
-            unit: region.criterion().unit(),
-            judge: &|pose| region.judge(&region.point(&pose.position)),
-            statics,
-            start: &start,
-            bounds: &bounds,
-            findings: &findings,
-            is_found,
-            facts: &facts,
-            warnings: &warnings,
-            command: &crate::command_line(),
-            version: env!("CARGO_PKG_VERSION"),
-        },
-    )
+    let page = workspace_page::render(&WorkspacePage {
+        model: question.model,
+        criterion: region.criterion().name(),
+        unit: region.criterion().unit(),
+        judge: &|pose| region.judge(&region.point(&pose.position)),
+        statics,
+        start: &start,
+        bounds: &bounds,
+        findings: &findings,
+        is_found,
+        facts: &facts,
+        warnings: &warnings,
+        command: &crate::command_line(),
+        version: env!("CARGO_PKG_VERSION"),
+    });
+    let html = page.map_err(|error| Failure::unwritable("the page of the workspace", &error))?;
+    files::write(path, html.as_bytes())
+}
+
+/// Results of a page that `cdpr workspace --page` wrote.
+fn findings_in(path: &Path) -> Result<Vec<Finding>, Failure> {
+    let page = files::read(path, Size::Table)?;
+    let help = "give a page that `cdpr workspace --page` wrote";
+    findings_of(&String::from_utf8_lossy(&page))
+        .map_err(|error| Failure::refused(&path.display().to_string(), &error).with_help(help))
 }
 
 /// The centre of the hull, or the home position, in the orientation nearest to none.

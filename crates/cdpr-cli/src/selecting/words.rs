@@ -1,0 +1,96 @@
+//! The answer of a comparison, for people.
+
+use cdpr_reports::answers::{AsGiven, SelectionAnswer};
+use cdpr_reports::report::times;
+
+use crate::answer::Answer;
+use crate::error_table::convergence_remark;
+use crate::table::{Table, cell};
+
+impl Answer for SelectionAnswer {
+    fn words(&self) -> String {
+        let mut text = format!(
+            "{}: {} samples of {}\njudged on {}\n\n{}\n",
+            self.robot,
+            self.samples,
+            self.data,
+            self.validation,
+            table(self)
+        );
+        match &self.recommended {
+            Some(name) => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
+            None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
+        }
+        if let Some(AsGiven { name, criterion, ratio }) = &self.as_given {
+            let value = self.criterion.format(*criterion);
+            text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
+        }
+        let chosen = self.candidates.iter().find(|candidate| Some(&candidate.name) == self.recommended.as_ref());
+        let own = chosen.and_then(|candidate| candidate.judged.as_ref());
+        for requirement in own.iter().flat_map(|judged| &judged.requirements) {
+            text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
+        }
+        for (index, remark) in self.warnings.iter().enumerate() {
+            text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
+        }
+        if let Some(out) = &self.out {
+            text.push_str(&format!("\nresults written to {out}: open {out}/report.html\n"));
+        }
+        text
+    }
+
+    fn is_negative(&self) -> bool {
+        self.recommended.is_none()
+    }
+}
+
+/// Candidates with their errors, and remarks on those that failed.
+fn table(answer: &SelectionAnswer) -> String {
+    let criterion = answer.criterion;
+    let unit = criterion.unit();
+    let mut table = Table::with_heading(vec![
+        "candidate".to_owned(),
+        "free".to_owned(),
+        format!("train {unit}"),
+        format!("validation {unit}"),
+        format!("± std. error {unit}"),
+        "length rms mm".to_owned(),
+        "rank".to_owned(),
+        "condition".to_owned(),
+        "caution".to_owned(),
+    ])
+    .left_column(8);
+    for candidate in &answer.candidates {
+        let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
+        let mut cells = vec![format!("{marker}{}", candidate.name)];
+        match &candidate.judged {
+            Some(judged) => cells.extend([
+                judged.parameter_count.to_string(),
+                cell(Some(criterion.in_unit(criterion.of_blocks(&judged.train))), 3),
+                cell(Some(criterion.in_unit(judged.criterion)), 3),
+                cell(Some(criterion.in_unit(judged.standard_error)), 3),
+                cell(Some(1e3 * judged.validation.length_error_m.rms), 3),
+                judged.rank.to_string(),
+                cell(Some(judged.condition), 1),
+                judged.caution_words.clone(),
+            ]),
+            None => cells.extend([String::new(), "failed".to_owned()]),
+        }
+        table.row(cells);
+    }
+    let mut text = format!("error: {} on training and validation data\n\n{}", answer.criterion.words(), table.text());
+    for candidate in &answer.candidates {
+        if let Some(failure) = &candidate.failure {
+            text.push_str(&format!("{} failed: {failure}\n", candidate.name));
+        }
+        let judged = candidate.judged.as_ref();
+        if let Some(why) = judged.and_then(|judged| judged.disqualified.as_ref()) {
+            text.push_str(&format!("{} cannot be judged: {why}\n", candidate.name));
+        }
+        let partly = judged.filter(|judged| judged.disqualified.is_none()).map(|judged| &judged.validation);
+        if let Some(remark) = partly.and_then(|blocks| convergence_remark(blocks, "validation samples")) {
+            text.push_str(&format!("{}: {remark}\n", candidate.name));
+        }
+    }
+    text
+}

@@ -1,0 +1,245 @@
+//! The answer of a comparison of candidates.
+
+use cdpr::identification::fit::{Estimate, Status};
+use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome, Selection};
+use cdpr::identification::{Coverage, ErrorBlocks, coverage};
+use serde::Serialize;
+
+use crate::report::Report;
+
+/// Candidates with their errors on data held out, and the choice among them; keys and units as in `result.json`.
+#[derive(Serialize)]
+pub struct SelectionAnswer {
+    /// Outcome in a word.
+    pub status: &'static str,
+    /// Name of the robot.
+    pub robot: String,
+    /// Source of the samples.
+    pub data: String,
+    /// Of `data`; samples of a file for validation are told in `validation`.
+    pub samples: usize,
+    /// Choice of the validation data, in words.
+    pub validation: String,
+    /// The error that decides.
+    pub criterion: Criterion,
+    /// The candidates, from simple to complex.
+    pub candidates: Vec<CandidateAnswer>,
+    /// Name of the candidate with the least criterion.
+    pub best: Option<String>,
+    /// Name of the recommended candidate.
+    pub recommended: Option<String>,
+    /// Reason of the outcome, in words.
+    pub reason: String,
+    /// The model that the robot runs before any calibration, against the recommended, else the best one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub as_given: Option<AsGiven>,
+    /// Poses of the fit and of the validation.
+    pub coverage: Coverage,
+    /// Seed of the bootstrap.
+    pub seed: u64,
+    /// Warnings for the reader.
+    pub warnings: Vec<String>,
+    /// Folder of the result's files.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub out: Option<String>,
+    /// Wall times.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub timing: Option<Timing>,
+}
+
+/// A candidate of a comparison.
+#[derive(Serialize)]
+pub struct CandidateAnswer {
+    /// Name.
+    pub name: String,
+    /// Effects of the model.
+    pub model: String,
+    /// Free parameters.
+    pub free: String,
+    /// Fit and errors, where the candidate could be identified.
+    #[serde(flatten)]
+    pub judged: Option<JudgedAnswer>,
+    /// Reason why the candidate could not be identified.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
+}
+
+/// Fit of a candidate and its errors.
+#[derive(Serialize)]
+pub struct JudgedAnswer {
+    /// Outcome of the fit.
+    pub status: Status,
+    /// Reason of the outcome, in words.
+    pub reason: String,
+    /// Number of free parameters.
+    pub parameter_count: usize,
+    /// Steps of the fit.
+    pub iterations: u32,
+    /// Errors on the data of the fit.
+    pub train: ErrorBlocks,
+    /// Errors on data held out.
+    pub validation: ErrorBlocks,
+    /// Errors on data held out, fold by fold.
+    pub folds: Vec<FoldAnswer>,
+    /// Null for a candidate that cannot be judged by it.
+    pub criterion: f64,
+    /// Standard error of the criterion.
+    pub standard_error: f64,
+    /// Validation samples that criterion and standard error are of: those that all judged candidates answer.
+    pub compared_samples: usize,
+    /// The reason against judging the candidate.
+    pub disqualified: Option<String>,
+    /// Rank of the Jacobian.
+    pub rank: usize,
+    /// Condition number of the Jacobian.
+    pub condition: f64,
+    /// Condition number with columns of length one.
+    pub condition_scaled: f64,
+    /// Singular values of the Jacobian, from large to small.
+    pub singular_values: Vec<f64>,
+    /// Combinations of parameters that the data hardly determine.
+    pub weak_directions: Vec<String>,
+    /// Number of these combinations.
+    pub weak_direction_count: usize,
+    /// Deviation that such a combination may have (m).
+    pub weak_direction_deviation_m: f64,
+    /// Doubts about the parameters with their numbers: bounds, weak directions, a fit that did not end well.
+    pub cautions: Vec<String>,
+    /// Residuals in units of the sensor accuracies.
+    pub noise_factor: f64,
+    /// Weighted sum of squares after each step of the fit.
+    pub history: Vec<f64>,
+    /// Identified parameters.
+    pub parameters: Vec<Estimate>,
+    /// Requirements with their outcomes.
+    pub requirements: Vec<RequirementOutcome>,
+    /// Warnings for the reader.
+    pub warnings: Vec<String>,
+    /// Cautions in few words.
+    #[serde(skip)]
+    pub caution_words: String,
+}
+
+/// The criterion of the model as given, and how many times as large it is.
+#[derive(Serialize)]
+pub struct AsGiven {
+    /// Name.
+    pub name: String,
+    /// Criterion of the model as given (m, rad or N).
+    pub criterion: f64,
+    /// Criterion of the model as given, divided by that of the verdict's candidate.
+    pub ratio: f64,
+}
+
+impl AsGiven {
+    /// Nothing where the verdict is about the model as given itself, or that is no candidate or cannot be judged.
+    fn of(selection: &Selection) -> Option<Self> {
+        let chosen = selection.recommended.or(selection.best)?;
+        let given = selection.as_given().filter(|given| *given != chosen)?;
+        let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok().map(|judged| judged.criterion);
+        let (before, after) = (judged(given)?, judged(chosen)?);
+        let name = selection.candidates[given].name.clone();
+        (before.is_finite() && after.is_finite()).then(|| Self { name, criterion: before, ratio: before / after })
+    }
+}
+
+/// Errors on the data that one fold held out.
+#[derive(Serialize)]
+pub struct FoldAnswer {
+    /// Name.
+    pub name: String,
+    /// Errors on the validation samples of the fold.
+    #[serde(flatten)]
+    pub errors: ErrorBlocks,
+}
+
+/// Wall times: the only part of a result that differs between two runs.
+#[derive(Serialize)]
+pub struct Timing {
+    /// Time of the comparison (s).
+    pub total_s: f64,
+    /// Mean time of one pose's cable lengths, in the order of the candidates.
+    pub inverse_kinematics_us: Vec<Option<f64>>,
+}
+
+impl SelectionAnswer {
+    /// The answer without wall times, which is the same in every run.
+    pub fn new(told: &Report<'_>) -> Self {
+        let selection = told.selection;
+        let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
+        let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
+        let mut warnings = told.warnings.to_vec();
+        warnings.extend(chosen.iter().flat_map(|judgement| &judgement.fit.warnings).cloned());
+        Self {
+            status: if selection.recommended.is_some() { "recommended" } else { "none-good-enough" },
+            robot: told.robot.name.clone(),
+            data: told.data_name.to_owned(),
+            samples: told.data_count,
+            validation: told.validation_name.to_owned(),
+            criterion: told.criterion,
+            candidates: selection.candidates.iter().map(CandidateAnswer::new).collect(),
+            best: name(selection.best),
+            recommended: name(selection.recommended),
+            reason: selection.reason.clone(),
+            as_given: AsGiven::of(selection),
+            coverage: coverage(told.robot, told.samples, told.folds),
+            seed: told.seed,
+            warnings,
+            out: None,
+            timing: None,
+        }
+    }
+
+    /// The same answer with the wall time of the comparison, and of one pose's cable lengths with each candidate (s).
+    pub fn with_timing(self, seconds: f64, inverse_seconds: &[Option<f64>]) -> Self {
+        let inverse_kinematics_us =
+            inverse_seconds.iter().map(|seconds| seconds.map(|seconds| 1e6 * seconds)).collect();
+        Self { timing: Some(Timing { total_s: seconds, inverse_kinematics_us }), ..self }
+    }
+}
+
+impl CandidateAnswer {
+    fn new(candidate: &Judged) -> Self {
+        Self {
+            name: candidate.name.clone(),
+            model: candidate.candidate.composition.to_string(),
+            free: candidate.candidate.free.to_string(),
+            judged: candidate.outcome.as_ref().ok().map(JudgedAnswer::new),
+            failure: candidate.outcome.as_ref().err().map(ToString::to_string),
+        }
+    }
+}
+
+impl JudgedAnswer {
+    fn new(judgement: &Judgement) -> Self {
+        let fit = &judgement.fit;
+        let fold = |(name, errors): &(String, ErrorBlocks)| FoldAnswer { name: name.clone(), errors: *errors };
+        Self {
+            status: fit.status,
+            reason: fit.reason.clone(),
+            parameter_count: fit.parameters.len(),
+            iterations: fit.iterations,
+            train: judgement.train,
+            validation: judgement.validation,
+            folds: judgement.folds.iter().map(fold).collect(),
+            criterion: judgement.criterion,
+            standard_error: judgement.standard_error,
+            compared_samples: judgement.compared_samples,
+            disqualified: judgement.disqualified.clone(),
+            rank: fit.analysis.rank,
+            condition: fit.analysis.condition,
+            condition_scaled: fit.analysis.condition_scaled,
+            singular_values: fit.analysis.singular_values.clone(),
+            weak_directions: fit.analysis.weak_directions.clone(),
+            weak_direction_count: fit.analysis.weak_direction_count,
+            weak_direction_deviation_m: fit.analysis.weak_deviation,
+            cautions: fit.cautions(),
+            noise_factor: fit.noise_factor,
+            history: fit.history.clone(),
+            parameters: fit.parameters.clone(),
+            requirements: judgement.requirements.clone(),
+            warnings: fit.warnings.clone(),
+            caution_words: fit.caution_words(),
+        }
+    }
+}

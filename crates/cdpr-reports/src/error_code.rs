@@ -1,0 +1,30 @@
+//! Stable short names of what this crate refuses; `cdpr explain` has a page for each.
+
+use cdpr::error_code::ErrorCode;
+
+use crate::html_page::PageError;
+use crate::study_page::StudyPageError;
+use crate::workspace_page::OverlayError;
+
+impl ErrorCode for PageError {
+    fn code(&self) -> &'static str {
+        "numerical::unwritable"
+    }
+}
+
+impl ErrorCode for StudyPageError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Experiment(error) => error.code(),
+            Self::Region(error) => error.code(),
+            Self::Pose(error) => error.code(),
+            Self::Page(error) => error.code(),
+        }
+    }
+}
+
+impl ErrorCode for OverlayError {
+    fn code(&self) -> &'static str {
+        "workspace::overlay"
+    }
+}

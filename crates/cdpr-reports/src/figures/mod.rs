@@ -1,0 +1,36 @@
+//! Figures of results as SVG files that stand alone and print well, one per file: values in, text out.
+//!
+//! Our own writer of lines, discs and texts: a plotting crate would bring more code than these figures are, and another
+//! look than the report.
+
+mod arrow;
+mod axis;
+mod colour;
+mod convergence;
+mod correlations;
+mod drawing;
+mod frame;
+mod ladder;
+mod map;
+mod outlines;
+mod residuals;
+mod shares;
+mod spectrum;
+
+use frame::Frame;
+
+pub use convergence::convergence;
+pub use correlations::correlations;
+pub use ladder::{Ladder, Rung};
+pub use map::{Map, MapPoint};
+pub use outlines::{Look, Outline, Outlines};
+pub use residuals::residuals;
+pub use shares::{ShareCurve, Shares};
+pub use spectrum::spectrum;
+
+/// Smallest and largest of the finite values.
+fn finite_range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+    let mut finite = values.into_iter().filter(|value| value.is_finite());
+    let first = finite.next()?;
+    Some(finite.fold((first, first), |(low, high), value| (low.min(value), high.max(value))))
+}

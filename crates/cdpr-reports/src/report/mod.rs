@@ -1,0 +1,220 @@
+//! The self-contained report: one HTML file whose tables need no script, and whose charts and 3-D scene a script draws from the
+//! data in the file; nothing comes from the network.
+
+mod candidates;
+mod coverage;
+mod criterion;
+mod errors;
+mod page_data;
+mod parameters;
+mod table;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+pub use verdict::times;
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::selection::{Criterion, Judgement, Selection};
+use cdpr::measurement::{Fold, Samples, SensorSigmas};
+use cdpr::robot::Robot;
+use minijinja::{Value, context};
+
+use crate::html_page::{Page, PageError, plain, prose};
+use crate::number_format as number;
+
+const TEMPLATE: &str = include_str!("report.html");
+
+/// Question of a report: which model to take, or the parameters of one that was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Candidates were compared and one may be recommended.
+    Selection,
+    /// One model was identified; another candidate is there to compare it with.
+    Identification,
+}
+
+/// Contents of a report.
+pub struct Report<'a> {
+    /// The question.
+    pub purpose: Purpose,
+    /// The command that makes the same result again.
+    pub command: &'a str,
+    /// The robot as given, before any fit.
+    pub robot: &'a Robot,
+    /// All samples, those of the fit and those of the validation.
+    pub samples: &'a Samples,
+    /// How many of the samples `data_name` has.
+    pub data_count: usize,
+    /// How the samples were parted.
+    pub folds: &'a [Fold],
+    /// False where the model is judged by the data that it was fitted to.
+    pub is_held_out: bool,
+    /// Where the samples come from.
+    pub data_name: &'a str,
+    /// How validation data were chosen.
+    pub validation_name: &'a str,
+    /// The candidates and the choice.
+    pub selection: &'a Selection,
+    /// The error that decides.
+    pub criterion: Criterion,
+    /// Seed of the bootstrap.
+    pub seed: u64,
+    /// Version of the program.
+    pub version: &'a str,
+    /// Warnings besides those of the fit; text between backticks is shown as code.
+    pub warnings: &'a [String],
+}
+
+/// A candidate that was judged.
+#[derive(Clone, Copy)]
+struct Named<'a> {
+    index: usize,
+    name: &'a str,
+    judgement: &'a Judgement,
+}
+
+/// The candidate that the details are about, and the one to compare it with.
+struct Shown<'a> {
+    index: usize,
+    name: &'a str,
+    judgement: &'a Judgement,
+    /// The model that the robot runs without calibration, if that is a candidate.
+    as_given: Option<Named<'a>>,
+}
+
+impl<'a> Shown<'a> {
+    /// The recommended candidate, else the best, else the first that could be identified.
+    fn of(selection: &'a Selection) -> Option<Self> {
+        let judged = |index: usize| {
+            let candidate = selection.candidates.get(index)?;
+            Some(Named { index, name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
+        };
+        let all = || 0..selection.candidates.len();
+        let index = selection.recommended.or(selection.best).or_else(|| all().find(|&k| judged(k).is_some()))?;
+        let Named { name, judgement, .. } = judged(index)?;
+        let as_given = selection.as_given().and_then(judged);
+        Some(Self { index, name, judgement, as_given })
+    }
+}
+
+impl Report<'_> {
+    fn title(&self) -> String {
+        let name = &self.robot.name;
+        match self.purpose {
+            Purpose::Selection => format!("Control models for {name}"),
+            Purpose::Identification => format!("Identification of {name}"),
+        }
+    }
+
+    /// What the models are judged by.
+    fn data_words(&self) -> &'static str {
+        if self.is_held_out { "validation data" } else { "the data of the fit" }
+    }
+}
+
+impl<'a> Shown<'a> {
+    /// The robot as given where it is another candidate.
+    fn before(&self) -> Option<Named<'a>> {
+        self.as_given.filter(|given| given.index != self.index)
+    }
+}
+
+/// HTML of the page.
+pub fn render(input: &Report<'_>) -> Result<String, PageError> {
+    let shown = Shown::of(input.selection);
+    let values = context! {
+        facts => facts(input),
+        verdict => verdict::verdict(input, shown.as_ref()),
+        candidates => candidates::table(input),
+        is_selection => input.purpose == Purpose::Selection,
+        data_words => input.data_words(),
+        shown => shown.as_ref().map(|shown| details(input, shown)),
+        warnings => warnings(input, shown.as_ref()),
+        command => plain(input.command),
+        seed => input.seed,
+        criterion => input.criterion.words(),
+    };
+    let data = page_data::json(input, shown.as_ref());
+    let (title, version) = (&input.title(), input.version);
+    Page { title, class: "", template: TEMPLATE, values, data, version }.render()
+}
+
+fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
+    let judgement = shown.judgement;
+    context! {
+        name => plain(shown.name),
+        recommended => input.selection.recommended.is_some(),
+        has_validation => judgement.validation.samples > 0,
+        has_tensions => judgement.validation.tension_error.is_some(),
+        is_thinned => page_data::is_thinned(input, shown),
+        errors => errors::before_and_after(input, shown),
+        fold_count => judgement.folds.len(),
+        folds => errors::folds(input, shown),
+        parameter_count => judgement.fit.parameters.len(),
+        parameters => parameters::table(shown),
+        identifiability => parameters::identifiability(shown),
+        coverage => coverage::coverage(input, shown),
+    }
+}
+
+/// What the report is about, as pairs of words.
+fn facts(input: &Report<'_>) -> Value {
+    let robot = input.robot;
+    let name = match &robot.title {
+        Some(title) => format!("{} ({title})", robot.name),
+        None => robot.name.clone(),
+    };
+    let facts = [
+        ("Robot", name),
+        ("Cables", robot.cable_count().to_string()),
+        ("Motion pattern", pattern_words(robot.motion_pattern)),
+        ("Data", input.data_name.to_owned()),
+        ("Samples", input.data_count.to_string()),
+        ("Validation", input.validation_name.to_owned()),
+        ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
+        ("Criterion", format!("{} on {}", input.criterion.words(), input.data_words())),
+    ];
+    facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
+}
+
+fn pattern_words(pattern: MotionPattern) -> String {
+    let words = match pattern {
+        MotionPattern::PlanarPoint => "a point in a plane",
+        MotionPattern::SpatialPoint => "a point in space",
+        MotionPattern::Planar => "a platform in a plane",
+        MotionPattern::Spatial => "all six degrees of freedom",
+        _ => "see the robot's file",
+    };
+    format!("{}: {words}", pattern.name())
+}
+
+fn sigma_words(sigmas: &SensorSigmas) -> String {
+    let known = [
+        sigmas.position.map(|sigma| format!("position {} mm per axis", number::short(1e3 * sigma))),
+        sigmas.rotation.map(|sigma| format!("rotation {}° per axis", number::significant(sigma.to_degrees(), 3))),
+        sigmas.length.map(|sigma| format!("cable length {} mm", number::short(1e3 * sigma))),
+        sigmas.tension.map(|sigma| format!("tension {} N", number::short(sigma))),
+    ];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    if known.is_empty() { "not known".to_owned() } else { format!("{} (standard deviations)", known.join(", ")) }
+}
+
+fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
+    let mut warnings = input.warnings.to_vec();
+    if let Some(shown) = shown {
+        let judgement = shown.judgement;
+        let new = |warning: &&String| !input.warnings.contains(warning);
+        warnings.extend(judgement.fit.warnings.iter().filter(new).cloned());
+        if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
+            let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;
+            let count = judgement.validation_errors.not_converged.len();
+            warnings.push(format!(
+                "the forward problem of {count} of {} validation samples has no answer, so that they have no error of the pose; the \
+                 first is sample {sample}: {reason}",
+                judgement.validation.samples
+            ));
+        }
+    }
+    warnings.iter().map(|warning| prose(warning)).collect()
+}

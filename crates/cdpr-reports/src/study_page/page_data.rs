@@ -1,0 +1,192 @@
+//! The data that the program of the page draws from: one JSON block. `viewer/src/study/data.ts` is its reader.
+//!
+//! SI units, named in the keys; positions and vectors along the axes of the robot's files. No physics is left to the program.
+
+use cdpr::geometry::{MotionPattern, Twist};
+use cdpr::metamodel::field::{Sample, Summary};
+use cdpr::nalgebra::Vector3;
+use cdpr::robot::Robot;
+use serde::Serialize;
+
+use super::StudyPage;
+use super::region::Region;
+use crate::answers::{axis_names, components};
+use crate::html_page::{Nodes, digits, inside_script, plain};
+
+/// Numbers that a page may hold for its poses (about 9 bytes each).
+const MOST_NUMBERS: usize = 25_000;
+
+/// The whole block.
+#[derive(Serialize)]
+struct PageData {
+    /// What kind of page this is.
+    page: &'static str,
+    name: String,
+    robot: RobotData,
+    summary: Summary,
+    samples: SampleData,
+    regions: Vec<RegionData>,
+}
+
+#[derive(Serialize)]
+struct RobotData {
+    name: String,
+    /// Names of the axes, two in a plane and three in space.
+    axes: Vec<String>,
+    planar: bool,
+    cables: Vec<CableData>,
+}
+
+#[derive(Serialize)]
+struct CableData {
+    name: String,
+    frame_anchor_m: Vec<f64>,
+}
+
+/// Pose by pose.
+#[derive(Serialize)]
+struct SampleData {
+    /// Poses of the study; more than are listed where the list was thinned out.
+    total: usize,
+    /// From 1, as in errors.csv.
+    number: Vec<usize>,
+    /// Components of the pose: position (m), then angles (rad).
+    commanded: Vec<Vec<f64>>,
+    emerging: Vec<Option<Vec<f64>>>,
+    /// Why there is no answer.
+    reason: Vec<Option<String>>,
+    #[serde(flatten)]
+    points: PointData,
+}
+
+/// What was found at every pose of a list; null where nothing was.
+#[derive(Serialize)]
+struct PointData {
+    error_m: Vec<Option<Vec<f64>>>,
+    /// Empty for a point; the angle of a planar platform; a rotation vector in space.
+    error_rad: Vec<Option<Vec<f64>>>,
+    linear_m: Vec<Option<Vec<f64>>>,
+    linear_rad: Vec<Option<Vec<f64>>>,
+    #[serde(rename = "tensions_N")]
+    tensions: Vec<Option<Vec<f64>>>,
+}
+
+/// A regular grid, the first axis running fastest.
+#[derive(Serialize)]
+struct RegionData {
+    name: String,
+    /// Axes of the robot that the two of the grid run along, from 0.
+    plane: [usize; 2],
+    /// Where a slice through space lies (m); null in the plane of a planar robot.
+    level_m: Option<f64>,
+    axes: Vec<Nodes>,
+    #[serde(flatten)]
+    points: PointData,
+    /// Margins: where they are zero a workspace ends. Null for −∞.
+    physical: Option<Vec<Option<f64>>>,
+    reachable: Option<Vec<Option<f64>>>,
+}
+
+/// The block as text that may stand inside a `script` element.
+pub(super) fn json(page: &StudyPage<'_>, regions: &[Region]) -> String {
+    let robot = page.experiment.machine.robot();
+    let cable = |cable: &cdpr::robot::Cable| CableData {
+        name: plain(&cable.name),
+        frame_anchor_m: short(components(robot, &cable.frame_anchor), 7),
+    };
+    let data = PageData {
+        page: "study",
+        name: plain(page.name),
+        robot: RobotData {
+            name: plain(&robot.name),
+            axes: axis_names(robot),
+            planar: robot.motion_pattern.is_planar(),
+            cables: robot.cables.iter().map(cable).collect(),
+        },
+        summary: page.found.summary.clone(),
+        samples: samples(page),
+        regions: regions.iter().map(|region| region_data(robot, region)).collect(),
+    };
+    let text = serde_json::to_string(&data).expect("strings and numbers only");
+    inside_script(&text)
+}
+
+/// True when the page holds a part of the poses only.
+pub(super) fn is_thinned(page: &StudyPage<'_>) -> bool {
+    step(page) > 1
+}
+
+/// Every how many-th pose is held.
+fn step(page: &StudyPage<'_>) -> usize {
+    let machine = &page.experiment.machine;
+    let numbers = 4 * machine.robot().motion_pattern.dof() + machine.cable_count() + 1;
+    (page.found.samples.len() * numbers).div_ceil(MOST_NUMBERS).max(1)
+}
+
+/// The poses, evenly thinned out to what a page may hold; the largest error always stays.
+fn samples(page: &StudyPage<'_>) -> SampleData {
+    let robot = page.experiment.machine.robot();
+    let all = &page.found.samples;
+    let size = |index: &usize| all[*index].exact.map(|error| error.fixed_rows::<3>(0).norm());
+    let answered = (0..all.len()).filter(|index| size(index).is_some());
+    let worst = answered.max_by(|a, b| size(a).unwrap_or(0.0).total_cmp(&size(b).unwrap_or(0.0)));
+    let step = step(page);
+    let kept: Vec<usize> = (0..all.len()).filter(|index| index % step == 0 || Some(*index) == worst).collect();
+    let pose = |pose| short(robot.motion_pattern.pose_to_components(robot.plane, pose), 7);
+    SampleData {
+        total: all.len(),
+        number: kept.iter().map(|index| index + 1).collect(),
+        commanded: kept.iter().map(|&index| pose(&all[index].commanded)).collect(),
+        emerging: kept.iter().map(|&index| all[index].exact.map(|_| pose(&all[index].outcome.pose))).collect(),
+        reason: kept.iter().map(|&index| all[index].outcome.reason.as_deref().map(plain)).collect(),
+        points: points(robot, &kept.iter().map(|&index| &all[index]).collect::<Vec<_>>(), 6),
+    }
+}
+
+fn region_data(robot: &Robot, region: &Region) -> RegionData {
+    let margins = |margins: &Vec<f64>| {
+        margins.iter().map(|margin| margin.is_finite().then(|| digits(*margin, 4))).collect::<Vec<_>>()
+    };
+    RegionData {
+        name: region.name.clone(),
+        plane: region.slice.map_or([0, 1], |slice| slice.along()),
+        level_m: region.slice.map(|slice| slice.level),
+        axes: region.axes.clone(),
+        points: points(robot, &region.samples.iter().collect::<Vec<_>>(), 4),
+        physical: region.physical.as_ref().map(margins),
+        reachable: region.reachable.as_ref().map(margins),
+    }
+}
+
+/// Errors with six digits, for the page subtracts them; tensions with so many.
+fn points(robot: &Robot, samples: &[&Sample], tension_digits: usize) -> PointData {
+    let shift = |twist: &Twist| short(components(robot, &twist.fixed_rows::<3>(0).into_owned()), 6);
+    let turn = |twist: &Twist| short(turned(robot, &twist.fixed_rows::<3>(3).into_owned()), 6);
+    let exact = |of: &dyn Fn(&Twist) -> Vec<f64>| samples.iter().map(|sample| sample.exact.as_ref().map(of)).collect();
+    let linear =
+        |of: &dyn Fn(&Twist) -> Vec<f64>| samples.iter().map(|sample| sample.linear.as_ref().map(of)).collect();
+    let tensions = |sample: &&Sample| {
+        let answered = sample.outcome.tensions.clone().filter(|_| sample.exact.is_some());
+        answered.map(|tensions| short(tensions, tension_digits))
+    };
+    PointData {
+        error_m: exact(&shift),
+        error_rad: exact(&turn),
+        linear_m: linear(&shift),
+        linear_rad: linear(&turn),
+        tensions: samples.iter().map(tensions).collect(),
+    }
+}
+
+/// A rotation vector in the components that the pattern can turn by.
+fn turned(robot: &Robot, vector: &Vector3<f64>) -> Vec<f64> {
+    match robot.motion_pattern {
+        MotionPattern::Planar => vec![vector.dot(&robot.plane.normal())],
+        pattern if pattern.has_rotation() => vector.as_slice().to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+fn short(values: Vec<f64>, count: usize) -> Vec<f64> {
+    values.into_iter().map(|value| digits(value, count)).collect()
+}
