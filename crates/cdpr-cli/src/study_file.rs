@@ -8,7 +8,6 @@ use cdpr::geometry::Pose;
 use cdpr::measurement::poses_from_csv;
 use cdpr::metamodel::study::{CommandedPose, TensionMethod};
 use cdpr::metamodel::{Experiment, InputError, Robots, Study};
-use cdpr::model::Model;
 use cdpr::reading::Size;
 use cdpr::robot::Robot;
 
@@ -97,19 +96,4 @@ pub(crate) fn robot_of_study(robot: &str, folder: &Path) -> Result<Robot, Failur
 fn robot_path(robot: &str, folder: &Path) -> String {
     let is_path = robot.contains(['/', '\\', '.']);
     if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
-}
-
-/// A robot with its model, as answers and figures name it.
-pub(crate) fn title(model: &Model) -> String {
-    format!("{} ({})", model.robot().name, model.composition())
-}
-
-/// Why a share of the physical workspace may be above 100 %.
-pub(crate) const BEYOND_THE_WHOLE: &str = "more than 100 % of the physical workspace: a pose counts where it is commanded, and \
-    judged is what emerges; from some poses at which the machine could not be held the platform comes to rest beside them, where it can, and a \
-    rigid machine has no tensions that could break a limit";
-
-/// True for such a share.
-pub(crate) fn is_beyond_the_whole(share: Option<f64>) -> bool {
-    share.is_some_and(|share| share > 1.0 + 1e-9)
 }

@@ -2,11 +2,18 @@
 
 use cdpr::error_code::ErrorCode;
 
+use crate::comparison::UnwritableFile;
 use crate::html_page::PageError;
 use crate::study_page::StudyPageError;
 use crate::workspace_page::OverlayError;
 
 impl ErrorCode for PageError {
+    fn code(&self) -> &'static str {
+        "numerical::unwritable"
+    }
+}
+
+impl ErrorCode for UnwritableFile {
     fn code(&self) -> &'static str {
         "numerical::unwritable"
     }

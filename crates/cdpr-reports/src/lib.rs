@@ -7,18 +7,30 @@
 //! |---|---|
 //! | [`figures`] | single figures as SVG that stand alone and print well |
 //! | [`report`] | the page of a comparison of models, or of an identification |
+//! | [`comparison`] | the files of a comparison: result, tables, calibrated robots, report |
+//! | [`saved_result`] | a result read back from these files, and its figures |
+//! | [`sensitivity`] | answer, tables and picture of sensitivities and tolerances |
+//! | [`reachable`] | answer and picture of what a study reaches |
+//! | [`sweep_result`] | answer, table and drawing of a sweep |
 //! | [`study_page`] | the page of a study: errors over its poses and the regions around them |
 //! | [`workspace_page`] | the page of a workspace, in which the platform can be dragged |
 //! | [`answers`] | results as JSON objects with units in their keys |
 //! | [`number_format`] | numbers for people |
 
 pub mod answers;
+pub mod comparison;
 mod error_code;
 pub mod figures;
 mod html_page;
+mod named_file;
 pub mod number_format;
+pub mod reachable;
 pub mod report;
+pub mod saved_result;
+pub mod sensitivity;
 pub mod study_page;
+pub mod sweep_result;
 pub mod workspace_page;
 
 pub use html_page::PageError;
+pub use named_file::NamedFile;

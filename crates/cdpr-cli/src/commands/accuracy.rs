@@ -17,9 +17,10 @@ use crate::error_table::{convergence_remark, error_table};
 use crate::failure::Failure;
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
-use crate::study_file::{StudyFile, title};
+use crate::study_file::StudyFile;
 use crate::table::{Table, cell};
 use crate::tension_method::TensionMethodArgument;
+use cdpr_reports::answers::title;
 
 const EXAMPLES: &str = "\
 Examples:

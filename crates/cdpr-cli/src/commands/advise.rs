@@ -1,6 +1,6 @@
 //! `cdpr advise`: which control model is good enough for a robot and a task.
 
-mod answer;
+mod words;
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -12,6 +12,7 @@ use cdpr::metamodel::{Control, Operation};
 use cdpr::model::{Composition, Model};
 use cdpr::tension::Method;
 use cdpr::workspace::Bounds;
+use cdpr_reports::answers::{AdviceAnswer, AdviceTiming};
 use clap::Args;
 
 use crate::answer::Output;
@@ -20,7 +21,6 @@ use crate::inputs::RobotArgument;
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
 use crate::tension_method::TensionMethodArgument;
-use answer::{Advised, Timing};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -78,8 +78,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         advice.candidates.iter().map(|candidate| command_time(&machine, candidate, tension_method, &poses)).collect();
     drop(progress);
     let missing = supported.missing.iter().map(|(effect, reason)| format!("{effect}: {reason}")).collect();
-    let timing = Timing { command_ns };
-    output.answer(&Advised::new(&machine, &advice, &task, arguments.accuracy, missing, timing))
+    let timing = AdviceTiming { command_ns };
+    output.answer(&AdviceAnswer::new(&machine, &advice, &task, arguments.accuracy, missing, timing))
 }
 
 /// The box of the task.

@@ -13,9 +13,12 @@ use cdpr::robot::Robot;
 use clap::Args;
 
 use crate::answer::Output;
+use cdpr_reports::NamedFile;
+use cdpr_reports::comparison::ComparisonData;
+
 use crate::failure::Failure;
 use crate::inputs::read_robot;
-use crate::selecting::{Comparison, NamedFile, Parted, SelectionArguments, two_files, write_folder};
+use crate::selecting::{Parted, SelectionArguments, two_files, write_folder};
 use cdpr_reports::answers::simulated_by;
 
 const EXAMPLES: &str = "\
@@ -71,7 +74,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         selection.prior.push(PLATFORM_ANCHORS);
     }
     let options = selection.written();
-    let compared = selection.compare(Comparison {
+    let comparison = selection.compare(ComparisonData {
         robot,
         samples,
         data_count,
@@ -84,9 +87,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         ],
         inputs,
     })?;
-    let mut answer = compared.answer();
-    let own_files = compared.comparison.inputs.iter().map(|file| NamedFile::new(&file.name, file.content.clone()));
-    write_folder(&arguments.out, &compared, own_files.collect())?;
+    let mut answer = comparison.answer();
+    let own_files = comparison.data.inputs.clone();
+    write_folder(&arguments.out, &comparison, own_files)?;
     answer.out = Some(arguments.out.display().to_string());
     output.answer(&answer)
 }

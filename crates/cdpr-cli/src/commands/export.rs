@@ -1,10 +1,5 @@
 //! `cdpr export`: the figures of a result, as drawings or as the numbers behind them.
 
-mod csv_table;
-mod drawings;
-mod result_data;
-mod tables;
-
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -14,7 +9,9 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use result_data::ResultData;
+use cdpr::reading::Size;
+use cdpr_reports::NamedFile;
+use cdpr_reports::saved_result::{FigureFile, SavedResult};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -49,13 +46,6 @@ enum Kind {
     Csv,
 }
 
-/// A file to write, or why there is none.
-struct Figure {
-    name: &'static str,
-    content: Option<String>,
-    why_not: &'static str,
-}
-
 #[derive(Serialize)]
 struct Exported {
     status: &'static str,
@@ -74,16 +64,16 @@ struct Skipped {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let data = ResultData::read(&arguments.result)?;
+    let data = read(&arguments.result)?;
     data.robot.iter().for_each(|robot| output.about(robot));
     let figures = match arguments.kind {
-        Kind::Svg => drawings::all(&data),
-        Kind::Csv => tables::all(&data),
+        Kind::Svg => data.drawings(),
+        Kind::Csv => data.tables(),
     };
-    let folder = arguments.out.unwrap_or_else(|| data.folder.join("figures"));
+    let folder = arguments.out.unwrap_or_else(|| folder_of(&arguments.result).join("figures"));
     let _own = files::OwnFolder::make(&folder)?;
     let (mut files, mut skipped) = (Vec::new(), Vec::new());
-    for Figure { name, content, why_not } in figures {
+    for FigureFile { name, content, why_not } in figures {
         match content {
             Some(content) => files.push((folder.join(name), name, content)),
             None => {
@@ -108,6 +98,28 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files: written,
         skipped,
     })
+}
+
+/// The result in a folder with its tables, or that of a JSON file alone.
+fn read(result: &Path) -> Result<SavedResult, Failure> {
+    let is_folder = result.is_dir();
+    let file = if is_folder { result.join("result.json") } else { result.to_owned() };
+    let help = "RESULT is a folder that `cdpr select --out` or `cdpr demo` wrote, or a file with a JSON answer";
+    let content = files::read(&file, Size::Table).map_err(|failure| failure.with_help(help))?;
+    let mut saved = SavedResult::from_json(&NamedFile::new(shown_path(&file), content))?;
+    if is_folder {
+        saved.read_tables(|name| -> Result<Option<NamedFile>, Failure> {
+            let path = result.join(name);
+            let size = if name.ends_with(".csv") { Size::Table } else { Size::Text };
+            Ok(files::read_if_there(&path, size)?.map(|content| NamedFile::new(shown_path(&path), content)))
+        })?;
+    }
+    Ok(saved)
+}
+
+/// The folder that a result is, or stands in.
+fn folder_of(result: &Path) -> &Path {
+    if result.is_dir() { result } else { result.parent().unwrap_or(Path::new("")) }
 }
 
 fn shown_path(path: &Path) -> String {

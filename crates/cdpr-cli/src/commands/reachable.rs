@@ -1,30 +1,28 @@
 //! `cdpr reachable`: which part of its workspace a robot really reaches under its control model.
 
-mod answer;
-mod differential;
-mod picture;
+mod words;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use answer::{AtBounds, Found, ReachableAnswer};
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
-use cdpr::metamodel::sensitivity::Cause;
+use cdpr::metamodel::sensitivity::{Cause, Offsets};
 use cdpr::model::Model;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Bounds, Cells, Point, Region, components, hull};
+use cdpr_reports::reachable::{AtBounds, Found, Picture, ReachableAnswer, differential};
 use clap::{Args, ValueEnum};
-use differential::{Differential, cause_named, differential};
-use picture::Picture;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::files;
 use crate::inputs::pose_of;
 use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number};
 use crate::progress::Progress;
+use crate::sensitivities::place_of;
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
@@ -233,7 +231,8 @@ impl Search<'_> {
         let image = image_of(reachable, self.region, &found);
         self.write_hulls(&found, image.as_ref(), arguments)?;
         let differential = change.map(|(cause, by)| {
-            differential(self.study_file, reachable, self.region, (&found, &self.bounds, &settings), (&cause, by))
+            let nominal = (&found, &self.bounds, &settings);
+            self.study_file.accepted(differential(self.study_file, reachable, self.region, nominal, (&cause, by)))
         });
         let differential = differential.transpose()?;
         let feasible = |model: &Model| -> Option<Hull> {
@@ -251,7 +250,11 @@ impl Search<'_> {
                 image: image.as_ref(),
                 differential: differential.as_ref(),
             };
-            picture.write(path)?;
+            let svg = picture.svg().ok_or_else(|| {
+                let message = "--svg: nothing is reached, so there is no outline to draw".to_owned();
+                Failure::input("workspace::mesh", message, "leave --svg out".to_owned())
+            })?;
+            files::write(path, svg.as_bytes())?;
         }
         let answer = Found {
             method: "hull",
@@ -326,4 +329,10 @@ impl Search<'_> {
         let why = in_the_middle.map_or_else(String::new, |why| format!("; in its middle: {why}"));
         format!(": the box lies outside the robot's reach, the initial pose outside the box; move --bounds{why}")
     }
+}
+
+/// The number of this name; near ones are told.
+fn cause_named(study_file: &StudyFile, name: &str) -> Result<Cause, Failure> {
+    let all = study_file.causes(Offsets::Kept);
+    place_of(&all, &study_file.machine, name, "--vary").map(|place| all[place])
 }

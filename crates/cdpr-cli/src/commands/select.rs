@@ -11,11 +11,14 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::command_line;
+use cdpr_reports::NamedFile;
+use cdpr_reports::comparison::ComparisonData;
+
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
 use crate::measurements::DataArguments;
-use crate::selecting::{Comparison, NamedFile, Parted, SelectionArguments, one_file, two_files, write_folder};
+use crate::selecting::{Parted, SelectionArguments, one_file, two_files, write_folder};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -55,18 +58,17 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let comparison = arguments.comparison(output)?;
-    let compared = arguments.selection.compare(comparison)?;
-    let mut answer = compared.answer();
+    let comparison = arguments.selection.compare(arguments.data(output)?)?;
+    let mut answer = comparison.answer();
     if let Some(folder) = &arguments.out {
-        write_folder(folder, &compared, Vec::new())?;
+        write_folder(folder, &comparison, Vec::new())?;
         answer.out = Some(folder.display().to_string());
     }
     output.answer(&answer)
 }
 
 impl Arguments {
-    fn comparison(&self, output: &Output) -> Result<Comparison, Failure> {
+    fn data(&self, output: &Output) -> Result<ComparisonData, Failure> {
         let robot = self.robot.read()?;
         let reader = reader_of(&robot, self.robot.model(Composition::STANDARD)?);
         let samples = self.data.read(&reader, output)?;
@@ -82,7 +84,7 @@ impl Arguments {
         for path in [Some(self.data.path()), self.validation.as_deref()].into_iter().flatten() {
             inputs.push(NamedFile::new(path.display().to_string(), files::read(path, Size::Table)?));
         }
-        Ok(Comparison {
+        Ok(ComparisonData {
             robot,
             samples,
             data_count,

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use cdpr::metamodel::sensitivity::Offsets;
 use cdpr::metamodel::tolerance::{DeviationSettings, Engine};
+use cdpr_reports::sensitivity::{SensitivityAnswer, tables};
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
@@ -12,7 +13,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::numbers::finite_number;
 use crate::progress::Progress;
-use crate::sensitivities::{self, Asked, tables};
+use crate::sensitivities::{self, Told};
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
@@ -139,6 +140,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let written: Vec<_> =
         maps.iter().chain(&poses).chain(&picture).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
     files::write_all(&written)?;
-    let asked = Asked { settings, top: arguments.top };
-    output.answer(&sensitivities::answer(&found, &study_file, &tolerances, &asked))
+    output.answer(&Told {
+        answer: SensitivityAnswer::new(&found, &study_file, &tolerances, &settings),
+        top: arguments.top,
+        has_rotation: study_file.machine.robot().motion_pattern.has_rotation(),
+    })
 }

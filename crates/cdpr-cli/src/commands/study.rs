@@ -1,7 +1,5 @@
 //! `cdpr study`: everything that a study tells, in a folder.
 
-mod tables;
-
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -16,11 +14,12 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
-use crate::selecting::NamedFile;
-use crate::study_file::{StudyFile, title};
+use crate::study_file::StudyFile;
 use crate::table::{Table, cell};
+use cdpr_reports::NamedFile;
+use cdpr_reports::answers::title;
 use cdpr_reports::number_format::significant;
-use cdpr_reports::study_page::{self, ErrorRow, StudyPage, StudyPageError, error_rows};
+use cdpr_reports::study_page::{self, ErrorRow, StudyPage, StudyPageError, error_maps, error_rows, errors_table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -89,8 +88,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let reason = reason(&found);
     let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason.clone()).collect())?;
     drop(progress);
-    let mut made = tables::maps(&found, &study_file.machine);
-    made.insert(0, NamedFile::new("errors.csv", tables::errors(&found)));
+    let mut made = error_maps(&found, &study_file.machine);
+    made.insert(0, NamedFile::new("errors.csv", errors_table(&found)));
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
         version: env!("CARGO_PKG_VERSION"),

@@ -11,7 +11,7 @@ use cdpr::metamodel::sweep::{Subjects, Sweep, check, row};
 use cdpr::reading::Size;
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
-use merged::Merged;
+use merged::merge;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -115,7 +115,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             plan(&sweep, &out, output)?;
             let plan = Plan::read(&out)?;
             compute(&out, &plan, Shard { number: 1, count: 1 })?;
-            output.answer(&Merged::of(&out, &plan, output)?)
+            output.answer(&merge(&out, &plan, output)?)
         }
         StepOfSweep::Plan { sweep, out } => {
             let planned = plan(&sweep, &out, output)?;
@@ -129,7 +129,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         StepOfSweep::Merge { folder } => {
             let plan = Plan::read(&folder)?;
             plan.introduce(output)?;
-            output.answer(&Merged::of(&folder, &plan, output)?)
+            output.answer(&merge(&folder, &plan, output)?)
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
 
-mod figure_tables;
 mod folder;
 mod words;
 
@@ -8,18 +7,16 @@ use std::time::Instant;
 
 use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
-use cdpr::identification::selection::{Criterion, Requirement, Selection, Settings, fit_count, select};
+use cdpr::identification::selection::{Criterion, Requirement, Settings, fit_count, select};
 use cdpr::measurement::{Fold, Samples, Split};
 use cdpr::model::{FreeParameters, ParameterKind};
-use cdpr::robot::Robot;
+use cdpr_reports::comparison::{Comparison, ComparisonData};
 use clap::{Args, ValueEnum};
 
-pub(crate) use folder::{NamedFile, write_folder};
+pub(crate) use folder::write_folder;
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use cdpr_reports::answers::SelectionAnswer;
-use cdpr_reports::report::{Purpose, Report};
 
 /// Options that say how candidates are compared.
 #[derive(Clone, Debug, Args)]
@@ -81,65 +78,6 @@ impl From<CriterionName> for Criterion {
     }
 }
 
-/// What is compared, on which data.
-pub(crate) struct Comparison {
-    pub(crate) robot: Robot,
-    pub(crate) samples: Samples,
-    /// How many of the samples `data_name` has; the others are of another file, for validation alone.
-    pub(crate) data_count: usize,
-    pub(crate) folds: Vec<Fold>,
-    /// Where the samples come from.
-    pub(crate) data_name: String,
-    /// How validation data were chosen, in words.
-    pub(crate) validation_name: String,
-    /// The command that gives the same result again.
-    pub(crate) command: String,
-    /// Remarks for the reader of the result.
-    pub(crate) warnings: Vec<String>,
-    /// Names and contents of the files read.
-    pub(crate) inputs: Vec<NamedFile>,
-}
-
-/// A comparison that was made.
-pub(crate) struct Compared {
-    pub(crate) comparison: Comparison,
-    pub(crate) candidates: Vec<Candidate>,
-    pub(crate) settings: Settings,
-    pub(crate) selection: Selection,
-    /// Wall time of the comparison (s).
-    pub(crate) seconds: f64,
-    /// Mean wall time of one inverse problem per candidate (s).
-    pub(crate) inverse_seconds: Vec<Option<f64>>,
-}
-
-impl Compared {
-    /// The answer with wall times.
-    pub(crate) fn answer(&self) -> SelectionAnswer {
-        SelectionAnswer::new(&self.told()).with_timing(self.seconds, &self.inverse_seconds)
-    }
-
-    /// What the report and `result.json` tell of it.
-    pub(crate) fn told(&self) -> Report<'_> {
-        let comparison = &self.comparison;
-        Report {
-            purpose: Purpose::Selection,
-            command: &comparison.command,
-            robot: &comparison.robot,
-            samples: &comparison.samples,
-            data_count: comparison.data_count,
-            folds: &comparison.folds,
-            is_held_out: true,
-            data_name: &comparison.data_name,
-            validation_name: &comparison.validation_name,
-            selection: &self.selection,
-            criterion: self.settings.criterion,
-            seed: self.settings.seed,
-            version: env!("CARGO_PKG_VERSION"),
-            warnings: &comparison.warnings,
-        }
-    }
-}
-
 impl SelectionArguments {
     /// The options as they are written on the command line, those left at their default left out.
     pub(crate) fn written(&self) -> String {
@@ -173,18 +111,18 @@ impl SelectionArguments {
     }
 
     /// Identifies and judges every candidate.
-    pub(crate) fn compare(&self, comparison: Comparison) -> Result<Compared, Failure> {
+    pub(crate) fn compare(&self, data: ComparisonData) -> Result<Comparison, Failure> {
         let candidates = match &self.candidates {
             Some(list) => list.0.clone(),
-            None => candidate::defaults(&comparison.robot, self.ladder(&comparison.samples)),
+            None => candidate::defaults(&data.robot, self.ladder(&data.samples)),
         };
         let criterion = Criterion::from(self.criterion);
-        if criterion == Criterion::Rotation && !comparison.robot.motion_pattern.has_rotation() {
+        if criterion == Criterion::Rotation && !data.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
             return Err(Failure::input("criterion::not-in-data", message, "use --criterion position or length"));
         }
-        if criterion == Criterion::Tension && comparison.samples.tensions.is_none() {
-            let message = format!("{}: --criterion tension needs recorded tensions", comparison.data_name);
+        if criterion == Criterion::Tension && data.samples.tensions.is_none() {
+            let message = format!("{}: --criterion tension needs recorded tensions", data.data_name);
             return Err(Failure::input(
                 "criterion::not-in-data",
                 &message,
@@ -193,15 +131,15 @@ impl SelectionArguments {
         }
         let fit = fit::Settings { hold: self.hold.clone(), priors: self.prior.clone(), ..fit::Settings::default() };
         let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };
-        let progress = Progress::of(fit_count(&candidates, &comparison.folds), "comparing candidates");
+        let progress = Progress::of(fit_count(&candidates, &data.folds), "comparing candidates");
         let start = Instant::now();
-        let Comparison { robot, samples, folds, data_name, .. } = &comparison;
+        let ComparisonData { robot, samples, folds, data_name, .. } = &data;
         let selection = select(robot, &candidates, samples, folds, &settings, &|| progress.step())
             .map_err(|error| Failure::refused(data_name, &error))?;
         let seconds = start.elapsed().as_secs_f64();
         let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, samples)).collect();
         drop(progress);
-        Ok(Compared { comparison, candidates, settings, selection, seconds, inverse_seconds })
+        Ok(Comparison { data, candidates, settings, selection, seconds, inverse_seconds })
     }
 }
 

@@ -1,21 +1,33 @@
-//! Sensitivities and tolerances of a study: what `cdpr sensitivity` computes, tells and writes.
+//! Sensitivities and tolerances of a study: what `cdpr sensitivity` tells people.
 
-mod answer;
-mod map;
 mod names;
-pub(crate) mod tables;
 mod words;
 
-use cdpr::metamodel::tolerance::{DeviationSettings, Deviations};
+use cdpr::metamodel::Experiment;
+use cdpr::metamodel::tolerance::Deviations;
+use cdpr_reports::sensitivity::{self, SensitivityAnswer};
+use serde::Serialize;
 
-pub(crate) use answer::answer;
-pub(crate) use map::map;
+use crate::failure::Failure;
 pub(crate) use names::place_of;
 
-/// Questions to a study.
-pub(crate) struct Asked {
-    /// Those that the library answers.
-    pub(crate) settings: DeviationSettings,
+/// The answer, with what only its words need.
+#[derive(Serialize)]
+#[serde(transparent)]
+pub(crate) struct Told {
+    pub(crate) answer: SensitivityAnswer,
     /// Parameters in the table.
+    #[serde(skip)]
     pub(crate) top: usize,
+    #[serde(skip)]
+    pub(crate) has_rotation: bool,
+}
+
+/// The picture for the number of this name.
+pub(crate) fn map(found: &Deviations, experiment: &Experiment, name: &str) -> Result<String, Failure> {
+    let cause = place_of(&found.causes, &experiment.machine, name, "--map")?;
+    sensitivity::map(found, experiment, cause).ok_or_else(|| {
+        let message = format!("--map: no pose tells how the platform moves with \"{name}\"");
+        Failure::input("study::no-poses", message, "leave --map out".to_owned())
+    })
 }

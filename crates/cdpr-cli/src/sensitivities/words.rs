@@ -1,25 +1,14 @@
 //! The answer of `cdpr sensitivity` for people.
 
-use cdpr::metamodel::sensitivity::{Kind, Offsets};
+use cdpr::metamodel::sensitivity::Offsets;
 use cdpr::metamodel::study::AccuracyOf;
 use cdpr::metamodel::tolerance::Quantiles;
+use cdpr_reports::sensitivity::{AllowedAnswer, KindAnswer, ParameterAnswer, ToleranceAnswer, step};
 
-use super::answer::{Told, ToldAllowed, ToldTolerance};
+use super::Told;
 use crate::answer::Answer;
 use crate::table::Table;
 use cdpr_reports::number_format::{NONE, significant};
-
-/// A step that people think in: what it is in the unit of the kind, and its words.
-pub(super) fn step(kind: Kind) -> (f64, &'static str) {
-    match (kind, kind.unit()) {
-        (Kind::LengthScale, _) => (1e-4, "0.01 %"),
-        (_, "m") => (1e-3, "1 mm"),
-        (_, "1") => (1e-2, "1 %"),
-        (_, "N") => (10.0, "10 N"),
-        (_, "N·m") => (10.0, "10 N·m"),
-        _ => (1.0, "1 kg"),
-    }
-}
 
 /// A deviation in the unit that people think in.
 fn amount(value: f64, unit: &str) -> String {
@@ -36,33 +25,33 @@ fn amount(value: f64, unit: &str) -> String {
 
 impl Answer for Told {
     fn is_negative(&self) -> bool {
-        self.reason.is_some()
+        self.answer.reason.is_some()
     }
 
     fn words(&self) -> String {
-        let offsets = match self.offsets {
+        let offsets = match self.answer.offsets {
             Offsets::Kept => "kept",
             Offsets::SetAnew => "set anew",
         };
         let mut text = format!(
             "{} drives {} to {} poses; winch offsets are {offsets} when something deviates\n",
-            self.control, self.machine, self.samples
+            self.answer.control, self.answer.machine, self.answer.samples
         );
-        if let Some(error) = self.difference_error {
+        if let Some(error) = self.answer.difference_error {
             text.push_str(&format!(
                 "the machine remembers: derivatives are central differences along its path, good to {} of the largest\n",
                 significant(error, 1)
             ));
         }
-        if let Some(reason) = &self.reason {
+        if let Some(reason) = &self.answer.reason {
             text.push_str(&format!("{reason}\n"));
         }
         text.push_str(&format!("\n{}\n{}", self.by_kind(), self.by_parameter()));
-        if let Some(tolerance) = &self.tolerance {
-            text.push_str(&tolerance.words());
+        if let Some(tolerance) = &self.answer.tolerance {
+            text.push_str(&tolerance_words(tolerance));
         }
-        if let Some(allowed) = &self.allowed {
-            text.push_str(&allowed.words());
+        if let Some(allowed) = &self.answer.allowed {
+            text.push_str(&allowed_words(allowed));
         }
         text
     }
@@ -71,9 +60,9 @@ impl Answer for Told {
 impl Told {
     /// Kinds, the most influential step first.
     fn by_kind(&self) -> String {
-        let mut rows: Vec<_> = self.kinds.iter().collect();
+        let mut rows: Vec<_> = self.answer.kinds.iter().collect();
         rows.sort_by(|a, b| {
-            let moved = |kind: &super::answer::ToldKind| step(kind.kind).0 * kind.position_rms_m_per_unit;
+            let moved = |kind: &KindAnswer| step(kind.kind).0 * kind.position_rms_m_per_unit;
             moved(b).total_cmp(&moved(a))
         });
         let mut table = Table::new(["all of a kind deviate", "count", "each by (σ)", "moves rms mm", "worst pose mm"])
@@ -94,9 +83,9 @@ impl Told {
 
     /// Single parameters, the most influential step first.
     fn by_parameter(&self) -> String {
-        let mut rows: Vec<_> = self.parameters.iter().collect();
+        let mut rows: Vec<_> = self.answer.parameters.iter().collect();
         rows.sort_by(|a, b| {
-            let moved = |one: &super::answer::ToldParameter| step(one.kind).0 * one.position_mean_m_per_unit;
+            let moved = |one: &ParameterAnswer| step(one.kind).0 * one.position_mean_m_per_unit;
             moved(b).total_cmp(&moved(a))
         });
         let has_tensions = rows.iter().any(|one| one.tension_mean_N_per_unit.is_some());
@@ -125,63 +114,59 @@ impl Told {
     }
 }
 
-impl ToldTolerance {
-    fn words(&self) -> String {
-        let mm = |value: f64| significant(1e3 * value, 3);
-        let linear = &self.linear;
-        let mut text = format!(
-            "\nto first order the tolerances move the platform by {} mm (rms), by {} mm at the worst pose, and by {} mm at most when \
+fn tolerance_words(tolerance: &ToleranceAnswer) -> String {
+    let mm = |value: f64| significant(1e3 * value, 3);
+    let linear = &tolerance.linear;
+    let mut text = format!(
+        "\nto first order the tolerances move the platform by {} mm (rms), by {} mm at the worst pose, and by {} mm at most when \
              all are at their worst\n",
-            mm(linear.deviation_rms_m),
-            mm(linear.deviation_rms_at_worst_pose_m),
-            mm(linear.worst_case_max_m)
-        );
-        let Some(drawn) = &self.drawn else { return text };
-        text.push_str(&format!("\n{} robots drawn\n", drawn.robots));
-        let mut table = Table::new(["", "mean mm", "median mm", "95 % mm", "99 % mm", "max mm"]);
-        let mut row = |name: &str, q: &Quantiles| {
-            let cells = [q.mean, q.median, q.p95, q.p99, q.max].map(mm);
-            table.row([vec![name.to_owned()], cells.to_vec()].concat());
-        };
-        row("error at a pose", &drawn.position_error_m);
-        row("deviation at a pose", &drawn.deviation_m);
-        row("mean error of a robot", &drawn.mean_of_robot_m);
-        row("largest error of a robot", &drawn.max_of_robot_m);
-        text.push_str(&table.text());
-        if let Some(reason) = &drawn.reason {
-            text.push_str(&format!("{} answers are missing and do not count: {reason}\n", drawn.unanswered));
-        }
-        text
+        mm(linear.deviation_rms_m),
+        mm(linear.deviation_rms_at_worst_pose_m),
+        mm(linear.worst_case_max_m)
+    );
+    let Some(drawn) = &tolerance.drawn else { return text };
+    text.push_str(&format!("\n{} robots drawn\n", drawn.robots));
+    let mut table = Table::new(["", "mean mm", "median mm", "95 % mm", "99 % mm", "max mm"]);
+    let mut row = |name: &str, q: &Quantiles| {
+        let cells = [q.mean, q.median, q.p95, q.p99, q.max].map(mm);
+        table.row([vec![name.to_owned()], cells.to_vec()].concat());
+    };
+    row("error at a pose", &drawn.position_error_m);
+    row("deviation at a pose", &drawn.deviation_m);
+    row("mean error of a robot", &drawn.mean_of_robot_m);
+    row("largest error of a robot", &drawn.max_of_robot_m);
+    text.push_str(&table.text());
+    if let Some(reason) = &drawn.reason {
+        text.push_str(&format!("{} answers are missing and do not count: {reason}\n", drawn.unanswered));
     }
+    text
 }
 
-impl ToldAllowed {
-    fn words(&self) -> String {
-        if self.kinds.is_empty() {
-            return String::new();
-        }
-        let of = match self.accuracy_of {
-            AccuracyOf::Error => "of the position",
-            AccuracyOf::Deviation => "of the deviation alone",
-        };
-        let mut text = format!(
-            "\nfor {} mm {of} ({} mm are left for deviations at pose {}) each of a kind may deviate by\n",
-            significant(1e3 * self.accuracy_m, 3),
-            significant(1e3 * self.least_budget_m, 3),
-            self.worst_pose
-        );
-        let mut table = Table::new(["kind", "alone, σ", "alone, at most", "jointly, σ", "jointly, at most"]);
-        for kind in &self.kinds {
-            let joint = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| amount(value, kind.unit));
-            table.row(vec![
-                format!("{} {}", kind.side.name(), kind.kind),
-                amount(kind.sigma_alone, kind.unit),
-                amount(kind.worst_case_alone, kind.unit),
-                joint(kind.sigma_joint),
-                joint(kind.worst_case_joint),
-            ]);
-        }
-        text.push_str(&table.text());
-        text
+fn allowed_words(allowed: &AllowedAnswer) -> String {
+    if allowed.kinds.is_empty() {
+        return String::new();
     }
+    let of = match allowed.accuracy_of {
+        AccuracyOf::Error => "of the position",
+        AccuracyOf::Deviation => "of the deviation alone",
+    };
+    let mut text = format!(
+        "\nfor {} mm {of} ({} mm are left for deviations at pose {}) each of a kind may deviate by\n",
+        significant(1e3 * allowed.accuracy_m, 3),
+        significant(1e3 * allowed.least_budget_m, 3),
+        allowed.worst_pose
+    );
+    let mut table = Table::new(["kind", "alone, σ", "alone, at most", "jointly, σ", "jointly, at most"]);
+    for kind in &allowed.kinds {
+        let joint = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| amount(value, kind.unit));
+        table.row(vec![
+            format!("{} {}", kind.side.name(), kind.kind),
+            amount(kind.sigma_alone, kind.unit),
+            amount(kind.worst_case_alone, kind.unit),
+            joint(kind.sigma_joint),
+            joint(kind.worst_case_joint),
+        ]);
+    }
+    text.push_str(&table.text());
+    text
 }

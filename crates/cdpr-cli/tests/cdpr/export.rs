@@ -121,6 +121,8 @@ fn what_is_no_result_is_refused_with_its_place() {
     refused("demo/singular-values.csv:1", "`singular_value` is missing");
     std::fs::write(path.join("result.json"), "{\"candidates\": 5}").unwrap();
     refused("demo/result.json:1", "no result");
+    std::fs::write(path.join("result.json"), "{\n  \"criterion\": \"beauty\"\n}").unwrap();
+    refused("demo/result.json:2", "unknown variant `beauty`, expected one of `position`, `rotation`");
     std::fs::remove_file(path.join("result.json")).unwrap();
     assert!(cdpr_in(folder.path(), "export svg demo").stderr.contains("RESULT is a folder"));
 }

@@ -1,6 +1,7 @@
 //! Poses and vectors in the components of a motion pattern.
 
 use cdpr::geometry::{MotionPattern, Pose};
+use cdpr::model::Model;
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;
 use serde::Serialize;
@@ -46,6 +47,11 @@ impl PoseAnswer {
     pub fn words(&self) -> &str {
         &self.words
     }
+}
+
+/// A robot with its model, as answers and figures name it.
+pub fn title(model: &Model) -> String {
+    format!("{} ({})", model.robot().name, model.composition())
 }
 
 /// Names of the axes that a robot's vectors have.

@@ -1,5 +1,6 @@
 //! Correlations of the errors of all pairs of parameters, as a square of colours.
 
+use super::colour::diverging;
 use super::drawing::{Anchor, Drawing};
 use crate::number_format as number;
 
@@ -9,8 +10,6 @@ const SIZE: f64 = 620.0;
 const CELL: (f64, f64) = (22.0, 2.0);
 /// Least distance of two names.
 const NAME_PITCH: f64 = 8.5;
-/// Colours of −1, 0 and 1, which the colour-blind can tell apart.
-const COLOURS: [[f64; 3]; 3] = [[33.0, 102.0, 172.0], [247.0, 247.0, 247.0], [179.0, 88.0, 6.0]];
 /// Colour of pairs of which one is not determined.
 const UNKNOWN: &str = "#8c8c8c";
 const STEPS: usize = 20;
@@ -38,28 +37,22 @@ pub fn correlations(names: &[String], rows: &[Vec<f64>]) -> Option<String> {
         for (column, value) in values.iter().enumerate().take(count) {
             let corner = (margin + cell * column as f64, margin + cell * row as f64);
             // a hair more, so that no white shows between cells
-            drawing.rectangle("cell", corner, (cell + 0.2, cell + 0.2), Some(&colour(*value)));
+            drawing.rectangle("cell", corner, (cell + 0.2, cell + 0.2), Some(colour(*value)));
         }
     }
     bar(&mut drawing, right + 28.0, margin, side.clamp(120.0, 260.0));
     Some(drawing.finish())
 }
 
-fn colour(value: f64) -> String {
-    if !value.is_finite() {
-        return UNKNOWN.to_owned();
-    }
-    let share = value.clamp(-1.0, 1.0).abs();
-    let (from, to) = (COLOURS[1], if value < 0.0 { COLOURS[0] } else { COLOURS[2] });
-    let channel = |c: usize| (from[c] + share * (to[c] - from[c])).round() as u8;
-    format!("#{:02x}{:02x}{:02x}", channel(0), channel(1), channel(2))
+fn colour(value: f64) -> &'static str {
+    if value.is_finite() { diverging(value) } else { UNKNOWN }
 }
 
 fn bar(drawing: &mut Drawing, left: f64, top: f64, height: f64) {
     let piece = height / STEPS as f64;
     for step in 0..STEPS {
         let value = 1.0 - 2.0 * (step as f64 + 0.5) / STEPS as f64;
-        drawing.rectangle("cell", (left, top + piece * step as f64), (14.0, piece + 0.3), Some(&colour(value)));
+        drawing.rectangle("cell", (left, top + piece * step as f64), (14.0, piece + 0.3), Some(colour(value)));
     }
     for value in [-1.0, -0.5, 0.0, 0.5, 1.0] {
         let y = top + 0.5 * (1.0 - value) * height;

@@ -66,22 +66,23 @@ impl Map {
     /// Small errors first, so that large ones lie on top.
     fn draw_points(&self, drawing: &mut Drawing, points: &[&MapPoint], x: &Axis, y: &Axis) {
         let radius = if points.len() > 400 { 3.0 } else { 4.5 };
-        for step in 0..colour::STEPS {
+        for step in 0..colour::COUNT {
             let own = points.iter().filter(|point| colour::step_of(point.error, self.top) == step);
             let centres: Vec<(f64, f64)> = own.map(|point| (x.place(point.at[0]), y.place(point.at[1]))).collect();
             if !centres.is_empty() {
-                drawing.discs(&colour::of_step(step), &centres, radius);
+                drawing.discs(colour::of_step(step), &centres, radius);
             }
         }
     }
 
     fn draw_bar(&self, drawing: &mut Drawing, left: f64, (top, bottom): (f64, f64)) {
-        let height = (bottom - top) / colour::STEPS as f64;
-        for step in 0..colour::STEPS {
+        let height = (bottom - top) / colour::COUNT as f64;
+        for step in 0..colour::COUNT {
             let upper = bottom - height * (step + 1) as f64;
-            drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(&colour::of_step(step)));
+            drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(colour::of_step(step)));
         }
-        let ticks = if bottom - top < 200.0 { 2 } else { 4 };
+        // at the borders of colours
+        let ticks = if bottom - top < 200.0 { 3 } else { 6 };
         for tick in 0..=ticks {
             let share = f64::from(tick) / f64::from(ticks);
             let text = crate::number_format::significant(share * self.top, 3);

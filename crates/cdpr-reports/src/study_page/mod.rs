@@ -2,6 +2,7 @@
 //!
 //! Everything the page shows was computed here: its program draws, and subtracts vectors that it shows side by side.
 
+mod field_tables;
 mod page_data;
 mod region;
 mod tables;
@@ -18,6 +19,7 @@ use thiserror::Error;
 
 use crate::html_page::{Page, PageError, plain, prose};
 use crate::number_format::{short, significant};
+pub use field_tables::{error_maps, errors_table};
 use region::Region;
 pub use tables::{ErrorRow, error_rows};
 

@@ -1,165 +1,57 @@
-//! The joined rows of a sweep.
+//! The joined rows of a sweep: read from their files, and in words.
 
 use std::path::Path;
 
 use cdpr::metamodel::sweep::Row;
-use serde::Serialize;
+use cdpr_reports::number_format::significant;
+use cdpr_reports::sweep_result::{SweepPoint, SweepResult};
 
 use super::folder::{Plan, RowFile};
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
-use crate::study_file::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::table::Table;
-use cdpr_reports::figures::{ShareCurve, Shares};
-use cdpr_reports::number_format::{short, significant};
 
-#[derive(Serialize)]
-pub(super) struct Merged {
-    status: &'static str,
-    /// Why no point has an answer.
-    reason: Option<String>,
-    plan: String,
-    parameters: Vec<String>,
-    position_error_max_m: Vec<f64>,
-    rows: Vec<MergedRow>,
-    files: Vec<String>,
-    /// Remark on shares above 100 %.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    remark: Option<&'static str>,
-}
-
-#[derive(Serialize)]
-struct MergedRow {
-    #[serde(flatten)]
-    row: Row,
-    /// What is reached whatever the error, as a share of the physical workspace.
-    share: Option<f64>,
-    /// The same with each largest position error.
-    share_by_accuracy: Vec<Option<f64>>,
-}
-
-impl MergedRow {
-    fn of(row: Row) -> Self {
-        let whole = row.physical.filter(|whole| *whole > 0.0);
-        let share = |size: f64| whole.map(|whole| size / whole);
-        Self {
-            share: row.reachable.and_then(share),
-            share_by_accuracy: row.by_accuracy.iter().map(|size| share(*size)).collect(),
-            row,
-        }
+/// Reads all rows and writes the result beside them; refuses rows of other plans and gaps.
+pub(super) fn merge(folder: &Path, plan: &Plan, output: &Output) -> Result<SweepResult, Failure> {
+    let strangers = RowFile::strangers(folder, plan)?;
+    if strangers > 0 {
+        let message =
+            format!("{strangers} rows in {} belong to another plan: it was changed between shards", folder.display());
+        return Err(Failure::input(
+            "sweep::plan-changed",
+            message,
+            "merge only what was computed with the plan of this folder",
+        ));
     }
-}
-
-impl Merged {
-    /// Reads all rows and writes the result beside them; refuses rows of other plans and gaps.
-    pub(super) fn of(folder: &Path, plan: &Plan, output: &Output) -> Result<Self, Failure> {
-        let strangers = RowFile::strangers(folder, plan)?;
-        if strangers > 0 {
-            let message = format!(
-                "{strangers} rows in {} belong to another plan: it was changed between shards",
-                folder.display()
-            );
-            return Err(Failure::input(
-                "sweep::plan-changed",
-                message,
-                "merge only what was computed with the plan of this folder",
-            ));
-        }
-        let rows: Vec<Option<Row>> =
-            (0..plan.points.len()).map(|point| RowFile::read(folder, plan, point)).collect::<Result<_, _>>()?;
-        let missing = rows.iter().filter(|row| row.is_none()).count();
-        if missing > 0 {
-            let message = format!("{missing} of {} points are not computed", rows.len());
-            let help = format!("compute them: cdpr sweep run {}", folder.display());
-            return Err(Failure::input("sweep::incomplete", message, help));
-        }
-        let rows: Vec<MergedRow> = rows.into_iter().flatten().map(MergedRow::of).collect();
-        let is_beyond = rows.iter().any(|row| is_beyond_the_whole(row.share));
-        let reason = nowhere(&rows);
-        let mut merged = Self {
-            status: if reason.is_none() { "merged" } else { "no-answers" },
-            reason,
-            plan: plan.fingerprint.clone(),
-            parameters: plan.sweep.parameter.iter().map(|parameter| parameter.key.clone()).collect(),
-            position_error_max_m: plan.sweep.position_error_max_m.clone(),
-            remark: is_beyond.then_some(BEYOND_THE_WHOLE),
-            rows,
-            files: vec!["result.json".to_owned(), "result.csv".to_owned()],
-        };
-        let figure = merged.figure();
-        if figure.is_some() {
-            merged.files.push("result.svg".to_owned());
-        }
-        let json = output.file(&merged, "result.json")?;
-        let csv = merged.csv();
-        let paths: Vec<_> = merged.files.iter().map(|name| folder.join(name)).collect();
-        let contents = [Some(json.into_bytes()), Some(csv.into_bytes()), figure.map(String::into_bytes)];
-        let contents: Vec<Vec<u8>> = contents.into_iter().flatten().collect();
-        let all: Vec<(&Path, &[u8])> =
-            paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
-        files::write_all(&all)?;
-        Ok(merged)
+    let rows: Vec<Option<Row>> =
+        (0..plan.points.len()).map(|point| RowFile::read(folder, plan, point)).collect::<Result<_, _>>()?;
+    let missing = rows.iter().filter(|row| row.is_none()).count();
+    if missing > 0 {
+        let message = format!("{missing} of {} points are not computed", rows.len());
+        let help = format!("compute them: cdpr sweep run {}", folder.display());
+        return Err(Failure::input("sweep::incomplete", message, help));
     }
-
-    fn csv(&self) -> String {
-        let mut text = self.parameters.iter().map(|key| format!("\"{key}\"")).collect::<Vec<_>>().join(",");
-        text.push_str(",physical,reachable,share");
-        for most in &self.position_error_max_m {
-            text.push_str(&format!(",share_within_{most}_m"));
-        }
-        text.push_str(",reason\n");
-        let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-        for MergedRow { row, share, share_by_accuracy } in &self.rows {
-            let mut cells: Vec<String> = row.values.iter().map(f64::to_string).collect();
-            cells.extend([number(row.physical), number(row.reachable), number(*share)]);
-            let thresholds = 0..self.position_error_max_m.len();
-            cells.extend(thresholds.map(|index| number(share_by_accuracy.get(index).copied().flatten())));
-            cells.push(
-                row.reason.as_ref().map_or_else(String::new, |reason| format!("\"{}\"", reason.replace('"', "\"\""))),
-            );
-            text.push_str(&format!("{}\n", cells.join(",")));
-        }
-        text
+    let parameters = plan.sweep.parameter.iter().map(|parameter| parameter.key.clone()).collect();
+    let most = plan.sweep.position_error_max_m.clone();
+    let mut merged = SweepResult::new(plan.fingerprint.clone(), parameters, most, rows.into_iter().flatten().collect());
+    merged.files = vec!["result.json".to_owned(), "result.csv".to_owned()];
+    let figure = merged.figure();
+    if figure.is_some() {
+        merged.files.push("result.svg".to_owned());
     }
-
-    /// Shares over the parameter, where there is just one.
-    fn figure(&self) -> Option<String> {
-        let [key] = self.parameters.as_slice() else { return None };
-        let points = |share: &dyn Fn(&MergedRow) -> Option<f64>| -> Vec<(f64, f64)> {
-            self.rows.iter().filter_map(|row| Some((row.row.values[0], share(row)?))).collect()
-        };
-        let mut curves = vec![ShareCurve { name: "any error".to_owned(), points: points(&|row| row.share) }];
-        for (index, most) in self.position_error_max_m.iter().enumerate() {
-            let name = format!("{} mm", short(1e3 * most));
-            curves
-                .push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
-        }
-        Shares { parameter: axis_label(key), curves }.svg()
-    }
+    let json = output.file(&merged, "result.json")?;
+    let csv = merged.csv();
+    let paths: Vec<_> = merged.files.iter().map(|name| folder.join(name)).collect();
+    let contents = [Some(json.into_bytes()), Some(csv.into_bytes()), figure.map(String::into_bytes)];
+    let contents: Vec<Vec<u8>> = contents.into_iter().flatten().collect();
+    let all: Vec<(&Path, &[u8])> =
+        paths.iter().map(|path| path.as_path()).zip(contents.iter().map(Vec::as_slice)).collect();
+    files::write_all(&all)?;
+    Ok(merged)
 }
 
-/// Why no point of the sweep has an answer, by the first of them.
-fn nowhere(rows: &[MergedRow]) -> Option<String> {
-    let first = rows.first()?.row.reason.as_deref()?;
-    let is_none = rows.iter().all(|row| row.row.reason.is_some());
-    is_none.then(|| format!("none of {} points has an answer; the first: {first}", rows.len()))
-}
-
-/// A key as the label of an axis: its last word with its unit, and whose it is.
-fn axis_label(key: &str) -> String {
-    let (owner, name) = key.rsplit_once('.').map_or(("", key), |(owner, name)| (owner, name));
-    let (name, entry) = name.split_once('[').map_or((name, String::new()), |(name, entry)| (name, format!("[{entry}")));
-    let (words, unit) = match name.rsplit_once('_') {
-        Some((words, unit @ ("m" | "N" | "rad" | "kg"))) => (words, format!(" in {unit}")),
-        Some((words, "Nm")) => (words, " in N·m".to_owned()),
-        _ => (name, String::new()),
-    };
-    let owner = if owner.is_empty() { String::new() } else { format!(" ({owner})") };
-    format!("{}{entry}{unit}{owner}", words.replace('_', " "))
-}
-
-impl Answer for Merged {
+impl Answer for SweepResult {
     fn is_negative(&self) -> bool {
         self.reason.is_some()
     }
@@ -171,7 +63,7 @@ impl Answer for Merged {
         let mut table = Table::with_heading(heading);
         let percent =
             |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
-        for MergedRow { row, share, share_by_accuracy } in &self.rows {
+        for SweepPoint { row, share, share_by_accuracy } in &self.rows {
             let mut cells: Vec<String> = row.values.iter().map(|value| significant(*value, 5)).collect();
             cells.push(percent(share));
             cells.extend(
@@ -190,18 +82,5 @@ impl Answer for Merged {
         }
         text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
         text
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::axis_label;
-
-    #[test]
-    fn axes_of_sweeps_name_their_unit_and_whose_number_it_is() {
-        assert_eq!(axis_label("both.cable[*].axial_stiffness_EA_N"), "axial stiffness EA in N (both.cable[*])");
-        assert_eq!(axis_label("study.initial.tension_limits_N[2]"), "tension limits[2] in N (study.initial)");
-        assert_eq!(axis_label("placed_pulley_radius_m"), "placed pulley radius in m");
-        assert_eq!(axis_label("machine.platform.mass"), "mass (machine.platform)");
     }
 }

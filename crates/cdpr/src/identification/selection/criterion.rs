@@ -1,11 +1,11 @@
 //! Errors that can decide between candidates.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::identification::evaluation::{ErrorBlocks, Evaluation};
 
 /// Which error decides.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Criterion {

@@ -2,29 +2,27 @@
 
 use cdpr::geometry::Pose;
 use cdpr::metamodel::Experiment;
+use cdpr::metamodel::tolerance::Deviations;
 use cdpr::model::Model;
 use cdpr::nalgebra::Vector3;
 
+use super::step;
 use super::tables::in_world;
-use super::words::step;
-use super::{Deviations, place_of};
-use crate::failure::Failure;
-use crate::study_file::title;
-use cdpr_reports::answers::axis_names;
-use cdpr_reports::figures::{Map, MapPoint};
-use cdpr_reports::number_format::significant;
+use crate::answers::{axis_names, title};
+use crate::figures::{Map, MapPoint};
+use crate::number_format::significant;
 
 /// Length of the longest arrow, as a share of what the poses span.
 const LONGEST: f64 = 0.1;
 
-/// Discs coloured by |∂r/∂p| and arrows along ∂r/∂p at every pose, for the number p of this name; spatial robots from above.
-pub(crate) fn map(found: &Deviations, experiment: &Experiment, name: &str) -> Result<String, Failure> {
+/// Discs coloured by |∂r/∂p| and arrows along ∂r/∂p at every pose, for the number p that is `cause` among those of the deviations; spatial robots from
+/// above. Nothing where no pose tells.
+pub fn map(found: &Deviations, experiment: &Experiment, cause: usize) -> Option<String> {
     let machine = &experiment.machine;
-    let cause = place_of(&found.causes, machine, name, "--map")?;
     let (by, words) = step(found.causes[cause].kind);
     let moves = moves(found, machine, cause, 1e3 * by);
     let axes: Vec<usize> = machine.axes().iter().take(2).map(|axis| axis.iamax()).collect();
-    let &[across, up] = axes.as_slice() else { return Err(nothing(name)) };
+    let &[across, up] = axes.as_slice() else { return None };
     let largest = moves.iter().map(|(_, by)| by.norm()).fold(0.0, f64::max);
     let seen = |vector: &Vector3<f64>| [vector[across], vector[up]];
     let span = |axis: usize| {
@@ -47,7 +45,7 @@ pub(crate) fn map(found: &Deviations, experiment: &Experiment, name: &str) -> Re
         top: if largest > 0.0 { largest } else { 1.0 },
         colour_label: format!("mm by {words}"),
     };
-    map.svg().ok_or_else(|| nothing(name))
+    map.svg()
 }
 
 /// The commanded poses, and ∂r/∂p there times a factor.
@@ -58,9 +56,4 @@ fn moves<'a>(found: &'a Deviations, machine: &Model, cause: usize, by: f64) -> V
         Some((&command.pose, in_world(machine, column.iter().copied()).fixed_rows::<3>(0) * by))
     })
     .collect()
-}
-
-fn nothing(name: &str) -> Failure {
-    let message = format!("--map: no pose tells how the platform moves with \"{name}\"");
-    Failure::input("study::no-poses", message, "leave --map out".to_owned())
 }

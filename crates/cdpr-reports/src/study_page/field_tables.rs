@@ -6,12 +6,12 @@ use cdpr::geometry::Twist;
 use cdpr::metamodel::field::{Field, Sample};
 use cdpr::model::Model;
 
-use crate::selecting::NamedFile;
-use cdpr_reports::figures::{Map, MapPoint};
-use cdpr_reports::number_format::short;
+use crate::NamedFile;
+use crate::figures::{Map, MapPoint};
+use crate::number_format::short;
 
 /// One row per commanded pose; empty cells where there is no answer.
-pub(super) fn errors(found: &Field) -> String {
+pub fn errors_table(found: &Field) -> String {
     let cables = found.samples.iter().find_map(|sample| Some(sample.outcome.tensions.as_ref()?.len())).unwrap_or(0);
     let mut text = String::from(
         "pose,status,x_m,y_m,z_m,qx,qy,qz,qw,dx_m,dy_m,dz_m,rx_rad,ry_rad,rz_rad,linear_dx_m,linear_dy_m,linear_dz_m,\
@@ -37,7 +37,7 @@ pub(super) fn errors(found: &Field) -> String {
 
 /// Position errors over the plane of a planar robot; of a spatial one seen along each axis, from above height by height where
 /// the poses have few heights.
-pub(super) fn maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
+pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
     let names = ["x", "y", "z"];
     let axes: Vec<usize> = machine.axes().iter().map(|axis| axis.iamax()).collect();
     let views: Vec<[usize; 2]> = match axes.as_slice() {

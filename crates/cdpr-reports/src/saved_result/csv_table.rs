@@ -1,11 +1,8 @@
 //! A table of a result's folder, read back.
 
-use std::path::Path;
-
 use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
 
-use crate::failure::Failure;
-use crate::files;
+use crate::NamedFile;
 
 /// Fields under a heading, with the line of each row.
 pub(super) struct CsvTable {
@@ -15,11 +12,9 @@ pub(super) struct CsvTable {
 }
 
 impl CsvTable {
-    /// The table of a file; `None` where there is no such file.
-    pub(super) fn read(path: &Path) -> Result<Option<Self>, Failure> {
-        let Some(bytes) = files::read_if_there(path, Size::Table)? else { return Ok(None) };
-        let file_name = path.display().to_string();
-        let text = text_from_bytes(&bytes, Size::Table, &file_name)?;
+    /// The table in the bytes of a file.
+    pub(super) fn of(NamedFile { name: file_name, content }: NamedFile) -> Result<Self, ReadError> {
+        let text = text_from_bytes(&content, Size::Table, &file_name)?;
         let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
         let mut rows = Vec::new();
         for record in reader.records() {
@@ -31,28 +26,27 @@ impl CsvTable {
             rows.push((line, record.iter().map(str::to_owned).collect()));
         }
         if rows.is_empty() {
-            return Err(placed(&file_name, 1, "the table is empty".to_owned()).into());
+            return Err(placed(&file_name, 1, "the table is empty".to_owned()));
         }
         let (_, heading) = rows.remove(0);
-        Ok(Some(Self { file_name, heading, rows }))
+        Ok(Self { file_name, heading, rows })
     }
 
     /// Number of the column of this name.
-    pub(super) fn column(&self, name: &str) -> Result<usize, Failure> {
+    pub(super) fn column(&self, name: &str) -> Result<usize, ReadError> {
         self.heading.iter().position(|known| known == name).ok_or_else(|| {
             placed(&self.file_name, 1, format!("the column `{name}` is missing"))
                 .with_help("was the folder written by this version? the command in run.toml makes it again")
-                .into()
         })
     }
 
     /// The number in a field; NaN for an empty one.
-    pub(super) fn number(&self, row: &(usize, Vec<String>), column: usize) -> Result<f64, Failure> {
+    pub(super) fn number(&self, row: &(usize, Vec<String>), column: usize) -> Result<f64, ReadError> {
         let field = row.1.get(column).map_or("", String::as_str).trim();
         if field.is_empty() {
             return Ok(f64::NAN);
         }
-        field.parse().map_err(|_| placed(&self.file_name, row.0, format!("`{field}` is not a number")).into())
+        field.parse().map_err(|_| placed(&self.file_name, row.0, format!("`{field}` is not a number")))
     }
 }
 

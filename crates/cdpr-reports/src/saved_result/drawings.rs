@@ -1,16 +1,15 @@
 //! The figures as drawings.
 
-use super::Figure;
-use super::result_data::{CandidateData, ResultData};
-use cdpr_reports::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
+use super::{CandidateData, FigureFile, SampleData, SavedResult};
+use crate::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
 
 /// A part of the largest extent below which positions lie in a plane.
 const FLATNESS: f64 = 1e-6;
 
 /// Every drawing.
-pub(super) fn all(data: &ResultData) -> Vec<Figure> {
+pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
     let in_folder = "the result has no such numbers; a folder that this version's `select` or `demo` wrote has them";
-    let figure = |name, content, why_not| Figure { name, content, why_not };
+    let figure = |name, content, why_not| FigureFile { name, content, why_not };
     let matrix = data.correlations.as_ref();
     let mut all = vec![
         figure("model-ladder.svg", ladder(data), "no candidates were compared"),
@@ -23,7 +22,7 @@ pub(super) fn all(data: &ResultData) -> Vec<Figure> {
     all
 }
 
-fn ladder(data: &ResultData) -> Option<String> {
+fn ladder(data: &SavedResult) -> Option<String> {
     let shown = |value: Option<f64>| data.criterion.in_unit(value.unwrap_or(f64::NAN));
     let rung = |candidate: &CandidateData| Rung {
         name: candidate.name.clone(),
@@ -39,16 +38,16 @@ fn ladder(data: &ResultData) -> Option<String> {
 }
 
 /// Residuals (mm) of every cable by sample.
-fn by_cable(data: &ResultData) -> Vec<(String, Vec<(usize, f64)>)> {
+fn by_cable(data: &SavedResult) -> Vec<(String, Vec<(usize, f64)>)> {
     let series = |cable: usize| {
-        let at = |sample: &super::result_data::SampleData| Some((sample.sample, 1e3 * sample.lengths.get(cable)?));
+        let at = |sample: &SampleData| Some((sample.sample, 1e3 * sample.lengths.get(cable)?));
         data.samples.iter().filter_map(at).collect()
     };
     data.cables.iter().enumerate().map(|(cable, name)| (name.clone(), series(cable))).collect()
 }
 
 /// Position errors seen from above and from the side; of a planar robot in its plane.
-fn maps(data: &ResultData, in_folder: &'static str) -> Vec<Figure> {
+fn maps(data: &SavedResult, in_folder: &'static str) -> Vec<FigureFile> {
     const VIEWS: [(&str, [usize; 2]); 3] =
         [("error-map-xy.svg", [0, 1]), ("error-map-xz.svg", [0, 2]), ("error-map-yz.svg", [1, 2])];
     let extent = |axis: usize| {
@@ -64,7 +63,7 @@ fn maps(data: &ResultData, in_folder: &'static str) -> Vec<Figure> {
     };
     let top = colour_top(&data.samples.iter().map(|sample| 1e3 * sample.position_error).collect::<Vec<_>>());
     let map = |axes: [usize; 2]| {
-        let point = |sample: &super::result_data::SampleData| MapPoint {
+        let point = |sample: &SampleData| MapPoint {
             at: axes.map(|axis| sample.position[axis]),
             error: 1e3 * sample.position_error,
         };
@@ -80,7 +79,7 @@ fn maps(data: &ResultData, in_folder: &'static str) -> Vec<Figure> {
         }
         .svg()
     };
-    chosen.into_iter().map(|(name, axes)| Figure { name, content: map(axes), why_not: in_folder }).collect()
+    chosen.into_iter().map(|(name, axes)| FigureFile { name, content: map(axes), why_not: in_folder }).collect()
 }
 
 /// The largest error, unless few outliers would leave one colour to all others: then three times the 95 % quantile.

@@ -1,37 +1,33 @@
 //! Outlines of what is reached, and how a change moves them, as a picture.
 
-use std::path::Path;
-
 use cdpr::metamodel::Experiment;
 use cdpr::metamodel::reachable::Image;
 use cdpr::workspace::Point;
 use cdpr::workspace::hull::Hull;
 
 use super::Differential;
-use crate::failure::Failure;
-use crate::files;
-use crate::study_file::title;
-use cdpr_reports::answers::{axis_names, components};
-use cdpr_reports::figures::{Look, Outline, Outlines};
-use cdpr_reports::number_format::{fixed, short};
+use crate::answers::{axis_names, components, title};
+use crate::figures::{Look, Outline, Outlines};
+use crate::number_format::{fixed, short};
 
-/// What is drawn.
-pub(super) struct Picture<'a> {
-    pub(super) experiment: &'a Experiment,
-    pub(super) physical: Option<&'a Hull>,
-    pub(super) hull: &'a Hull,
-    pub(super) image: Option<&'a Image>,
-    pub(super) differential: Option<&'a Differential>,
+/// Contents of the picture.
+pub struct Picture<'a> {
+    /// Control model and machine.
+    pub experiment: &'a Experiment,
+    /// Workspace in which the machine is wrench-feasible.
+    pub physical: Option<&'a Hull>,
+    /// Poses that are reached.
+    pub hull: &'a Hull,
+    /// Poses where the platform comes to rest.
+    pub image: Option<&'a Image>,
+    /// A change of one number.
+    pub differential: Option<&'a Differential>,
 }
 
 impl Picture<'_> {
-    /// Writes it; refuses where nothing is reached.
-    pub(super) fn write(&self, path: &Path) -> Result<(), Failure> {
-        let svg = self.outlines().svg().ok_or_else(|| {
-            let message = "--svg: nothing is reached, so there is no outline to draw".to_owned();
-            Failure::input("workspace::mesh", message, "leave --svg out".to_owned())
-        })?;
-        files::write(path, svg.as_bytes())
+    /// SVG of the picture; nothing where nothing is reached.
+    pub fn svg(&self) -> Option<String> {
+        self.outlines().svg()
     }
 
     fn outlines(&self) -> Outlines {

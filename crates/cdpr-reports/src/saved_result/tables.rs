@@ -2,14 +2,13 @@
 
 use cdpr::identification::selection::Criterion;
 
-use super::Figure;
-use super::result_data::{CandidateData, ResultData, SampleData};
+use super::{CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
 
 /// Every table.
-pub(super) fn all(data: &ResultData) -> Vec<Figure> {
+pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
     let in_folder = "the result has no such numbers; a folder that this version's `select` or `demo` wrote has them";
     let rows = |is_there: bool, table: &dyn Fn() -> String| is_there.then(table);
-    let figure = |name, content, why_not| Figure { name, content, why_not };
+    let figure = |name, content, why_not| FigureFile { name, content, why_not };
     let samples = !data.samples.is_empty();
     vec![
         figure("model-ladder.csv", rows(!data.candidates.is_empty(), &|| ladder(data)), "no candidates were compared"),
@@ -64,7 +63,7 @@ fn criterion_path(criterion: Criterion) -> (&'static str, &'static str) {
     }
 }
 
-fn ladder(data: &ResultData) -> String {
+fn ladder(data: &SavedResult) -> String {
     let (path, metric) = criterion_path(data.criterion);
     let heading = [
         "candidate",
@@ -98,7 +97,7 @@ fn ladder(data: &ResultData) -> String {
     table(&words(heading), data.candidates.iter().map(row))
 }
 
-fn residuals(data: &ResultData) -> String {
+fn residuals(data: &SavedResult) -> String {
     let cables = data.samples.first().map_or(0, |sample| sample.lengths.len());
     let heading = std::iter::once("sample".to_owned()).chain((1..=cables).map(|k| format!("length_residual_m_{k}")));
     let row = |sample: &SampleData| {
@@ -108,7 +107,7 @@ fn residuals(data: &ResultData) -> String {
     table(&heading.collect::<Vec<_>>(), data.samples.iter().map(row))
 }
 
-fn pose_errors(data: &ResultData) -> String {
+fn pose_errors(data: &SavedResult) -> String {
     let heading =
         words(["sample", "x_m", "y_m", "z_m", "position_error_m", "dx_m", "dy_m", "dz_m", "rotation_error_rad"]);
     let row = |sample: &SampleData| {
@@ -119,9 +118,9 @@ fn pose_errors(data: &ResultData) -> String {
     table(&heading, data.samples.iter().map(row))
 }
 
-fn parameters(data: &ResultData) -> String {
+fn parameters(data: &SavedResult) -> String {
     let heading = words(["parameter", "unit", "start", "value", "sigma", "change", "prior_sigma", "at_bound"]);
-    let row = |parameter: &super::result_data::ParameterData| {
+    let row = |parameter: &ParameterData| {
         let change = parameter.value.zip(parameter.start).map(|(value, start)| value - start);
         let numbers = [parameter.start, parameter.value, parameter.sigma, change, parameter.prior_sigma].map(optional);
         let mut fields = vec![parameter.name.clone(), parameter.unit.clone()];

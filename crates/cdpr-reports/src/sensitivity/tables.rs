@@ -4,13 +4,11 @@ use std::fmt::Write;
 
 use cdpr::geometry::{Pose, Twist};
 use cdpr::metamodel::Experiment;
-use cdpr::metamodel::tolerance::Quantiles;
+use cdpr::metamodel::tolerance::{Deviations, Quantiles};
 use cdpr::model::Model;
 
-use super::Deviations;
-
 /// ∂(pose, tensions) by every parameter at every pose, a row each; poses without an answer have none.
-pub(crate) fn derivatives(found: &Deviations, experiment: &Experiment) -> String {
+pub fn derivatives(found: &Deviations, experiment: &Experiment) -> String {
     let machine = &experiment.machine;
     let mut text = String::from(
         "pose,x_m,y_m,z_m,parameter,unit,position_x_m_per_unit,position_y_m_per_unit,position_z_m_per_unit,\
@@ -48,7 +46,7 @@ fn position(place: usize, pose: &Pose) -> String {
 }
 
 /// Error and spread at every pose; empty fields where there is no answer.
-pub(crate) fn poses(found: &Deviations) -> String {
+pub fn poses(found: &Deviations) -> String {
     let mut text = String::from("pose,x_m,y_m,z_m,position_error_m");
     if found.spread.is_some() {
         text.push_str(",linear_deviation_rms_m,linear_worst_case_m");

@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use super::Compared;
-use super::folder::{judged, shown};
+use super::Comparison;
+use super::files::{judged, shown};
 
 /// Singular values of every candidate's Jacobian, from large to small (SI units).
-pub(super) fn singular_values(compared: &Compared) -> String {
+pub(super) fn singular_values(comparison: &Comparison) -> String {
     let mut text = String::from("candidate,number,singular_value\n");
-    for (candidate, judgement) in judged(compared) {
+    for (candidate, judgement) in judged(comparison) {
         for (index, value) in judgement.fit.analysis.singular_values.iter().enumerate() {
             let _ = writeln!(text, "{},{},{value}", quoted(&candidate.name), index + 1);
         }
@@ -17,9 +17,9 @@ pub(super) fn singular_values(compared: &Compared) -> String {
 }
 
 /// The weighted sum of squares of every candidate after each step of its fit.
-pub(super) fn convergence(compared: &Compared) -> String {
+pub(super) fn convergence(comparison: &Comparison) -> String {
     let mut text = String::from("candidate,step,weighted_sum_of_squares\n");
-    for (candidate, judgement) in judged(compared) {
+    for (candidate, judgement) in judged(comparison) {
         for (step, cost) in judgement.fit.history.iter().enumerate() {
             let _ = writeln!(text, "{},{step},{cost}", quoted(&candidate.name));
         }
@@ -29,8 +29,8 @@ pub(super) fn convergence(compared: &Compared) -> String {
 
 /// Correlation coefficients of the recommended (else the best) candidate's parameters: the whole matrix, empty where one
 /// of the two is not determined.
-pub(super) fn correlations(compared: &Compared) -> String {
-    let Some(judgement) = shown(compared) else { return "parameter\n".to_owned() };
+pub(super) fn correlations(comparison: &Comparison) -> String {
+    let Some(judgement) = shown(comparison) else { return "parameter\n".to_owned() };
     let fit = &judgement.fit;
     let rows = &fit.analysis.correlation_rows;
     let names: Vec<String> = fit.parameters.iter().map(|estimate| quoted(&estimate.name)).collect();

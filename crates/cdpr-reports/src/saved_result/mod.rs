@@ -1,6 +1,8 @@
-//! What a result holds, read from its folder or from a JSON answer.
+//! A result read back from its JSON answer and the tables of its folder, and its figures as drawings or as numbers.
 
-use std::path::{Path, PathBuf};
+mod csv_table;
+mod drawings;
+mod tables;
 
 use cdpr::identification::selection::Criterion;
 use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
@@ -8,72 +10,80 @@ use cdpr::robot::Robot;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::csv_table::CsvTable;
-use crate::failure::Failure;
-use crate::files;
+use crate::NamedFile;
+use csv_table::CsvTable;
 
-/// Everything that figures show.
-pub(super) struct ResultData {
-    /// Where it stands.
-    pub(super) folder: PathBuf,
-    pub(super) criterion: Criterion,
+/// A drawing or a table of a result, or the reason why there is none.
+pub struct FigureFile {
+    /// Name of the file.
+    pub name: &'static str,
+    /// Its text.
+    pub content: Option<String>,
+    /// Reason why there is none, in words.
+    pub why_not: &'static str,
+}
+
+/// Numbers of a result that figures show.
+pub struct SavedResult {
+    criterion: Criterion,
     /// The candidates, from simple to complex; none for an identification.
-    pub(super) candidates: Vec<CandidateData>,
-    pub(super) robot: Option<String>,
-    pub(super) best: Option<String>,
-    pub(super) recommended: Option<String>,
-    /// The candidate that all other figures are about.
-    pub(super) shown: Option<String>,
-    pub(super) rank: usize,
-    pub(super) parameters: Vec<ParameterData>,
-    pub(super) singular_values: Vec<f64>,
-    pub(super) convergence: Vec<f64>,
+    candidates: Vec<CandidateData>,
+    /// Name of the robot.
+    pub robot: Option<String>,
+    best: Option<String>,
+    recommended: Option<String>,
+    /// Name of the candidate that all other figures are about.
+    pub shown: Option<String>,
+    rank: usize,
+    parameters: Vec<ParameterData>,
+    singular_values: Vec<f64>,
+    convergence: Vec<f64>,
     /// Names and rows of the matrix.
-    pub(super) correlations: Option<(Vec<String>, Vec<Vec<f64>>)>,
-    pub(super) samples: Vec<SampleData>,
+    correlations: Option<(Vec<String>, Vec<Vec<f64>>)>,
+    samples: Vec<SampleData>,
     /// Names of the cables, as figures show them.
-    pub(super) cables: Vec<String>,
+    cables: Vec<String>,
 }
 
 /// One candidate of `result.json`.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct CandidateData {
-    pub(super) name: String,
-    pub(super) model: String,
-    pub(super) free: String,
-    pub(super) parameter_count: Option<usize>,
+struct CandidateData {
+    name: String,
+    model: String,
+    free: String,
+    parameter_count: Option<usize>,
     #[serde(default)]
-    pub(super) train: Value,
-    pub(super) criterion: Option<f64>,
-    pub(super) standard_error: Option<f64>,
-    pub(super) rank: Option<usize>,
-    pub(super) condition: Option<f64>,
-    pub(super) failure: Option<String>,
+    train: Value,
+    criterion: Option<f64>,
+    standard_error: Option<f64>,
+    rank: Option<usize>,
+    condition: Option<f64>,
+    failure: Option<String>,
 }
 
 /// One identified parameter.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct ParameterData {
-    pub(super) name: String,
-    pub(super) unit: String,
-    pub(super) start: Option<f64>,
-    pub(super) value: Option<f64>,
-    pub(super) sigma: Option<f64>,
-    pub(super) prior_sigma: Option<f64>,
-    pub(super) at_bound: bool,
+struct ParameterData {
+    name: String,
+    unit: String,
+    start: Option<f64>,
+    value: Option<f64>,
+    sigma: Option<f64>,
+    prior_sigma: Option<f64>,
+    at_bound: bool,
 }
 
 /// Errors at one validation sample (SI); NaN where they are not known.
-pub(super) struct SampleData {
+struct SampleData {
     /// Number in the data, from 1.
-    pub(super) sample: usize,
+    sample: usize,
     /// Measured position (world, m).
-    pub(super) position: [f64; 3],
-    pub(super) position_error: f64,
-    pub(super) position_vector: [f64; 3],
-    pub(super) rotation_error: f64,
+    position: [f64; 3],
+    position_error: f64,
+    position_vector: [f64; 3],
+    rotation_error: f64,
     /// Modelled minus recorded, per cable (m).
-    pub(super) lengths: Vec<f64>,
+    lengths: Vec<f64>,
 }
 
 /// The keys of a JSON answer that figures need; those of an identification stand at the top.
@@ -81,7 +91,7 @@ pub(super) struct SampleData {
 struct ResultFile {
     #[serde(default)]
     candidates: Vec<CandidateData>,
-    criterion: Option<String>,
+    criterion: Option<Criterion>,
     best: Option<String>,
     recommended: Option<String>,
     model: Option<String>,
@@ -95,28 +105,28 @@ struct ResultFile {
     history: Vec<Option<f64>>,
 }
 
-impl ResultData {
-    /// Reads a folder with `result.json`, or a JSON file alone.
-    pub(super) fn read(path: &Path) -> Result<Self, Failure> {
-        let is_folder = path.is_dir();
-        let file = if is_folder { path.join("result.json") } else { path.to_owned() };
-        let help = "RESULT is a folder that `cdpr select --out` or `cdpr demo` wrote, or a file with a JSON answer";
-        let bytes = files::read(&file, Size::Table).map_err(|failure| failure.with_help(help))?;
-        let answer = parsed(&bytes, &file.display().to_string())?;
-        let mut data = Self::of_answer(answer, file.parent().unwrap_or(Path::new("")).to_owned());
-        if is_folder {
-            data.read_tables(path)?;
-        }
-        Ok(data)
+impl SavedResult {
+    /// Result of a JSON answer.
+    pub fn from_json(file: &NamedFile) -> Result<Self, ReadError> {
+        Ok(Self::of_answer(parsed(&file.content, &file.name)?))
     }
 
-    fn of_answer(answer: ResultFile, folder: PathBuf) -> Self {
+    /// Drawings as SVG.
+    pub fn drawings(&self) -> Vec<FigureFile> {
+        drawings::all(self)
+    }
+
+    /// Numbers behind the drawings as CSV.
+    pub fn tables(&self) -> Vec<FigureFile> {
+        tables::all(self)
+    }
+
+    fn of_answer(answer: ResultFile) -> Self {
         let shown = answer.recommended.clone().or_else(|| answer.best.clone()).or(answer.model);
         let own = answer.candidates.iter().find(|candidate| Some(&candidate.name) == shown.as_ref());
         let finite = |list: Vec<Option<f64>>| list.into_iter().map(|value| value.unwrap_or(f64::NAN)).collect();
         Self {
-            folder,
-            criterion: criterion(answer.criterion.as_deref()),
+            criterion: answer.criterion.unwrap_or_default(),
             rank: own.and_then(|candidate| candidate.rank).or(answer.rank).unwrap_or(0),
             robot: answer.robot,
             best: answer.best,
@@ -132,27 +142,31 @@ impl ResultData {
         }
     }
 
-    fn read_tables(&mut self, folder: &Path) -> Result<(), Failure> {
-        if let Some(table) = CsvTable::read(&folder.join("parameters.csv"))? {
+    /// Adds the tables of the result's folder; `read` gives a file of the folder by its name there, or none where it is absent.
+    pub fn read_tables<E: From<ReadError>>(
+        &mut self,
+        mut read: impl FnMut(&str) -> Result<Option<NamedFile>, E>,
+    ) -> Result<(), E> {
+        let mut table = |name: &str| -> Result<Option<CsvTable>, E> { Ok(read(name)?.map(CsvTable::of).transpose()?) };
+        if let Some(table) = table("parameters.csv")? {
             self.parameters = self.parameters_of(&table)?;
         }
-        if let Some(table) = CsvTable::read(&folder.join("singular-values.csv"))? {
+        if let Some(table) = table("singular-values.csv")? {
             self.singular_values = self.own_numbers(&table, "singular_value")?;
         }
-        if let Some(table) = CsvTable::read(&folder.join("convergence.csv"))? {
+        if let Some(table) = table("convergence.csv")? {
             self.convergence = self.own_numbers(&table, "weighted_sum_of_squares")?;
         }
-        if let Some(table) = CsvTable::read(&folder.join("correlations.csv"))? {
-            let width = table.heading.len();
-            let row = |row| (1..width).map(|column| table.number(row, column)).collect::<Result<Vec<f64>, _>>();
-            let rows = table.rows.iter().map(row).collect::<Result<_, _>>()?;
-            self.correlations = Some((table.heading.get(1..).unwrap_or_default().to_vec(), rows));
+        if let Some(table) = table("correlations.csv")? {
+            self.correlations = Some(correlations(&table)?);
         }
-        if let Some(table) = CsvTable::read(&folder.join("validation-errors.csv"))? {
+        if let Some(table) = table("validation-errors.csv")? {
             self.samples = samples(&table)?;
         }
         let count = self.samples.first().map_or(0, |sample| sample.lengths.len());
-        self.cables = cable_names(folder, count)?;
+        let robot = read("calibrated.toml")?;
+        let robot = robot.map(|file| Robot::from_toml_bytes(&file.content, &file.name)).transpose()?;
+        self.cables = cable_names(robot.as_ref(), count);
         Ok(())
     }
 
@@ -161,13 +175,13 @@ impl ResultData {
         row.1.get(column) == self.shown.as_ref()
     }
 
-    fn own_numbers(&self, table: &CsvTable, name: &str) -> Result<Vec<f64>, Failure> {
+    fn own_numbers(&self, table: &CsvTable, name: &str) -> Result<Vec<f64>, ReadError> {
         let (candidate, value) = (table.column("candidate")?, table.column(name)?);
         let own = table.rows.iter().filter(|row| self.is_own(row, candidate));
         own.map(|row| table.number(row, value)).collect()
     }
 
-    fn parameters_of(&self, table: &CsvTable) -> Result<Vec<ParameterData>, Failure> {
+    fn parameters_of(&self, table: &CsvTable) -> Result<Vec<ParameterData>, ReadError> {
         let column = |name| table.column(name);
         let (candidate, name, unit) = (column("candidate")?, column("parameter")?, column("unit")?);
         let (start, value, sigma) = (column("start")?, column("value")?, column("sigma")?);
@@ -190,30 +204,26 @@ impl ResultData {
     }
 }
 
-fn parsed(bytes: &[u8], file_name: &str) -> Result<ResultFile, Failure> {
+fn parsed(bytes: &[u8], file_name: &str) -> Result<ResultFile, ReadError> {
     let text = text_from_bytes(bytes, Size::Table, file_name)?;
     serde_json::from_str(text).map_err(|error| {
         let line = text.lines().nth(error.line().saturating_sub(1)).unwrap_or_default();
         ReadError::new(file_name, "result::json", format!("this is no result: {error}"))
             .at(Place::on_line(line, error.line().max(1), error.column().max(1), 1))
             .with_help("a result is what `cdpr select`, `demo` or `identify` answer with --format json")
-            .into()
     })
 }
 
-/// The criterion of its name in a result; position for an identification.
-fn criterion(name: Option<&str>) -> Criterion {
-    match name {
-        Some("rotation") => Criterion::Rotation,
-        Some("length") => Criterion::Length,
-        Some("tension") => Criterion::Tension,
-        _ => Criterion::Position,
-    }
+/// Names of the parameters, and the rows of the matrix.
+fn correlations(table: &CsvTable) -> Result<(Vec<String>, Vec<Vec<f64>>), ReadError> {
+    let row = |row| (1..table.heading.len()).map(|column| table.number(row, column)).collect::<Result<Vec<f64>, _>>();
+    let rows = table.rows.iter().map(row).collect::<Result<_, _>>()?;
+    Ok((table.heading.get(1..).unwrap_or_default().to_vec(), rows))
 }
 
-fn samples(table: &CsvTable) -> Result<Vec<SampleData>, Failure> {
+fn samples(table: &CsvTable) -> Result<Vec<SampleData>, ReadError> {
     let sample = table.column("sample")?;
-    let three = |names: [&str; 3]| -> Result<[usize; 3], Failure> {
+    let three = |names: [&str; 3]| -> Result<[usize; 3], ReadError> {
         let [a, b, c] = names;
         Ok([table.column(a)?, table.column(b)?, table.column(c)?])
     };
@@ -240,19 +250,14 @@ fn samples(table: &CsvTable) -> Result<Vec<SampleData>, Failure> {
 }
 
 /// Names of the calibrated robot's cables with their numbers; numbers alone where there is none.
-fn cable_names(folder: &Path, count: usize) -> Result<Vec<String>, Failure> {
-    let path = folder.join("calibrated.toml");
-    let robot = match files::read_if_there(&path, Size::Text)? {
-        Some(bytes) => Some(Robot::from_toml_bytes(&bytes, &path.display().to_string())?),
-        None => None,
-    };
+fn cable_names(robot: Option<&Robot>, count: usize) -> Vec<String> {
     let name = |index: usize| {
         let number = (index + 1).to_string();
-        let name = robot.as_ref().and_then(|robot| robot.cables.get(index)).map(|cable| cable.name.as_str());
+        let name = robot.and_then(|robot| robot.cables.get(index)).map(|cable| cable.name.as_str());
         match name {
             Some(name) if name != number => format!("cable {number}: {name}"),
             _ => format!("cable {number}"),
         }
     };
-    Ok((0..count).map(name).collect())
+    (0..count).map(name).collect()
 }

@@ -1,0 +1,110 @@
+//! The answer of `cdpr advise` in words.
+
+use cdpr_reports::answers::{AdviceAnswer, EffectAnswer};
+use cdpr_reports::number_format::significant;
+
+use crate::answer::Answer;
+use crate::table::{Table, cell};
+
+impl Answer for AdviceAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self) -> String {
+        let mut text = format!(
+            "{}: control models against the machine {}, {} poses of the task, {} mm required\n\n",
+            self.robot,
+            self.machine,
+            self.poses,
+            significant(1e3 * self.accuracy_m, 3)
+        );
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}\n\n"));
+        }
+        let heading =
+            ["control model", "mean mm", "max mm", "max °", "tension N", "answers", "reached", "parameters", "ns"];
+        let mut table = Table::new(heading);
+        for (candidate, time) in self.candidates.iter().zip(&self.timing.command_ns) {
+            let finite = |number: f64| Some(number).filter(|number| number.is_finite());
+            let mark = if self.recommended.as_ref() == Some(&candidate.model) { " ←" } else { "" };
+            table.row(vec![
+                format!("{}{mark}", candidate.model),
+                cell(finite(1e3 * candidate.position_error_m.mean), 3),
+                cell(finite(1e3 * candidate.position_error_m.max), 3),
+                cell(finite(candidate.rotation_error_rad.max.to_degrees()), 4),
+                cell(candidate.tension_error, 1),
+                format!("{}/{}", candidate.answered_poses, self.poses),
+                format!("{:.0} %", 100.0 * candidate.reached_share),
+                candidate.parameter_count.to_string(),
+                cell(finite(*time), 0),
+            ]);
+        }
+        text.push_str(&table.text());
+        if let Some(comparison) = comparison(self) {
+            text.push_str(&format!("\n{comparison}\n"));
+        }
+        if self.attainable_poses < self.poses && self.attainable_poses > 0 {
+            text.push_str(&format!(
+                "\nreached: of the {} poses that any of the models reaches\n",
+                self.attainable_poses
+            ));
+        }
+        if let Some(recommended) = &self.recommended {
+            text.push_str(&format!(
+                "\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine\n"
+            ));
+        }
+        for (title, effects) in
+            [("must be modelled", &self.must_be_modelled), ("may be left out", &self.may_be_left_out)]
+        {
+            if !effects.is_empty() {
+                text.push_str(&format!("\n{title}\n"));
+                effects.iter().for_each(|effect| text.push_str(&sentence(effect)));
+            }
+        }
+        if !self.missing.is_empty() {
+            text.push_str(&format!(
+                "\nnot judged, since the robot file lacks their keys\n  {}\n",
+                self.missing.join("\n  ")
+            ));
+        }
+        text
+    }
+}
+
+/// Poses at which errors are compared, in words, where models lack answers.
+fn comparison(answer: &AdviceAnswer) -> Option<String> {
+    let all = answer.candidates.iter().all(|candidate| candidate.answered_poses == answer.poses);
+    let lacking = answer.candidates.iter().find(|candidate| candidate.answered_poses < answer.poses);
+    (!all).then(|| {
+        let why = lacking.and_then(|candidate| candidate.reason.as_ref().map(|reason| (&candidate.model, reason)));
+        let why = why.map_or_else(String::new, |(model, reason)| format!("; `{model}`: {reason}"));
+        match answer.compared_poses {
+            0 => format!("there is no pose at which every model has an answer, so that errors cannot be compared{why}"),
+            compared => format!(
+                "errors are those at the {compared} of {} poses where every model that answers at all has an answer{why}",
+                answer.poses
+            ),
+        }
+    })
+}
+
+/// The effect in one line.
+fn sentence(effect: &EffectAnswer) -> String {
+    let turn = effect.rotation_error_max_rad.to_degrees();
+    let turn = if turn > 1e-6 { format!(", {}°", significant(turn, 2)) } else { String::new() };
+    let tension =
+        effect.tension_error.map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
+    let parameters = match effect.parameter_count {
+        0 => String::new(),
+        count => format!("{count} parameters, "),
+    };
+    format!(
+        "  {}: left out it costs up to {} mm{turn}{tension} and leaves {:.0} % of what can be reached; with it: {parameters}{}\n",
+        effect.effect,
+        significant(1e3 * effect.position_error_max_m, 3),
+        100.0 * effect.reached_share,
+        effect.cost
+    )
+}

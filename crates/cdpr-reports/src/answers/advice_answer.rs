@@ -1,0 +1,189 @@
+//! The answer of what control model a task needs.
+
+use cdpr::metamodel::advice::{Advice, Candidate};
+use cdpr::metamodel::effects;
+use cdpr::metamodel::errors::PoseError;
+use cdpr::model::Model;
+use cdpr::workspace::Bounds;
+use serde::Serialize;
+
+/// Control models for a task, judged against a machine; keys and units as in JSON.
+#[derive(Serialize)]
+pub struct AdviceAnswer {
+    /// Outcome in a word.
+    pub status: &'static str,
+    /// Reason why poses are out of reach, or have no answer.
+    pub reason: Option<String>,
+    /// Name of the robot.
+    pub robot: String,
+    /// Effects of the machine.
+    pub machine: String,
+    /// Box of the task.
+    pub task_m: Vec<f64>,
+    /// Poses of the task.
+    pub poses: usize,
+    /// Poses that the errors are those of: every model has an answer there.
+    pub compared_poses: usize,
+    /// Poses that at least one model reaches.
+    pub attainable_poses: usize,
+    /// Required accuracy.
+    pub accuracy_m: f64,
+    /// The simplest model that reaches as much as one like the machine.
+    pub recommended: Option<String>,
+    /// Effects without which less is reached.
+    pub must_be_modelled: Vec<EffectAnswer>,
+    /// Effects without which as much is reached.
+    pub may_be_left_out: Vec<EffectAnswer>,
+    /// Models, from simple to complex.
+    pub candidates: Vec<AdvisedModel>,
+    /// Effects that the robot does not support.
+    pub missing: Vec<String>,
+    /// Times.
+    pub timing: AdviceTiming,
+}
+
+/// Numbers that differ from run to run.
+#[derive(Serialize)]
+pub struct AdviceTiming {
+    /// Mean time of one command of each candidate (ns), in their order.
+    pub command_ns: Vec<f64>,
+}
+
+/// One effect, left out of the machine's model on its own.
+#[derive(Serialize)]
+pub struct EffectAnswer {
+    /// Name of the effect.
+    pub effect: &'static str,
+    /// Mean position error without it.
+    pub position_error_mean_m: f64,
+    /// Largest position error without it.
+    pub position_error_max_m: f64,
+    /// Largest rotation error without it.
+    pub rotation_error_max_rad: f64,
+    /// Tension error.
+    #[serde(rename = "tension_error_N")]
+    pub tension_error: Option<f64>,
+    /// Share of the attainable poses that are reached.
+    pub reached_share: f64,
+    /// Number of parameters.
+    pub parameter_count: usize,
+    /// Cost of computing, in words.
+    pub cost: &'static str,
+}
+
+/// A control model.
+#[derive(Serialize)]
+pub struct AdvisedModel {
+    /// Effects of the model.
+    pub model: String,
+    /// Effects of the machine that it lacks.
+    pub left_out: Vec<&'static str>,
+    /// Position error.
+    pub position_error_m: PoseError,
+    /// Rotation error.
+    pub rotation_error_rad: PoseError,
+    /// Tension error.
+    #[serde(rename = "tension_error_N")]
+    pub tension_error: Option<f64>,
+    /// Poses with an answer.
+    pub answered_poses: usize,
+    /// Poses that are reached.
+    pub reached_poses: usize,
+    /// Of the poses that any model reaches.
+    pub reached_share: f64,
+    /// Share of the poses that can be commanded within the limits.
+    pub share_within_tension_limits: f64,
+    /// Number of parameters.
+    pub parameter_count: usize,
+    /// Reason why poses are out of reach, or have no answer.
+    pub reason: Option<String>,
+}
+
+impl AdviceAnswer {
+    /// The answer with its status.
+    pub fn new(
+        machine: &Model,
+        advice: &Advice,
+        task: &Bounds,
+        accuracy: f64,
+        missing: Vec<String>,
+        timing: AdviceTiming,
+    ) -> Self {
+        let best = advice.like_the_machine().map_or(0, |full| full.reached);
+        let recommended = advice.recommended.map(|index| advice.candidates[index].control.to_string());
+        let mut effects = [Vec::new(), Vec::new()];
+        for effect in advice.machine.words() {
+            let without = advice.machine.without(effect);
+            let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else {
+                continue;
+            };
+            effects[usize::from(candidate.reached >= best)].push(EffectAnswer::new(effect, candidate, advice, machine));
+        }
+        let [must_be_modelled, may_be_left_out] = effects;
+        let reason = (best < advice.poses).then(|| out_of_reach(advice, best));
+        Self {
+            status: if reason.is_none() { "advised" } else { "out-of-reach" },
+            reason,
+            robot: machine.robot().name.clone(),
+            machine: advice.machine.to_string(),
+            task_m: task.ends(),
+            poses: advice.poses,
+            compared_poses: advice.compared,
+            attainable_poses: advice.attainable,
+            accuracy_m: accuracy,
+            recommended,
+            must_be_modelled,
+            may_be_left_out,
+            candidates: advice.candidates.iter().map(|candidate| AdvisedModel::new(candidate, advice)).collect(),
+            missing,
+            timing,
+        }
+    }
+}
+
+/// Reason why not all of the task is reached.
+fn out_of_reach(advice: &Advice, best: usize) -> String {
+    let Advice { poses, attainable, .. } = *advice;
+    let why = advice.like_the_machine().and_then(|full| full.reason.clone());
+    let why = why.map_or_else(String::new, |why| format!(": {why}"));
+    match attainable {
+        0 => format!("no control model reaches any of the {poses} poses of the task{why}"),
+        _ if best == attainable => {
+            format!("{} of the {poses} poses of the task are out of reach of every control model{why}", poses - best)
+        }
+        _ => format!("even a control model like the machine reaches only {best} of the {poses} poses of the task{why}"),
+    }
+}
+
+impl EffectAnswer {
+    fn new(effect: &'static str, without: &Candidate, advice: &Advice, machine: &Model) -> Self {
+        Self {
+            effect,
+            position_error_mean_m: without.position_error.mean,
+            position_error_max_m: without.position_error.max,
+            rotation_error_max_rad: without.rotation_error.max,
+            tension_error: without.tension_error,
+            reached_share: advice.reached_share(without),
+            parameter_count: effects::parameter_count(effect, machine.robot()),
+            cost: effects::cost(effect),
+        }
+    }
+}
+
+impl AdvisedModel {
+    fn new(candidate: &Candidate, advice: &Advice) -> Self {
+        Self {
+            model: candidate.control.to_string(),
+            left_out: candidate.left_out.clone(),
+            position_error_m: candidate.position_error,
+            rotation_error_rad: candidate.rotation_error,
+            tension_error: candidate.tension_error,
+            answered_poses: candidate.answered,
+            reached_poses: candidate.reached,
+            reached_share: advice.reached_share(candidate),
+            share_within_tension_limits: candidate.commanded as f64 / advice.poses as f64,
+            parameter_count: candidate.parameter_count,
+            reason: candidate.reason.clone(),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The answer of what is reached.
+
+use cdpr::metamodel::Experiment;
+use cdpr::workspace::{Bounds, Point, Region};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::Differential;
+use crate::answers::{BEYOND_THE_WHOLE, is_beyond_the_whole, title};
+
+/// Findings of a method; sizes in m² or m³.
+pub struct Found {
+    /// Method that found them.
+    pub method: &'static str,
+    /// Reachable, by commanded poses.
+    pub reached: Option<f64>,
+    /// Bound of the error of the reachable one.
+    pub error_bound: Option<f64>,
+    /// The machine is wrench-feasible.
+    pub physical: Option<f64>,
+    /// The control model is wrench-feasible.
+    pub model: Option<f64>,
+    /// Reachable, by emerging poses.
+    pub emerging: Option<f64>,
+    /// Poses judged.
+    pub points: u64,
+    /// Poses of these that are reached.
+    pub feasible_points: u64,
+    /// Workspaces that the box cuts.
+    pub at_bounds: AtBounds,
+    /// Parts that do not touch, with a point of each (m).
+    pub parts: Option<Vec<(f64, Point)>>,
+    /// Largest error (m) and what is reached with it.
+    pub by_accuracy: Vec<(f64, f64)>,
+    /// Corners of the hull of a planar robot in order (m): where poses are commanded, where the platform comes to rest.
+    pub outlines: Option<[Vec<Point>; 2]>,
+    /// A change of one number.
+    pub differential: Option<Differential>,
+    /// Reason why the answer is negative.
+    pub reason: Option<String>,
+}
+
+/// Workspaces that reach the faces of the box, so that more of them may lie outside.
+#[derive(Clone, Copy)]
+pub struct AtBounds {
+    /// The machine is wrench-feasible.
+    pub physical: bool,
+    /// The control model is wrench-feasible.
+    pub model: bool,
+    /// The reachable one.
+    pub reachable: bool,
+}
+
+impl AtBounds {
+    /// Names of these workspaces.
+    pub fn names(self) -> Vec<&'static str> {
+        let all = [("physical", self.physical), ("model", self.model), ("reachable", self.reachable)];
+        all.into_iter().filter(|(_, reaches)| *reaches).map(|(name, _)| name).collect()
+    }
+}
+
+/// Sizes of the workspaces of a study; keys and units as in JSON.
+#[derive(Serialize)]
+pub struct ReachableAnswer {
+    /// Outcome in a word.
+    pub status: &'static str,
+    /// Reason why the answer is negative.
+    pub reason: Option<String>,
+    /// Control model.
+    pub control: String,
+    /// Machine.
+    pub machine: String,
+    /// Method that found them.
+    pub method: &'static str,
+    /// Box that was searched.
+    pub bounds_m: Vec<f64>,
+    /// Largest position error that counts as reached.
+    pub position_error_max_m: Option<f64>,
+    /// Sizes by their keys.
+    #[serde(flatten)]
+    pub sizes: Map<String, Value>,
+    /// Reachable share of the physical workspace.
+    pub share: Option<f64>,
+    /// Remark on a share above 100 %.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<&'static str>,
+    /// Bound of the error of the reachable one.
+    pub error_bound: Option<f64>,
+    /// Poses judged.
+    pub points: u64,
+    /// Poses of these that are reached.
+    pub feasible_points: u64,
+    /// True where the box cuts the reachable workspace.
+    pub reaches_bounds: bool,
+    /// Workspaces that reach the faces of the box.
+    pub at_bounds: Vec<&'static str>,
+    /// Parts that do not touch.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts: Option<Vec<Value>>,
+    /// Sizes by the largest position error.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub by_accuracy: Vec<Value>,
+    /// Corners of the hull of commanded poses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outline_m: Option<Vec<[f64; 2]>>,
+    /// Corners of the hull of emerging poses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub emerging_outline_m: Option<Vec<[f64; 2]>>,
+    /// A change of one number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub differential: Option<Value>,
+    /// Winch offsets.
+    pub winch_offsets_m: Vec<f64>,
+    /// The findings themselves.
+    #[serde(skip)]
+    pub found: Found,
+    /// Unit of the sizes.
+    #[serde(skip)]
+    pub unit: &'static str,
+}
+
+impl ReachableAnswer {
+    /// The answer with its status.
+    pub fn new(experiment: &Experiment, region: &Region<'_>, bounds: &Bounds, found: Found) -> Self {
+        let is_planar = region.dimension() == 2;
+        let key = |name: &str| format!("{name}_{}", if is_planar { "area_m2" } else { "volume_m3" });
+        let share = |size: f64| found.physical.filter(|whole| *whole > 0.0).map(|whole| size / whole);
+        let named = [
+            ("reachable", found.reached),
+            ("physical", found.physical),
+            ("model", found.model),
+            ("emerging", found.emerging),
+        ];
+        let sizes = named.iter().map(|(name, size)| (key(name), json!(size))).collect();
+        let dimension = region.dimension();
+        let part = |(size, point): &(f64, Point)| json!({ key("part").replace("part_", ""): size, "position_m": &point[..dimension] });
+        let at = |(most, size): &(f64, f64)| json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) });
+        let outline = |which: usize| -> Option<Vec<[f64; 2]>> {
+            Some(found.outlines.as_ref()?[which].iter().map(|&[x, y, _]| [x, y]).collect())
+        };
+        Self {
+            status: if found.reason.is_none() {
+                "found"
+            } else if found.feasible_points == 0 {
+                "empty"
+            } else {
+                "not-star-shaped"
+            },
+            reason: found.reason.clone(),
+            control: title(&experiment.control),
+            machine: title(&experiment.machine),
+            method: found.method,
+            bounds_m: bounds.ends(),
+            position_error_max_m: experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
+            sizes,
+            share: found.reached.and_then(share),
+            remark: is_beyond_the_whole(found.reached.and_then(share)).then_some(BEYOND_THE_WHOLE),
+            error_bound: found.error_bound,
+            points: found.points,
+            feasible_points: found.feasible_points,
+            reaches_bounds: found.at_bounds.reachable,
+            at_bounds: found.at_bounds.names(),
+            parts: found.parts.as_ref().map(|parts| parts.iter().map(part).collect()),
+            by_accuracy: found.by_accuracy.iter().map(at).collect(),
+            outline_m: outline(0),
+            emerging_outline_m: outline(1),
+            differential: found.differential.as_ref().map(|found| json!(found)),
+            winch_offsets_m: experiment.offsets.clone(),
+            unit: if is_planar { "m²" } else { "m³" },
+            found,
+        }
+    }
+}

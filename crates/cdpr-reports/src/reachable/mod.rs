@@ -1,0 +1,9 @@
+//! Poses that a study reaches: answer, picture, and how they move with one number.
+
+mod answer;
+mod differential;
+mod picture;
+
+pub use answer::{AtBounds, Found, ReachableAnswer};
+pub use differential::{Differential, differential};
+pub use picture::Picture;

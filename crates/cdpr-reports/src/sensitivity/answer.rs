@@ -1,0 +1,314 @@
+//! Influences, tolerances and allowances as one answer.
+
+use cdpr::metamodel::Experiment;
+use cdpr::metamodel::sensitivity::{Kind, Offsets, Side, rank, rank_kinds};
+use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
+use cdpr::metamodel::tolerance::{DeviationSettings, Deviations, Engine, Quantiles};
+use serde::Serialize;
+
+use crate::answers::title;
+
+/// Numbers of a study's models and winches with what they move; keys and units as in JSON.
+#[derive(Serialize)]
+pub struct SensitivityAnswer {
+    /// Outcome in a word.
+    pub status: &'static str,
+    /// Reason why the answer is negative.
+    pub reason: Option<String>,
+    /// Control model.
+    pub control: String,
+    /// Machine.
+    pub machine: String,
+    /// Commanded poses.
+    pub samples: usize,
+    /// Poses without derivatives.
+    pub unanswered_poses: usize,
+    /// Winch offsets when something deviates.
+    pub offsets: Offsets,
+    /// `analytic`, or `central-differences` of the exact forward problem.
+    pub derivatives: &'static str,
+    /// Of differences, what they may be off by, as a share of the largest derivative of the unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub difference_error: Option<f64>,
+    /// Kinds of parameters.
+    pub kinds: Vec<KindAnswer>,
+    /// Parameters, the most influential first.
+    pub parameters: Vec<ParameterAnswer>,
+    /// Effects of the tolerances, where the study has any.
+    pub tolerance: Option<ToleranceAnswer>,
+    /// Tolerances that an accuracy allows.
+    pub allowed: Option<AllowedAnswer>,
+    /// Seed of random poses and robots.
+    pub seed: u64,
+}
+
+/// All parameters of one kind together.
+#[derive(Serialize)]
+pub struct KindAnswer {
+    /// Control model, machine or winches.
+    pub side: Side,
+    /// Kind of parameter.
+    pub kind: Kind,
+    /// Number of parameters.
+    pub count: usize,
+    /// Unit of the parameter.
+    pub unit: &'static str,
+    /// Root mean square over the poses.
+    pub position_rms_m_per_unit: f64,
+    /// Largest over the poses.
+    pub position_max_m_per_unit: f64,
+}
+
+/// One parameter.
+#[derive(Serialize)]
+#[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
+pub struct ParameterAnswer {
+    /// Name of the parameter.
+    pub name: String,
+    /// Control model, machine or winches.
+    pub side: Side,
+    /// Kind of parameter.
+    pub kind: Kind,
+    /// Unit of the parameter.
+    pub unit: &'static str,
+    /// Mean over the poses.
+    pub position_mean_m_per_unit: f64,
+    /// Largest over the poses.
+    pub position_max_m_per_unit: f64,
+    /// Mean over the poses.
+    pub rotation_mean_rad_per_unit: f64,
+    /// Largest over the poses.
+    pub rotation_max_rad_per_unit: f64,
+    /// Mean over poses and cables.
+    pub tension_mean_N_per_unit: Option<f64>,
+    /// Largest over poses and cables.
+    pub tension_max_N_per_unit: Option<f64>,
+}
+
+/// What the tolerances of the study do.
+#[derive(Serialize)]
+pub struct ToleranceAnswer {
+    /// Distribution of the deviations.
+    pub distribution: Distribution,
+    /// Largest deviation in standard deviations.
+    pub sigmas: f64,
+    /// Spread to first order.
+    pub linear: Linear,
+    /// Spread of drawn robots.
+    pub drawn: Option<Drawn>,
+}
+
+/// To first order.
+#[derive(Serialize)]
+pub struct Linear {
+    /// Root mean square over the poses.
+    pub deviation_rms_m: f64,
+    /// Root mean square at the worst pose.
+    pub deviation_rms_at_worst_pose_m: f64,
+    /// All deviations at their worst, at the worst pose.
+    pub worst_case_max_m: f64,
+    /// Error with its deviations, over the poses.
+    pub position_error_rms_m: f64,
+}
+
+/// Of drawn robots.
+#[derive(Serialize)]
+pub struct Drawn {
+    /// Answers of the drawn robots.
+    pub engine: Engine,
+    /// Robots drawn.
+    pub robots: usize,
+    /// Answers that are missing.
+    pub unanswered: usize,
+    /// Reason why the answer is negative.
+    pub reason: Option<String>,
+    /// Position error at a pose.
+    pub position_error_m: Quantiles,
+    /// Rotation error at a pose.
+    pub rotation_error_rad: Quantiles,
+    /// Deviation at a pose.
+    pub deviation_m: Quantiles,
+    /// Mean error of a robot.
+    pub mean_of_robot_m: Quantiles,
+    /// Largest error of a robot.
+    pub max_of_robot_m: Quantiles,
+}
+
+/// What an accuracy allows.
+#[derive(Serialize)]
+pub struct AllowedAnswer {
+    /// Required accuracy.
+    pub accuracy_m: f64,
+    /// Quantity that shall keep it.
+    pub accuracy_of: AccuracyOf,
+    /// Largest deviation in standard deviations.
+    pub sigmas: f64,
+    /// Room for deviations at the worst pose.
+    pub least_budget_m: f64,
+    /// The pose with the least room, from 1.
+    pub worst_pose: usize,
+    /// Kinds of parameters.
+    pub kinds: Vec<AllowanceAnswer>,
+}
+
+/// Of one kind, in its unit.
+#[derive(Serialize)]
+pub struct AllowanceAnswer {
+    /// Control model, machine or winches.
+    pub side: Side,
+    /// Kind of parameter.
+    pub kind: Kind,
+    /// Unit of the parameter.
+    pub unit: &'static str,
+    /// Standard deviation, where nothing else deviates.
+    pub sigma_alone: f64,
+    /// Largest deviation, where nothing else deviates.
+    pub worst_case_alone: f64,
+    /// Standard deviation, where all kinds deviate.
+    pub sigma_joint: Option<f64>,
+    /// Largest deviation, where all kinds deviate.
+    pub worst_case_joint: Option<f64>,
+}
+
+impl SensitivityAnswer {
+    /// The answer with its status.
+    pub fn new(
+        found: &Deviations,
+        experiment: &Experiment,
+        tolerances: &Tolerances,
+        settings: &DeviationSettings,
+    ) -> Self {
+        answer(found, experiment, tolerances, settings)
+    }
+}
+
+fn answer(
+    found: &Deviations,
+    experiment: &Experiment,
+    tolerances: &Tolerances,
+    settings: &DeviationSettings,
+) -> SensitivityAnswer {
+    let (control, machine) = (&experiment.control, &experiment.machine);
+    let pattern = machine.robot().motion_pattern;
+    let known: Vec<_> = found.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
+    let (status, reason) = status(found, settings);
+    let difference_error = found.difference_error();
+    let parameters = rank(&found.causes, &known, pattern.translations());
+    SensitivityAnswer {
+        status,
+        reason,
+        control: title(control),
+        machine: title(machine),
+        samples: found.poses.len(),
+        unanswered_poses: found.poses.len() - known.len(),
+        offsets: settings.offsets,
+        derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
+        difference_error,
+        kinds: rank_kinds(&found.causes, &known, pattern.translations())
+            .into_iter()
+            .map(|kind| KindAnswer {
+                side: kind.side,
+                kind: kind.kind,
+                count: kind.count,
+                unit: kind.kind.unit(),
+                position_rms_m_per_unit: kind.position_rms,
+                position_max_m_per_unit: kind.position_max,
+            })
+            .collect(),
+        parameters: parameters
+            .into_iter()
+            .map(|influence| ParameterAnswer {
+                name: influence.cause.name(machine),
+                side: influence.cause.side,
+                kind: influence.cause.kind,
+                unit: influence.cause.kind.unit(),
+                position_mean_m_per_unit: influence.position_mean,
+                position_max_m_per_unit: influence.position_max,
+                rotation_mean_rad_per_unit: influence.rotation_mean,
+                rotation_max_rad_per_unit: influence.rotation_max,
+                tension_mean_N_per_unit: influence.tension_mean,
+                tension_max_N_per_unit: influence.tension_max,
+            })
+            .collect(),
+        tolerance: tolerance(found, tolerances, settings),
+        allowed: allowances(found, tolerances, settings),
+        seed: settings.seed,
+    }
+}
+
+fn status(found: &Deviations, settings: &DeviationSettings) -> (&'static str, Option<String>) {
+    let mut failed =
+        found.poses.iter().enumerate().filter_map(|(place, at)| Some((place, at.derivatives.as_ref().err()?)));
+    if let Some((place, why)) = failed.next() {
+        let (count, all) = (1 + failed.count(), found.poses.len());
+        return (
+            "not-converged",
+            Some(format!("{count} of {all} poses have no derivatives, first pose {}: {why}", place + 1)),
+        );
+    }
+    match (&found.allowed, settings.accuracy) {
+        // written so that NaN counts too
+        (Some(allowed), Some(accuracy)) if !(allowed.budget > 0.0) => {
+            let (pose, error) = (allowed.worst_pose + 1, 1e3 * found.errors[allowed.worst_pose]);
+            let asked = 1e3 * accuracy;
+            let reason = format!(
+                "no tolerance gives {asked:.3} mm: at pose {pose} the error is {error:.3} mm without any deviation; a better \
+                 control model may, or accuracy_of = \"deviation\" asks for the deviations alone"
+            );
+            ("accuracy-missed", Some(reason))
+        }
+        _ => ("converged", None),
+    }
+}
+
+fn tolerance(found: &Deviations, tolerances: &Tolerances, settings: &DeviationSettings) -> Option<ToleranceAnswer> {
+    let spread = found.spread.as_ref()?;
+    let rms = |values: &[f64]| {
+        let finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+        (finite.iter().map(|value| value * value).sum::<f64>() / finite.len() as f64).sqrt()
+    };
+    let largest = |values: &[f64]| values.iter().copied().fold(f64::NAN, f64::max);
+    let drawn = found.drawn.as_ref().map(|drawn| Drawn {
+        engine: settings.engine,
+        robots: drawn.robots,
+        unanswered: drawn.unanswered,
+        reason: drawn.reason.clone(),
+        position_error_m: drawn.error,
+        rotation_error_rad: drawn.rotation_error,
+        deviation_m: drawn.deviation,
+        mean_of_robot_m: drawn.mean_of_robot,
+        max_of_robot_m: drawn.max_of_robot,
+    });
+    Some(ToleranceAnswer {
+        distribution: tolerances.distribution,
+        sigmas: tolerances.sigmas,
+        linear: Linear {
+            deviation_rms_m: rms(&spread.deviation),
+            deviation_rms_at_worst_pose_m: largest(&spread.deviation),
+            worst_case_max_m: largest(&spread.worst_case),
+            position_error_rms_m: rms(&spread.error),
+        },
+        drawn,
+    })
+}
+
+fn allowances(found: &Deviations, tolerances: &Tolerances, settings: &DeviationSettings) -> Option<AllowedAnswer> {
+    let (allowed, accuracy) = (found.allowed.as_ref()?, settings.accuracy?);
+    let kinds = allowed.kinds.iter().map(|allowance| AllowanceAnswer {
+        side: allowance.side,
+        kind: allowance.kind,
+        unit: allowance.kind.unit(),
+        sigma_alone: allowance.alone,
+        worst_case_alone: allowance.alone_worst_case,
+        sigma_joint: allowance.joint,
+        worst_case_joint: allowance.joint_worst_case,
+    });
+    Some(AllowedAnswer {
+        accuracy_m: accuracy,
+        accuracy_of: tolerances.accuracy_of,
+        sigmas: tolerances.sigmas,
+        least_budget_m: allowed.budget,
+        worst_pose: allowed.worst_pose + 1,
+        kinds: kinds.collect(),
+    })
+}
