@@ -1,10 +1,10 @@
 //! Files read whole and written whole.
 
 use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use cdpr::reading::Size;
+use cdpr::reading::{FileError, Size, bytes_of};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -12,15 +12,10 @@ use crate::interruption;
 
 /// The bytes of a file, no more than its kind may have.
 pub(crate) fn read(path: &Path, size: Size) -> Result<Vec<u8>, Failure> {
-    let name = path.display().to_string();
-    let refused = |error| Failure::io("read", &name, &error);
-    let file = fs::File::open(path).map_err(refused)?;
-    // what the system says of a file saves reading it; pipes and devices have any length
-    size.check(file.metadata().map_err(refused)?.len(), &name)?;
-    let mut bytes = Vec::new();
-    file.take(size.limit() as u64 + 1).read_to_end(&mut bytes).map_err(refused)?;
-    size.check(bytes.len() as u64, &name)?;
-    Ok(bytes)
+    bytes_of(path, size).map_err(|error| match error {
+        FileError::Unreadable { path, source } => Failure::io("read", &path.display().to_string(), &source),
+        FileError::Refused(error) => error.into(),
+    })
 }
 
 /// The bytes of a file that need not exist.

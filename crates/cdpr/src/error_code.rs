@@ -48,6 +48,7 @@ impl ErrorCode for distribution::DistributionError {
         match self {
             Self::Statics(error) => error.code(),
             Self::Tension(error) => error.code(),
+            Self::Limits(error) => error.code(),
         }
     }
 }

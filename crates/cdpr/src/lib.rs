@@ -11,22 +11,21 @@
 //! fitted to as well as the best one does.
 //!
 //! ```
-//! use cdpr::equilibrium::{State, Status, distribution};
-//! use cdpr::model::{Composition, Model};
-//! use cdpr::robot::Robot;
-//! use cdpr::statics::Load;
-//! use cdpr::tension::Limits;
+//! use cdpr::{Load, Model, Robot, State, Status};
 //!
-//! let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").ok_or("unknown robot")?;
-//! let (load, limits) = (Load::of(&robot)?, Limits::of(&robot, None, None)?);
-//! let model = Model::new(robot, Composition::ELASTIC)?;
+//! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/robots/");
+//! let robot = Robot::from_file(format!("{folder}cablerobot-simulator-helicopter-elastostatic-calibrated.toml"))?;
+//! let load = Load::of(&robot)?;
+//! let model = Model::new(robot, "elastic".parse()?)?;
 //! let mut state = State::at_home(&model);
 //! let home = state.pose();
-//! let tensions = distribution::solve(&model, &home, &load, &limits)?.tensions;
-//! let lengths = model.inverse(&home, &tensions, &mut state)?.controlled_lengths()?;
-//! let found = model.forward(&lengths, None, None, &mut state)?;
-//! assert_eq!(found.status, Status::Converged);
-//! assert!((found.pose.position - home.position).norm() < 1e-9);
+//!
+//! let distribution = model.distribute(&home, &load)?; // tensions, or the reason for which there are none
+//! let command = model.inverse(&home, &distribution.tensions, &mut state)?;
+//! let lengths = command.controlled_lengths()?;
+//! let answer = model.forward(&lengths, Some(&load), Some(&home), &mut state)?; // pose, tensions, status
+//! assert_eq!(answer.status, Status::Converged);
+//! assert!((answer.pose.position - home.position).norm() < 1e-9);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -37,7 +36,17 @@
 #[cfg(test)]
 extern crate self as cdpr;
 
+pub use equilibrium::distribution::Distribution;
+pub use equilibrium::{Solution, State, Status};
+pub use geometry::{Pose, Twist, Wrench};
+pub use measurement::Samples;
+pub use metamodel::Experiment;
+pub use model::{Composition, FreeParameters, Model};
 pub use nalgebra;
+pub use reading::{FileError, ReadError};
+pub use robot::Robot;
+pub use statics::Load;
+pub use tension::Limits;
 
 pub mod cable;
 pub mod equilibrium;

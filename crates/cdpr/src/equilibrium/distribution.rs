@@ -12,7 +12,7 @@ use crate::cable::CableStateError;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError, cable_state};
-use crate::tension::{self, InputError, Limits, Method as TensionMethod, Options};
+use crate::tension::{self, InputError, Limits, LimitsError, Method as TensionMethod, Options};
 
 /// Distributions tried before giving up.
 const MAX_ITERATIONS: u32 = 50;
@@ -68,6 +68,18 @@ pub enum DistributionError {
     /// Limits that do not fit the model.
     #[error(transparent)]
     Tension(#[from] InputError),
+    /// A robot whose file states no limits.
+    #[error(transparent)]
+    Limits(#[from] LimitsError),
+}
+
+impl Model {
+    /// Tensions that balance a load at a pose, the nearest to the middle of the limits that the robot's file states.
+    ///
+    /// [`solve`] takes other limits, [`Solver`] many poses and other methods.
+    pub fn distribute(&self, pose: &Pose, load: &Load) -> Result<Distribution, DistributionError> {
+        solve(self, pose, load, &Limits::of(self.robot(), None, None)?)
+    }
 }
 
 /// A solver for many poses of one model.

@@ -8,12 +8,10 @@
 mod displacement;
 mod error;
 
-use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, Supported, WinchError};
 use crate::robot::{Cable, HysteresisTable, Robot};
 use crate::statics::{Load, LoadError, controlled_lengths};
-use crate::tension::Limits;
 
 pub use displacement::{Displacement, Method, displacement};
 pub use error::EffectError;
@@ -87,8 +85,7 @@ fn home(machine: &Model, state: &State) -> Result<State, EffectError> {
 /// The tensions nearest to the middle of the limits.
 fn distribution(model: &Model, pose: &Pose, load: &Result<Load, LoadError>) -> Result<Vec<f64>, EffectError> {
     let load = load.as_ref().map_err(Clone::clone)?;
-    let limits = Limits::of(model.robot(), None, None)?;
-    let found = distribution::solve(model, pose, load, &limits)?;
+    let found = model.distribute(pose, load)?;
     match found.reason {
         None => Ok(found.tensions),
         Some(reason) => Err(EffectError::Unbalanced(reason)),

@@ -154,6 +154,7 @@ fn refused(error: DistributionError) -> InputError {
     match error {
         DistributionError::Statics(error) => error.into(),
         DistributionError::Tension(error) => error.into(),
+        DistributionError::Limits(error) => error.into(),
     }
 }
 

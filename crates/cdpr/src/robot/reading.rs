@@ -1,5 +1,7 @@
 //! From a robot file to a [`Robot`]: what types alone cannot check is checked here, with the place of the mistake.
 
+use std::path::Path;
+
 use nalgebra::{Matrix3, Vector3};
 use toml::de::DeValue;
 
@@ -9,7 +11,7 @@ use super::home_reading::read_home;
 use super::surroundings::{read_hull, read_obstacles};
 use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
 use crate::geometry::{MotionPattern, Plane, Wrench};
-use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
+use crate::reading::{FileError, ReadError, Size, Step, TomlDocument, bytes_of, text_from_bytes};
 
 /// The layout this version reads and writes.
 pub(super) const LAYOUT_VERSION: u32 = 1;
@@ -30,6 +32,12 @@ impl Robot {
     /// As [`Robot::from_toml`], from bytes that may not even be text.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
         Self::from_toml(text_from_bytes(bytes, Size::Text, file_name)?, file_name)
+    }
+
+    /// Reads the robot file at a path.
+    pub fn from_file(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        Ok(Self::from_toml_bytes(&bytes_of(path, Size::Text)?, &path.display().to_string())?)
     }
 }
 

@@ -6,7 +6,6 @@ use crate::equilibrium::distribution::{DistributionError, Reason};
 use crate::equilibrium::{ForwardError, NoSolution};
 use crate::model::WinchError;
 use crate::statics::{LoadError, StaticsError};
-use crate::tension::LimitsError;
 
 /// Reason for which a quantity of a [`Contribution`](super::Contribution) cannot be told.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -18,9 +17,6 @@ pub enum EffectError {
     /// Cables that have no state at the pose.
     #[error(transparent)]
     Statics(#[from] StaticsError),
-    /// Tension limits that are unknown or leave nothing to choose.
-    #[error(transparent)]
-    Limits(#[from] LimitsError),
     /// Numbers from which no tensions can be chosen.
     #[error(transparent)]
     Distribution(#[from] DistributionError),
