@@ -1,5 +1,7 @@
 //! `cdpr ik`: cable lengths and directions at a pose, and the lengths that winches must pay out.
 
+mod jacobians;
+
 use std::process::ExitCode;
 
 use cdpr::equilibrium::{CableCommand, InverseSolution, State};
@@ -18,6 +20,7 @@ use crate::statics_failure::{has_no_course, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
 use cdpr_reports::answers::{PoseAnswer, axis_names, components};
+use jacobians::Jacobians;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +29,8 @@ Examples:
   cdpr ik robot.toml --pose=-1,2 --model pulley
   cdpr ik robot.toml --pose=-1,2 --model pulley+drum
   cdpr ik planar-example --pose 0.5,4 --model elastic
-  cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400";
+  cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400
+  cdpr ik caroca-pulleys --pose 3.5,2,1.5,0,0,0.1 --model pulley --jacobians";
 
 /// Inverse kinematics: cable lengths, directions and wrap angles at a pose.
 ///
@@ -51,6 +55,11 @@ pub(crate) struct Arguments {
     /// fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m).
     #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
     wrench: Option<NumberList>,
+
+    /// Shows how lengths, wrapped arcs and contact points follow the pose, and angular velocity the rates of the angles; `--format json`
+    /// always does.
+    #[arg(long)]
+    jacobians: bool,
 }
 
 /// Entries are null where a cable has no unique course, controlled lengths also where no tensions balance the load.
@@ -78,6 +87,9 @@ struct InverseKinematics {
     /// At the platform anchors, where they differ from those at the outlets.
     #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
     platform_tensions: Option<Vec<f64>>,
+    jacobians: Jacobians,
+    #[serde(skip)]
+    shows_jacobians: bool,
     #[serde(skip)]
     cable_names: Vec<String>,
     #[serde(skip)]
@@ -91,7 +103,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let mut state = State::at(&model, &pose);
     let command = |tensions: &[f64], state: &mut State| {
         let solution = model.inverse(&pose, tensions, state).map_err(|error| refused("--tensions", &error))?;
-        InverseKinematics::of(&model, solution).map(|answer| (answer, solution.needs_tensions()))
+        let answer = InverseKinematics::of(&model, solution)?;
+        Ok::<_, Failure>((
+            InverseKinematics { shows_jacobians: arguments.jacobians, ..answer },
+            solution.needs_tensions(),
+        ))
     };
     let (mut answer, needs_tensions) = command(&vec![f64::NAN; model.cable_count()], &mut state)?;
     if answer.reason.is_some() {
@@ -162,6 +178,8 @@ impl InverseKinematics {
             cable_lengths_m: lengths,
             tensions: None,
             platform_tensions,
+            jacobians: Jacobians::at(model, &solution.pose),
+            shows_jacobians: false,
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
             axes: axis_names(robot),
         })
@@ -202,6 +220,7 @@ impl Answer for InverseKinematics {
             cells.extend(self.wrap_angles_rad.iter().map(|angles| cell(angles[cable].map(f64::to_degrees), 3)));
             table.row(cells);
         }
-        format!("{text}\n{}", table.text())
+        let jacobians = self.shows_jacobians.then(|| self.jacobians.words(&self.cable_names, &self.axes));
+        format!("{text}\n{}{}", table.text(), jacobians.unwrap_or_default())
     }
 }

@@ -15,7 +15,7 @@ use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_course, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
-use cdpr_reports::answers::{PoseAnswer, axis_names};
+use cdpr_reports::answers::{PoseAnswer, axis_names, degrees_of_freedom};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -147,19 +147,13 @@ impl StiffnessAnswer {
     fn empty(model: &Model, pose: PoseAnswer) -> Self {
         let robot = model.robot();
         let axes = axis_names(robot);
-        let mut degrees = axes.clone();
-        match model.dof() - axes.len() {
-            0 => {}
-            1 => degrees.push("turn".to_owned()),
-            _ => degrees.extend(axes.iter().map(|axis| format!("turn {axis}"))),
-        }
         Self {
             robot: robot.name.clone(),
             model: model.composition().to_string(),
             status: "singular",
             reason: None,
             pose,
-            degrees_of_freedom: degrees,
+            degrees_of_freedom: degrees_of_freedom(robot),
             tensions: None,
             matrices: Matrices { length_scale_m: model.platform_radius(), ..Matrices::default() },
             warnings: Vec::new(),

@@ -200,3 +200,40 @@ fn an_effect_whose_keys_are_missing_names_the_key() {
     assert_eq!(radius.exit_code, 2);
     assert!(radius.stderr.contains("pulley_radius_m") && radius.stderr.contains("--radius"), "{}", radius.stderr);
 }
+
+/// Free part and arc change by what the length does; rigid differences of `ik` itself are the judge, good to 1e-6 at a step of 1e-4 m.
+#[test]
+fn jacobians_of_contact_points_are_those_of_neighbouring_answers() {
+    let at = |x: f64| {
+        cdpr(&format!("ik caroca-pulleys --model pulley --pose {x},0.3,1.2,0.1,-0.2,0.3 --format json")).json()
+    };
+    let (middle, before, after) = (at(0.2), at(0.2 - 1e-4), at(0.2 + 1e-4));
+    for cable in 0..8 {
+        let of = |answer: &serde_json::Value| answer["jacobians"]["cables"][cable].clone();
+        let [middle, before, after] = [&middle, &before, &after].map(of);
+        for (value, row) in [("free_length_m", "free_length"), ("arc_length_m", "arc_length")] {
+            let slope = (after[value].as_f64().unwrap() - before[value].as_f64().unwrap()) / 2e-4;
+            assert!((slope - numbers(&middle[row])[0]).abs() < 1e-6, "cable {cable}, {row}: {slope} {middle}");
+        }
+        for axis in 0..3 {
+            let place = |answer: &serde_json::Value| numbers(&answer["contact_point_m"])[axis];
+            let slope = (place(&after) - place(&before)) / 2e-4;
+            assert!((slope - numbers(&middle["contact_point"][axis])[0]).abs() < 1e-6, "cable {cable}, axis {axis}");
+        }
+    }
+}
+
+#[test]
+fn the_map_of_angle_rates_has_no_inverse_at_gimbal_lock() {
+    let angles = |ry: &str| {
+        cdpr(&format!("ik cogiro --pose 0,0,2,0.1,{ry},0 --format json")).json()["jacobians"]["angles"].clone()
+    };
+    let locked = angles("1.5707963267948966");
+    assert!(locked["inverse"].is_null() && locked["reason"].as_str().unwrap().contains("±90°"), "{locked}");
+    let free = angles("0.2");
+    assert!((free["matrix"][0][2].as_f64().unwrap() - 0.2_f64.sin()).abs() < 1e-12, "{free}");
+    assert!(free["inverse"].is_array() && free["reason"].is_null(), "{free}");
+    assert!(cdpr("ik kntu-planar --pose 0.1,0.2,-0.3 --format json").json()["jacobians"]["angles"].is_null());
+    let text = cdpr("ik cogiro --pose 0,0,2,0.1,0.2,0 --jacobians").stdout;
+    assert!(text.contains("J_P") && text.contains("free length"), "{text}");
+}

@@ -9,7 +9,7 @@ mod wrench_answer;
 
 pub use advice_answer::{AdviceAnswer, AdviceTiming, AdvisedModel, EffectAnswer};
 pub use envelope::{Envelope, PROGRAM, simulated_by};
-pub use pose_answer::{PoseAnswer, axis_names, components, title};
+pub use pose_answer::{PoseAnswer, axis_names, components, degrees_of_freedom, title};
 pub use selection_answer::{AsGiven, CandidateAnswer, FoldAnswer, JudgedAnswer, SelectionAnswer, Timing};
 pub use share::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 pub use wrench_answer::WrenchAnswer;

@@ -60,6 +60,17 @@ pub fn axis_names(robot: &Robot) -> Vec<String> {
     names.chars().map(String::from).collect()
 }
 
+/// Names of the degrees of freedom: displacements along the axes, then turns about them, of a planar robot the one in its plane.
+pub fn degrees_of_freedom(robot: &Robot) -> Vec<String> {
+    let axes = axis_names(robot);
+    let turns = match robot.motion_pattern {
+        MotionPattern::Planar => vec!["turn".to_owned()],
+        MotionPattern::Spatial => axes.iter().map(|axis| format!("turn {axis}")).collect(),
+        _ => Vec::new(),
+    };
+    [axes, turns].concat()
+}
+
 /// A world vector in the components of the robot's files.
 pub fn components(robot: &Robot, vector: &Vector3<f64>) -> Vec<f64> {
     let components = match robot.motion_pattern.is_planar() {

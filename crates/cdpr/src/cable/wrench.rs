@@ -18,6 +18,13 @@ impl<T: Real> CableEnd<T> {
         let moment_arm = rotate(rotation, platform_anchor);
         Self { anchor: add(position, moment_arm), moment_arm }
     }
+
+    /// J_pB = ∂p_B/∂\[δr; δφ\] = \[I, −\[b\]×\] by rows (1, m; world axes, eq. 2.47–2.48).
+    #[inline(always)]
+    pub fn by_pose(&self) -> [[T; 6]; 3] {
+        let (zero, one) = (self.anchor[0].constant(0.0), self.anchor[0].constant(1.0));
+        [0, 1, 2].map(|row| wrench(self.moment_arm, std::array::from_fn(|k| if k == row { one } else { zero })))
+    }
 }
 
 /// An end that is the platform origin.

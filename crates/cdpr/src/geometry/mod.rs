@@ -1,5 +1,6 @@
 //! Poses, twists, wrenches and motion patterns; nothing here knows of a robot.
 
+mod angle_rates;
 mod pattern;
 mod pose;
 mod pose_batch;

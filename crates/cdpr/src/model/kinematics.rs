@@ -9,7 +9,7 @@ use super::laws;
 use super::winching::winches_of;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::CableLaw;
-use crate::cable::outlet::{self, Outlet};
+use crate::cable::outlet::{self, Contact, Outlet};
 use crate::cable::winch::Winch;
 use crate::cable::wrench::wrench;
 use crate::cable::{CableEnd, CableInput, CableState, CableStateError, Course, DegenerateCourse};
@@ -160,6 +160,13 @@ impl Model {
     pub fn course(&self, cable: usize, pose: &Pose) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
         let (course, end) = self.checked_course(cable, pose.position.into(), &pose.rotation_rows())?;
         Ok((course, end.moment_arm.into()))
+    }
+
+    /// Contact point of one straight cable (0-based) with its pulley at a pose, how free length, arc and contact point follow the
+    /// platform (eq. 2.83–2.87), and the cable's end; or why there is no course. A model without pulleys has the frame anchor as contact point.
+    pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), DegenerateCourse> {
+        let (course, end) = self.checked_course(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((self.laws[cable].outlet.contact(end.anchor, &course), end))
     }
 
     /// [`Model::course`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who

@@ -1,8 +1,11 @@
 //! Outlets: the places where cables leave the frame.
 
 pub mod bent;
+mod contact;
 pub mod point;
 pub mod pulley;
+
+pub use contact::{Contact, ContactByPose};
 
 use super::course::{Course, DegenerateCourse};
 use crate::scalar::{LANES, Lanes, Real, dot, scale, sub};

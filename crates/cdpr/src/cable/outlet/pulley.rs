@@ -14,17 +14,38 @@ const AXIS_GUARD: f64 = 1e-300;
 pub(crate) const ON_AXIS: f64 = 1e-12;
 
 /// The plane of a pulley and the platform anchor in it.
-struct PulleyPlane<T> {
+pub(super) struct PulleyPlane<T> {
     /// z_A.
-    swivel_axis: [T; 3],
+    pub(super) swivel_axis: [T; 3],
     /// x_A.
-    radial: [T; 3],
+    pub(super) radial: [T; 3],
     /// Component of the anchor along z_A from D (m).
     b_z: T,
     /// Component of the anchor along x_A from D (m).
     b_xy: T,
     /// How the plane turns when the anchor moves across it (1/m): 1/b_xy, or 0 where it stands still.
-    turning: T,
+    pub(super) turning: T,
+}
+
+impl<T: Real> PulleyPlane<T> {
+    /// Plane that turns with the platform anchor about the swivel axis.
+    #[inline(always)]
+    pub(super) fn swivelling(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Self {
+        let d = sub(platform_anchor, entry);
+        let b_z = dot(d, swivel_axis);
+        let across = sub(d, scale(b_z, swivel_axis));
+        let b_xy = (dot(across, across) + radius.constant(AXIS_GUARD)).sqrt();
+        let turning = radius.constant(1.0) / b_xy;
+        Self { swivel_axis, radial: scale(turning, across), b_z, b_xy, turning }
+    }
+
+    /// Plane that stands still, with x_A = `side`.
+    #[inline(always)]
+    pub(super) fn on_side(entry: [T; 3], swivel_axis: [T; 3], side: [T; 3], platform_anchor: [T; 3]) -> Self {
+        let d = sub(platform_anchor, entry);
+        let (b_z, b_xy) = (dot(d, swivel_axis), dot(d, side));
+        Self { swivel_axis, radial: side, b_z, b_xy, turning: b_z.constant(0.0) }
+    }
 }
 
 /// Course over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
@@ -32,12 +53,7 @@ struct PulleyPlane<T> {
 /// x_A points from the axis to the platform anchor. Inside the pulley (b_M < r_p) the result is NaN.
 #[inline(always)]
 pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Course<T> {
-    let d = sub(platform_anchor, entry);
-    let b_z = dot(d, swivel_axis);
-    let across = sub(d, scale(b_z, swivel_axis));
-    let b_xy = (dot(across, across) + radius.constant(AXIS_GUARD)).sqrt();
-    let turning = radius.constant(1.0) / b_xy;
-    course_in_plane(PulleyPlane { swivel_axis, radial: scale(turning, across), b_z, b_xy, turning }, radius)
+    course_in_plane(PulleyPlane::swivelling(entry, swivel_axis, radius, platform_anchor), radius)
 }
 
 /// Course over a pulley that does not swivel: its centre stands at D + r_p x_A, with the unit vector x_A = `side` (world).
@@ -52,12 +68,11 @@ pub fn course_on_side<T: Real>(
     radius: T,
     platform_anchor: [T; 3],
 ) -> Course<T> {
-    let zero = radius.constant(0.0);
-    let d = sub(platform_anchor, entry);
-    let (b_z, b_xy) = (dot(d, swivel_axis), dot(d, side));
+    let plane = PulleyPlane::on_side(entry, swivel_axis, side, platform_anchor);
     // a case without a branch: NaN in the last quadrant, else 0
-    let open_side = zero * (radius.constant(1.5 * std::f64::consts::PI) - b_xy.full_angle(b_z)).sqrt();
-    let mut course = course_in_plane(PulleyPlane { swivel_axis, radial: side, b_z, b_xy, turning: zero }, radius);
+    let open_side =
+        radius.constant(0.0) * (radius.constant(1.5 * std::f64::consts::PI) - plane.b_xy.full_angle(plane.b_z)).sqrt();
+    let mut course = course_in_plane(plane, radius);
     course.length = course.length + open_side;
     course
 }
