@@ -1,4 +1,4 @@
-//! What each room may use: only what stands left of it.
+//! What each room may use: only what stands left of it; and no text as an error.
 
 use std::path::{Path, PathBuf};
 
@@ -34,7 +34,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
     for path in rust_files(&source) {
         let Ok(inside) = path.strip_prefix(&source) else { continue };
         match std::fs::read_to_string(&path) {
-            Ok(text) => complaints.extend(uses_to_the_right(inside, &text)),
+            Ok(text) => {
+                complaints.extend(uses_to_the_right(inside, &text));
+                complaints.extend(text_as_errors(inside, &text));
+            }
             Err(error) => complaints.push(format!("{}: {error}", path.display())),
         }
     }
@@ -65,6 +68,16 @@ fn uses_to_the_right(inside: &Path, text: &str) -> Vec<String> {
         }
     }
     complaints
+}
+
+/// Results of the library whose error is text: callers could not tell one from another.
+fn text_as_errors(inside: &Path, text: &str) -> Vec<String> {
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default()).enumerate();
+    let is_text = |code: &str| code.contains("Result<") && code.contains(", String>");
+    let told = |(line, _)| {
+        format!("crates/cdpr/src/{}:{}: text as an error; give it a type of its own", inside.display(), line + 1)
+    };
+    code.filter(|(_, code)| is_text(code)).map(told).collect()
 }
 
 fn place(room: &str) -> Option<usize> {
@@ -198,6 +211,16 @@ mod tests {
         assert_eq!(lines.len(), 2, "{lines:?}");
         assert!(lines[0].contains("robot.rs:3: `robot` uses `export`"));
         assert!(lines[1].contains("robot.rs:4: `robot` uses `workspace`"));
+    }
+
+    #[test]
+    fn text_is_no_error_of_the_library() {
+        let refused = |text: &str| text_as_errors(Path::new("robot.rs"), text);
+        assert!(refused("fn f() -> Result<String, Error> {\n/// Result<f64, String>\n").is_empty());
+        assert_eq!(
+            refused("\nfn f() -> Result<Vec<f64>, String> {\n"),
+            ["crates/cdpr/src/robot.rs:2: text as an error; give it a type of its own"]
+        );
     }
 
     #[test]

@@ -36,21 +36,3 @@ pub fn bytes_of(path: &Path, size: Size) -> Result<Vec<u8>, FileError> {
     size.check(bytes.len() as u64, &name)?;
     Ok(bytes)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::robot::Robot;
-
-    #[test]
-    fn a_robot_is_read_from_a_file_and_a_missing_file_is_told() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots/planar-example.toml");
-        assert_eq!(Robot::from_file(&path).unwrap(), Robot::builtin("planar-example").unwrap());
-        let missing = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots/nowhere.toml");
-        assert!(matches!(Robot::from_file(&missing), Err(FileError::Unreadable { path, .. }) if path == missing));
-        // a text, but no robot
-        let other = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
-        let refused = Robot::from_file(&other).unwrap_err();
-        assert!(matches!(&refused, FileError::Refused(error) if error.code == "robot::layout-version"), "{refused}");
-    }
-}

@@ -174,7 +174,8 @@ fn a_control_model_that_is_the_machine_makes_no_error() {
 fn bits(outcomes: &[Outcome]) -> Vec<u64> {
     let numbers = |outcome: &Outcome| {
         let tensions = outcome.tensions.clone().unwrap_or_default();
-        [&outcome.pose.numbers()[..], &outcome.sent, &outcome.recorded, &tensions].concat()
+        let (position, rotation) = (outcome.pose.position.as_slice(), outcome.pose.rotation.coords.as_slice());
+        [position, rotation, &outcome.sent, &outcome.recorded, &tensions].concat()
     };
     outcomes.iter().flat_map(numbers).map(f64::to_bits).collect()
 }

@@ -5,7 +5,7 @@ mod mistakes;
 use std::path::{Path, PathBuf};
 
 use cdpr::geometry::MotionPattern;
-use cdpr::reading::ReadError;
+use cdpr::reading::{FileError, ReadError};
 use cdpr::robot::{DrumSide, Robot, StiffnessBasis, WrapSide, builtin};
 
 /// The collection beside the project; `None`, said aloud, when it is absent outside CI.
@@ -228,4 +228,16 @@ fn the_schema_describes_every_key_of_the_files() {
         described(&cable["properties"], key);
     }
     assert_eq!(cable["additionalProperties"], false);
+}
+
+#[test]
+fn a_robot_is_read_from_a_path_and_a_missing_file_is_told() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let robot = Robot::from_file(folder.join("robots/planar-example.toml")).unwrap();
+    assert_eq!(robot, Robot::builtin("planar-example").unwrap());
+    let missing = folder.join("robots/nowhere.toml");
+    assert!(matches!(Robot::from_file(&missing), Err(FileError::Unreadable { path, .. }) if path == missing));
+    // a text, but no robot
+    let refused = Robot::from_file(folder.join("Cargo.toml")).unwrap_err();
+    assert!(matches!(&refused, FileError::Refused(error) if error.code.starts_with("robot::")), "{refused}");
 }
