@@ -39,7 +39,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::property::cases;
+    use crate::property;
 
     type Dual = DualVec<f64, Const<3>>;
 
@@ -59,7 +59,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(cases(300))]
+        #![proptest_config(property::cases(300))]
 
         /// ω̃ = Ṙ Rᵀ, column by column; both sides are exact, so only rounding separates them.
         #[test]

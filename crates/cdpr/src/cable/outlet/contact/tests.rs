@@ -5,7 +5,7 @@ use num_dual::DualVec;
 use proptest::prelude::*;
 
 use super::*;
-use crate::property::cases;
+use crate::property;
 use crate::scalar::rotate;
 
 /// Derivatives by the platform anchor.
@@ -49,7 +49,7 @@ fn outlets() -> impl Strategy<Value = (Outlet<f64>, [f64; 3])> {
 }
 
 proptest! {
-    #![proptest_config(cases(500))]
+    #![proptest_config(property::cases(500))]
 
     /// Both are exact, so only rounding separates them; it grows with how fast the direction turns.
     #[test]
