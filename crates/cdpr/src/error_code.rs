@@ -4,6 +4,7 @@
 //! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
 
 mod identification;
+mod operation;
 
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
@@ -13,7 +14,7 @@ use crate::geometry::PatternError;
 use crate::identification::PredictionError;
 use crate::metamodel;
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
-use crate::reading::ReadError;
+use crate::reading::{FileError, ReadError};
 use crate::robot::StretchError;
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
@@ -30,6 +31,15 @@ pub trait ErrorCode: std::error::Error {
 impl ErrorCode for ReadError {
     fn code(&self) -> &'static str {
         self.code
+    }
+}
+
+impl ErrorCode for FileError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "io::read",
+            Self::Refused(error) => error.code(),
+        }
     }
 }
 

@@ -90,6 +90,16 @@ impl ErrorCode for RequirementError {
     }
 }
 
+impl ErrorCode for selection::CandidateFailure {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Model(error) => error.code(),
+            Self::Fit(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
+        }
+    }
+}
+
 impl ErrorCode for selection::InputError {
     fn code(&self) -> &'static str {
         match self {
