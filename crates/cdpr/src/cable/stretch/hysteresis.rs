@@ -17,6 +17,10 @@
 //!
 //! When both branches come together the memory does not show any more, in value or derivative.
 
+mod motion;
+
+pub use motion::{MemoryChange, Motion};
+
 use super::inverse::strain_of_tension;
 use crate::robot::{HysteresisTable, StretchError, TRANSITION_LIMIT};
 use crate::scalar::Select;

@@ -31,7 +31,7 @@ fn table(width: f64) -> HysteresisTable {
     }
 }
 
-fn law() -> Hysteresis {
+pub(super) fn law() -> Hysteresis {
     Hysteresis::new(&table(1.0)).unwrap()
 }
 
