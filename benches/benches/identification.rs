@@ -13,8 +13,8 @@ use cdpr::identification::fit::{Prior, Settings, fit, optimal_parameters};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::{Study, winch_offsets};
-use cdpr::model::{Composition, Model, ParameterKind};
-use cdpr::robot::Robot;
+use cdpr::model::{Composition, Model};
+use cdpr::robot::{ParameterKind, Robot};
 use criterion::Criterion;
 use levenberg_marquardt::LevenbergMarquardt;
 

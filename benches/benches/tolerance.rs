@@ -15,7 +15,7 @@ use cdpr::metamodel::study::{CommandedPose, Distribution, Initial};
 use cdpr::metamodel::tolerance::{Engine, Settings, monte_carlo};
 use cdpr::metamodel::{Operation, Status, Study, winch_offsets};
 use cdpr::model::{Composition, Model};
-use cdpr::robot::Robot;
+use cdpr::robot::{ParameterKind, Robot};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
@@ -25,8 +25,8 @@ const SHARE: usize = 100;
 
 fn sigma(cause: &Cause) -> f64 {
     match (cause.side, cause.kind) {
-        (Side::Machine, Kind::FrameAnchor | Kind::PlatformAnchor) => 1e-3,
-        (Side::Machine, Kind::AxialStiffness) => 0.03,
+        (Side::Machine, Kind::Parameter(ParameterKind::FrameAnchor | ParameterKind::PlatformAnchor)) => 1e-3,
+        (Side::Machine, Kind::Parameter(ParameterKind::AxialStiffness)) => 0.03,
         _ => 0.0,
     }
 }

@@ -7,9 +7,9 @@ use cdpr::error_code::ErrorCode;
 use cdpr::identification::fit::Prior;
 use cdpr::measurement::Samples;
 use cdpr::metamodel::{Experiment, Robots, Study};
-use cdpr::model::{ParameterKind, place_pulleys};
+use cdpr::model::place_pulleys;
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr::robot::{ParameterKind, Robot};
 use clap::Args;
 
 use crate::answer::Output;

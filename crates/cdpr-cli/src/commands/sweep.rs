@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cdpr::metamodel::Study;
-use cdpr::metamodel::sweep::{Subjects, Sweep, check, row};
+use cdpr::metamodel::sweep::{PreparedSweep, Subjects, Sweep, check};
 use cdpr::reading::Size;
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
@@ -168,13 +168,15 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
 
 fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<Progressed, Failure> {
     let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
+    let prepared = PreparedSweep::new(&plan.sweep, &plan.subjects);
+    let prepared = prepared.map_err(|error| Failure::refused(&folder.display().to_string(), &error))?;
     let progress = Progress::of(mine.len(), "sweeping");
     let (mut computed, mut already_there) = (0, 0);
     for &point in &mine {
         match RowFile::read(folder, plan, point)? {
             Some(_) => already_there += 1,
             None => {
-                let row = row(&plan.sweep, &plan.subjects, point, &plan.points[point]);
+                let row = prepared.row(point, &plan.points[point]);
                 RowFile::write(folder, plan, row)?;
                 computed += 1;
             }

@@ -9,7 +9,8 @@ use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
 use cdpr::identification::selection::{Criterion, Requirement, Settings, fit_count, select};
 use cdpr::measurement::{Fold, Samples, Split};
-use cdpr::model::{FreeParameters, ParameterKind};
+use cdpr::model::FreeParameters;
+use cdpr::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
 use clap::{Args, ValueEnum};
 

@@ -5,6 +5,7 @@ mod map;
 pub mod tables;
 
 use cdpr::metamodel::sensitivity::Kind;
+use cdpr::robot::ParameterKind;
 
 pub use answer::{
     AllowanceAnswer, AllowedAnswer, Drawn, KindAnswer, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer,
@@ -14,7 +15,7 @@ pub use map::map;
 /// A step that people think in: what it is in the unit of the kind, and its words.
 pub fn step(kind: Kind) -> (f64, &'static str) {
     match (kind, kind.unit()) {
-        (Kind::LengthScale, _) => (1e-4, "0.01 %"),
+        (Kind::Parameter(ParameterKind::LengthScale), _) => (1e-4, "0.01 %"),
         (_, "m") => (1e-3, "1 mm"),
         (_, "1") => (1e-2, "1 %"),
         (_, "N") => (10.0, "10 N"),

@@ -4,8 +4,9 @@ use super::pose_lanes::{CableValues, PoseLanes};
 use super::recordings::{Recorder, Recordings};
 use super::weights::Weights;
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
-use crate::scalar::{Kernel, LANES, Lanes, dispatch, dot};
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 
 /// Parameters a cable can have: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
 pub(super) const SLOTS: usize = 11;
@@ -23,7 +24,6 @@ pub(super) struct Block {
     recorder: Option<Recorder>,
     /// 1/σ of each residual, 0 in the padding (1/m).
     weights: Vec<f64>,
-    axes: Vec<[f64; 3]>,
 }
 
 impl Block {
@@ -46,7 +46,6 @@ impl Block {
             start: CableValues::of(model, cable),
             recorded,
             weights: weights.of_cable(cable).to_vec(),
-            axes: model.axes().iter().map(|axis| (*axis).into()).collect(),
         }
     }
 
@@ -73,45 +72,16 @@ impl Block {
     /// The cable's values after moving the block's parameters by `change`.
     pub(super) fn moved(&self, from: &CableValues, change: &[f64]) -> CableValues {
         let mut values = *from;
-        for (parameter, &amount) in self.parameters.iter().zip(change) {
-            let along = |mut anchor: [f64; 3]| {
-                for k in 0..3 {
-                    anchor[k] += self.axes[parameter.axis][k] * amount;
-                }
-                anchor
-            };
-            match parameter.kind {
-                ParameterKind::FrameAnchor => {
-                    let anchor = values.outlet.frame_anchor_mut();
-                    *anchor = along(*anchor);
-                }
-                ParameterKind::PlatformAnchor => values.platform_anchor = along(values.platform_anchor),
-                ParameterKind::LengthOffset => values.offset += amount,
-                ParameterKind::LengthScale => values.scale += amount,
-                ParameterKind::PulleyRadius => {
-                    values.outlet.radius_mut().into_iter().for_each(|radius| *radius += amount);
-                }
-                ParameterKind::DrumRadius => values.drum_radius += amount,
-                ParameterKind::StartLength => values.start_length += amount,
-                // what needs elasticity belongs to the elastostatic problem
-                _ => {}
-            }
+        for (&slot, &amount) in self.slots.iter().zip(change) {
+            number(&mut values, slot).into_iter().for_each(|number| *number += amount);
         }
         values
     }
 
-    /// Current value of one parameter of the block.
-    pub(super) fn value(&self, values: &CableValues, parameter: &Parameter) -> f64 {
-        match parameter.kind {
-            ParameterKind::FrameAnchor => dot(self.axes[parameter.axis], *values.outlet.frame_anchor()),
-            ParameterKind::PlatformAnchor => dot(self.axes[parameter.axis], values.platform_anchor),
-            ParameterKind::LengthOffset => values.offset,
-            ParameterKind::LengthScale => values.scale,
-            ParameterKind::PulleyRadius => values.outlet.pulley().map_or(0.0, |(_, radius)| *radius),
-            ParameterKind::DrumRadius => values.drum_radius,
-            ParameterKind::StartLength => values.start_length,
-            _ => 0.0,
-        }
+    /// Current values of the block's parameters.
+    pub(super) fn values(&self, values: &CableValues) -> impl Iterator<Item = f64> {
+        let mut values = *values;
+        self.slots.iter().map(move |&slot| number(&mut values, slot).map_or(0.0, |number| *number))
     }
 
     /// Weighted normal equations at `values`.
@@ -211,6 +181,19 @@ fn slot(model: &Model, parameter: &Parameter) -> usize {
         ParameterKind::PulleyRadius => 8,
         ParameterKind::DrumRadius => 9,
         _ => 10,
+    }
+}
+
+/// The number behind a place of a row; `None` for the radius of a cable without pulley.
+fn number(values: &mut CableValues, slot: usize) -> Option<&mut f64> {
+    match slot {
+        0..3 => Some(&mut values.outlet.frame_anchor_mut()[slot]),
+        3..6 => Some(&mut values.platform_anchor[slot - 3]),
+        6 => Some(&mut values.offset),
+        7 => Some(&mut values.scale),
+        8 => values.outlet.radius_mut(),
+        9 => Some(&mut values.drum_radius),
+        _ => Some(&mut values.start_length),
     }
 }
 

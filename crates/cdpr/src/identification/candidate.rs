@@ -6,8 +6,8 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use crate::cable::elasticity::Elasticity;
-use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, ParameterKind, SpanEffect};
-use crate::robot::Robot;
+use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, SpanEffect};
+use crate::robot::{ParameterKind, Robot};
 
 /// A composition of effects with the parameters that identification frees.
 #[derive(Clone, Debug, PartialEq, Eq)]

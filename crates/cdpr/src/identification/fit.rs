@@ -18,7 +18,8 @@ use super::identifiability::{Analysis, Correlation, analyse};
 use super::starts::Basin;
 use super::weights::Weights;
 use crate::measurement::Samples;
-use crate::model::{FreeParameters, Model, Parameter, ParameterKind};
+use crate::model::{FreeParameters, Model, identified_kind};
+use crate::robot::{Parameter, ParameterKind};
 pub use crate::solve::Minimizer;
 
 /// What is assumed, and when the fit stops.
@@ -77,7 +78,7 @@ impl FromStr for Prior {
         if !(sigma > 0.0 && sigma.is_finite()) {
             return Err(syntax());
         }
-        Ok(Self { kind: name.trim().parse()?, sigma })
+        Ok(Self { kind: identified_kind(name.trim())?, sigma })
     }
 }
 
@@ -191,7 +192,7 @@ pub fn fit_observed(
         report(model, samples, &parameters, &weights, optimum, settings)?
     };
     // the starts are those of a robot that may have been completed, with a wrench for instance
-    fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.stated(model));
+    fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
     Ok(fit)
 }
 
@@ -351,7 +352,7 @@ pub(super) fn estimate(
     sigma: Option<f64>,
     settings: &Settings,
 ) -> Estimate {
-    let (start, value) = (parameter.value(model), parameter.value(calibrated));
+    let (start, value) = (parameter.value(model.robot()), parameter.value(calibrated.robot()));
     Estimate {
         name: parameter.name(model.robot()),
         unit: parameter.unit(model.robot()),

@@ -11,7 +11,8 @@ use super::fit::{Settings, prior_sigma};
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::words::{Direction, describe};
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::decomposition::svd;
 
 /// Two parameters that the data hardly separate.

@@ -3,8 +3,8 @@
 use super::pose_lanes::CableValues;
 use crate::cable::winch::{DrumLength, Winch};
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
-use crate::robot::Cable;
+use crate::model::Model;
+use crate::robot::{Cable, Parameter, ParameterKind};
 use crate::scalar::LANES;
 
 /// The recorded angles of one cable and the drum they belong to.

@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
-use crate::model::{Parameter, ParameterKind};
+use crate::robot::{Parameter, ParameterKind};
 
 /// How far other starts move anchors from the file's values, in every direction (m).
 const ANCHOR_SPREAD: f64 = 0.5;

@@ -1,6 +1,7 @@
 //! Weak directions of parameter space in words.
 
-use crate::model::{Model, Parameter, axis_name};
+use crate::model::Model;
+use crate::robot::{Parameter, axis_name};
 
 /// A direction in the parameters of one cable that the data hardly determine.
 pub(super) enum Direction {

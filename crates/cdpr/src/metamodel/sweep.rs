@@ -1,5 +1,6 @@
 //! Sweeps: how the reachable workspace changes with parameters of control model, machine and study (sec. 3.7, 3.8).
 
+mod files;
 mod key;
 mod point;
 mod set_up;
@@ -10,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use key::{Key, KeyError, KeyReason};
-pub use point::{Row, Subjects, row};
-pub use set_up::{PointError, check};
+pub use point::{Row, Subjects};
+pub use set_up::{PointError, PreparedSweep, check};
 
 use super::study::TensionMethod;
 use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};

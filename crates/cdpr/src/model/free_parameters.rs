@@ -6,8 +6,8 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
-use super::parameter::{Parameter, ParameterKind};
 use super::{Model, StretchEffect};
+use crate::robot::{Head, Parameter, ParameterKind};
 
 /// What `--free` or `--hold` names: kinds of parameters, each for all cables or for some.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -75,9 +75,15 @@ pub enum ParameterError {
     WrenchOfCable,
 }
 
+/// The kind of this name that identification may free.
+pub(crate) fn identified_kind(name: &str) -> Result<ParameterKind, ParameterError> {
+    let kind = ParameterKind::IDENTIFIED.into_iter().find(|kind| kind.name() == name);
+    kind.ok_or_else(|| ParameterError::UnknownName { name: name.to_owned() })
+}
+
 fn suggestion(name: &str) -> String {
     let close = |kind: &ParameterKind| strsim::jaro_winkler(kind.name(), name);
-    match ParameterKind::ALL.into_iter().max_by(|a, b| close(a).total_cmp(&close(b))) {
+    match ParameterKind::IDENTIFIED.into_iter().max_by(|a, b| close(a).total_cmp(&close(b))) {
         Some(kind) if close(&kind) > 0.75 => format!("; did you mean `{kind}`?"),
         _ => String::new(),
     }
@@ -116,10 +122,10 @@ impl FreeParameters {
         hold.check_cables(model)?;
         let mut parameters = Vec::new();
         for cable in 0..model.cable_count() {
-            for kind in ParameterKind::ALL.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
+            for kind in ParameterKind::IDENTIFIED.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
                 if self.contains(kind, cable) && !hold.contains(kind, cable) {
-                    let count = if kind.is_anchor() { model.axes().len() } else { 1 };
-                    parameters.extend((0..count).map(|axis| Parameter { cable, kind, axis }));
+                    let components = 0..kind.components(model.robot());
+                    parameters.extend(components.map(|axis| Parameter { cable, kind, axis }));
                 }
             }
         }
@@ -203,19 +209,11 @@ impl FromStr for FreeParameters {
         let mut rest = text.trim();
         while !rest.is_empty() {
             let end = rest.find([',', '[']).unwrap_or(rest.len());
-            let kind: ParameterKind = rest[..end].trim().parse()?;
-            let mut cables = None;
-            rest = &rest[end..];
-            if let Some(inside) = rest.strip_prefix('[') {
-                let syntax = || ParameterError::Syntax { item: format!("{kind}{rest}") };
-                let close = inside.find(']').ok_or_else(syntax)?;
-                let numbers = inside[..close].split(',').map(|number| match number.trim().parse::<usize>() {
-                    Ok(cable) if cable > 0 => Ok(cable - 1),
-                    _ => Err(syntax()),
-                });
-                cables = Some(numbers.collect::<Result<Vec<_>, _>>()?);
-                rest = inside[close + 1..].trim_start();
-            }
+            let kind = identified_kind(rest[..end].trim())?;
+            let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
+            let head = Head::read(rest).ok_or_else(syntax)?;
+            let cables = head.cables;
+            rest = head.rest.trim_start();
             selections.push((kind, cables));
             rest = match rest.strip_prefix(',') {
                 Some(after) if !after.trim().is_empty() => after.trim_start(),

@@ -8,7 +8,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::{Course, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
-use crate::robot::{Cable, Platform, Robot, WrapSide};
+use crate::robot::{Cable, ParameterKind, Platform, Robot, WrapSide};
 use crate::scalar::{add, rotate};
 use wrap_side::{planar_poses, planar_robot};
 
@@ -314,17 +314,19 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
     let robot = robot_of(vec![tilted_pulley_cable()]);
     let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
     let gradient = model.cable_gradient(0, &tilted_pose()).unwrap();
-    let kinds: Vec<_> =
-        ParameterKind::ALL.into_iter().filter(|kind| !kind.needs_elasticity() && !kind.needs_motor_angles()).collect();
+    let kinds: Vec<_> = ParameterKind::IDENTIFIED
+        .into_iter()
+        .filter(|kind| !kind.needs_elasticity() && !kind.needs_motor_angles())
+        .collect();
     let free = FreeParameters::of(&kinds);
     for parameter in free.parameters(&model, &FreeParameters::default()).unwrap() {
         let recorded = |value: f64| {
             let mut changed = robot.clone();
-            parameter.assign(&model, &mut changed, value);
+            parameter.set(&mut changed, value);
             let changed = Model::new(changed, Composition::PULLEY).unwrap();
             changed.recorded_length(0, changed.course(0, &tilted_pose()).unwrap().0.length)
         };
-        let (value, h) = (parameter.value(&model), 1e-6);
+        let (value, h) = (parameter.value(model.robot()), 1e-6);
         let slope = (recorded(value + h) - recorded(value - h)) / (2.0 * h);
         let analytic = match parameter.kind {
             ParameterKind::FrameAnchor => gradient.frame_anchor[parameter.axis],

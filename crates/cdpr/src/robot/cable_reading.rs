@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::Cable;
 use super::file::{CableSection, RobotFile};
+use super::parameter::{ParameterKind as Kind, Range};
 use super::reading::{Reader, key_name};
 use super::{StretchError, rising_range};
 use crate::reading::{MAGNITUDE_LIMIT, ReadError, Step};
@@ -96,41 +97,41 @@ impl CableReader<'_> {
         let section = self.section;
         self.check_stiffness()?;
         let tensions = (section.tension_min_N, section.tension_max_N);
-        self.check_limits(["tension_min_N", "tension_max_N"], tensions, "robot::tension-limits")?;
+        self.check_limits([Kind::TensionMin, Kind::TensionMax], tensions, "robot::tension-limits")?;
         let lengths = (section.length_min_m, section.length_max_m);
-        self.check_limits(["length_min_m", "length_max_m"], lengths, "robot::length-limits")?;
+        self.check_limits([Kind::LengthMin, Kind::LengthMax], lengths, "robot::length-limits")?;
         let wraps = (section.pulley_wrap_min_rad, section.pulley_wrap_max_rad);
-        self.check_limits(["pulley_wrap_min_rad", "pulley_wrap_max_rad"], wraps, "robot::wrap-limits")?;
+        self.check_limits([Kind::WrapMin, Kind::WrapMax], wraps, "robot::wrap-limits")?;
         self.check_stretch()?;
         self.check_wrap_side()?;
         Ok(Cable {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
             platform_anchor: self.vector("platform_anchor_m", &section.platform_anchor_m)?,
-            pulley_radius: self.not_negative("pulley_radius_m", section.pulley_radius_m)?,
+            pulley_radius: self.number(Kind::PulleyRadius, section.pulley_radius_m)?,
             pulley_swivel_axis: section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?,
             pulley_wrap_side: section.pulley_wrap_side,
             pulley_wrap_min: section.pulley_wrap_min_rad,
             pulley_wrap_max: section.pulley_wrap_max_rad,
-            diameter: self.positive("diameter_m", section.diameter_m)?,
+            diameter: self.number(Kind::Diameter, section.diameter_m)?,
             length_min: section.length_min_m,
             length_max: section.length_max_m,
             tension_min: section.tension_min_N,
             tension_max: section.tension_max_N,
-            axial_stiffness: self.positive("axial_stiffness_EA_N", section.axial_stiffness_EA_N)?,
-            axial_compliance: self.not_negative("axial_compliance_per_N", section.axial_compliance_per_N)?,
-            spring_constant: self.positive("spring_constant_N_per_m", section.spring_constant_N_per_m)?,
+            axial_stiffness: self.number(Kind::AxialStiffness, section.axial_stiffness_EA_N)?,
+            axial_compliance: self.number(Kind::Compliance, section.axial_compliance_per_N)?,
+            spring_constant: self.number(Kind::SpringConstant, section.spring_constant_N_per_m)?,
             stiffness_by: section.stiffness_by,
-            hidden_length: self.not_negative("hidden_length_m", section.hidden_length_m)?,
-            series_compliance: self.not_negative("series_compliance_m_per_N", section.series_compliance_m_per_N)?,
+            hidden_length: self.number(Kind::HiddenLength, section.hidden_length_m)?,
+            series_compliance: self.number(Kind::SeriesCompliance, section.series_compliance_m_per_N)?,
             tension_of_strain: section.tension_of_strain_N.clone(),
             hysteresis: section.hysteresis.clone(),
-            length_scale: self.positive("length_scale", section.length_scale)?,
+            length_scale: self.number(Kind::LengthScale, section.length_scale)?,
             length_offset: section.length_offset_m,
-            tension_scale: self.positive("tension_scale", section.tension_scale)?,
+            tension_scale: self.number(Kind::TensionScale, section.tension_scale)?,
             tension_offset: section.tension_offset_N,
             tension_at: section.tension_at,
-            linear_density: self.not_negative("linear_density_kg_per_m", section.linear_density_kg_per_m)?,
+            linear_density: self.number(Kind::LinearDensity, section.linear_density_kg_per_m)?,
             finite_elements: self.finite_elements(section.finite_elements)?,
             ..self.winch()?
         })
@@ -149,11 +150,16 @@ impl CableReader<'_> {
         self.reader.vector(&self.path(key), values)
     }
 
-    pub(super) fn not_negative(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
-        self.reader.not_negative(&self.path(key), number)
+    /// A number within the range of its parameter.
+    pub(super) fn number(&self, kind: Kind, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+        match kind.range() {
+            Range::NotNegative => self.reader.not_negative(&self.path(kind.key()), number),
+            Range::Positive => self.positive(kind.key(), number),
+            Range::Real | Range::NotZero => Ok(number),
+        }
     }
 
-    pub(super) fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
+    fn positive(&self, key: &str, number: Option<f64>) -> Result<Option<f64>, ReadError> {
         match number {
             Some(number) if number < 1.0 / MAGNITUDE_LIMIT => {
                 let least =
@@ -251,12 +257,12 @@ impl CableReader<'_> {
     /// Two limits, neither below zero, in order.
     fn check_limits(
         &self,
-        keys: [&str; 2],
+        kinds: [Kind; 2],
         limits: (Option<f64>, Option<f64>),
         code: &'static str,
     ) -> Result<(), ReadError> {
-        let [least, largest] = keys;
-        match (self.not_negative(least, limits.0)?, self.not_negative(largest, limits.1)?) {
+        let [least, largest] = kinds.map(Kind::key);
+        match (self.number(kinds[0], limits.0)?, self.number(kinds[1], limits.1)?) {
             (Some(min), Some(max)) if min > max => Err(self
                 .error(least, code, &format!("{least} = {min} is above {largest} = {max}"))
                 .with_help("swap them, or mend the wrong one")),

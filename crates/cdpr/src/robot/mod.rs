@@ -7,6 +7,7 @@ mod checks;
 mod description;
 mod file;
 mod home_reading;
+mod parameter;
 mod reading;
 pub(crate) mod stretch;
 mod surroundings;
@@ -17,6 +18,8 @@ pub use description::{
     Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
     WrapSide,
 };
+pub(crate) use parameter::{Head, axis_name};
+pub use parameter::{Parameter, ParameterKind};
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 pub use surroundings::{Obstacle, ObstacleShape};
 

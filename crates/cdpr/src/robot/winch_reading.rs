@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::Cable;
 use super::cable_reading::CableReader;
+use super::parameter::ParameterKind as Kind;
 use crate::geometry::MotionPattern;
 use crate::reading::ReadError;
 
@@ -12,8 +13,8 @@ impl CableReader<'_> {
     pub(super) fn winch(&self) -> Result<Cable, ReadError> {
         let section = self.section;
         let cable = Cable {
-            drum_radius: self.positive("drum_radius_m", section.drum_radius_m)?,
-            drum_pitch: self.not_negative("drum_pitch_m", section.drum_pitch_m)?,
+            drum_radius: self.number(Kind::DrumRadius, section.drum_radius_m)?,
+            drum_pitch: self.number(Kind::DrumPitch, section.drum_pitch_m)?,
             drum_axis: self.spatial_direction("drum_axis", section.drum_axis.as_deref())?,
             drum_position: self.spatial("drum_position_m", section.drum_position_m.as_deref())?,
             drum_side: section.drum_side,
@@ -21,10 +22,10 @@ impl CableReader<'_> {
             drum_pulley: self.spatial("drum_pulley_m", section.drum_pulley_m.as_deref())?,
             drum_start_angle: section.drum_start_angle_rad,
             drum_start_length: section.drum_start_length_m,
-            drum_groove_length: self.positive("drum_groove_length_m", section.drum_groove_length_m)?,
-            drum_layer_height: self.positive("drum_layer_height_m", section.drum_layer_height_m)?,
+            drum_groove_length: self.number(Kind::GrooveLength, section.drum_groove_length_m)?,
+            drum_layer_height: self.number(Kind::LayerHeight, section.drum_layer_height_m)?,
             gear_ratio: section.gear_ratio,
-            encoder_counts_per_turn: self.positive("encoder_counts_per_turn", section.encoder_counts_per_turn)?,
+            encoder_counts_per_turn: self.number(Kind::EncoderCounts, section.encoder_counts_per_turn)?,
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
             ..Cable::default()
         };

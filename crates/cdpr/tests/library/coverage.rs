@@ -2,7 +2,8 @@
 
 use super::support::{builtin, measured, simulator};
 use cdpr::identification::fit::{Prior, Settings, Status, fit};
-use cdpr::model::{Composition, FreeParameters, Model, ParameterKind};
+use cdpr::model::{Composition, FreeParameters, Model};
+use cdpr::robot::ParameterKind;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
@@ -30,7 +31,7 @@ fn coverage(free: &str) -> Vec<f64> {
         hits.resize(fit.parameters.len(), 0);
         for (hit, estimate) in hits.iter_mut().zip(&fit.parameters) {
             let sigma = estimate.sigma.expect("everything is determined");
-            let error = estimate.value - estimate.parameter.value(&true_model);
+            let error = estimate.value - estimate.parameter.value(true_model.robot());
             *hit += u32::from(error.abs() <= 1.96 * sigma);
         }
     }
@@ -88,7 +89,7 @@ fn coverage_with_priors(kinds: &[ParameterKind], poses: usize) -> (f64, f64) {
         let found = fit(&start, &samples, &free, &settings).unwrap();
         let truth = Model::new(machine, Composition::STANDARD).unwrap();
         for estimate in &found.parameters {
-            let error = estimate.value - estimate.parameter.value(&truth);
+            let error = estimate.value - estimate.parameter.value(truth.robot());
             inside += u32::from(error.abs() <= 1.96 * estimate.sigma.expect("a prior determines it"));
             all += 1;
         }

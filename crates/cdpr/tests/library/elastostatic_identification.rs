@@ -7,8 +7,8 @@ use cdpr::identification::{ErrorBlocks, evaluate};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::{Study, winch_offsets};
-use cdpr::model::{Composition, Model, ParameterKind};
-use cdpr::robot::Robot;
+use cdpr::model::{Composition, Model};
+use cdpr::robot::{ParameterKind, Robot};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -120,7 +120,7 @@ fn intervals_cover_the_truth_when_the_prior_holds() {
         let found = identified(&file, Composition::ELASTIC, SIXTY_TWO, &noisy, &settings(1));
         let truth = Model::new(machine, Composition::ELASTIC).unwrap();
         for estimate in &found.parameters {
-            let error = estimate.value - estimate.parameter.value(&truth);
+            let error = estimate.value - estimate.parameter.value(truth.robot());
             inside += usize::from(error.abs() <= 1.96 * estimate.sigma.unwrap());
             all += 1;
         }

@@ -4,9 +4,9 @@
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::fit::{Prior, Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
-use cdpr::model::{Composition, Model, ParameterKind};
+use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{Vector3, Vector6};
-use cdpr::robot::Robot;
+use cdpr::robot::{ParameterKind, Robot};
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, closed_form};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};

@@ -4,7 +4,8 @@ use super::support::{NOISE, measured, random_poses, simulator};
 use cdpr::identification::fit::{Fit, Prior, Settings, Status, fit};
 use cdpr::measurement::Samples;
 use cdpr::metamodel::simulate::simulate;
-use cdpr::model::{Composition, FreeParameters, Model, ParameterKind};
+use cdpr::model::{Composition, FreeParameters, Model};
+use cdpr::robot::ParameterKind;
 
 const ANCHORS: [ParameterKind; 2] = [ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor];
 

@@ -10,7 +10,7 @@ fn cable_blocks_find_the_optimum_of_the_dense_problem() {
     let free = "frame-anchor,platform-anchor".parse().unwrap();
     let blocks = optimal_parameters(&model, &samples, &free, &Settings::default()).unwrap();
     assert!(blocks.converged);
-    let found: Vec<f64> = blocks.parameters.iter().map(|parameter| parameter.value(&blocks.model)).collect();
+    let found: Vec<f64> = blocks.parameters.iter().map(|parameter| parameter.value(blocks.model.robot())).collect();
     // the defaults stop at 1e-14 of the cost, which leaves the parameters 1e-9 m off
     let to_the_last_digits = LevenbergMarquardt::new().with_ftol(0.0).with_gtol(0.0).with_xtol(1e-12);
     let expected = super::dense::solve(&model, &samples, to_the_last_digits);

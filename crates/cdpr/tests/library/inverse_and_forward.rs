@@ -8,7 +8,7 @@ use cdpr::measurement::SensorSigmas;
 use cdpr::metamodel::accuracy::assess_operation;
 use cdpr::metamodel::simulate::simulate_operation;
 use cdpr::metamodel::study::{CommandedPose, History, Reach};
-use cdpr::metamodel::sweep::{Subjects, Sweep, row};
+use cdpr::metamodel::sweep::{PreparedSweep, Subjects, Sweep};
 use cdpr::metamodel::{self, Experiment, Operation, Outcome, Robots, Study};
 use cdpr::model::{Cables, Composition, Model, SpanEffect, StretchEffect};
 use cdpr::nalgebra::Vector3;
@@ -284,7 +284,7 @@ fn a_sweep_reaches_what_the_experiment_of_its_study_reaches() {
         let sweep = Sweep::from_toml_bytes(sweep.as_bytes(), "sweep").unwrap();
         let subjects =
             Subjects { study: text.clone(), control: robot.clone(), machine: robot.clone(), offset_robot: None };
-        let row = row(&sweep, &subjects, 0, &[0.0]);
+        let row = PreparedSweep::new(&sweep, &subjects).unwrap().row(0, &[0.0]);
 
         let study = Study::from_toml_bytes(text.as_bytes(), "study").unwrap();
         let robots = Robots::of(&study, |name| Robot::from_toml(&robot, name)).unwrap();

@@ -7,6 +7,7 @@ use cdpr::metamodel::study::{CommandedPose, Distribution, Initial, Shortening, T
 use cdpr::metamodel::tolerance::{Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo};
 use cdpr::metamodel::winch_offsets;
 use cdpr::model::{Composition, Model};
+use cdpr::robot::ParameterKind;
 
 /// A control model on a machine with what emerges without deviations.
 struct Subject {
@@ -161,7 +162,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
     let subject = Subject::planar();
     let (errors, translations) = (subject.errors(), subject.translations());
     let (accuracy, coverage) = (0.3, 2.0);
-    let is_named = |side: Side, kind: Kind| side == Side::Machine && kind != Kind::Force;
+    let is_named = |side: Side, kind: Kind| side == Side::Machine && kind != Kind::Parameter(ParameterKind::Force);
     let found = allowed(&subject.causes, &subject.nominal, &errors, (accuracy, coverage), &is_named, translations);
     let left = |sigma: &dyn Fn(&Cause) -> f64, is_worst: bool| {
         let sigmas: Vec<f64> = subject.causes.iter().map(sigma).collect();

@@ -6,8 +6,8 @@ use cdpr::identification::fit::{Fit, InputError, Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::with_motor_angles;
-use cdpr::model::{Composition, Model, ParameterError, ParameterKind};
-use cdpr::robot::Robot;
+use cdpr::model::{Composition, Model, ParameterError};
+use cdpr::robot::{ParameterKind, Robot};
 
 const DRUM: Composition = Composition { drum: true, ..Composition::STANDARD };
 const ELASTIC_DRUM: Composition = Composition { drum: true, ..Composition::ELASTIC };
@@ -39,7 +39,7 @@ fn identified(start: &Robot, composition: Composition, free: &str, samples: &Sam
 /// Error of every identified radius and start length in units of its own standard deviation.
 fn in_sigmas(found: &Fit, truth: &Robot) -> Vec<f64> {
     let machine = Model::new(truth.clone(), DRUM).unwrap();
-    found.parameters.iter().map(|p| (p.value - p.parameter.value(&machine)) / p.sigma.unwrap()).collect()
+    found.parameters.iter().map(|p| (p.value - p.parameter.value(machine.robot())) / p.sigma.unwrap()).collect()
 }
 
 /// Wrong radii are found, and the errors left are as large as the standard deviations say: over 10 data sets and 160
@@ -76,7 +76,7 @@ fn exact_motor_angles_give_drums_and_anchors_back() {
     let found = identified(&drawn, DRUM, "frame-anchor,drum-radius,start-length", &samples);
     let machine = Model::new(built, DRUM).unwrap();
     for parameter in &found.parameters {
-        let error = parameter.value - parameter.parameter.value(&machine);
+        let error = parameter.value - parameter.parameter.value(machine.robot());
         // the forward kinematics of the virtual machine stops at 1e-9 m, and some directions are thirty times weaker
         assert!(error.abs() < 3e-7, "{}: {error}", parameter.name);
     }
@@ -92,7 +92,7 @@ fn elastic_models_identify_drums_too() {
     let found = identified(&drawn, ELASTIC_DRUM, "drum-radius,start-length", &samples);
     let machine = Model::new(built, ELASTIC_DRUM).unwrap();
     for parameter in &found.parameters {
-        let error = parameter.value - parameter.parameter.value(&machine);
+        let error = parameter.value - parameter.parameter.value(machine.robot());
         assert!(error.abs() < 1e-6, "{}: {error}", parameter.name);
     }
 }

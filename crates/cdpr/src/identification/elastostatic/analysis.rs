@@ -13,7 +13,8 @@ use crate::identification::identifiability::{
     with_unit_columns,
 };
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
 use crate::statics::Load;
 
 /// Prior and data contradict each other when the parameters moved this many times farther than the prior lets expect.
@@ -184,7 +185,7 @@ fn copy(rows: &SampleRows, sample: usize, matrix: &mut DMatrix<f64>) {
 fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], sigmas: &[Option<f64>]) -> Option<String> {
     let mut cables = Vec::new();
     for (parameter, sigma) in parameters.iter().zip(sigmas) {
-        let value = parameter.value(&optimum.calibrated);
+        let value = parameter.value(optimum.calibrated.robot());
         if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > 0.25 * value) {
             let deviation = sigma.map_or("not determined at all".to_owned(), |sigma| format!("± {:.0}", 1e9 * sigma));
             cables.push(format!("{} (compliance {:.0} {deviation} 1/GN)", parameter.cable + 1, 1e9 * value));
@@ -203,7 +204,7 @@ fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], sigmas: &[Opti
 /// Under the prior, Σ (change/σ_prior)² is in the mean the number of directions that the data determine, Σ (1 − σ²/σ_prior²).
 fn prior_conflicts(estimates: &[Estimate]) -> Vec<String> {
     let mut found = Vec::new();
-    for kind in ParameterKind::ALL {
+    for kind in ParameterKind::IDENTIFIED {
         let with_prior = || {
             let of_kind = estimates.iter().filter(move |e| e.parameter.kind == kind);
             of_kind.filter_map(|e| Some((e.change, e.sigma.unwrap_or(f64::INFINITY), e.prior_sigma?)))

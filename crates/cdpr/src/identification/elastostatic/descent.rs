@@ -8,7 +8,8 @@ use super::rows::{RowModel, SampleRows, first_columns};
 use crate::identification::fit::{Settings, prior_sigma};
 use crate::identification::misfit::Misfit;
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
 use crate::solve::{
     self, Control, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings, Trial, descend,
     minimizer,
@@ -59,11 +60,12 @@ impl<'a> Problem<'a> {
     ) -> Self {
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let (length, tension) = (mean(&samples.lengths), mean(tensions).max(1e-9));
-        let compliance = parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model));
+        let compliance =
+            parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
         let compliance = compliance.fold(1e-7, f64::max);
         let worth = |parameter: &Parameter| match parameter.kind {
             ParameterKind::LengthScale => length,
-            ParameterKind::DrumRadius => length / parameter.value(model).max(1e-3),
+            ParameterKind::DrumRadius => length / parameter.value(model.robot()).max(1e-3),
             ParameterKind::Compliance => tension * length,
             ParameterKind::HiddenLength => 1e-3,
             ParameterKind::TensionScale => compliance * tension * length,
@@ -76,7 +78,7 @@ impl<'a> Problem<'a> {
             tensions,
             parameters,
             settings,
-            start: parameters.iter().map(|parameter| parameter.value(model)).collect(),
+            start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
             worth: parameters.iter().map(worth).collect(),
         }
     }
@@ -90,7 +92,7 @@ impl<'a> Problem<'a> {
     pub(super) fn model_at(&self, values: &[f64]) -> Option<Model> {
         let mut robot = self.model.robot().clone();
         for (parameter, &value) in self.parameters.iter().zip(values) {
-            parameter.assign(self.model, &mut robot, value);
+            parameter.set(&mut robot, value);
         }
         Model::new(robot, self.model.composition()).ok()
     }

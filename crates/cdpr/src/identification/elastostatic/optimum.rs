@@ -10,8 +10,8 @@ use crate::identification::fit::{InputError, Settings};
 use crate::identification::misfit::Misfit;
 use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
-use crate::robot::{ExternalWrench, Robot};
+use crate::model::Model;
+use crate::robot::{ExternalWrench, Parameter, ParameterKind, Robot};
 use crate::statics::{Load, StaticsError, cable_state};
 
 /// Most descents with corrections between them.

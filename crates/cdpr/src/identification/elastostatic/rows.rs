@@ -7,7 +7,8 @@ use crate::cable::CableState;
 use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Wrench};
 use crate::measurement::Samples;
-use crate::model::{Model, Parameter, ParameterKind};
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::LANES;
 use crate::statics::Load;
 

@@ -10,8 +10,8 @@ use crate::cable::outlet;
 use crate::geometry::Pose;
 use crate::identification::fit::{Minimizer, Prior, Settings, Status, fit};
 use crate::measurement::{Samples, SensorSigmas};
-use crate::model::{Composition, FreeParameters, Model, Parameter, ParameterKind};
-use crate::robot::{Robot, StiffnessBasis};
+use crate::model::{Composition, FreeParameters, Model};
+use crate::robot::{Parameter, ParameterKind, Robot, StiffnessBasis};
 use crate::scalar::{add, cross, rotate};
 use crate::statics::Load;
 
@@ -80,7 +80,7 @@ fn the_rows_derivatives_agree_with_dual_numbers() {
     for basis in [StiffnessBasis::Actual, StiffnessBasis::Unstrained] {
         let robot = odd_robot(basis);
         let model = Model::new(robot.clone(), Composition::PULLEY_ELASTIC).unwrap();
-        let kinds: Vec<_> = ParameterKind::ALL.into_iter().filter(|kind| !kind.needs_motor_angles()).collect();
+        let kinds: Vec<_> = ParameterKind::IDENTIFIED.into_iter().filter(|kind| !kind.needs_motor_angles()).collect();
         let free = FreeParameters::of(&kinds);
         let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
         let mut rows = SampleRows::new(&model, parameters.len());
@@ -221,7 +221,7 @@ fn the_rows_of_any_composition_are_the_differences_of_changed_robots() {
             let h = if parameter.kind == ParameterKind::Compliance { 1e-11 } else { 1e-6 };
             let changed = |step: f64| {
                 let mut robot = robot.clone();
-                parameter.assign(&model, &mut robot, parameter.value(&model) + step);
+                parameter.set(&mut robot, parameter.value(model.robot()) + step);
                 write(&Model::new(robot, composition).expect("a small change"), &pose(), &tensions)
             };
             let (ahead, behind) = (changed(h), changed(-h));

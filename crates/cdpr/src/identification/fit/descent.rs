@@ -56,6 +56,8 @@ struct Search<'a, const P: usize> {
 impl<'a, const P: usize> Search<'a, P> {
     fn new(block: &'a Block, poses: &'a PoseLanes, settings: &'a Settings) -> Self {
         let parameter = |k: usize| block.parameters[k];
+        let mut start = [0.0; P];
+        start.iter_mut().zip(block.values(&block.start)).for_each(|(start, value)| *start = value);
         Self {
             block,
             poses,
@@ -65,7 +67,7 @@ impl<'a, const P: usize> Search<'a, P> {
             }),
             worth: std::array::from_fn(|k| block.worth(parameter(k).kind)),
             bounds: std::array::from_fn(|k| parameter(k).bounds()),
-            start: std::array::from_fn(|k| block.value(&block.start, &parameter(k))),
+            start,
         }
     }
 

@@ -3,7 +3,8 @@
 use thiserror::Error;
 
 use crate::cable::DegenerateCourse;
-use crate::model::{ModelError, ParameterError, ParameterKind, WinchError};
+use crate::model::{ModelError, ParameterError, WinchError};
+use crate::robot::ParameterKind;
 use crate::statics::LoadError;
 
 /// Data or settings that no fit can accept.

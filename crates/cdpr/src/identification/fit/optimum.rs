@@ -7,7 +7,8 @@ use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::identification::weights::{Weights, length_weights};
 use crate::measurement::Samples;
-use crate::model::{Model, ModelError, Parameter};
+use crate::model::{Model, ModelError};
+use crate::robot::Parameter;
 
 /// Most repetitions of a fit with weights from its own optimum; each gains several digits.
 const REWEIGHTINGS: u32 = 4;
@@ -62,7 +63,7 @@ impl Optimum {
         for _ in 1..settings.starts {
             let (mut cost, mut converged) = (0.0, true);
             for (block, best) in self.blocks.iter().zip(&mut self.ends) {
-                let given: Vec<f64> = block.parameters.iter().map(|p| block.value(&block.start, p)).collect();
+                let given: Vec<f64> = block.values(&block.start).collect();
                 let from = starts.next(&block.parameters, &given);
                 let change: Vec<f64> = from.iter().zip(&given).map(|(from, given)| from - given).collect();
                 let end = descent::run(block, &self.poses, settings, Some(&change));
@@ -164,8 +165,8 @@ impl Optimum {
     pub(super) fn calibrated(&self, model: &Model) -> Result<Model, ModelError> {
         let mut robot = model.robot().clone();
         for (block, end) in self.blocks.iter().zip(&self.ends) {
-            for parameter in &block.parameters {
-                parameter.assign(model, &mut robot, block.value(&end.values, parameter));
+            for (parameter, value) in block.parameters.iter().zip(block.values(&end.values)) {
+                parameter.set(&mut robot, value);
             }
         }
         Model::new(robot, model.composition())

@@ -9,8 +9,8 @@ use crate::identification::fit::{Minimizer, Settings};
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::weights::length_weights;
 use crate::measurement::{Samples, SensorSigmas};
-use crate::model::{Composition, Model, ParameterKind, place_pulleys};
-use crate::robot::Robot;
+use crate::model::{Composition, Model, place_pulleys};
+use crate::robot::{ParameterKind, Robot};
 use crate::scalar::{Unit, dispatch_on};
 
 /// Thirteen poses, so that the last group is padded; lengths of the model itself plus millimetres.

@@ -7,7 +7,7 @@ use crate::metamodel::sensitivity::{Cause, Kind, Side};
 use crate::metamodel::study::Initial;
 use crate::metamodel::winch_offsets;
 use crate::model::{Composition, Model};
-use crate::robot::Robot;
+use crate::robot::{ParameterKind, Robot};
 use crate::statics::Load;
 use crate::workspace::criterion::WrenchFeasible;
 use crate::workspace::grid::{self, Grid};
@@ -126,9 +126,9 @@ fn the_differential_hull_is_that_of_small_changes() {
     let center = [0.0, 5.2, 0.0];
     let nominal = hull::solve(&region, &bounds, &center, &settings).unwrap();
     for (side, kind, change) in [
-        (Side::Machine, Kind::FrameAnchor, 1e-4),
-        (Side::Control, Kind::FrameAnchor, 1e-4),
-        (Side::Machine, Kind::AxialStiffness, 1e-3),
+        (Side::Machine, Kind::Parameter(ParameterKind::FrameAnchor), 1e-4),
+        (Side::Control, Kind::Parameter(ParameterKind::FrameAnchor), 1e-4),
+        (Side::Machine, Kind::Parameter(ParameterKind::AxialStiffness), 1e-3),
         (Side::Winches, Kind::WinchOffset, 1e-4),
     ] {
         let cause = Cause { side, kind, cable: 0, axis: 0 };

@@ -2,11 +2,10 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
-use crate::geometry::Wrench;
-use crate::model::{Model, Parameter, ParameterKind, StretchEffect, axis_name, specific_compliance};
-use crate::robot::{ExternalWrench, Robot};
+use crate::model::{Model, StretchEffect};
+use crate::robot::{Parameter, ParameterKind, Robot};
 
 /// Whose parameter it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -21,78 +20,35 @@ pub enum Side {
 }
 
 /// A kind of what may deviate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Kind {
-    /// Frame anchor (world), per axis (m).
-    FrameAnchor,
-    /// Platform anchor (platform frame), per axis (m).
-    PlatformAnchor,
-    /// Pulley radius (m).
-    PulleyRadius,
-    /// Offset of the recorded lengths (m).
-    LengthOffset,
-    /// Scale of the recorded lengths (1).
-    LengthScale,
-    /// Radius of the winch's drum (m).
-    DrumRadius,
-    /// Controlled length at the drum's start angle (m).
-    StartLength,
-    /// Axial stiffness EA, relative: 0.01 makes the cable 1 % stiffer (1).
-    AxialStiffness,
-    /// Strained length between winch and outlet (m).
-    HiddenLength,
-    /// A further constant force on the platform (world), per axis of the pattern (N).
-    Force,
-    /// A further constant moment on the platform, per turn of the pattern (N·m).
-    Moment,
-    /// Mass of the platform (kg).
-    Mass,
-    /// Centre of mass (platform frame), per axis (m).
-    CenterOfMass,
+    /// A number of a robot; stiffness as a share of it: 0.01 makes the cable 1 % stiffer.
+    Parameter(ParameterKind),
     /// Winch offset (m).
     WinchOffset,
     /// Initial tension, brought into balance with the load by the smallest change of all (N).
     InitialTension,
 }
 
-impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 15] = [
-        Self::FrameAnchor,
-        Self::PlatformAnchor,
-        Self::PulleyRadius,
-        Self::LengthOffset,
-        Self::LengthScale,
-        Self::DrumRadius,
-        Self::StartLength,
-        Self::AxialStiffness,
-        Self::HiddenLength,
-        Self::Force,
-        Self::Moment,
-        Self::Mass,
-        Self::CenterOfMass,
-        Self::WinchOffset,
-        Self::InitialTension,
-    ];
+/// Numbers of a cable that may deviate.
+const OF_CABLES: [ParameterKind; 9] = [
+    ParameterKind::FrameAnchor,
+    ParameterKind::PlatformAnchor,
+    ParameterKind::PulleyRadius,
+    ParameterKind::LengthOffset,
+    ParameterKind::LengthScale,
+    ParameterKind::DrumRadius,
+    ParameterKind::StartLength,
+    ParameterKind::AxialStiffness,
+    ParameterKind::HiddenLength,
+];
 
+impl Kind {
     /// The name in results.
     pub fn name(self) -> &'static str {
         match self {
-            Self::FrameAnchor => "frame-anchor",
-            Self::PlatformAnchor => "platform-anchor",
-            Self::PulleyRadius => "pulley-radius",
-            Self::LengthOffset => "length-offset",
-            Self::LengthScale => "length-scale",
-            Self::DrumRadius => "drum-radius",
-            Self::StartLength => "start-length",
-            Self::AxialStiffness => "axial-stiffness",
-            Self::HiddenLength => "hidden-length",
-            Self::Force => "force",
-            Self::Moment => "moment",
-            Self::Mass => "mass",
-            Self::CenterOfMass => "center-of-mass",
+            Self::Parameter(kind) => kind.name(),
             Self::WinchOffset => "winch-offset",
             Self::InitialTension => "initial-tension",
         }
@@ -101,11 +57,10 @@ impl Kind {
     /// Unit of a deviation, `1` for a share.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::LengthScale | Self::AxialStiffness => "1",
-            Self::Force | Self::InitialTension => "N",
-            Self::Moment => "N·m",
-            Self::Mass => "kg",
-            _ => "m",
+            Self::Parameter(ParameterKind::LengthScale | ParameterKind::AxialStiffness) => "1",
+            Self::Parameter(kind) => kind.unit(),
+            Self::WinchOffset => "m",
+            Self::InitialTension => "N",
         }
     }
 
@@ -118,21 +73,11 @@ impl Kind {
             _ => 1e-2,
         }
     }
+}
 
-    /// The parameter of identification behind it.
-    fn parameter_kind(self) -> Option<ParameterKind> {
-        Some(match self {
-            Self::FrameAnchor => ParameterKind::FrameAnchor,
-            Self::PlatformAnchor => ParameterKind::PlatformAnchor,
-            Self::PulleyRadius => ParameterKind::PulleyRadius,
-            Self::LengthOffset => ParameterKind::LengthOffset,
-            Self::LengthScale => ParameterKind::LengthScale,
-            Self::DrumRadius => ParameterKind::DrumRadius,
-            Self::StartLength => ParameterKind::StartLength,
-            Self::AxialStiffness => ParameterKind::Compliance,
-            Self::HiddenLength => ParameterKind::HiddenLength,
-            _ => return None,
-        })
+impl Serialize for Kind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 
@@ -169,77 +114,49 @@ pub struct Cause {
 impl Cause {
     /// Name for people and files, e.g. `machine frame-anchor[1].x`.
     pub fn name(&self, model: &Model) -> String {
-        let robot = model.robot();
-        let (side, kind, cable) = (self.side.name(), self.kind, self.cable + 1);
-        match kind {
-            Kind::FrameAnchor | Kind::PlatformAnchor => {
-                format!("{side} {kind}[{cable}].{}", axis_name(robot, self.axis))
-            }
-            Kind::Moment if robot.motion_pattern.is_planar() => format!("{side} {kind}"),
-            Kind::Force | Kind::Moment | Kind::CenterOfMass => {
-                format!("{side} {kind}.{}", axis_name(robot, self.axis))
-            }
-            Kind::Mass => format!("{side} {kind}"),
-            _ => format!("{side} {kind}[{cable}]"),
+        let side = self.side.name();
+        match self.parameter() {
+            Some(parameter) => format!("{side} {}", parameter.name(model.robot())),
+            None => format!("{side} {}[{}]", self.kind, self.cable + 1),
         }
     }
 
-    /// The parameter of the model behind it; `None` for what is none of a single cable.
-    pub(super) fn parameter(&self) -> Option<Parameter> {
-        let kind = self.kind.parameter_kind()?;
-        Some(Parameter { cable: self.cable, kind, axis: self.axis })
-    }
-
-    /// Change of the parameter per unit of deviation, at a model's values: 1 but for the stiffness, whose compliance falls.
-    pub(super) fn parameter_change(&self, model: &Model) -> f64 {
+    /// The number of the robot that deviates; `None` for what the winches have.
+    pub fn parameter(&self) -> Option<Parameter> {
         match self.kind {
-            Kind::AxialStiffness => -specific_compliance(&model.robot().cables[self.cable]),
-            _ => 1.0,
+            Kind::Parameter(kind) => Some(Parameter { cable: self.cable, kind, axis: self.axis }),
+            Kind::WinchOffset | Kind::InitialTension => None,
         }
     }
 
-    /// The twist whose wrench component it is.
-    pub(super) fn wrench_axis(&self, model: &Model) -> usize {
-        match self.kind {
-            Kind::Moment => model.axes().len() + self.axis,
-            _ => self.axis,
-        }
+    /// The parameter of a single cable whose derivative row it has, and its change per unit of deviation at a model's values: 1 but for the
+    /// stiffness, whose compliance falls.
+    pub(super) fn cable_parameter(&self, model: &Model) -> Option<(Parameter, f64)> {
+        let parameter = self.parameter().filter(|parameter| OF_CABLES.contains(&parameter.kind))?;
+        Some(match parameter.kind {
+            ParameterKind::AxialStiffness => {
+                let compliance = Parameter { kind: ParameterKind::Compliance, ..parameter };
+                (compliance, -compliance.value(model.robot()))
+            }
+            _ => (parameter, 1.0),
+        })
     }
 
     /// Writes the deviation into a robot, `model` being the one without deviations; what the winches have is no robot's.
     ///
     /// A parameter stays within what it may be: no radius below 0, no stiffness below a thousandth.
     pub fn deviate(&self, model: &Model, robot: &mut Robot, by: f64) {
-        match self.kind {
-            Kind::AxialStiffness => {
-                let cable = &mut robot.cables[self.cable];
-                let compliance = specific_compliance(cable) / f64::max(1.0 + by, 1e-3);
-                (cable.axial_compliance, cable.axial_stiffness) = (Some(compliance), None);
+        let Some(parameter) = self.parameter() else { return };
+        let (least, largest) = parameter.bounds();
+        let moved = |from: &Robot| (parameter.value(from) + by).clamp(least, largest);
+        match parameter.kind {
+            ParameterKind::AxialStiffness => {
+                let compliance = Parameter { kind: ParameterKind::Compliance, ..parameter };
+                compliance.set(robot, compliance.value(robot) / f64::max(1.0 + by, 1e-3));
             }
-            Kind::Force | Kind::Moment => {
-                let external = robot.external_wrench.get_or_insert_with(|| ExternalWrench {
-                    wrench: Wrench::zeros(),
-                    includes_gravity: false,
-                    note: None,
-                });
-                external.wrench += model.twist_basis()[self.wrench_axis(model)] * by;
-            }
-            Kind::Mass => {
-                if let Some(mass) = &mut robot.platform.mass {
-                    *mass = f64::max(*mass + by, 0.0);
-                }
-            }
-            Kind::CenterOfMass => {
-                if let Some(center) = &mut robot.platform.center_of_mass {
-                    *center += model.axes()[self.axis] * by;
-                }
-            }
-            _ => {
-                if let Some(parameter) = self.parameter() {
-                    let (least, largest) = parameter.bounds();
-                    parameter.assign(model, robot, (parameter.value(model) + by).clamp(least, largest));
-                }
-            }
+            // a platform whose mass or centre is unknown has none that could deviate
+            ParameterKind::Mass | ParameterKind::CenterOfMass if parameter.get(robot).is_none() => {}
+            _ => parameter.set(robot, moved(model.robot())),
         }
     }
 }
@@ -249,24 +166,45 @@ pub fn causes_of(side: Side, model: &Model) -> Vec<Cause> {
     let mut causes = Vec::new();
     let has_tensions = model.needs_tensions();
     for cable in 0..model.cable_count() {
-        for kind in Kind::ALL.into_iter().filter(|&kind| belongs((side, kind), model, cable, has_tensions)) {
-            let count = if matches!(kind, Kind::FrameAnchor | Kind::PlatformAnchor) { model.axes().len() } else { 1 };
-            // a point platform has no anchors to measure
-            let is_point = kind == Kind::PlatformAnchor && is_point(model);
-            causes.extend((0..if is_point { 0 } else { count }).map(|axis| Cause { side, kind, cable, axis }));
+        if side == Side::Winches {
+            let of_winch = [(Kind::WinchOffset, true), (Kind::InitialTension, has_tensions)].into_iter();
+            causes.extend(of_winch.filter(|(_, has)| *has).map(|(kind, _)| Cause { side, kind, cable, axis: 0 }));
+            continue;
+        }
+        for kind in OF_CABLES.into_iter().filter(|&kind| belongs(kind, model, cable)) {
+            causes.extend(
+                (0..kind.components(model.robot())).map(|axis| deviation(side, Parameter { cable, kind, axis })),
+            );
         }
     }
     if side != Side::Winches && has_tensions {
-        let of = |kind: Kind, count: usize| (0..count).map(move |axis| Cause { side, kind, cable: 0, axis });
-        let (axes, turns) = (model.axes().len(), model.dof() - model.axes().len());
-        causes.extend(of(Kind::Force, axes).chain(of(Kind::Moment, turns)));
-        if weighs(model) {
-            causes.extend(of(Kind::Mass, 1));
-            let has_center = turns > 0 && model.robot().platform.center_of_mass.is_some();
-            causes.extend(of(Kind::CenterOfMass, if has_center { axes } else { 0 }));
-        }
+        let of_platform = OF_PLATFORM.into_iter().filter(|&kind| acts(kind, model));
+        let axes = |kind: ParameterKind| {
+            (0..kind.components(model.robot())).map(move |axis| Parameter { cable: 0, kind, axis })
+        };
+        causes.extend(of_platform.flat_map(axes).map(|parameter| deviation(side, parameter)));
     }
     causes
+}
+
+fn deviation(side: Side, Parameter { cable, kind, axis }: Parameter) -> Cause {
+    Cause { side, kind: Kind::Parameter(kind), cable, axis }
+}
+
+/// Numbers of the platform that may deviate.
+const OF_PLATFORM: [ParameterKind; 4] =
+    [ParameterKind::Force, ParameterKind::Moment, ParameterKind::Mass, ParameterKind::CenterOfMass];
+
+/// True for a number of the platform by which its load changes.
+fn acts(kind: ParameterKind, model: &Model) -> bool {
+    match kind {
+        ParameterKind::Mass => weighs(model),
+        ParameterKind::CenterOfMass => {
+            let can_turn = model.dof() > model.axes().len();
+            weighs(model) && can_turn && model.robot().platform.center_of_mass.is_some()
+        }
+        _ => true,
+    }
 }
 
 /// True for a platform that is a point.
@@ -281,22 +219,20 @@ fn weighs(model: &Model) -> bool {
     !is_included && robot.platform.mass.is_some() && robot.gravity.is_some()
 }
 
-/// What a cable of a model has.
-fn belongs((side, kind): (Side, Kind), model: &Model, cable: usize, has_tensions: bool) -> bool {
+/// True for a number that a cable of a model has.
+fn belongs(kind: ParameterKind, model: &Model, cable: usize) -> bool {
     let composition = model.composition();
-    let data = &model.robot().cables[cable];
-    if side == Side::Winches {
-        return kind == Kind::WinchOffset || (kind == Kind::InitialTension && has_tensions);
-    }
-    let is_spring = data.spring_constant.is_some();
+    let is_spring = model.robot().cables[cable].spring_constant.is_some();
     match kind {
-        Kind::FrameAnchor | Kind::PlatformAnchor | Kind::LengthOffset | Kind::LengthScale => true,
-        Kind::PulleyRadius => composition.pulley,
-        Kind::DrumRadius | Kind::StartLength => composition.drum,
-        Kind::AxialStiffness => {
-            composition.stretch == StretchEffect::Linear && !is_spring && specific_compliance(data) > 0.0
+        // a point platform has no anchors to measure
+        ParameterKind::PlatformAnchor => !is_point(model),
+        ParameterKind::PulleyRadius => composition.pulley,
+        ParameterKind::DrumRadius | ParameterKind::StartLength => composition.drum,
+        ParameterKind::AxialStiffness => {
+            let compliance = Parameter { cable, kind: ParameterKind::Compliance, axis: 0 }.value(model.robot());
+            composition.stretch == StretchEffect::Linear && !is_spring && compliance > 0.0
         }
-        Kind::HiddenLength => composition.is_elastic() && !is_spring,
-        _ => false,
+        ParameterKind::HiddenLength => composition.is_elastic() && !is_spring,
+        _ => true,
     }
 }

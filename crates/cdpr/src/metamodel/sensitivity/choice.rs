@@ -92,8 +92,7 @@ impl<'a> Choice<'a> {
     pub(super) fn by_cause(&self, cause: &Cause) -> Result<DVector<f64>, StaticsError> {
         let mut wrench = in_pattern(self.model, &load_change(cause, self.model, &self.pose));
         let mut column = DVector::zeros(wrench.len());
-        if let Some(parameter) = cause.parameter() {
-            let unit = cause.parameter_change(self.model);
+        if let Some((parameter, unit)) = cause.cable_parameter(self.model) {
             let rotation = self.pose.rotation_matrix();
             let of = |state: &CableState| self.model.by_parameter((cause.cable, state), &parameter, &rotation).0;
             let state = cable_state(self.model, &self.pose, cause.cable, self.tensions[cause.cable])?;

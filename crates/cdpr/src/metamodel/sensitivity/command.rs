@@ -54,10 +54,10 @@ pub(super) fn at_tensions(
     cause: &Cause,
 ) -> Result<DVector<f64>, StaticsError> {
     let mut change = DVector::zeros(model.cable_count());
-    if let Some(parameter) = cause.parameter() {
+    if let Some((parameter, unit)) = cause.cable_parameter(model) {
         let state = cable_state(model, pose, cause.cable, tensions[cause.cable])?;
         let (_, length) = model.by_parameter((cause.cable, &state), &parameter, &pose.rotation_matrix());
-        change[cause.cable] = length * cause.parameter_change(model);
+        change[cause.cable] = length * unit;
     }
     Ok(change)
 }

@@ -11,10 +11,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cause::{Cause, Kind};
+use super::cause::Cause;
 use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
+use crate::robot::ParameterKind;
 use crate::statics::{Load, StaticsError, cable_state_at_outlet, unit_spring_state};
 
 /// A machine at an emerging state.
@@ -133,8 +134,7 @@ impl<'a> Equilibrium<'a> {
 
     /// Change of the wrench at a fixed state, and of the length of the cause's cable.
     fn deviation(&self, cause: &Cause) -> (Wrench, f64) {
-        if let Some(parameter) = cause.parameter() {
-            let change = cause.parameter_change(self.model);
+        if let Some((parameter, change)) = cause.cable_parameter(self.model) {
             let state = (cause.cable, &self.cables[cause.cable]);
             let (wrench, length) = self.model.by_parameter(state, &parameter, &self.pose.rotation_matrix());
             return (wrench * change, length * change);
@@ -161,10 +161,11 @@ pub(super) fn load_change(cause: &Cause, model: &Model, pose: &Pose) -> Wrench {
         let moment = (pose.rotation * lever).cross(&force);
         Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
     };
-    match cause.kind {
-        Kind::Force | Kind::Moment => model.twist_basis()[cause.wrench_axis(model)],
-        Kind::Mass => at(robot.platform.center_of_mass.unwrap_or_default(), gravity),
-        Kind::CenterOfMass => {
+    let Some(parameter) = cause.parameter() else { return Wrench::zeros() };
+    match parameter.kind {
+        ParameterKind::Force | ParameterKind::Moment => model.twist_basis()[parameter.degree_of_freedom(robot)],
+        ParameterKind::Mass => at(robot.platform.center_of_mass.unwrap_or_default(), gravity),
+        ParameterKind::CenterOfMass => {
             let weight = gravity * robot.platform.mass.unwrap_or(0.0);
             let mut wrench = at(model.axes()[cause.axis], weight);
             wrench.fixed_rows_mut::<3>(0).fill(0.0);

@@ -7,6 +7,7 @@ use crate::cable::winch::DrumLength;
 use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::winding::{Winding, WindingGradient};
 use crate::model::Model;
+use crate::robot::ParameterKind;
 
 /// The winches between a control model and a machine, at lengths that are sent.
 pub(super) struct Windings<'a> {
@@ -66,8 +67,8 @@ impl<'a> Windings<'a> {
 /// Change of an ideal winch's length at a fixed angle.
 fn by_ideal(drum: &DrumLength, cause: &Cause) -> f64 {
     match cause.kind {
-        Kind::DrumRadius => drum.by_radius,
-        Kind::StartLength => drum.by_start_length,
+        Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
+        Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
         _ => 0.0,
     }
 }
@@ -78,10 +79,10 @@ fn by_drum(drum: &DrumLength, cause: &Cause, model: &Model) -> f64 {
         return 0.0;
     }
     match cause.kind {
-        Kind::DrumRadius => drum.by_radius,
-        Kind::StartLength => drum.by_start_length,
+        Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
+        Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
         // the first pulley moves with the anchor
-        Kind::FrameAnchor if model.robot().cables[cause.cable].drum_pulley.is_none() => {
+        Kind::Parameter(ParameterKind::FrameAnchor) if model.robot().cables[cause.cable].drum_pulley.is_none() => {
             drum.by_pulley.dot(&model.axes()[cause.axis])
         }
         _ => 0.0,

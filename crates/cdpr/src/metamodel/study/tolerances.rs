@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use crate::metamodel::sensitivity::{Cause, Kind, Offsets, Side};
+use crate::robot::ParameterKind;
 
 /// How far the numbers of control model, machine and winches may be off, and what accuracy is required.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
@@ -131,18 +132,8 @@ pub struct WinchTolerances {
 impl Tolerances {
     /// Standard deviation of a cause, in its unit.
     pub fn sigma(&self, cause: &Cause) -> f64 {
-        let model = match cause.side {
-            Side::Control => &self.control,
-            Side::Machine => &self.machine,
-            Side::Winches => {
-                return match cause.kind {
-                    Kind::WinchOffset => self.winches.offset_m,
-                    Kind::InitialTension => self.winches.initial_tension_N,
-                    _ => 0.0,
-                };
-            }
-        };
-        model.entries().into_iter().find(|(kind, ..)| *kind == cause.kind).map_or(0.0, |(_, _, sigma)| sigma)
+        let same = |&(side, kind, ..): &(Side, Kind, &str, f64)| (side, kind) == (cause.side, cause.kind);
+        self.entries().find(same).map_or(0.0, |(.., sigma)| sigma)
     }
 
     /// Largest deviation of the worst case, in standard deviations.
@@ -155,33 +146,33 @@ impl Tolerances {
 
     /// All keys with their kinds and values.
     pub fn entries(&self) -> impl Iterator<Item = (Side, Kind, &'static str, f64)> {
-        let sided = |side: Side, entries: [(Kind, &'static str, f64); 13]| {
-            entries.into_iter().map(move |(kind, key, sigma)| (side, kind, key, sigma))
+        let sided = |side: Side, of_model: &ModelTolerances| {
+            of_model.entries().into_iter().map(move |(kind, key, sigma)| (side, Kind::Parameter(kind), key, sigma))
         };
         let winches = [
             (Side::Winches, Kind::WinchOffset, "offset_m", self.winches.offset_m),
             (Side::Winches, Kind::InitialTension, "initial_tension_N", self.winches.initial_tension_N),
         ];
-        sided(Side::Control, self.control.entries()).chain(sided(Side::Machine, self.machine.entries())).chain(winches)
+        sided(Side::Control, &self.control).chain(sided(Side::Machine, &self.machine)).chain(winches)
     }
 }
 
 impl ModelTolerances {
-    fn entries(&self) -> [(Kind, &'static str, f64); 13] {
+    fn entries(&self) -> [(ParameterKind, &'static str, f64); 13] {
         [
-            (Kind::FrameAnchor, "frame_anchor_m", self.frame_anchor_m),
-            (Kind::PlatformAnchor, "platform_anchor_m", self.platform_anchor_m),
-            (Kind::PulleyRadius, "pulley_radius_m", self.pulley_radius_m),
-            (Kind::LengthOffset, "length_offset_m", self.length_offset_m),
-            (Kind::LengthScale, "length_scale_relative", self.length_scale_relative),
-            (Kind::DrumRadius, "drum_radius_m", self.drum_radius_m),
-            (Kind::StartLength, "start_length_m", self.start_length_m),
-            (Kind::AxialStiffness, "axial_stiffness_relative", self.axial_stiffness_relative),
-            (Kind::HiddenLength, "hidden_length_m", self.hidden_length_m),
-            (Kind::Force, "force_N", self.force_N),
-            (Kind::Moment, "moment_Nm", self.moment_Nm),
-            (Kind::Mass, "mass_kg", self.mass_kg),
-            (Kind::CenterOfMass, "center_of_mass_m", self.center_of_mass_m),
+            (ParameterKind::FrameAnchor, "frame_anchor_m", self.frame_anchor_m),
+            (ParameterKind::PlatformAnchor, "platform_anchor_m", self.platform_anchor_m),
+            (ParameterKind::PulleyRadius, "pulley_radius_m", self.pulley_radius_m),
+            (ParameterKind::LengthOffset, "length_offset_m", self.length_offset_m),
+            (ParameterKind::LengthScale, "length_scale_relative", self.length_scale_relative),
+            (ParameterKind::DrumRadius, "drum_radius_m", self.drum_radius_m),
+            (ParameterKind::StartLength, "start_length_m", self.start_length_m),
+            (ParameterKind::AxialStiffness, "axial_stiffness_relative", self.axial_stiffness_relative),
+            (ParameterKind::HiddenLength, "hidden_length_m", self.hidden_length_m),
+            (ParameterKind::Force, "force_N", self.force_N),
+            (ParameterKind::Moment, "moment_Nm", self.moment_Nm),
+            (ParameterKind::Mass, "mass_kg", self.mass_kg),
+            (ParameterKind::CenterOfMass, "center_of_mass_m", self.center_of_mass_m),
         ]
     }
 }

@@ -29,6 +29,13 @@ pub enum Place {
     PlacedPulleys,
 }
 
+impl Place {
+    /// True where a key of this place changes what another place names: `both` changes control model and machine.
+    pub(super) fn covers(self, other: Self) -> bool {
+        self == other || (self == Self::Both && matches!(other, Self::Control | Self::Machine))
+    }
+}
+
 /// One step into a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Word {
@@ -138,19 +145,25 @@ impl fmt::Display for Key {
             Place::Study => "study",
             Place::PlacedPulleys => return formatter.write_str("placed_pulley_radius_m"),
         };
-        formatter.write_str(place)?;
-        for step in &self.steps {
-            match step {
-                Word::Name(name) => write!(formatter, ".{name}")?,
-                Word::Entry(Some(index)) => write!(formatter, "[{}]", index + 1)?,
-                Word::Entry(None) => formatter.write_str("[*]")?,
-            }
-        }
-        Ok(())
+        write!(formatter, "{place}.{}", self.inside())
     }
 }
 
 impl Key {
+    /// The key inside its file, as `cable[*].pulley_radius_m`.
+    pub(super) fn inside(&self) -> String {
+        let mut text = String::new();
+        for step in &self.steps {
+            match step {
+                Word::Name(name) if text.is_empty() => text.push_str(name),
+                Word::Name(name) => text.extend([".", name]),
+                Word::Entry(Some(index)) => text.push_str(&format!("[{}]", index + 1)),
+                Word::Entry(None) => text.push_str("[*]"),
+            }
+        }
+        text
+    }
+
     /// Writes a number at the key's place of a file; a key that the last table lacks is added.
     pub fn set(&self, file: &mut Table, value: f64) -> Result<(), KeyError> {
         let nowhere = |reason| KeyError::Nowhere { key: self.to_string(), reason };

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Sweep;
-use super::set_up::{PointError, SetUp};
+use super::set_up::{PointError, PreparedSweep, SetUp};
 use crate::metamodel::Experiment;
 use crate::metamodel::reachable::{Census, Requirements};
 use crate::workspace::grid;
@@ -46,42 +45,44 @@ pub(super) fn whatever_the_error(experiment: &Experiment) -> Requirements {
     Requirements { position_error_max: asked.tensions.is_none().then_some(f64::MAX), ..asked }
 }
 
-/// Answers one point; what cannot be built has a reason instead of sizes.
-pub fn row(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) -> Row {
-    let nothing = |reason: String| Row {
-        point,
-        values: values.to_vec(),
-        physical: None,
-        reachable: None,
-        by_accuracy: Vec::new(),
-        cells: 0,
-        reason: Some(reason),
-    };
-    measured(sweep, subjects, point, values).unwrap_or_else(|error| nothing(error.to_string()))
-}
+impl PreparedSweep<'_> {
+    /// Answers one point; what cannot be built has a reason instead of sizes.
+    pub fn row(&self, point: usize, values: &[f64]) -> Row {
+        let nothing = |reason: String| Row {
+            point,
+            values: values.to_vec(),
+            physical: None,
+            reachable: None,
+            by_accuracy: Vec::new(),
+            cells: 0,
+            reason: Some(reason),
+        };
+        self.measured(point, values).unwrap_or_else(|error| nothing(error.to_string()))
+    }
 
-fn measured(sweep: &Sweep, subjects: &Subjects, point: usize, values: &[f64]) -> Result<Row, PointError> {
-    let SetUp { experiment, bounds, grid } = SetUp::new(sweep, subjects, values)?;
-    let reachable = experiment.reachable_with(whatever_the_error(&experiment))?;
-    let region = experiment.region(&reachable, experiment.start.rotation)?;
-    let census = Census::take(&reachable, &region, &grid);
-    let size = |most: Option<f64>| grid::outcome(&grid, &census.reached(most)).size;
-    let physical = experiment.feasible_cells(&experiment.machine, &region, &grid).map(|held| held.size);
-    let reachable = size(None);
-    let is_out_of_reach = physical == Some(0.0) && reachable == 0.0;
-    Ok(Row {
-        point,
-        values: values.to_vec(),
-        physical,
-        reachable: Some(reachable),
-        by_accuracy: sweep.position_error_max_m.iter().map(|&most| size(Some(most))).collect(),
-        cells: grid.points(),
-        reason: is_out_of_reach.then(|| {
-            let ends: Vec<String> = bounds.ends().iter().map(f64::to_string).collect();
-            format!(
-                "the box {} lies outside the robot's reach: its cables can balance the load at no cell of it",
-                ends.join(", ")
-            )
-        }),
-    })
+    fn measured(&self, point: usize, values: &[f64]) -> Result<Row, PointError> {
+        let SetUp { experiment, bounds, grid } = SetUp::new(self, values)?;
+        let reachable = experiment.reachable_with(whatever_the_error(&experiment))?;
+        let region = experiment.region(&reachable, experiment.start.rotation)?;
+        let census = Census::take(&reachable, &region, &grid);
+        let size = |most: Option<f64>| grid::outcome(&grid, &census.reached(most)).size;
+        let physical = experiment.feasible_cells(&experiment.machine, &region, &grid).map(|held| held.size);
+        let reachable = size(None);
+        let is_out_of_reach = physical == Some(0.0) && reachable == 0.0;
+        Ok(Row {
+            point,
+            values: values.to_vec(),
+            physical,
+            reachable: Some(reachable),
+            by_accuracy: self.sweep.position_error_max_m.iter().map(|&most| size(Some(most))).collect(),
+            cells: grid.points(),
+            reason: is_out_of_reach.then(|| {
+                let ends: Vec<String> = bounds.ends().iter().map(f64::to_string).collect();
+                format!(
+                    "the box {} lies outside the robot's reach: its cables can balance the load at no cell of it",
+                    ends.join(", ")
+                )
+            }),
+        })
+    }
 }

@@ -2,12 +2,11 @@
 
 use nalgebra::Vector3;
 use thiserror::Error;
-use toml::Table;
 
-use super::key::Place;
+use super::files::Files;
 use super::point::whatever_the_error;
-use super::{Key, KeyError, Parameter, Subjects, Sweep};
-use crate::metamodel::{Experiment, ExperimentError, InputError, Robots, Study};
+use super::{KeyError, Subjects, Sweep};
+use crate::metamodel::{Experiment, ExperimentError, InputError, Study};
 use crate::model::{PlacePulleysError, place_pulleys};
 use crate::reading::ReadError;
 use crate::robot::{Cable, Robot};
@@ -66,9 +65,10 @@ const TRIED: usize = 1000;
 /// Refuses a sweep before anything is computed: keys that lead nowhere or that files do not know, and what can be set up at none of
 /// the points.
 pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
-    for parameter in &sweep.parameter {
+    let prepared = PreparedSweep::new(sweep, subjects)?;
+    for (index, parameter) in sweep.parameter.iter().enumerate() {
         let first = parameter.all_values().unwrap_or_default().first().copied().unwrap_or(0.0);
-        match Files::new([(parameter, first)], subjects)?.read() {
+        match prepared.files.with(&[(index, first)])?.read() {
             // other mistakes may be those of this value
             Err(PointError::Read(error)) if error.code == "toml::unknown-key" => return Err(PointError::Read(error)),
             _ => {}
@@ -76,7 +76,7 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
     }
     let mut refused = None;
     for values in sweep.points().iter().take(TRIED) {
-        match SetUp::new(sweep, subjects, values) {
+        match SetUp::new(&prepared, values) {
             Ok(_) => return Ok(()),
             Err(error) => {
                 refused.get_or_insert(error);
@@ -84,6 +84,19 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
         }
     }
     refused.map_or(Ok(()), Err)
+}
+
+/// A sweep whose files are read, so that its points can be set up.
+pub struct PreparedSweep<'a> {
+    pub(super) sweep: &'a Sweep,
+    files: Files<'a>,
+}
+
+impl<'a> PreparedSweep<'a> {
+    /// Reads keys and files once for all points.
+    pub fn new(sweep: &'a Sweep, subjects: &'a Subjects) -> Result<Self, PointError> {
+        Ok(Self { sweep, files: Files::new(sweep, subjects)? })
+    }
 }
 
 /// Everything that a point needs before its cells are commanded.
@@ -94,9 +107,10 @@ pub(super) struct SetUp {
 }
 
 impl SetUp {
-    pub(super) fn new(sweep: &Sweep, subjects: &Subjects, values: &[f64]) -> Result<Self, PointError> {
-        let parameters = sweep.parameter.iter().zip(values.iter().copied());
-        let (study, robots) = Files::new(parameters, subjects)?.read()?;
+    pub(super) fn new(prepared: &PreparedSweep<'_>, values: &[f64]) -> Result<Self, PointError> {
+        let sweep = prepared.sweep;
+        let values: Vec<(usize, f64)> = values.iter().copied().enumerate().collect();
+        let (study, robots) = prepared.files.with(&values)?.read()?;
         let experiment = Experiment::new(study, robots)?.with_tension_method(sweep.tension_method);
         let bounds = experiment.bounds(sweep.bounds_m.as_deref())?;
         let grid = Grid::new(&bounds, sweep.step_m.unwrap_or(bounds.usual_step()))?;
@@ -105,69 +119,15 @@ impl SetUp {
     }
 }
 
-/// The files with the values of some parameters.
-struct Files<'a> {
-    study: Table,
-    control: Table,
-    machine: Table,
-    offset_robot: Option<&'a str>,
-    /// Radius (m) and axis.
-    pulleys: Option<(f64, Option<&'a [f64]>)>,
-}
-
-impl<'a> Files<'a> {
-    fn new(
-        parameters: impl IntoIterator<Item = (&'a Parameter, f64)>,
-        subjects: &'a Subjects,
-    ) -> Result<Self, PointError> {
-        let table = |text: &str, name: &str| -> Result<Table, ReadError> {
-            text.parse().map_err(|error: toml::de::Error| ReadError::new(name, "toml::syntax", error.to_string()))
-        };
-        let mut files = Self {
-            study: table(&subjects.study, "the study")?,
-            control: table(&subjects.control, "the control model")?,
-            machine: table(&subjects.machine, "the machine")?,
-            offset_robot: subjects.offset_robot.as_deref(),
-            pulleys: None,
-        };
-        for (parameter, value) in parameters {
-            let key: Key = parameter.key.parse()?;
-            match key.place {
-                Place::Study => key.set(&mut files.study, value)?,
-                Place::Control => key.set(&mut files.control, value)?,
-                Place::Machine => key.set(&mut files.machine, value)?,
-                Place::Both => {
-                    key.set(&mut files.control, value)?;
-                    key.set(&mut files.machine, value)?;
-                }
-                Place::PlacedPulleys => files.pulleys = Some((value, parameter.swivel_axis.as_deref())),
-            }
-        }
-        Ok(files)
-    }
-
-    /// The study and its robots; nobody asks a sweep for predictions.
-    fn read(&self) -> Result<(Study, Robots), PointError> {
-        let text = |table: &Table, name: &str| -> Result<String, ReadError> {
-            toml::to_string(table).map_err(|error| ReadError::new(name, "toml::syntax", error.to_string()))
-        };
-        let robot = |table: &Table, name: &str| Robot::from_toml(&text(table, name)?, name);
-        let name = "the study of this point";
-        let study = Study::from_toml_bytes(text(&self.study, name)?.as_bytes(), name)?;
-        let mut machine = robot(&self.machine, "the machine of this point")?;
-        if let Some((radius, axis)) = self.pulleys {
-            machine = with_pulleys(&machine, &study, radius, axis)?;
-        }
-        let former = self.offset_robot.map(|text| Robot::from_toml(text, "the offset robot")).transpose()?;
-        let control = robot(&self.control, "the control model of this point")?;
-        Ok((study, Robots { control, machine, prediction: None, former }))
-    }
-}
-
 /// The machine with a pulley of this radius at every cable that touches at the anchor at the initial pose.
 ///
 /// The axis is one for all cables, or that of each cable's file.
-fn with_pulleys(machine: &Robot, study: &Study, radius: f64, axis: Option<&[f64]>) -> Result<Robot, PointError> {
+pub(super) fn with_pulleys(
+    machine: &Robot,
+    study: &Study,
+    radius: f64,
+    axis: Option<&[f64]>,
+) -> Result<Robot, PointError> {
     let common = match axis {
         None => None,
         Some(&[first, second]) if machine.motion_pattern.is_planar() => Some(machine.plane.embed([first, second])),

@@ -30,7 +30,8 @@ fn sweep(parameters: &str) -> Sweep {
 fn shares(sweep: &Sweep) -> Vec<f64> {
     let subjects = subjects();
     let points = sweep.points();
-    let rows = points.iter().enumerate().map(|(point, values)| row(sweep, &subjects, point, values));
+    let prepared = PreparedSweep::new(sweep, &subjects).unwrap();
+    let rows = points.iter().enumerate().map(|(point, values)| prepared.row(point, values));
     rows.map(|row| row.reachable.unwrap_or_else(|| panic!("{:?}", row.reason)) / row.physical.unwrap()).collect()
 }
 
@@ -54,8 +55,9 @@ fn the_best_initial_tensions_aim_at_6000_newtons() {
         sweep("[[parameter]]\nkey = \"study.initial.tension_limits_N[2]\"\nvalues = [4000, 5000, 6000, 7000, 8000]");
     let mut subjects = subjects();
     subjects.study = subjects.study.replace("tension_method", "tension_limits_N = [1000, 8000]\ntension_method");
+    let prepared = PreparedSweep::new(&sweep, &subjects).unwrap();
     let share = |point: usize| {
-        let row = row(&sweep, &subjects, point, &values[point..=point]);
+        let row = prepared.row(point, &values[point..=point]);
         row.reachable.unwrap_or_else(|| panic!("{:?}", row.reason))
     };
     let areas: Vec<f64> = (0..5).map(share).collect();
@@ -86,7 +88,8 @@ fn keys_name_entries_from_one_and_add_what_a_table_lacks() {
 #[test]
 fn what_cannot_be_built_has_a_reason() {
     let sweep = sweep("[[parameter]]\nkey = \"machine.cable[*].axial_stiffness_EA_N\"\nvalues = [-1]");
-    let row = row(&sweep, &subjects(), 0, &[-1.0]);
+    let subjects = subjects();
+    let row = PreparedSweep::new(&sweep, &subjects).unwrap().row(0, &[-1.0]);
     assert!(row.reachable.is_none() && row.reason.unwrap().contains("axial_stiffness_EA_N"));
     let refused = |text: &str| Sweep::from_toml_bytes(text.as_bytes(), "sweep.toml").unwrap_err().to_string();
     assert!(refused("study = \"s\"\nparameter = []").contains("at least one parameter"));

@@ -1,0 +1,272 @@
+//! Parameters: every number of a robot by one type, with its value, name, unit and bounds.
+//!
+//! Robot files, `--free` lists, sensitivities, tolerances and sweeps mean the same numbers; each of them is a [`Parameter`].
+
+mod kind;
+mod naming;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Vector3;
+
+use super::{Cable, ExternalWrench, Robot};
+use crate::geometry::Wrench;
+pub use kind::ParameterKind;
+pub(crate) use kind::{Owner, Range};
+pub(crate) use naming::{Head, axis_name};
+
+/// One number of a robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Parameter {
+    /// Cable it belongs to, from 0; 0 for a number of the platform, which belongs to none.
+    pub cable: usize,
+    /// Kind.
+    pub kind: ParameterKind,
+    /// Component of a vector along the pattern's axes (turns for moments), or of the wrench along its degrees of freedom, from 0; 0 for
+    /// the rest.
+    pub axis: usize,
+}
+
+impl ParameterKind {
+    /// Components that a parameter of this kind has in a robot.
+    pub fn components(self, robot: &Robot) -> usize {
+        let (dof, translations) = (robot.dof(), robot.motion_pattern.translations());
+        match self {
+            Self::FrameAnchor | Self::PlatformAnchor | Self::Force | Self::CenterOfMass | Self::Gravity => translations,
+            Self::Moment => dof - translations,
+            Self::Wrench => dof,
+            _ => 1,
+        }
+    }
+}
+
+impl Parameter {
+    /// Value that the robot states; `None` where it states none.
+    ///
+    /// Stiffness and compliance are one number: where the robot states one of them, both have a value.
+    pub fn get(&self, robot: &Robot) -> Option<f64> {
+        use ParameterKind as Kind;
+        let external = robot.external_wrench.as_ref();
+        match self.kind {
+            Kind::Mass => robot.platform.mass,
+            Kind::CenterOfMass => robot.platform.center_of_mass.map(|center| component(robot, &center, self.axis)),
+            Kind::Gravity => robot.gravity.map(|gravity| component(robot, &gravity, self.axis)),
+            Kind::Force | Kind::Moment => external.map(|external| self.of_wrench(robot, &external.wrench)),
+            // a wrench without the weight is not the constant wrench that identification means
+            Kind::Wrench => external
+                .filter(|external| external.includes_gravity)
+                .map(|external| self.of_wrench(robot, &external.wrench)),
+            Kind::FrameAnchor => Some(component(robot, &robot.cables[self.cable].frame_anchor, self.axis)),
+            Kind::PlatformAnchor => Some(component(robot, &robot.cables[self.cable].platform_anchor, self.axis)),
+            kind => of_cable(kind, &robot.cables[self.cable]),
+        }
+    }
+
+    /// Value that the robot states, else the neutral one (scale 1, offset 0).
+    pub fn value(&self, robot: &Robot) -> f64 {
+        match (self.kind, &robot.external_wrench) {
+            (ParameterKind::Wrench, Some(external)) => self.of_wrench(robot, &external.wrench),
+            _ => self.get(robot).unwrap_or(self.kind.neutral()),
+        }
+    }
+
+    /// Writes a value into a robot; nothing else of it changes, but that a stiffness takes the place of a compliance and the other way
+    /// round, and that a wrench includes the weight from then on.
+    pub fn set(&self, robot: &mut Robot, value: f64) {
+        use ParameterKind as Kind;
+        let index = axis_index(robot, self.axis);
+        match self.kind {
+            Kind::Mass => robot.platform.mass = Some(value),
+            Kind::CenterOfMass => robot.platform.center_of_mass.get_or_insert_default()[index] = value,
+            Kind::Gravity => robot.gravity.get_or_insert_default()[index] = value,
+            Kind::Force | Kind::Moment | Kind::Wrench => self.set_wrench(robot, value),
+            Kind::FrameAnchor => robot.cables[self.cable].frame_anchor[index] = value,
+            Kind::PlatformAnchor => robot.cables[self.cable].platform_anchor[index] = value,
+            kind => set_of_cable(kind, &mut robot.cables[self.cable], value),
+        }
+    }
+
+    /// [`Parameter::set`] where the reader of robot files would accept the value whatever else the robot states; `None` for a value out of
+    /// range, for a vector or table that the robot does not state, and where other numbers decide, as between least and largest.
+    pub(crate) fn set_alone(&self, robot: &mut Robot, value: f64) -> Option<()> {
+        let is_alone = match self.kind {
+            _ if !self.kind.range().contains(value) => false,
+            ParameterKind::AxialStiffness | ParameterKind::Compliance | ParameterKind::SpringConstant => {
+                let cable = &robot.cables[self.cable];
+                let stated = [
+                    (ParameterKind::AxialStiffness, cable.axial_stiffness),
+                    (ParameterKind::Compliance, cable.axial_compliance),
+                    (ParameterKind::SpringConstant, cable.spring_constant),
+                ];
+                stated.iter().all(|(kind, number)| *kind == self.kind || number.is_none())
+            }
+            ParameterKind::CenterOfMass | ParameterKind::Gravity | ParameterKind::Force | ParameterKind::Moment => {
+                self.get(robot).is_some()
+            }
+            // a drum stands outside its first pulley
+            ParameterKind::FrameAnchor => robot.cables[self.cable].drum_position.is_none(),
+            ParameterKind::TensionMin | ParameterKind::TensionMax | ParameterKind::LengthMin => false,
+            ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
+            ParameterKind::DrumRadius | ParameterKind::DrumPitch => false,
+            ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
+            _ => true,
+        };
+        if !is_alone {
+            return None;
+        }
+        self.set(robot, value);
+        // cables from one point hold no platform
+        let first = robot.cables.first().map(|cable| cable.frame_anchor);
+        let is_apart = robot.cables.len() < 2 || robot.cables.iter().any(|cable| Some(cable.frame_anchor) != first);
+        is_apart.then_some(())
+    }
+
+    /// Values that searches may give it: radii, compliances and hidden lengths not below 0, scales and radii of drums positive.
+    pub fn bounds(&self) -> (f64, f64) {
+        match self.kind.range() {
+            Range::NotNegative => (0.0, f64::INFINITY),
+            Range::Positive => (1e-3, f64::INFINITY),
+            Range::Real | Range::NotZero => (f64::NEG_INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// Unit of the value, empty for a ratio.
+    pub fn unit(&self, robot: &Robot) -> &'static str {
+        let is_moment = self.kind == ParameterKind::Wrench && self.axis >= robot.motion_pattern.translations();
+        if is_moment { "N·m" } else { self.kind.unit() }
+    }
+
+    /// Degree of freedom along which a force, a moment or the wrench acts.
+    pub(crate) fn degree_of_freedom(&self, robot: &Robot) -> usize {
+        match self.kind {
+            ParameterKind::Moment => robot.motion_pattern.translations() + self.axis,
+            _ => self.axis,
+        }
+    }
+
+    fn of_wrench(&self, robot: &Robot, wrench: &Wrench) -> f64 {
+        let (row, sign) = wrench_row(robot, self.degree_of_freedom(robot));
+        sign * wrench[row] + 0.0
+    }
+
+    fn set_wrench(&self, robot: &mut Robot, value: f64) {
+        let (row, sign) = wrench_row(robot, self.degree_of_freedom(robot));
+        let is_whole = self.kind == ParameterKind::Wrench;
+        let external = robot.external_wrench.get_or_insert_with(|| ExternalWrench {
+            wrench: Wrench::zeros(),
+            includes_gravity: is_whole,
+            note: is_whole.then(|| "identified".to_owned()),
+        });
+        external.wrench[row] = sign * value;
+        external.includes_gravity |= is_whole;
+    }
+}
+
+/// World coordinate of an axis of the pattern.
+fn axis_index(robot: &Robot, axis: usize) -> usize {
+    match robot.motion_pattern.is_planar() {
+        true => robot.plane.indices().get(axis).copied().unwrap_or_default(),
+        false => axis,
+    }
+}
+
+/// Component of a vector along an axis of the pattern; zero is never negative.
+fn component(robot: &Robot, vector: &Vector3<f64>, axis: usize) -> f64 {
+    vector[axis_index(robot, axis)] + 0.0
+}
+
+/// Row of a wrench for a degree of freedom, and the sense in which it counts: the plane's normal may be a negative axis.
+fn wrench_row(robot: &Robot, degree_of_freedom: usize) -> (usize, f64) {
+    let translations = robot.motion_pattern.translations();
+    match degree_of_freedom.checked_sub(translations) {
+        None => (axis_index(robot, degree_of_freedom), 1.0),
+        Some(_) if robot.motion_pattern.is_planar() => {
+            let normal = robot.plane.normal();
+            (3 + normal.iamax(), normal.sum())
+        }
+        Some(axis) => (3 + axis, 1.0),
+    }
+}
+
+/// Specific compliance 1/EA of a cable by what its file states (1/N).
+fn specific_compliance(cable: &Cable) -> Option<f64> {
+    cable.axial_compliance.or_else(|| cable.axial_stiffness.map(|stiffness| 1.0 / stiffness))
+}
+
+/// Number of a cable that is no vector.
+fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
+    use ParameterKind as Kind;
+    match kind {
+        Kind::PulleyRadius => cable.pulley_radius,
+        Kind::LengthOffset => cable.length_offset,
+        Kind::LengthScale => cable.length_scale,
+        Kind::DrumRadius => cable.drum_radius,
+        Kind::StartLength => cable.drum_start_length,
+        Kind::AxialStiffness => {
+            cable.axial_stiffness.or_else(|| cable.axial_compliance.map(|compliance| 1.0 / compliance))
+        }
+        Kind::HiddenLength => cable.hidden_length,
+        Kind::Compliance => specific_compliance(cable),
+        Kind::TensionScale => cable.tension_scale,
+        Kind::TensionOffset => cable.tension_offset,
+        Kind::SpringConstant => cable.spring_constant,
+        Kind::SeriesCompliance => cable.series_compliance,
+        Kind::LinearDensity => cable.linear_density,
+        Kind::Diameter => cable.diameter,
+        Kind::TensionMin => cable.tension_min,
+        Kind::TensionMax => cable.tension_max,
+        Kind::LengthMin => cable.length_min,
+        Kind::LengthMax => cable.length_max,
+        Kind::WrapMin => cable.pulley_wrap_min,
+        Kind::WrapMax => cable.pulley_wrap_max,
+        Kind::DrumPitch => cable.drum_pitch,
+        Kind::StartAngle => cable.drum_start_angle,
+        Kind::GrooveLength => cable.drum_groove_length,
+        Kind::LayerHeight => cable.drum_layer_height,
+        Kind::GearRatio => cable.gear_ratio,
+        Kind::EncoderCounts => cable.encoder_counts_per_turn,
+        Kind::FrameAnchor | Kind::PlatformAnchor => None,
+        Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
+    }
+}
+
+fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
+    use ParameterKind as Kind;
+    let number = match kind {
+        Kind::PulleyRadius => &mut cable.pulley_radius,
+        Kind::LengthOffset => &mut cable.length_offset,
+        Kind::LengthScale => &mut cable.length_scale,
+        Kind::DrumRadius => &mut cable.drum_radius,
+        Kind::StartLength => &mut cable.drum_start_length,
+        Kind::AxialStiffness => {
+            cable.axial_compliance = None;
+            &mut cable.axial_stiffness
+        }
+        Kind::Compliance => {
+            cable.axial_stiffness = None;
+            &mut cable.axial_compliance
+        }
+        Kind::HiddenLength => &mut cable.hidden_length,
+        Kind::TensionScale => &mut cable.tension_scale,
+        Kind::TensionOffset => &mut cable.tension_offset,
+        Kind::SpringConstant => &mut cable.spring_constant,
+        Kind::SeriesCompliance => &mut cable.series_compliance,
+        Kind::LinearDensity => &mut cable.linear_density,
+        Kind::Diameter => &mut cable.diameter,
+        Kind::TensionMin => &mut cable.tension_min,
+        Kind::TensionMax => &mut cable.tension_max,
+        Kind::LengthMin => &mut cable.length_min,
+        Kind::LengthMax => &mut cable.length_max,
+        Kind::WrapMin => &mut cable.pulley_wrap_min,
+        Kind::WrapMax => &mut cable.pulley_wrap_max,
+        Kind::DrumPitch => &mut cable.drum_pitch,
+        Kind::StartAngle => &mut cable.drum_start_angle,
+        Kind::GrooveLength => &mut cable.drum_groove_length,
+        Kind::LayerHeight => &mut cable.drum_layer_height,
+        Kind::GearRatio => &mut cable.gear_ratio,
+        Kind::EncoderCounts => &mut cable.encoder_counts_per_turn,
+        Kind::FrameAnchor | Kind::PlatformAnchor => return,
+        Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
+    };
+    *number = Some(value);
+}
