@@ -29,7 +29,7 @@ fn newcomer(model: &Model, lengths: &[f64], load: &Load, guess: &Pose) -> Pose {
     for _ in 0..100 {
         let tensions: Vec<f64> = (0..model.cable_count())
             .map(|cable| {
-                let length = model.course(cable, &pose).expect("a course").0.length;
+                let length = model.path(cable, &pose).expect("a course").0.length;
                 model.elasticity(cable).tension(length, lengths[cable]).value.max(1e-3)
             })
             .collect();

@@ -30,7 +30,7 @@ fn main() {
             bencher.iter(|| {
                 let pose = next.next().expect("a cycle");
                 for cable in 0..model.cable_count() {
-                    black_box(model.course(cable, black_box(pose))).expect("a course");
+                    black_box(model.path(cable, black_box(pose))).expect("a course");
                 }
             });
         });

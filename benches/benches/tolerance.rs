@@ -10,7 +10,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use cdpr::metamodel::sensitivity::{Cause, Kind, Offsets, PoseSensitivity, Sensitivity, Setting, Side};
+use cdpr::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Sensitivity, Setting, Side};
 use cdpr::metamodel::study::{CommandedPose, Distribution, Initial};
 use cdpr::metamodel::tolerance::{Engine, Settings, monte_carlo};
 use cdpr::metamodel::{Operation, Status, Study, winch_offsets};
@@ -23,7 +23,7 @@ use rand_distr::{Distribution as _, StandardNormal};
 const ROBOTS: usize = 10_000;
 const SHARE: usize = 100;
 
-fn sigma(cause: &Cause) -> f64 {
+fn sigma(cause: &ParameterDeviation) -> f64 {
     match (cause.side, cause.kind) {
         (Side::Machine, Kind::Parameter(ParameterKind::FrameAnchor | ParameterKind::PlatformAnchor)) => 1e-3,
         (Side::Machine, Kind::Parameter(ParameterKind::AxialStiffness)) => 0.03,
@@ -35,7 +35,7 @@ fn sigma(cause: &Cause) -> f64 {
 fn one_by_one(
     (control, machine): (&Model, &Model),
     offsets: &[f64],
-    causes: &[Cause],
+    causes: &[ParameterDeviation],
     poses: &[CommandedPose],
     robots: usize,
 ) -> f64 {

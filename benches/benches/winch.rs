@@ -24,7 +24,7 @@ fn drum(mounting: Option<Mounting>, groove_length: Option<f64>, layer_height: Op
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     let mut group = criterion.benchmark_group("winch");
-    let point = || black_box(outlet::point::course(black_box([0.1, 0.2, 3.0]), black_box([1.0, 2.0, 0.5])).length);
+    let point = || black_box(outlet::point::path(black_box([0.1, 0.2, 3.0]), black_box([1.0, 2.0, 0.5])).length);
     group.bench_function("length of a point outlet", |bencher| bencher.iter(point));
     let pulley = Vector3::new(0.064, 0.0, 2.0);
     let mounting = Mounting { position: Vector3::zeros(), axis: Vector3::x(), side: DrumSide::Left, pulley };

@@ -8,7 +8,7 @@ use cdpr::tension::{Limits, LimitsError};
 use crate::failure::Failure;
 use crate::inputs::load_of;
 use crate::numbers::NumberList;
-use crate::statics_failure::{has_no_course, refused};
+use crate::statics_failure::{has_no_path, refused};
 
 /// Tensions, or why there are none.
 pub(crate) enum Chosen {
@@ -33,7 +33,7 @@ pub(crate) fn tensions_of(
     let load = load_of(model.robot(), wrench)?;
     let found = match distribution::solve(model, pose, &load, &limits) {
         Ok(found) => found,
-        Err(DistributionError::Statics(error)) if has_no_course(&error) => {
+        Err(DistributionError::Statics(error)) if has_no_path(&error) => {
             return Ok(Chosen::None { status: "singular", reason: error.to_string() });
         }
         Err(DistributionError::Statics(error)) => return Err(refused("--pose", &error)),
@@ -43,7 +43,7 @@ pub(crate) fn tensions_of(
         None => Chosen::Tensions(found.tensions),
         Some(reason) => Chosen::None {
             status: reason.status(),
-            reason: format!("{}; --tensions gives others, whatever the limits", reason.words()),
+            reason: format!("{}; --tensions gives others, whatever the limits", reason),
         },
     })
 }

@@ -8,7 +8,7 @@ mod operation;
 
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
-use crate::cable::{CableStateError, DegenerateCourse};
+use crate::cable::{CableStateError, GeometryError};
 use crate::equilibrium::{ForwardError, distribution, elastostatics, forward_kinematics, forward_statics};
 use crate::geometry::PatternError;
 use crate::identification::PredictionError;
@@ -63,7 +63,7 @@ impl ErrorCode for distribution::DistributionError {
     }
 }
 
-impl ErrorCode for DegenerateCourse {
+impl ErrorCode for GeometryError {
     fn code(&self) -> &'static str {
         match self {
             Self::ZeroLength { .. } | Self::InsidePulley { .. } | Self::OnSwivelAxis { .. } | Self::OpenSide { .. } => {
@@ -175,7 +175,7 @@ impl ErrorCode for StaticsError {
             Self::Overstretched { .. } => "tensions::overstretched",
             Self::Rigid { .. } => "stiffness::rigid-cable",
             Self::UnknownCable { .. } | Self::RepeatedCable { .. } => "group::cables",
-            Self::Course(reason) => reason.code(),
+            Self::CablePath(reason) => reason.code(),
         }
     }
 }

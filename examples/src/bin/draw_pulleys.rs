@@ -53,12 +53,12 @@ fn figure() -> Result<String, std::fmt::Error> {
 
 fn draw(svg: &mut String, drawn: &Drawn) -> std::fmt::Result {
     let [b_xy, b_z] = drawn.anchor;
-    let course = pulley::course_on_side([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0, [b_xy, 0.0, b_z]);
-    let contact = [b_xy + course.free_length * course.direction[0], b_z + course.free_length * course.direction[2]];
+    let path = pulley::path_on_side([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 1.0, [b_xy, 0.0, b_z]);
+    let contact = [b_xy + path.free_length * path.direction[0], b_z + path.free_length * path.direction[2]];
     let at = |[x, z]: [f64; 2]| [drawn.entry[0] + drawn.side * SCALE * x, drawn.entry[1] - SCALE * z];
     let ([dx, dy], [mx, my], [cx, cy], [bx, by]) = (at([0.0, 0.0]), at([1.0, 0.0]), at(contact), at(drawn.anchor));
     let (winch, sweep) = (dy + 1.6 * SCALE, i32::from(drawn.side > 0.0));
-    let is_large = i32::from(course.wrap_angle > std::f64::consts::PI);
+    let is_large = i32::from(path.wrap_angle > std::f64::consts::PI);
     writeln!(svg, "<circle cx=\"{mx:.1}\" cy=\"{my:.1}\" r=\"{SCALE}\" fill=\"#e8edf3\" stroke=\"#667\"/>")?;
     writeln!(
         svg,

@@ -90,10 +90,10 @@ fn lengths_of(name: &str, robot: &Robot, rng: &mut ChaCha8Rng) -> Result<Value, 
         // random axes meet poses inside a pulley or so near the axis that the swivel angle is noise
         let swivels: Option<Vec<f64>> =
             (0..model.cable_count()).map(|cable| model.swivel_angle(cable, &pose, &references[cable])).collect();
-        let courses: Result<Vec<_>, _> = (0..model.cable_count()).map(|cable| model.course(cable, &pose)).collect();
-        if let (Some(swivels), Ok(courses)) = (swivels, courses) {
-            let lengths: Vec<f64> = courses.iter().map(|(course, _)| course.length).collect();
-            let wrap_angles: Vec<f64> = courses.iter().map(|(course, _)| course.wrap_angle).collect();
+        let paths: Result<Vec<_>, _> = (0..model.cable_count()).map(|cable| model.path(cable, &pose)).collect();
+        if let (Some(swivels), Ok(paths)) = (swivels, paths) {
+            let lengths: Vec<f64> = paths.iter().map(|(path, _)| path.length).collect();
+            let wrap_angles: Vec<f64> = paths.iter().map(|(path, _)| path.wrap_angle).collect();
             poses.push(json!({
                 "pose": written(&pose), "lengths": lengths, "wrap_angles": wrap_angles, "swivel_angles": swivels,
             }));

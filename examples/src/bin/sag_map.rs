@@ -14,7 +14,7 @@ use cdpr::cable::span::{Shape, State as Span};
 use cdpr::cable::stretch::Stretch;
 use cdpr::cable::{CableInput, CableStateError, Recording};
 use cdpr::equilibrium::distribution;
-use cdpr::metamodel::effects::{Contribution, State, contributions, largest};
+use cdpr::metamodel::effects::{Contribution, EffectState, contributions, largest};
 use cdpr::model::{Composition, Model, Supported};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
@@ -148,7 +148,7 @@ fn contribution(
     if found.reason.is_some() {
         return Ok(None);
     }
-    let state = State { pose, load: Ok(load), tensions: Some(found.tensions) };
+    let state = EffectState { pose, load: Ok(load), tensions: Some(found.tensions) };
     let all = contributions(machine, supported, &state)?;
     Ok(all.into_iter().find(|one| one.effect == "catenary" && one.replaced_by.is_none()))
 }

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::cable::DegenerateCourse;
+use cdpr::cable::GeometryError;
 use cdpr::equilibrium::ForwardProblem;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model, Supported};
@@ -111,7 +111,7 @@ impl Models {
         let others = supported.alternatives.iter().map(|(effect, _)| *effect);
         Self {
             richest: supported.richest.to_string(),
-            effects: supported.richest.words().chain(others).collect(),
+            effects: supported.richest.effects().chain(others).collect(),
             missing: missing_effects(supported),
         }
     }
@@ -151,7 +151,7 @@ fn feasibility(model: &Model, pose: &Pose) -> (Option<bool>, String) {
 }
 
 /// Aᵀ with its moment rows divided by the mean platform radius, so that all rows are without unit.
-fn scaled_structure_matrix(model: &Model, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
+fn scaled_structure_matrix(model: &Model, pose: &Pose) -> Result<DMatrix<f64>, GeometryError> {
     let mut matrix = model.structure_matrix(pose)?;
     let radius = model.platform_radius();
     for row in model.robot().motion_pattern.translations()..model.dof() {

@@ -18,7 +18,7 @@ use cdpr_reports::comparison::ComparisonData;
 
 use crate::failure::Failure;
 use crate::inputs::read_robot;
-use crate::selecting::{Parted, SelectionArguments, two_files, write_folder};
+use crate::selecting::{DataDivision, SelectionArguments, two_files, write_folder};
 use cdpr_reports::answers::simulated_by;
 
 const EXAMPLES: &str = "\
@@ -68,7 +68,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         vec![NamedFile::new("robot.toml", robot.to_toml()), NamedFile::new(MACHINE_FILE, machine.to_toml())];
     inputs.extend(training.files("training"));
     inputs.extend(validation.files("validation"));
-    let Parted { samples, data_count, folds, words } = parted;
+    let DataDivision { samples, data_count, folds, words } = parted;
     let mut selection = arguments.selection;
     if selection.prior.is_empty() {
         selection.prior.push(PLATFORM_ANCHORS);

@@ -16,7 +16,7 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
-use crate::statics_failure::{has_no_course, refused};
+use crate::statics_failure::{has_no_path, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
 use cdpr_reports::answers::{PoseAnswer, axis_names, components};
@@ -62,7 +62,7 @@ pub(crate) struct Arguments {
     jacobians: bool,
 }
 
-/// Entries are null where a cable has no unique course, controlled lengths also where no tensions balance the load.
+/// Entries are null where a cable has no unique path, controlled lengths also where no tensions balance the load.
 #[derive(Serialize)]
 struct InverseKinematics {
     robot: String,
@@ -145,7 +145,7 @@ impl InverseKinematics {
         let mut reasons = Vec::new();
         for failure in &solution.failures {
             match failure {
-                StaticsError::Course(reason) if has_no_course(failure) => reasons.push(reason.to_string()),
+                StaticsError::CablePath(reason) if has_no_path(failure) => reasons.push(reason.to_string()),
                 _ => return Err(refused("--tensions", failure)),
             }
         }

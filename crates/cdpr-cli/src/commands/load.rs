@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
-use cdpr::statics::{Split, StaticsError, balanced_wrench, section_wrench, split};
+use cdpr::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
 use clap::Args;
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of};
 use crate::numbers::NumberList;
-use crate::statics_failure::{has_no_course, refused};
+use crate::statics_failure::{has_no_path, refused};
 use crate::table::{Table, cell};
 use cdpr_reports::answers::PoseAnswer;
 use cdpr_reports::answers::WrenchAnswer;
@@ -126,7 +126,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         });
     }
     let found = statics(&model, &pose, &tensions, &arguments.groups);
-    let reason = found.as_ref().err().filter(|error| has_no_course(error)).map(ToString::to_string);
+    let reason = found.as_ref().err().filter(|error| has_no_path(error)).map(ToString::to_string);
     let statics = match found {
         Err(_) if reason.is_some() => Statics::default(),
         found => found.map_err(|error| refused("--tensions", &error))?,
@@ -148,7 +148,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 fn statics(model: &Model, pose: &Pose, tensions: &[f64], groups: &[Group]) -> Result<Statics, StaticsError> {
     let wrench = balanced_wrench(model, pose, tensions)?;
-    let Split { internal, external, rank } = split(model, pose, tensions)?;
+    let TensionSplit { internal, external, rank } = split(model, pose, tensions)?;
     let section = |group: &Group| {
         let cables: Vec<usize> = group.cables.iter().map(|number| number - 1).collect();
         let wrench = WrenchAnswer::new(model.robot(), &section_wrench(model, pose, tensions, &cables)?);

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use cdpr::geometry::Pose;
 use cdpr::metamodel::effects::{
-    Contribution, Displacement, Method, State, contributions, cost, largest, parameter_count,
+    Contribution, Displacement, DisplacementMethod, EffectState, contributions, cost, largest, parameter_count,
 };
 use cdpr::model::{Composition, Model, Supported};
 use cdpr::robot::Robot;
@@ -58,7 +58,7 @@ struct ModelAnswer {
     robot: String,
     /// Every effect at once that the file supports.
     model: String,
-    /// `compared`; `infeasible`, `not-converged` without tensions, `singular` without courses.
+    /// `compared`; `infeasible`, `not-converged` without tensions, `singular` without paths.
     status: &'static str,
     reason: Option<String>,
     pose: PoseAnswer,
@@ -112,8 +112,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let model = Model::new(robot, supported.richest).map_err(|error| Failure::refused("ROBOT", &error))?;
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     let mut answer = ModelAnswer::new(&model, &supported, &pose);
-    if let Err(course) = model.cable_lengths(&pose) {
-        (answer.status, answer.reason) = ("singular", Some(course.to_string()));
+    if let Err(path) = model.cable_lengths(&pose) {
+        (answer.status, answer.reason) = ("singular", Some(path.to_string()));
         return output.answer(&answer);
     }
     let tensions = match tensions(&model, &pose, &arguments)? {
@@ -124,7 +124,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         }
     };
     let load = load(&model, &pose, &arguments)?;
-    let state = State { pose, load, tensions };
+    let state = EffectState { pose, load, tensions };
     let found = contributions(&model, &supported, &state).map_err(|error| Failure::refused("ROBOT", &error))?;
     answer.effects = found.iter().map(|contribution| EffectAnswer::new(contribution, model.robot())).collect();
     answer.tensions = state.tensions;
@@ -239,8 +239,8 @@ impl PlatformChange {
             tension_change: displacement.tension,
             slack_cables: displacement.slack,
             method: match displacement.method {
-                Method::Exact => "exact",
-                Method::FirstOrder => "first-order",
+                DisplacementMethod::Exact => "exact",
+                DisplacementMethod::FirstOrder => "first-order",
             },
         }
     }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
-use cdpr::metamodel::sensitivity::{Cause, Offsets};
+use cdpr::metamodel::sensitivity::{Offsets, ParameterDeviation};
 use cdpr::model::Model;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
@@ -220,7 +220,7 @@ impl Search<'_> {
         &self,
         reachable: &Reachable<'_>,
         arguments: &Arguments,
-        change: Option<(Cause, f64)>,
+        change: Option<(ParameterDeviation, f64)>,
     ) -> Result<Found, Failure> {
         let mut settings = hull::Settings::new(&self.bounds);
         settings.rays = arguments.rays.unwrap_or(settings.rays);
@@ -332,7 +332,7 @@ impl Search<'_> {
 }
 
 /// The number of this name; near ones are told.
-fn cause_named(study_file: &StudyFile, name: &str) -> Result<Cause, Failure> {
+fn cause_named(study_file: &StudyFile, name: &str) -> Result<ParameterDeviation, Failure> {
     let all = study_file.causes(Offsets::Kept);
     place_of(&all, &study_file.machine, name, "--vary").map(|place| all[place])
 }

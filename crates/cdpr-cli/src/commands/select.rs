@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
 use crate::measurements::DataArguments;
-use crate::selecting::{Parted, SelectionArguments, one_file, two_files, write_folder};
+use crate::selecting::{DataDivision, SelectionArguments, one_file, two_files, write_folder};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -73,7 +73,7 @@ impl Arguments {
         let reader = reader_of(&robot, self.robot.model(Composition::STANDARD)?);
         let samples = self.data.read(&reader, output)?;
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
-        let Parted { samples, data_count, folds, words } = match &self.validation {
+        let DataDivision { samples, data_count, folds, words } = match &self.validation {
             Some(path) => {
                 let other = self.data.read_other(path, &reader, output)?;
                 two_files(&samples, &other, &path.display().to_string())?

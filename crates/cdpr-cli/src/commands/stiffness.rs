@@ -12,7 +12,7 @@ use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::{RobotArgument, load_of, pose_of};
 use crate::numbers::NumberList;
-use crate::statics_failure::{has_no_course, refused};
+use crate::statics_failure::{has_no_path, refused};
 use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
 use cdpr_reports::answers::{PoseAnswer, axis_names, degrees_of_freedom};
@@ -115,7 +115,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             answer.warn(residual.as_slice(), &tensions);
             answer.tensions = Some(tensions);
         }
-        Err(error) if has_no_course(&error) => (answer.status, answer.reason) = ("singular", Some(error.to_string())),
+        Err(error) if has_no_path(&error) => (answer.status, answer.reason) = ("singular", Some(error.to_string())),
         Err(error) => return Err(refused("--tensions", &error)),
     }
     output.answer(&answer)

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::cable::DegenerateCourse;
+use cdpr::cable::GeometryError;
 use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
@@ -154,7 +154,7 @@ fn find(
 ) -> Result<(Found, Limits), Failure> {
     if let Err(reason) = model.structure_matrix(pose) {
         return match reason {
-            DegenerateCourse::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
+            GeometryError::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
             _ => Ok((Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() }, limits)),
         };
     }
@@ -179,7 +179,7 @@ fn find(
         Err(error) => return Err(Failure::numerical(error.to_string())),
     };
     if let Some(reason) = balance.reason {
-        let (status, reason) = (reason.status(), Some(reason.words().to_owned()));
+        let (status, reason) = (reason.status(), Some(reason.to_string()));
         return Ok((Found { status, reason, wrench: Some(wrench), ..Found::default() }, limits));
     }
     solver.forget();

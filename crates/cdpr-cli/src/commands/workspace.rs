@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 use answer::{WorkspaceAnswer, by_grid, by_hull, by_octree};
 use cdpr::workspace::Region;
-use cdpr::workspace::criterion::registry::{self, Wanted};
+use cdpr::workspace::criterion::registry::{self, CriterionRequest};
 use cdpr::workspace::hull::{Center, Hull};
 use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::refine::{ByHull, ByOctree, refine};
@@ -132,7 +132,7 @@ pub(crate) enum Method {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     check_files(&arguments)?;
     let earlier = page::earlier(&arguments)?;
-    let wanted = arguments.criterion.iter().map(|text| text.parse::<Wanted>());
+    let wanted = arguments.criterion.iter().map(|text| text.parse::<CriterionRequest>());
     let wanted = wanted.collect::<Result<Vec<_>, _>>().map_err(|error| Failure::refused("--criterion", &error))?;
     let model = arguments.model.read()?;
     let mut question = Question::new(&arguments, &model)?;

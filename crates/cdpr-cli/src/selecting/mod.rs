@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
-use cdpr::identification::selection::{Criterion, Requirement, Settings, fit_count, select};
+use cdpr::identification::selection::{Requirement, SelectionCriterion, Settings, fit_count, select};
 use cdpr::measurement::{Fold, Samples, Split};
 use cdpr::model::FreeParameters;
 use cdpr::robot::ParameterKind;
@@ -68,7 +68,7 @@ enum CriterionName {
     Tension,
 }
 
-impl From<CriterionName> for Criterion {
+impl From<CriterionName> for SelectionCriterion {
     fn from(name: CriterionName) -> Self {
         match name {
             CriterionName::Position => Self::Position,
@@ -117,12 +117,12 @@ impl SelectionArguments {
             Some(list) => list.0.clone(),
             None => candidate::defaults(&data.robot, self.ladder(&data.samples)),
         };
-        let criterion = Criterion::from(self.criterion);
-        if criterion == Criterion::Rotation && !data.robot.motion_pattern.has_rotation() {
+        let criterion = SelectionCriterion::from(self.criterion);
+        if criterion == SelectionCriterion::Rotation && !data.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
             return Err(Failure::input("criterion::not-in-data", message, "use --criterion position or length"));
         }
-        if criterion == Criterion::Tension && data.samples.tensions.is_none() {
+        if criterion == SelectionCriterion::Tension && data.samples.tensions.is_none() {
             let message = format!("{}: --criterion tension needs recorded tensions", data.data_name);
             return Err(Failure::input(
                 "criterion::not-in-data",
@@ -145,7 +145,7 @@ impl SelectionArguments {
 }
 
 /// Mean wall time of one pose's cable lengths (s).
-fn time_inverse(judged: &cdpr::identification::selection::Judged, samples: &Samples) -> Option<f64> {
+fn time_inverse(judged: &cdpr::identification::selection::JudgedCandidate, samples: &Samples) -> Option<f64> {
     let model = &judged.outcome.as_ref().ok()?.fit.model;
     let poses = &samples.poses[..samples.len().min(200)];
     let start = Instant::now();
@@ -159,7 +159,7 @@ fn time_inverse(judged: &cdpr::identification::selection::Judged, samples: &Samp
 }
 
 /// Samples, folds and words for the way validation data were chosen.
-pub(crate) struct Parted {
+pub(crate) struct DataDivision {
     pub(crate) samples: Samples,
     /// How many of the samples are of the first file.
     pub(crate) data_count: usize,
@@ -168,7 +168,7 @@ pub(crate) struct Parted {
 }
 
 /// Training and validation data from two files.
-pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Result<Parted, Failure> {
+pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Result<DataDivision, Failure> {
     let samples = train.followed_by(validation).map_err(|error| Failure::refused(name, &error))?;
     let fold = Fold {
         name: name.to_owned(),
@@ -176,12 +176,12 @@ pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Re
         validation: (train.len()..samples.len()).collect(),
     };
     let words = format!("{} samples of {name}", validation.len());
-    Ok(Parted { samples, data_count: train.len(), folds: vec![fold], words })
+    Ok(DataDivision { samples, data_count: train.len(), folds: vec![fold], words })
 }
 
 /// Training and validation data from one file: by the split asked for, else by the column `set` where it tells, else by
 /// five contiguous blocks.
-pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Result<Parted, Failure> {
+pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Result<DataDivision, Failure> {
     let by_column = Split::Column.folds(&samples, seed);
     let split = match (split, &by_column) {
         (Some(split), _) => split,
@@ -195,5 +195,5 @@ pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Res
         Split::KFold(count) => format!("{count} random parts, each held out in turn"),
         Split::Region(count) => format!("{count} regions of the workspace, each held out in turn"),
     };
-    Ok(Parted { data_count: samples.len(), samples, folds, words })
+    Ok(DataDivision { data_count: samples.len(), samples, folds, words })
 }

@@ -78,7 +78,7 @@ fn table(answer: &SelectionAnswer) -> String {
         }
         table.row(cells);
     }
-    let mut text = format!("error: {} on training and validation data\n\n{}", answer.criterion.words(), table.text());
+    let mut text = format!("error: {} on training and validation data\n\n{}", answer.criterion, table.text());
     for candidate in &answer.candidates {
         if let Some(failure) = &candidate.failure {
             text.push_str(&format!("{} failed: {failure}\n", candidate.name));

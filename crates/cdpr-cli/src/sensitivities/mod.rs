@@ -14,7 +14,7 @@ pub(crate) use names::place_of;
 /// The answer, with what only its words need.
 #[derive(Serialize)]
 #[serde(transparent)]
-pub(crate) struct Told {
+pub(crate) struct SensitivityReport {
     pub(crate) answer: SensitivityAnswer,
     /// Parameters in the table.
     #[serde(skip)]

@@ -1,12 +1,17 @@
 //! Numbers of models and winches by their names.
 
-use cdpr::metamodel::sensitivity::Cause;
+use cdpr::metamodel::sensitivity::ParameterDeviation;
 use cdpr::model::Model;
 
 use crate::failure::Failure;
 
 /// Which of the numbers has this name, that `option` was given; near ones are told.
-pub(crate) fn place_of(causes: &[Cause], machine: &Model, name: &str, option: &str) -> Result<usize, Failure> {
+pub(crate) fn place_of(
+    causes: &[ParameterDeviation],
+    machine: &Model,
+    name: &str,
+    option: &str,
+) -> Result<usize, Failure> {
     let plain = name.split_whitespace().collect::<Vec<_>>().join(" ");
     let names: Vec<String> = causes.iter().map(|cause| cause.name(machine)).collect();
     if let Some(place) = names.iter().position(|known| *known == plain) {

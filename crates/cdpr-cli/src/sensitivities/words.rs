@@ -5,7 +5,7 @@ use cdpr::metamodel::study::AccuracyOf;
 use cdpr::metamodel::tolerance::Quantiles;
 use cdpr_reports::sensitivity::{AllowedAnswer, KindAnswer, ParameterAnswer, ToleranceAnswer, step};
 
-use super::Told;
+use super::SensitivityReport;
 use crate::answer::Answer;
 use crate::table::Table;
 use cdpr_reports::number_format::{NONE, significant};
@@ -23,7 +23,7 @@ fn amount(value: f64, unit: &str) -> String {
     }
 }
 
-impl Answer for Told {
+impl Answer for SensitivityReport {
     fn is_negative(&self) -> bool {
         self.answer.reason.is_some()
     }
@@ -57,7 +57,7 @@ impl Answer for Told {
     }
 }
 
-impl Told {
+impl SensitivityReport {
     /// Kinds, the most influential step first.
     fn by_kind(&self) -> String {
         let mut rows: Vec<_> = self.answer.kinds.iter().collect();

@@ -2,7 +2,7 @@
 
 use cdpr::metamodel::advice::{Advice, Candidate};
 use cdpr::metamodel::effects;
-use cdpr::metamodel::errors::PoseError;
+use cdpr::metamodel::errors::PoseErrorStatistics;
 use cdpr::model::Model;
 use cdpr::workspace::Bounds;
 use serde::Serialize;
@@ -79,9 +79,9 @@ pub struct AdvisedModel {
     /// Effects of the machine that it lacks.
     pub left_out: Vec<&'static str>,
     /// Position error.
-    pub position_error_m: PoseError,
+    pub position_error_m: PoseErrorStatistics,
     /// Rotation error.
-    pub rotation_error_rad: PoseError,
+    pub rotation_error_rad: PoseErrorStatistics,
     /// Tension error.
     #[serde(rename = "tension_error_N")]
     pub tension_error: Option<f64>,
@@ -112,7 +112,7 @@ impl AdviceAnswer {
         let best = advice.like_the_machine().map_or(0, |full| full.reached);
         let recommended = advice.recommended.map(|index| advice.candidates[index].control.to_string());
         let mut effects = [Vec::new(), Vec::new()];
-        for effect in advice.machine.words() {
+        for effect in advice.machine.effects() {
             let without = advice.machine.without(effect);
             let Some(candidate) = advice.candidates.iter().find(|candidate| candidate.control == without) else {
                 continue;

@@ -1,7 +1,7 @@
 //! The answer of a comparison of candidates.
 
 use cdpr::identification::fit::{Estimate, Status};
-use cdpr::identification::selection::{Criterion, Judged, Judgement, RequirementOutcome, Selection};
+use cdpr::identification::selection::{JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion};
 use cdpr::identification::{Coverage, ErrorBlocks, coverage};
 use serde::Serialize;
 
@@ -21,7 +21,7 @@ pub struct SelectionAnswer {
     /// Choice of the validation data, in words.
     pub validation: String,
     /// The error that decides.
-    pub criterion: Criterion,
+    pub criterion: SelectionCriterion,
     /// The candidates, from simple to complex.
     pub candidates: Vec<CandidateAnswer>,
     /// Name of the candidate with the least criterion.
@@ -199,7 +199,7 @@ impl SelectionAnswer {
 }
 
 impl CandidateAnswer {
-    fn new(candidate: &Judged) -> Self {
+    fn new(candidate: &JudgedCandidate) -> Self {
         Self {
             name: candidate.name.clone(),
             model: candidate.candidate.composition.to_string(),

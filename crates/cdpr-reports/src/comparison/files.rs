@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use cdpr::identification::selection::{Judged, Judgement};
+use cdpr::identification::selection::{JudgedCandidate, Judgement};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
@@ -106,7 +106,7 @@ fn run_file(comparison: &Comparison) -> Result<String, UnwritableFile> {
         robot: &comparison.data.robot.name,
         data: &comparison.data.data_name,
         validation: &comparison.data.validation_name,
-        criterion: settings.criterion.words(),
+        criterion: &settings.criterion.to_string(),
         candidates: comparison.candidates.iter().map(ToString::to_string).collect(),
         hold: settings.fit.hold.to_string(),
         weak_direction_limit_m: settings.fit.weak_direction_limit,
@@ -131,7 +131,7 @@ fn report(comparison: &Comparison) -> Result<String, UnwritableFile> {
 }
 
 /// Judged candidates with their names.
-pub(super) fn judged(comparison: &Comparison) -> impl Iterator<Item = (&Judged, &Judgement)> {
+pub(super) fn judged(comparison: &Comparison) -> impl Iterator<Item = (&JudgedCandidate, &Judgement)> {
     comparison.selection.candidates.iter().filter_map(|candidate| Some((candidate, candidate.outcome.as_ref().ok()?)))
 }
 

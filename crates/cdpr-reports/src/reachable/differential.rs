@@ -1,7 +1,7 @@
 //! The differential hull: how what is reached changes with one number.
 
 use cdpr::metamodel::reachable::{Reachable, Varied, differential_hull};
-use cdpr::metamodel::sensitivity::Cause;
+use cdpr::metamodel::sensitivity::ParameterDeviation;
 use cdpr::metamodel::{Experiment, InputError};
 use cdpr::workspace::hull::{self, Hull};
 use cdpr::workspace::{Bounds, Region};
@@ -38,7 +38,7 @@ pub fn differential(
     reachable: &Reachable<'_>,
     region: &Region<'_>,
     (nominal, bounds, settings): (&Hull, &Bounds, &hull::Settings),
-    (cause, change): (&Cause, f64),
+    (cause, change): (&ParameterDeviation, f64),
 ) -> Result<Differential, InputError> {
     let motion = differential_hull(reachable, region, nominal, cause)?;
     let varied = Varied::new(reachable, cause, change)?;

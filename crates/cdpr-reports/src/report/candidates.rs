@@ -27,7 +27,7 @@ pub(super) fn table(report: &Report<'_>) -> Value {
     ];
     let caption = format!(
         "Candidates from simple to complex; {} on the data of the fit and on {}",
-        report.criterion.words(),
+        report.criterion,
         report.data_words()
     );
     let mut table = Table::new(caption, &columns);

@@ -1,7 +1,7 @@
 //! Error tables: before and after, and fold by fold.
 
 use cdpr::identification::ErrorBlocks;
-use cdpr::metamodel::errors::{PoseError, TensionError};
+use cdpr::metamodel::errors::{PoseErrorStatistics, TensionErrorStatistics};
 use minijinja::Value;
 
 use super::table::{Cell, Table};
@@ -17,9 +17,9 @@ struct Figures {
     max: f64,
 }
 
-impl From<PoseError> for Figures {
-    fn from(error: PoseError) -> Self {
-        let PoseError { mean, rms, median, p95, max } = error;
+impl From<PoseErrorStatistics> for Figures {
+    fn from(error: PoseErrorStatistics) -> Self {
+        let PoseErrorStatistics { mean, rms, median, p95, max } = error;
         Self { mean, rms, median, p95, max }
     }
 }
@@ -58,8 +58,8 @@ const LENGTH: Quantity = Quantity {
 const TENSION: Quantity = Quantity {
     title: "tension, N",
     read: |e| {
-        let none = TensionError { mean_norm: f64::NAN, mean_abs: f64::NAN, rms: f64::NAN, max: f64::NAN };
-        let TensionError { mean_abs, rms, max, .. } = e.tension_error.unwrap_or(none);
+        let none = TensionErrorStatistics { mean_norm: f64::NAN, mean_abs: f64::NAN, rms: f64::NAN, max: f64::NAN };
+        let TensionErrorStatistics { mean_abs, rms, max, .. } = e.tension_error.unwrap_or(none);
         Figures { mean: mean_abs, rms, median: f64::NAN, p95: f64::NAN, max }
     },
     write: number::newtons,

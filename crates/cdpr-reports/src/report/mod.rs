@@ -15,7 +15,7 @@ mod verdict;
 pub use verdict::times;
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::selection::{Criterion, Judgement, Selection};
+use cdpr::identification::selection::{Judgement, Selection, SelectionCriterion};
 use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
 use minijinja::{Value, context};
@@ -57,7 +57,7 @@ pub struct Report<'a> {
     /// The candidates and the choice.
     pub selection: &'a Selection,
     /// The error that decides.
-    pub criterion: Criterion,
+    pub criterion: SelectionCriterion,
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Version of the program.
@@ -133,7 +133,7 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
         warnings => warnings(input, shown.as_ref()),
         command => plain(input.command),
         seed => input.seed,
-        criterion => input.criterion.words(),
+        criterion => input.criterion.to_string(),
     };
     let data = page_data::json(input, shown.as_ref());
     let (title, version) = (&input.title(), input.version);
@@ -173,7 +173,7 @@ fn facts(input: &Report<'_>) -> Value {
         ("Samples", input.data_count.to_string()),
         ("Validation", input.validation_name.to_owned()),
         ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
-        ("Criterion", format!("{} on {}", input.criterion.words(), input.data_words())),
+        ("Criterion", format!("{} on {}", input.criterion, input.data_words())),
     ];
     facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
 }

@@ -37,7 +37,7 @@ struct PageData<'a> {
 /// The criterion for people: its unit, and what a value in SI is multiplied by.
 #[derive(Serialize)]
 struct CriterionWords {
-    words: &'static str,
+    words: String,
     unit: &'static str,
     factor: f64,
 }
@@ -112,7 +112,7 @@ pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
         shown: shown.index,
         given: shown.before().map(|given| given.index),
         criterion: CriterionWords {
-            words: report.criterion.words(),
+            words: report.criterion.to_string(),
             unit: report.criterion.unit(),
             factor: report.criterion.in_unit(1.0),
         },

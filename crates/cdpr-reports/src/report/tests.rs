@@ -125,7 +125,7 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
         data_name: "data.csv",
         validation_name: "five contiguous blocks that take turns",
         selection,
-        criterion: Criterion::Position,
+        criterion: SelectionCriterion::Position,
         seed: 1,
         version: "0.1.0",
         warnings: &["column `remark` was ignored".to_owned()],
@@ -154,7 +154,8 @@ fn the_page_is_well_formed_and_tells_the_numbers_of_the_selection() {
     let text = markup(&text);
     let document = parsed(&text);
     let judgement = selection.candidates[1].outcome.as_ref().unwrap();
-    let value = criterion::with_error(Criterion::Position, judgement.criterion, judgement.standard_error).unwrap();
+    let value =
+        criterion::with_error(SelectionCriterion::Position, judgement.criterion, judgement.standard_error).unwrap();
     for wanted in ["standard:length-offset", &value, "length-offset[8]", "not identified: ", "3R3T", "block 5 of 5"] {
         assert!(has_text(&document, wanted), "{wanted}");
     }

@@ -38,7 +38,7 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
 /// pass". A limit on another figure decides where the criterion has none or keeps its own.
 fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let judgement = shown.judgement;
-    let words = report.criterion.words();
+    let words = report.criterion.to_string();
     let value = match judgement.validation.samples {
         0 => criterion::words(report.criterion, report.criterion.of_blocks(&judgement.train)),
         _ => criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error),

@@ -33,7 +33,7 @@ fn ladder(data: &SavedResult) -> Option<String> {
     };
     let best = data.candidates.iter().find(|candidate| data.best.as_ref() == Some(&candidate.name));
     let limit = best.and_then(|best| Some(best.criterion? + best.standard_error.unwrap_or(0.0)));
-    let axis_label = format!("{} on validation data in {}", data.criterion.words(), data.criterion.unit());
+    let axis_label = format!("{} on validation data in {}", data.criterion, data.criterion.unit());
     Ladder { rungs: data.candidates.iter().map(rung).collect(), limit: shown(limit), axis_label }.svg()
 }
 

@@ -4,7 +4,7 @@ mod csv_table;
 mod drawings;
 mod tables;
 
-use cdpr::identification::selection::Criterion;
+use cdpr::identification::selection::SelectionCriterion;
 use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
 use cdpr::robot::Robot;
 use serde::Deserialize;
@@ -25,7 +25,7 @@ pub struct FigureFile {
 
 /// Numbers of a result that figures show.
 pub struct SavedResult {
-    criterion: Criterion,
+    criterion: SelectionCriterion,
     /// The candidates, from simple to complex; none for an identification.
     candidates: Vec<CandidateData>,
     /// Name of the robot.
@@ -91,7 +91,7 @@ struct SampleData {
 struct ResultFile {
     #[serde(default)]
     candidates: Vec<CandidateData>,
-    criterion: Option<Criterion>,
+    criterion: Option<SelectionCriterion>,
     best: Option<String>,
     recommended: Option<String>,
     model: Option<String>,

@@ -1,6 +1,6 @@
 //! The numbers behind the figures, one CSV table each; SI units in the heading.
 
-use cdpr::identification::selection::Criterion;
+use cdpr::identification::selection::SelectionCriterion;
 
 use super::{CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
 
@@ -54,11 +54,11 @@ fn optional(value: Option<f64>) -> String {
 }
 
 /// Where a candidate's errors hold the criterion, and the name of its column.
-fn criterion_path(criterion: Criterion) -> (&'static str, &'static str) {
+fn criterion_path(criterion: SelectionCriterion) -> (&'static str, &'static str) {
     match criterion {
-        Criterion::Rotation => ("/rotation_error_rad/mean", "rotation_mean_rad"),
-        Criterion::Length => ("/length_error_m/mean_abs", "length_mean_abs_m"),
-        Criterion::Tension => ("/tension_error_N/mean_norm", "tension_mean_norm_N"),
+        SelectionCriterion::Rotation => ("/rotation_error_rad/mean", "rotation_mean_rad"),
+        SelectionCriterion::Length => ("/length_error_m/mean_abs", "length_mean_abs_m"),
+        SelectionCriterion::Tension => ("/tension_error_N/mean_norm", "tension_mean_norm_N"),
         _ => ("/position_error_m/mean", "position_mean_m"),
     }
 }

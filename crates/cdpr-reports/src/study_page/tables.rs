@@ -1,6 +1,6 @@
 //! The tables of the page, which need no script.
 
-use cdpr::metamodel::errors::PoseError;
+use cdpr::metamodel::errors::PoseErrorStatistics;
 use cdpr::metamodel::field::{Sample, Summary};
 use minijinja::{Value, context};
 
@@ -15,7 +15,7 @@ pub(super) const MOST_POSES: usize = 200;
 pub(super) fn errors(summary: &Summary, turns: bool) -> Value {
     let rows = error_rows(summary).into_iter().filter(|row| turns || row.unit != "°");
     rows.map(|row| {
-        let PoseError { mean, rms, median, p95, max } = row.error;
+        let PoseErrorStatistics { mean, rms, median, p95, max } = row.error;
         let cells = [mean, rms, median, p95, max].map(|value| significant(row.factor * value, 4));
         context! { name => row.name, unit => row.unit, cells => cells.to_vec() }
     })
@@ -31,7 +31,7 @@ pub struct ErrorRow {
     /// From the library's unit to this one.
     pub factor: f64,
     /// Statistics in the library's unit.
-    pub error: PoseError,
+    pub error: PoseErrorStatistics,
 }
 
 /// What a field's statistics are about, in the order of all tables.

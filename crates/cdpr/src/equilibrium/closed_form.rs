@@ -1,7 +1,7 @@
 //! The closed form of tension distribution at many poses at once, a pose per lane.
 //!
 //! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by the products AᵀA instead of singular values, and once more
-//! for what their rounding left of the balance: both agree to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no course, and for robots with
+//! for what their rounding left of the balance: both agree to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no path, and for robots with
 //! more than eight cables or fewer cables than degrees of freedom, the single pose is asked.
 
 mod normal;
@@ -19,7 +19,7 @@ use crate::statics::Load;
 use crate::tension::{InputError, Limits, closed_form};
 
 /// Tensions (N) nearest to the middle of the limits that balance the load at each pose, a row per cable, whether or not they keep
-/// the limits ([`Limits::contain`] tells); NaN where a cable has no course, and for sagging cables, whose directions follow
+/// the limits ([`Limits::contain`] tells); NaN where a cable has no path, and for sagging cables, whose directions follow
 /// their tensions.
 ///
 /// Claims no memory in lanes once `tensions` has had as many poses before.
@@ -94,18 +94,18 @@ impl Kernel for Tensions<'_> {
                 continue;
             }
             let (position, rotation) = poses.at(lanes, group);
-            let doubt = balance.fill(&mut rows, position, &rotation);
-            let rest = balance.rest(&rotation, &rows);
+            let needs_scalar = balance.fill(&mut rows, position, &rotation);
+            let residual = balance.residual(&rotation, &rows);
             let normal = normal_of(&rows, dof);
             let mut found = [lanes.constant(0.0); LANES];
-            move_along(&mut found, &rows, normal.solve(rest));
+            move_along(&mut found, &rows, normal.solve(residual));
             // what rounding of the products left: after one step more, the answer is as good as by orthogonal factors
-            let left = left_over(&found, &rows, rest);
+            let left = left_over(&found, &rows, residual);
             move_along(&mut found, &rows, normal.solve(left));
             for (cable, line) in lines.iter_mut().enumerate() {
                 (lanes.constant(balance.middle[cable]) + found[cable]).store(&mut line.0);
             }
-            if lanes.any((normal.has_rank - doubt).is_less(lanes.constant(1.0))) {
+            if lanes.any((normal.has_rank - needs_scalar).is_less(lanes.constant(1.0))) {
                 ask_single(balance, limits, poses, group, lines);
             }
         }
@@ -149,13 +149,13 @@ fn move_along<L: Lanes>(tensions: &mut [L; LANES], rows: &Rows<L>, x: [L; 6]) {
     }
 }
 
-/// Aᵀ f + rest.
+/// Aᵀ f + residual.
 #[inline(always)]
-fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut rest: [L; 6]) -> [L; 6] {
+fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut residual: [L; 6]) -> [L; 6] {
     for k in 0..6 {
-        rest[k] = rest[k] + product(&rows[k], tensions);
+        residual[k] = residual[k] + product(&rows[k], tensions);
     }
-    rest
+    residual
 }
 
 /// The tensions of one group as the single pose gives them.

@@ -5,6 +5,8 @@
 //! the wrench linearized at the last tensions, W(f) ≈ W(f_k) + ∂W/∂f (f − f_k), until they no longer change. Where that ends,
 //! the tensions balance the load exactly.
 
+use std::fmt;
+
 use nalgebra::DMatrix;
 use thiserror::Error;
 
@@ -49,11 +51,12 @@ impl Reason {
             Self::NotConverged(_) => "not-converged",
         }
     }
+}
 
-    /// The words.
-    pub fn words(&self) -> &str {
+impl fmt::Display for Reason {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Infeasible(words) | Self::NotConverged(words) => words,
+            Self::Infeasible(words) | Self::NotConverged(words) => formatter.write_str(words),
         }
     }
 }
@@ -62,7 +65,7 @@ impl Reason {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DistributionError {
-    /// A cable without a course at the pose.
+    /// A cable without a path at the pose.
     #[error(transparent)]
     Statics(#[from] StaticsError),
     /// Limits that do not fit the model.

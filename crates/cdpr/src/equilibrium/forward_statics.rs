@@ -60,7 +60,7 @@ pub struct Solution {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// Tensions that are none, or a guess at which a cable has no course.
+    /// Tensions that are none, or a guess at which a cable has no path.
     #[error(transparent)]
     Statics(#[from] StaticsError),
     /// Guess or settings.
@@ -165,7 +165,7 @@ impl Point {
 struct Descent<'a> {
     problem: &'a Problem<'a>,
     point: Point,
-    /// `None` if a cable has no course.
+    /// `None` if a cable has no path.
     trial: Option<Point>,
 }
 

@@ -52,7 +52,7 @@ pub struct InverseSolution {
     pub pose: Pose,
     /// Every cable.
     pub cables: Vec<CableCommand>,
-    /// Why cables have no course, or no length for their tension; none where the problem is solved.
+    /// Why cables have no path, or no length for their tension; none where the problem is solved.
     pub failures: Vec<StaticsError>,
     /// Why drums have no angle for a length; none without the effect `drum`.
     pub winch_failures: Vec<WinchError>,
@@ -79,7 +79,7 @@ impl InverseSolution {
         self.numbers(|cable| cable.recorded_length)
     }
 
-    /// True where a cable on its course has no controlled length for want of a tension.
+    /// True where a cable on its path has no controlled length for want of a tension.
     pub fn needs_tensions(&self) -> bool {
         self.cables.iter().any(|cable| cable.length.is_finite() && cable.controlled_length.is_nan())
     }

@@ -31,7 +31,7 @@ pub struct Solution {
     /// Tension per cable at its outlet (N), 0 where slack; empty where lengths alone are fitted, which tells none.
     pub tensions: Vec<f64>,
     /// Residual per cable at `pose` (m), modelled minus given. In an equilibrium the controlled length that pose and tension ask for minus
-    /// the given one: 0 where taut, and where slack minus the length that is too much. NaN where a cable has no course.
+    /// the given one: 0 where taut, and where slack minus the length that is too much. NaN where a cable has no path.
     pub residuals: Vec<f64>,
     /// Root mean square of `residuals` of lengths that are fitted (m); NaN for an equilibrium.
     pub residual_rms: f64,

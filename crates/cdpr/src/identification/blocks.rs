@@ -60,7 +60,7 @@ impl Block {
     }
 
     /// Metres that one unit of a parameter is worth.
-    pub(super) fn worth(&self, kind: ParameterKind) -> f64 {
+    pub(super) fn scale(&self, kind: ParameterKind) -> f64 {
         match kind {
             ParameterKind::LengthScale => self.mean_length(),
             // the radius turns with the whole length
@@ -153,13 +153,13 @@ impl Block {
         group: usize,
     ) -> (L, [L; SLOTS]) {
         let (position, rotation) = poses.at(l, group);
-        let (course, _) = values.course(position, &rotation);
+        let (path, _) = values.path(position, &rotation);
         let weight = l.load(&self.weights[group * LANES..]);
         let first = group * LANES;
         let recorded = l.load(&recordings.map_or(&self.recorded, |changed| &changed.lengths)[first..]);
         let scale = l.constant(values.scale);
         let mut row = [l.constant(0.0); SLOTS];
-        row[..9].copy_from_slice(&course.recorded_length_row(&rotation, weight, scale));
+        row[..9].copy_from_slice(&path.recorded_length_row(&rotation, weight, scale));
         if let Some(recordings) = recordings {
             for (entry, by_anchor) in row.iter_mut().zip(&recordings.by_anchor) {
                 *entry = *entry - weight * l.load(&by_anchor[first..]);
@@ -167,7 +167,7 @@ impl Block {
             row[9] = -(weight * l.load(&recordings.by_radius[first..]));
             row[10] = -weight;
         }
-        (weight * (scale * course.length + l.constant(values.offset) - recorded), row)
+        (weight * (scale * path.length + l.constant(values.offset) - recorded), row)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::equilibrium::{
 };
 use crate::geometry::Pose;
 use crate::measurement::Samples;
-use crate::metamodel::errors::{LengthError, PoseError, TensionError};
+use crate::metamodel::errors::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use crate::model::{Model, WinchError};
 use crate::statics::LoadError;
 
@@ -24,14 +24,14 @@ pub struct ErrorBlocks {
     /// Number of samples.
     pub samples: usize,
     /// Distance between predicted and measured position (m).
-    pub position_error_m: PoseError,
+    pub position_error_m: PoseErrorStatistics,
     /// Geodesic angle between predicted and measured orientation (rad).
-    pub rotation_error_rad: PoseError,
+    pub rotation_error_rad: PoseErrorStatistics,
     /// Modelled minus recorded lengths at the measured poses (m).
-    pub length_error_m: LengthError,
+    pub length_error_m: LengthErrorStatistics,
     /// Predicted minus recorded tensions; `None` for a model that knows none, or data without.
     #[serde(rename = "tension_error_N", skip_serializing_if = "Option::is_none")]
-    pub tension_error: Option<TensionError>,
+    pub tension_error: Option<TensionErrorStatistics>,
     /// Samples whose forward problem has an answer: those of the errors of position, rotation and tension.
     pub answered: usize,
     /// Samples whose forward problem has none: not converged, singular or unstable.
@@ -261,10 +261,10 @@ impl Evaluation {
         let (lengths, tensions) = (whole(&self.length), whole(&self.tension));
         ErrorBlocks {
             samples: self.len(),
-            position_error_m: PoseError::of(&finite(&self.position)),
-            rotation_error_rad: PoseError::of(&finite(&self.rotation)),
-            length_error_m: LengthError::of(&lengths),
-            tension_error: (!self.tension.is_empty()).then(|| TensionError::of(&tensions, self.cable_count)),
+            position_error_m: PoseErrorStatistics::of(&finite(&self.position)),
+            rotation_error_rad: PoseErrorStatistics::of(&finite(&self.rotation)),
+            length_error_m: LengthErrorStatistics::of(&lengths),
+            tension_error: (!self.tension.is_empty()).then(|| TensionErrorStatistics::of(&tensions, self.cable_count)),
             answered: self.len() - self.not_converged.len(),
             not_converged: self.not_converged.len(),
             length_samples: lengths.len() / self.cable_count.max(1),

@@ -119,12 +119,12 @@ pub(super) fn analyse(
         analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
         analysis.correlation_rows.extend(uncertainty.correlation_rows(analysis.correlation_rows.len()));
         let rotation = mean_rotation(samples);
-        let worth = |p: &Parameter| block.worth(p.kind);
+        let scale = |p: &Parameter| block.scale(p.kind);
         let named = Named {
             parameters: &block.parameters,
             axes: model.axes(),
             cables: block.cable..block.cable + 1,
-            worth: DVector::from_iterator(block.parameters.len(), block.parameters.iter().map(worth)),
+            scale: DVector::from_iterator(block.parameters.len(), block.parameters.iter().map(scale)),
         };
         directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
         analysis.sigmas.extend(uncertainty.sigmas);
@@ -279,7 +279,7 @@ impl Uncertainty {
     pub(super) fn weak_directions(&self, named: &Named<'_>, rotation: &Matrix3<f64>, limit: f64) -> Vec<Direction> {
         let mut open: Vec<(DVector<f64>, f64)> = Vec::new(); // orthonormal but for the worth of parameters
         for (j, &deviation) in self.deviations.iter().enumerate() {
-            let direction = self.vectors.column(j).component_mul(&named.worth);
+            let direction = self.vectors.column(j).component_mul(&named.scale);
             let deviation = deviation * direction.norm();
             if deviation > limit {
                 open.push((direction.normalize(), deviation));
@@ -317,7 +317,7 @@ pub(super) struct Named<'a> {
     /// Cables that the parameters belong to.
     pub(super) cables: Range<usize>,
     /// Metres that one unit of each parameter is worth.
-    pub(super) worth: DVector<f64>,
+    pub(super) scale: DVector<f64>,
 }
 
 impl Named<'_> {

@@ -1,7 +1,7 @@
 //! Measured poses in lanes, and cables computed over them.
 
 use crate::cable::outlet::Outlet;
-use crate::cable::{CableEnd, Course};
+use crate::cable::{CableEnd, CablePath};
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::scalar::{LANES, Lanes, constants};
@@ -79,11 +79,11 @@ impl CableValues {
         }
     }
 
-    /// Course and moment arm b = R b_P at poses in lanes.
+    /// CablePath and moment arm b = R b_P at poses in lanes.
     #[inline(always)]
-    pub(super) fn course<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (Course<L>, [L; 3]) {
+    pub(super) fn path<L: Lanes>(&self, position: [L; 3], rotation: &[[L; 3]; 3]) -> (CablePath<L>, [L; 3]) {
         let l = position[0];
         let end = CableEnd::at(position, rotation, constants(l, self.platform_anchor));
-        (self.outlet.map(|number| l.constant(*number)).course(end.anchor), end.moment_arm)
+        (self.outlet.map(|number| l.constant(*number)).path(end.anchor), end.moment_arm)
     }
 }

@@ -5,7 +5,7 @@ mod criterion;
 mod reason;
 mod requirement;
 
-pub use criterion::Criterion;
+pub use criterion::SelectionCriterion;
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 use thiserror::Error;
@@ -21,7 +21,7 @@ use crate::robot::Robot;
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     /// The error that decides.
-    pub criterion: Criterion,
+    pub criterion: SelectionCriterion,
     /// Limits that a recommended candidate must keep on validation data.
     pub requirements: Vec<Requirement>,
     /// Priors, held parameters and tolerances of every fit.
@@ -32,7 +32,7 @@ pub struct Settings {
 
 /// One candidate with everything known about it.
 #[derive(Clone, Debug)]
-pub struct Judged {
+pub struct JudgedCandidate {
     /// The candidate in the notation of the command line; also its name.
     pub name: String,
     /// The candidate.
@@ -78,7 +78,7 @@ impl Judgement {
 #[derive(Clone, Debug)]
 pub struct Selection {
     /// The candidates in the order given: from simple to complex.
-    pub candidates: Vec<Judged>,
+    pub candidates: Vec<JudgedCandidate>,
     /// Index of the candidate with the smallest criterion.
     pub best: Option<usize>,
     /// Index of the recommended candidate; `None` when none meets the requirements.
@@ -91,8 +91,8 @@ impl Selection {
     /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
     /// freed, else the first with nothing freed.
     pub fn as_given(&self) -> Option<usize> {
-        let is_given = |judged: &Judged| judged.candidate.free.is_empty() && judged.outcome.is_ok();
-        let is_plain = |judged: &Judged| judged.candidate.composition == Composition::STANDARD;
+        let is_given = |judged: &JudgedCandidate| judged.candidate.free.is_empty() && judged.outcome.is_ok();
+        let is_plain = |judged: &JudgedCandidate| judged.candidate.composition == Composition::STANDARD;
         let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
         plain.or_else(|| self.candidates.iter().position(is_given))
     }
@@ -150,10 +150,10 @@ pub fn select(
     }
     let judge_one = |candidate: &Candidate| {
         let outcome = judge(robot, candidate, samples, folds, settings, progress);
-        Judged { name: candidate.to_string(), candidate: candidate.clone(), outcome }
+        JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
     let mut judged = map_all(candidates, judge_one);
-    if let Some(Judged { name, outcome: Err(reason), .. }) =
+    if let Some(JudgedCandidate { name, outcome: Err(reason), .. }) =
         judged.iter().all(|judged| judged.outcome.is_err()).then(|| &judged[0])
     {
         return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
@@ -226,7 +226,7 @@ fn judge(
     })
 }
 
-fn recommend(candidates: Vec<Judged>, criterion: Criterion) -> Selection {
+fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {
     let judged: Vec<(usize, &Judgement)> =
         candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
     let finite = || judged.iter().filter(|(_, judgement)| judgement.criterion.is_finite());

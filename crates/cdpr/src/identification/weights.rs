@@ -50,7 +50,7 @@ pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes
     let mut weights = Weights {
         inverse_sigma: vec![0.0; rows * model.cable_count()],
         rows,
-        // a rotation accuracy alone leaves rows without lever at no variance at all
+        // a rotation accuracy alone leaves rows without moment arm at no variance at all
         absolute: length > 0.0 || position > 0.0,
         noise: 1.0,
     };
@@ -74,7 +74,7 @@ pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes
     if !regular {
         for (sample, pose) in samples.poses.iter().enumerate() {
             for cable in 0..model.cable_count() {
-                model.course(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
+                model.path(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
             }
         }
     }
@@ -111,18 +111,18 @@ impl Kernel for WriteWeights<'_> {
         let mut regular = true;
         for group in 0..self.poses.groups() {
             let (position, rotation) = self.poses.at(l, group);
-            let (course, lever) = self.values.course(position, &rotation);
-            let u = course.direction;
-            let moment = cross(lever, u);
+            let (path, moment_arm) = self.values.path(position, &rotation);
+            let u = path.direction;
+            let moment = cross(moment_arm, u);
             let mut pose_variance = zero;
             for k in 0..3 {
                 pose_variance = pose_variance + by_position[k] * u[k] * u[k] + by_rotation[k] * moment[k] * moment[k];
             }
             let variance = l.constant(self.variances.length) + scale_squared * pose_variance;
             (one / variance.sqrt()).store(&mut self.inverse_sigma[group * LANES..]);
-            finite = finite + (course.length + dot(u, u));
+            finite = finite + (path.length + dot(u, u));
             if let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.values.outlet {
-                let d = sub(add(position, lever), constants(l, frame_anchor));
+                let d = sub(add(position, moment_arm), constants(l, frame_anchor));
                 let along = dot(d, constants(l, swivel_axis));
                 // generous: the exact test decides afterwards
                 let near_axis = (dot(d, d) - along * along).is_less(l.constant(1e-12) * dot(d, d));

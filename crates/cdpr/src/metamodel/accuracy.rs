@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::control::Control;
-use super::errors::{LengthError, PoseError};
+use super::errors::{LengthErrorStatistics, PoseErrorStatistics};
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::CommandedPose;
@@ -18,11 +18,11 @@ pub struct Accuracy {
     /// Number of commanded poses.
     pub samples: usize,
     /// Distance between commanded and emerging position (m).
-    pub position_error_m: PoseError,
+    pub position_error_m: PoseErrorStatistics,
     /// Geodesic angle between commanded and emerging orientation (rad).
-    pub rotation_error_rad: PoseError,
+    pub rotation_error_rad: PoseErrorStatistics,
     /// What the control model sends for the emerging pose, minus what it sent for the commanded one (eq. 6.6; m).
-    pub length_error_m: LengthError,
+    pub length_error_m: LengthErrorStatistics,
     /// Smallest tension that emerges (N); `None` for a rigid machine.
     pub tension_min_N: Option<f64>,
     /// Largest tension that emerges (N).
@@ -88,9 +88,9 @@ pub fn assess_operation(operation: &mut Operation<'_>, poses: &[CommandedPose]) 
     let tensions = Tensions::of(operation.machine(), &outcomes);
     let accuracy = Accuracy {
         samples: poses.len(),
-        position_error_m: PoseError::of(&errors.position),
-        rotation_error_rad: PoseError::of(&errors.rotation),
-        length_error_m: LengthError::of(&errors.length),
+        position_error_m: PoseErrorStatistics::of(&errors.position),
+        rotation_error_rad: PoseErrorStatistics::of(&errors.rotation),
+        length_error_m: LengthErrorStatistics::of(&errors.length),
         tension_min_N: tensions.min,
         tension_max_N: tensions.max,
         statuses,

@@ -6,7 +6,7 @@ mod tests;
 use super::control::Control;
 use super::driving::Driving;
 use super::effects::parameter_count;
-use super::errors::PoseError;
+use super::errors::PoseErrorStatistics;
 use super::input_error::InputError;
 use super::operate::{Outcome, Status};
 use super::poorer::richness;
@@ -27,9 +27,9 @@ pub struct Candidate {
     /// Effects of the machine that it leaves out, or has in a simpler form.
     pub left_out: Vec<&'static str>,
     /// Distance between commanded and emerging position (m).
-    pub position_error: PoseError,
+    pub position_error: PoseErrorStatistics,
     /// Angle between commanded and emerging orientation (rad).
-    pub rotation_error: PoseError,
+    pub rotation_error: PoseErrorStatistics,
     /// Emerging tensions minus those that a control model like the machine brings about: mean over poses of the 2-norm (N);
     /// nothing for a rigid machine.
     pub tension_error: Option<f64>,
@@ -212,19 +212,19 @@ impl<'a> Task<'a> {
         let errors: Vec<f64> = compared().map(|pose| self.position_error(pose, &outcomes[pose])).collect();
         let angles: Vec<f64> = compared().map(|pose| outcomes[pose].pose.angle_to(&self.poses[pose])).collect();
         let all = || outcomes.iter().enumerate();
-        let words = self.machine.composition().words();
-        let left_out: Vec<&'static str> = words.filter(|word| !control.words().any(|own| own == *word)).collect();
+        let words = self.machine.composition().effects();
+        let left_out: Vec<&'static str> = words.filter(|word| !control.effects().any(|own| own == *word)).collect();
         let unanswered = outcomes.iter().find(|outcome| !is_settled(outcome));
         Candidate {
             control,
             left_out,
-            position_error: PoseError::of(&errors),
-            rotation_error: PoseError::of(&angles),
+            position_error: PoseErrorStatistics::of(&errors),
+            rotation_error: PoseErrorStatistics::of(&angles),
             tension_error: self.tension_error(outcomes).filter(|_| answered > 0),
             answered,
             reached: all().filter(|(pose, outcome)| self.reaches(*pose, outcome)).count(),
             commanded: all().filter(|(_, outcome)| self.keeps_limits(outcome)).count(),
-            parameter_count: control.words().map(|word| parameter_count(word, self.machine.robot())).sum(),
+            parameter_count: control.effects().map(|word| parameter_count(word, self.machine.robot())).sum(),
             reason: unanswered
                 .map(|outcome| outcome.reason.clone().unwrap_or_else(|| "the machine comes to no rest".to_owned())),
         }

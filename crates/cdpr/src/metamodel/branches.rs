@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::control::Control;
-use super::errors::PoseError;
+use super::errors::PoseErrorStatistics;
 use super::input_error::InputError;
 use super::operate::{Operation, Outcome, Status};
 use super::study::{CommandedPose, History, Reach};
@@ -21,11 +21,11 @@ pub struct Branches {
     /// Ways to each of them: straight from the initial pose, and from both sides along each translation.
     pub ways: usize,
     /// Largest distance between two of the emerging positions (m).
-    pub position_spread_m: PoseError,
+    pub position_spread_m: PoseErrorStatistics,
     /// Largest angle between two of the emerging orientations (rad).
-    pub rotation_spread_rad: PoseError,
+    pub rotation_spread_rad: PoseErrorStatistics,
     /// Largest difference of a cable's tension (N).
-    pub tension_spread_N: PoseError,
+    pub tension_spread_N: PoseErrorStatistics,
 }
 
 /// The spread between branches at these poses: each is reached from the initial pose, and after a detour of `stroke` (m) to
@@ -62,9 +62,9 @@ pub fn branches<'a>(
         stroke_m: stroke,
         samples: position.len(),
         ways: detours.len(),
-        position_spread_m: PoseError::of(&position),
-        rotation_spread_rad: PoseError::of(&rotation),
-        tension_spread_N: PoseError::of(&tension),
+        position_spread_m: PoseErrorStatistics::of(&position),
+        rotation_spread_rad: PoseErrorStatistics::of(&rotation),
+        tension_spread_N: PoseErrorStatistics::of(&tension),
     })
 }
 

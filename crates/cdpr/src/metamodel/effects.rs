@@ -13,12 +13,12 @@ use crate::model::{Composition, Model, ModelError, Supported, WinchError};
 use crate::robot::{Cable, HysteresisTable, Robot};
 use crate::statics::{Load, LoadError, controlled_lengths};
 
-pub use displacement::{Displacement, Method, displacement};
+pub use displacement::{Displacement, DisplacementMethod, displacement};
 pub use error::EffectError;
 
 /// The state at which effects are compared.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State {
+pub struct EffectState {
     /// The platform pose.
     pub pose: Pose,
     /// The load on the platform, or why it is unknown, which suits rigid straight cables alone.
@@ -51,8 +51,12 @@ pub struct Contribution {
 
 /// What the effects of a machine with the richest composition that its robot supports change, each on its own, and what
 /// alternatives change.
-pub fn contributions(machine: &Model, supported: &Supported, state: &State) -> Result<Vec<Contribution>, ModelError> {
-    let left_out = machine.composition().words().map(|effect| (effect, None, machine.composition().without(effect)));
+pub fn contributions(
+    machine: &Model,
+    supported: &Supported,
+    state: &EffectState,
+) -> Result<Vec<Contribution>, ModelError> {
+    let left_out = machine.composition().effects().map(|effect| (effect, None, machine.composition().without(effect)));
     let replaced = supported
         .alternatives
         .iter()
@@ -69,7 +73,7 @@ pub fn contributions(machine: &Model, supported: &Supported, state: &State) -> R
 }
 
 /// The state at the home pose under the same load.
-fn home(machine: &Model, state: &State) -> Result<State, EffectError> {
+fn home(machine: &Model, state: &EffectState) -> Result<EffectState, EffectError> {
     let pose = machine.robot().home.ok_or(EffectError::NoHome)?;
     if pose == state.pose {
         return Ok(state.clone());
@@ -79,7 +83,7 @@ fn home(machine: &Model, state: &State) -> Result<State, EffectError> {
         Err(_) if machine.lengths_without_tensions(&pose).is_some() => None,
         Err(reason) => return Err(EffectError::AtHome(Box::new(reason))),
     };
-    Ok(State { pose, load: state.load.clone(), tensions })
+    Ok(EffectState { pose, load: state.load.clone(), tensions })
 }
 
 /// The tensions nearest to the middle of the limits.
@@ -103,8 +107,8 @@ impl Comparison<'_> {
         &self,
         effect: &'static str,
         replaced_by: Option<&'static str>,
-        state: &State,
-        home: Result<&State, &EffectError>,
+        state: &EffectState,
+        home: Result<&EffectState, &EffectError>,
     ) -> Contribution {
         let lengths = self.lengths(state);
         let lengths_beyond_home = lengths.clone().and_then(|here| {
@@ -127,7 +131,7 @@ impl Comparison<'_> {
     }
 
     /// Controlled lengths of the control model minus those of the machine, for the same tensions where robots measure them.
-    fn lengths(&self, state: &State) -> Result<Vec<f64>, EffectError> {
+    fn lengths(&self, state: &EffectState) -> Result<Vec<f64>, EffectError> {
         let of = |model: &Model| match &state.tensions {
             Some(tensions) => Ok(controlled_lengths(model, &state.pose, tensions)?),
             None => match model.lengths_without_tensions(&state.pose) {
@@ -150,7 +154,7 @@ impl Comparison<'_> {
         }
     }
 
-    fn distribution(&self, state: &State) -> Result<f64, EffectError> {
+    fn distribution(&self, state: &EffectState) -> Result<f64, EffectError> {
         let of = |model: &Model| distribution(model, &state.pose, &state.load);
         Ok(largest(of(self.control)?.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine)))
     }

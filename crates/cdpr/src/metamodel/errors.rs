@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// Mean, root mean square and more of a non-negative error over poses.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PoseError {
+pub struct PoseErrorStatistics {
     /// Mean (eq. 3.4).
     pub mean: f64,
     /// Root mean square.
@@ -19,7 +19,7 @@ pub struct PoseError {
 
 /// Error of the cable lengths over poses and cables (m).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct LengthError {
+pub struct LengthErrorStatistics {
     /// Mean of the magnitudes.
     pub mean_abs: f64,
     /// Root mean square.
@@ -32,7 +32,7 @@ pub struct LengthError {
 
 /// Error of the tensions over poses and cables (N).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct TensionError {
+pub struct TensionErrorStatistics {
     /// Mean over poses of the 2-norm over cables.
     pub mean_norm: f64,
     /// Mean of the magnitudes.
@@ -43,7 +43,7 @@ pub struct TensionError {
     pub max: f64,
 }
 
-impl PoseError {
+impl PoseErrorStatistics {
     /// Statistics of magnitudes; NaN without any.
     pub fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
@@ -58,7 +58,7 @@ impl PoseError {
     }
 }
 
-impl LengthError {
+impl LengthErrorStatistics {
     /// Statistics of signed errors; NaN without any.
     pub fn of(values: &[f64]) -> Self {
         let mut sorted: Vec<f64> = values.iter().map(|x| x.abs()).collect();
@@ -72,7 +72,7 @@ impl LengthError {
     }
 }
 
-impl TensionError {
+impl TensionErrorStatistics {
     /// Statistics of signed errors, sample by sample; NaN without any.
     pub fn of(values: &[f64], cable_count: usize) -> Self {
         let norm = |errors: &[f64]| errors.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -119,10 +119,10 @@ mod tests {
 
     #[test]
     fn statistics_of_a_known_list() {
-        let error = LengthError::of(&[-3.0, 4.0]);
+        let error = LengthErrorStatistics::of(&[-3.0, 4.0]);
         assert_eq!((error.mean_abs, error.max), (3.5, 4.0));
         assert!((error.rms - 12.5_f64.sqrt()).abs() < 1e-15);
-        let error = TensionError::of(&[3.0, -4.0, 0.0, 1.0], 2);
+        let error = TensionErrorStatistics::of(&[3.0, -4.0, 0.0, 1.0], 2);
         assert_eq!((error.mean_norm, error.mean_abs, error.max), (3.0, 2.0, 4.0));
     }
 }

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::accuracy::outside_reach;
 use super::driving::Driving;
-use super::errors::PoseError;
+use super::errors::PoseErrorStatistics;
 use super::operate::{Operation, Outcome, Status};
 use super::study::CommandedPose;
 use crate::geometry::{Pose, Twist};
@@ -46,17 +46,17 @@ pub struct Summary {
     /// Number of them at which the platform comes to rest.
     pub converged: usize,
     /// Distance between commanded and emerging position (m), exact.
-    pub position_error_m: PoseError,
+    pub position_error_m: PoseErrorStatistics,
     /// Angle between commanded and emerging orientation (rad), exact.
-    pub rotation_error_rad: PoseError,
+    pub rotation_error_rad: PoseErrorStatistics,
     /// Mean position error as a share of the diameter of the sampled positions (eq. 3.5); `None` for one position.
     pub relative_position_error: Option<f64>,
     /// Diameter of the sampled positions: the diagonal of their box (m).
     pub diameter_m: f64,
     /// Distance between commanded and emerging position by the linear step (m).
-    pub linear_position_error_m: PoseError,
+    pub linear_position_error_m: PoseErrorStatistics,
     /// Distance between the positions that the linear step and the exact solution find (m): how far the step can be trusted.
-    pub linear_residual_m: PoseError,
+    pub linear_residual_m: PoseErrorStatistics,
     /// Share of the poses at which that distance is at most a tenth of the exact error.
     pub linear_trusted_share: f64,
 }
@@ -102,16 +102,16 @@ impl Summary {
         let linear: Vec<f64> = samples.iter().filter_map(|sample| sample.linear.as_ref()).map(shift).collect();
         let residual: Vec<f64> = both().map(|(exact, linear)| shift(&(linear - exact))).collect();
         let trusted = both().filter(|(exact, linear)| shift(&(*linear - *exact)) <= TRUSTED * shift(exact)).count();
-        let (position_error_m, diameter_m) = (PoseError::of(&position), diameter(samples));
+        let (position_error_m, diameter_m) = (PoseErrorStatistics::of(&position), diameter(samples));
         Self {
             samples: samples.len(),
             converged: exact.len(),
             relative_position_error: (diameter_m > 0.0).then(|| position_error_m.mean / diameter_m),
             position_error_m,
-            rotation_error_rad: PoseError::of(&rotation),
+            rotation_error_rad: PoseErrorStatistics::of(&rotation),
             diameter_m,
-            linear_position_error_m: PoseError::of(&linear),
-            linear_residual_m: PoseError::of(&residual),
+            linear_position_error_m: PoseErrorStatistics::of(&linear),
+            linear_residual_m: PoseErrorStatistics::of(&residual),
             linear_trusted_share: trusted as f64 / samples.len().max(1) as f64,
         }
     }

@@ -121,14 +121,14 @@ fn given(tensions: &[f64]) -> Initial {
 }
 
 /// f_ref at a pose, or why there is none.
-type Wanted = Result<Vec<f64>, InputError>;
+type WantedTensions = Result<Vec<f64>, InputError>;
 
 /// f_ref at each pose. Refuses a target that no pose has.
-fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Wanted>, InputError> {
+fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<WantedTensions>, InputError> {
     if !task.machine.needs_tensions() {
         return Err(InputError::RigidMachine);
     }
-    let wanted: Vec<Wanted> = poses.iter().map(|pose| initial_tensions(target, task.machine, pose)).collect();
+    let wanted: Vec<WantedTensions> = poses.iter().map(|pose| initial_tensions(target, task.machine, pose)).collect();
     match wanted.first() {
         None => Err(InputError::NoPoses),
         Some(Err(refused)) if wanted.iter().all(Result::is_err) => Err(refused.clone()),
@@ -149,7 +149,7 @@ fn driving<'a>(task: &Task<'a>, offsets: &[f64]) -> Result<Driving<'a>, InputErr
 }
 
 impl Fit {
-    fn of(emerging: &[Option<Vec<f64>>], wanted: &[Wanted], limits: &Limits) -> Self {
+    fn of(emerging: &[Option<Vec<f64>>], wanted: &[WantedTensions], limits: &Limits) -> Self {
         let all = 0..wanted.len();
         let mut fit = Self {
             rms: f64::NAN,

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::cable::DegenerateCourse;
+use crate::cable::GeometryError;
 use crate::equilibrium::{ForwardError, elastostatics};
 use crate::geometry::PatternError;
 use crate::model::{CompositionError, Model, ModelError, WinchError};
@@ -38,7 +38,7 @@ pub enum InputError {
     },
     /// The winches cannot be set at the initial pose.
     #[error("at the initial pose, {0}")]
-    Initial(#[from] DegenerateCourse),
+    Initial(#[from] GeometryError),
     /// The initial tensions are no tensions of the cables.
     #[error("at the initial pose, {0}")]
     InitialTensions(#[from] StaticsError),

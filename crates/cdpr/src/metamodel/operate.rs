@@ -56,7 +56,7 @@ pub(super) struct Emerged {
 pub enum Status {
     /// The platform comes to rest at the pose.
     Converged,
-    /// The control model has no lengths for the pose: a cable has no course, or no tensions within the limits balance the
+    /// The control model has no lengths for the pose: a cable has no path, or no tensions within the limits balance the
     /// load.
     NotCommanded,
     /// The forward problem of the machine found no equilibrium.

@@ -21,7 +21,7 @@ pub enum OperationError {
     #[error(transparent)]
     Distribution(#[from] DistributionError),
     /// No tensions balance the load within the limits.
-    #[error("the control model finds no tensions: {}", .0.words())]
+    #[error("the control model finds no tensions: {0}")]
     NoTensions(Reason),
     /// A winch that cannot be turned so far.
     #[error(transparent)]

@@ -13,7 +13,7 @@ pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'stat
         "elastic" | "polynomial" | "hysteresis" => richness(machine.stretch) < richness(control.stretch),
         _ => machine.span == SpanEffect::Straight,
     };
-    control.words().filter(is_missing).collect()
+    control.effects().filter(is_missing).collect()
 }
 
 /// Rank of a stretch effect by how much of a real cable it tells.

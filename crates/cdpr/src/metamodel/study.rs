@@ -34,7 +34,7 @@ pub struct Study {
     /// Where the winches are set.
     pub initial: Initial,
     /// Tension limits and the largest position error; the robot files' limits apply without.
-    pub limits: Option<Limits>,
+    pub limits: Option<StudyLimits>,
     /// Poses to command.
     pub poses: Option<Poses>,
     /// Sensor noise of `cdpr simulate`.
@@ -148,7 +148,7 @@ pub use crate::tension::Method as TensionMethod;
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
-pub struct Limits {
+pub struct StudyLimits {
     /// Least tension (N).
     pub tension_min_N: Option<f64>,
     /// Largest tension (N).
@@ -164,21 +164,21 @@ pub struct Limits {
 #[serde(deny_unknown_fields)]
 pub struct Poses {
     /// A regular grid.
-    pub grid: Option<Grid>,
+    pub grid: Option<PoseGrid>,
     /// A file with one pose a row.
     pub file: Option<PoseFile>,
     /// Random poses in a box of their own, or that of the grid.
-    pub random: Option<Random>,
+    pub random: Option<RandomPoses>,
     /// Single cables shortened at some poses, for elastic machines: what tells stiffness from geometry.
     pub tension_tests: Option<TensionTests>,
     /// Which of all these poses count: every one when missing.
-    pub only: Option<Only>,
+    pub only: Option<PoseFilter>,
 }
 
 /// Poses that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Only {
+pub enum PoseFilter {
     /// Those at which tensions of the machine within their limits balance the load (eq. 3.29).
     WrenchFeasible,
 }
@@ -186,7 +186,7 @@ pub enum Only {
 /// A grid over pose components, first component slowest.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Grid {
+pub struct PoseGrid {
     /// Lower corner (m, rad).
     pub min: Vec<f64>,
     /// Upper corner (m, rad).
@@ -210,7 +210,7 @@ pub struct PoseFile {
 /// Random poses, uniform in a box.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Random {
+pub struct RandomPoses {
     /// How many.
     pub count: usize,
     /// Lower corner of the box (m, rad); that of the grid when missing.
@@ -310,7 +310,7 @@ impl Study {
 
     /// Leaves out what `[poses] only` does not want.
     pub fn keep_wanted(&self, machine: &Model, poses: &mut Vec<CommandedPose>) -> Result<(), InputError> {
-        let Some(Only::WrenchFeasible) = self.poses.as_ref().and_then(|poses| poses.only) else { return Ok(()) };
+        let Some(PoseFilter::WrenchFeasible) = self.poses.as_ref().and_then(|poses| poses.only) else { return Ok(()) };
         let limits = tension::Limits::of(machine.robot(), None, None)?;
         let (expected, found, poses_before) = (machine.cable_count(), limits.cable_count(), poses.len());
         let feasible = WrenchFeasible::new(machine, &Load::of(machine.robot())?, &limits)

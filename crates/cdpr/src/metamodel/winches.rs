@@ -65,7 +65,7 @@ pub(super) fn tensions_set(
 /// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method `closed-form`,
 /// the middle of the limits (eq. 3.41), and neither asks for the limits. The other methods keep them.
 pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
-    // a pose without a course is told in the words of the geometry
+    // a pose without a path is told in the words of the geometry
     model.structure_matrix(pose)?;
     let load = Load::of(model.robot())?;
     let wrench = load.in_pattern(model, pose);
@@ -79,7 +79,7 @@ pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result
         match (found, balance.map_err(refused)?.reason) {
             (Some(tensions), None) => Ok(tensions),
             (None, _) => Err(not_balanced("the cables leave a part of it whatever their tensions".to_owned())),
-            (_, Some(reason)) => Err(not_balanced(reason.words().to_owned())),
+            (_, Some(reason)) => Err(not_balanced(reason.to_string())),
         }
     };
     let tensions = match (&initial.tensions_N, initial.tension_method) {
@@ -146,7 +146,7 @@ fn chosen_by(
     match (found, unsettled) {
         ((tensions, None), None) => Ok(tensions),
         ((_, Some(reason)), _) => Err(not_balanced(reason)),
-        (_, Some(reason)) => Err(not_balanced(reason.words().to_owned())),
+        (_, Some(reason)) => Err(not_balanced(reason.to_string())),
     }
 }
 

@@ -89,7 +89,7 @@ impl Composition {
 
     /// Number of effects: the first measure of how complex a model is.
     pub fn effect_count(self) -> usize {
-        self.words().count()
+        self.effects().count()
     }
 
     /// True when cables stretch.
@@ -114,7 +114,7 @@ impl Composition {
     }
 
     /// The words of the command line for the effects, in their order along the cable.
-    pub fn words(self) -> impl Iterator<Item = &'static str> {
+    pub fn effects(self) -> impl Iterator<Item = &'static str> {
         let stretch = match self.stretch {
             StretchEffect::Rigid => None,
             StretchEffect::Linear => Some("elastic"),
@@ -146,7 +146,7 @@ impl Composition {
 
     /// This composition without one of its effects.
     pub fn without(self, word: &str) -> Self {
-        self.words()
+        self.effects()
             .filter(|effect| *effect != word)
             .fold(Self::STANDARD, |rest, effect| rest.with(effect).expect("the words of a composition are effects"))
     }
@@ -157,7 +157,7 @@ impl fmt::Display for Composition {
         if *self == Self::STANDARD {
             return f.write_str("standard");
         }
-        for (index, word) in self.words().enumerate() {
+        for (index, word) in self.effects().enumerate() {
             write!(f, "{}{word}", if index > 0 { "+" } else { "" })?;
         }
         Ok(())

@@ -2,8 +2,8 @@
 
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet::Outlet;
-use crate::cable::{CableEnd, Course};
-use crate::model::batch::CourseInLanes;
+use crate::cable::{CableEnd, CablePath};
+use crate::model::batch::CablePathInLanes;
 use crate::scalar::{LANES, Lanes, constants};
 
 /// Eight cables, or fewer with copies of the last one that weigh nothing.
@@ -19,27 +19,27 @@ pub(crate) struct CableGroup {
 }
 
 impl CableGroup {
-    /// Courses and moment arms b = R b_P of the group's cables at a pose given by position and rotation rows.
+    /// Paths and moment arms b = R b_P of the group's cables at a pose given by position and rotation rows.
     #[inline(always)]
-    pub(crate) fn courses<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (Course<L>, [L; 3]) {
-        let cables = self.checked_courses(l, position, rotation);
-        (cables.course, cables.moment_arm)
+    pub(crate) fn paths<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> (CablePath<L>, [L; 3]) {
+        let cables = self.checked_paths(l, position, rotation);
+        (cables.path, cables.moment_arm)
     }
 
-    /// [`CableGroup::courses`], and the cables that may have none.
+    /// [`CableGroup::paths`], and the cables that may have none.
     #[inline(always)]
-    pub(crate) fn checked_courses<L: Lanes>(
+    pub(crate) fn checked_paths<L: Lanes>(
         &self,
         l: L,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> CourseInLanes<L> {
+    ) -> CablePathInLanes<L> {
         let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
         let end = CableEnd::at(constants(l, position), &rows, load(l, &self.platform_anchor));
         let outlet = self.outlet.load(l);
-        let course = outlet.course(end.anchor);
-        let doubt = outlet.needs_scalar(end.anchor, &course);
-        CourseInLanes { course, moment_arm: end.moment_arm, doubt }
+        let path = outlet.path(end.anchor);
+        let needs_scalar = outlet.needs_scalar(end.anchor, &path);
+        CablePathInLanes { path, moment_arm: end.moment_arm, needs_scalar }
     }
 
     /// The elasticity of the group's cables.

@@ -12,7 +12,7 @@ use crate::cable::law::CableLaw;
 use crate::cable::outlet::{self, Contact, Outlet};
 use crate::cable::winch::Winch;
 use crate::cable::wrench::wrench;
-use crate::cable::{CableEnd, CableInput, CableState, CableStateError, Course, DegenerateCourse};
+use crate::cable::{CableEnd, CableInput, CablePath, CableState, CableStateError, GeometryError};
 use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Robot, TensionPlace};
 use crate::scalar::LANES;
@@ -133,7 +133,7 @@ impl Model {
 
     /// One cable (0-based) at rest at a pose, with one more quantity given.
     ///
-    /// Asks nothing of the course of its straight cable beyond a length ([`Model::course`] does).
+    /// Asks nothing of the path of its straight cable beyond a length ([`Model::path`] does).
     pub fn cable_state(&self, cable: usize, pose: &Pose, input: CableInput) -> Result<CableState, CableStateError> {
         self.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
     }
@@ -156,51 +156,51 @@ impl Model {
         &self.groups
     }
 
-    /// Course and moment arm b = R b_P of one cable (0-based) at a pose, or why it has none.
-    pub fn course(&self, cable: usize, pose: &Pose) -> Result<(Course<f64>, Vector3<f64>), DegenerateCourse> {
-        let (course, end) = self.checked_course(cable, pose.position.into(), &pose.rotation_rows())?;
-        Ok((course, end.moment_arm.into()))
+    /// CablePath and moment arm b = R b_P of one cable (0-based) at a pose, or why it has none.
+    pub fn path(&self, cable: usize, pose: &Pose) -> Result<(CablePath<f64>, Vector3<f64>), GeometryError> {
+        let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((path, end.moment_arm.into()))
     }
 
     /// Contact point of one straight cable (0-based) with its pulley at a pose, how free length, arc and contact point follow the
-    /// platform (eq. 2.83–2.87), and the cable's end; or why there is no course. A model without pulleys has the frame anchor as contact point.
-    pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), DegenerateCourse> {
-        let (course, end) = self.checked_course(cable, pose.position.into(), &pose.rotation_rows())?;
-        Ok((self.laws[cable].outlet.contact(end.anchor, &course), end))
+    /// platform (eq. 2.83–2.87), and the cable's end; or why there is no path. A model without pulleys has the frame anchor as contact point.
+    pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), GeometryError> {
+        let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((self.laws[cable].outlet.contact(end.anchor, &path), end))
     }
 
-    /// [`Model::course`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who
+    /// [`Model::path`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who
     /// asks for a length alone pays for no derivative.
     #[inline(always)]
-    pub(crate) fn checked_course(
+    pub(crate) fn checked_path(
         &self,
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> Result<(Course<f64>, CableEnd<f64>), DegenerateCourse> {
-        let (course, end) = self.course_at(cable, position, rotation);
-        match self.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &course) {
+    ) -> Result<(CablePath<f64>, CableEnd<f64>), GeometryError> {
+        let (path, end) = self.path_at(cable, position, rotation);
+        match self.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &path) {
             Some(reason) => Err(reason),
-            None => Ok((course, end)),
+            None => Ok((path, end)),
         }
     }
 
-    /// [`Model::course`] without the question whether it exists: numbers that are not finite where it does not.
-    pub(crate) fn course_or_nan(&self, cable: usize, pose: &Pose) -> (Course<f64>, Vector3<f64>) {
-        let (course, end) = self.course_at(cable, pose.position.into(), &pose.rotation_rows());
-        (course, end.moment_arm.into())
+    /// [`Model::path`] without the question whether it exists: numbers that are not finite where it does not.
+    pub(crate) fn path_or_nan(&self, cable: usize, pose: &Pose) -> (CablePath<f64>, Vector3<f64>) {
+        let (path, end) = self.path_at(cable, pose.position.into(), &pose.rotation_rows());
+        (path, end.moment_arm.into())
     }
 
-    /// [`Model::course_or_nan`] and end for a pose given by position and rotation rows, when many cables share it.
+    /// [`Model::path_or_nan`] and end for a pose given by position and rotation rows, when many cables share it.
     #[inline(always)]
-    pub(crate) fn course_at(
+    pub(crate) fn path_at(
         &self,
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> (Course<f64>, CableEnd<f64>) {
+    ) -> (CablePath<f64>, CableEnd<f64>) {
         let end = self.cable_end(cable, position, rotation);
-        (self.laws[cable].outlet.course(end.anchor), end)
+        (self.laws[cable].outlet.path(end.anchor), end)
     }
 
     /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
@@ -220,15 +220,15 @@ impl Model {
         cable: usize,
         position: [f64; 3],
         rotation: &[[f64; 3]; 3],
-    ) -> Result<Twist, DegenerateCourse> {
-        let (course, end) = self.checked_course(cable, position, rotation)?;
-        Ok(wrench(end.moment_arm, course.direction).into())
+    ) -> Result<Twist, GeometryError> {
+        let (path, end) = self.checked_path(cable, position, rotation)?;
+        Ok(wrench(end.moment_arm, path.direction).into())
     }
 
     /// \[u; b × u\] of one cable (0-based; world).
-    pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, DegenerateCourse> {
-        let (course, moment_arm) = self.course(cable, pose)?;
-        Ok(wrench(moment_arm.into(), course.direction).into())
+    pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, GeometryError> {
+        let (path, moment_arm) = self.path(cable, pose)?;
+        Ok(wrench(moment_arm.into(), path.direction).into())
     }
 
     /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
@@ -252,10 +252,10 @@ impl Model {
     }
 
     /// Derivatives of the recorded length of a cable by that cable's parameters.
-    pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, DegenerateCourse> {
-        let (course, _) = self.course(cable, pose)?;
+    pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, GeometryError> {
+        let (path, _) = self.path(cable, pose)?;
         let scale = self.laws[cable].recording.length_scale;
-        let row = course.recorded_length_row(&pose.rotation_rows(), 1.0, scale);
+        let row = path.recorded_length_row(&pose.rotation_rows(), 1.0, scale);
         Ok(CableGradient {
             frame_anchor: Vector3::new(row[0], row[1], row[2]),
             platform_anchor: Vector3::new(row[3], row[4], row[5]),

@@ -31,7 +31,7 @@ pub(super) fn laws(
     };
     let law = |(index, (cable, linear)): (usize, (&Cable, &Elasticity<f64>))| {
         if composition.cables() == Cables::Sagging {
-            let effect = composition.words().last().unwrap_or("catenary");
+            let effect = composition.effects().last().unwrap_or("catenary");
             require(cable.linear_density.is_some(), (effect, "linear_density_kg_per_m", ""), index, cable)?;
         }
         let stretch = stretch(composition, index, cable)?;

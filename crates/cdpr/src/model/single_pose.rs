@@ -1,11 +1,11 @@
 //! Lengths and structure matrix at one pose, a cable per lane, into memory of the caller.
 //!
-//! The bits are those of [`Model::course`] cable by cable, which is asked where a cable may have no course: it says why.
+//! The bits are those of [`Model::path`] cable by cable, which is asked where a cable may have no path: it says why.
 
 use nalgebra::DMatrix;
 
 use super::{Model, in_pattern};
-use crate::cable::DegenerateCourse;
+use crate::cable::GeometryError;
 use crate::cable::wrench::wrench;
 use crate::geometry::{Pose, Twist};
 use crate::model::CableGroup;
@@ -13,21 +13,21 @@ use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow};
 
 impl Model {
     /// Geometric cable lengths q at a pose (m).
-    pub fn cable_lengths(&self, pose: &Pose) -> Result<Vec<f64>, DegenerateCourse> {
+    pub fn cable_lengths(&self, pose: &Pose) -> Result<Vec<f64>, GeometryError> {
         let mut lengths = vec![0.0; self.cable_count()];
         self.write_cable_lengths(pose, &mut lengths)?;
         Ok(lengths)
     }
 
     /// [`Model::cable_lengths`] into memory of the caller, of which the first m numbers are written; panics when it has fewer. Claims none.
-    pub fn write_cable_lengths(&self, pose: &Pose, lengths: &mut [f64]) -> Result<(), DegenerateCourse> {
+    pub fn write_cable_lengths(&self, pose: &Pose, lengths: &mut [f64]) -> Result<(), GeometryError> {
         let lengths = &mut lengths[..self.cable_count()];
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         if dispatch_narrow(Lengths { groups: self.groups(), position, rotation: &rotation, lengths }) {
             return Ok(());
         }
         for (cable, length) in lengths.iter_mut().enumerate() {
-            *length = self.checked_course(cable, position, &rotation)?.0.length;
+            *length = self.checked_path(cable, position, &rotation)?.0.length;
         }
         Ok(())
     }
@@ -35,14 +35,14 @@ impl Model {
     /// Structure matrix Aᵀ in the robot's degrees of freedom, n × m: columns \[uᵢ; bᵢ × uᵢ\] in the twist basis.
     ///
     /// Aᵀ f + w = 0 and δq = −A δx (see the book, “Models”).
-    pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, DegenerateCourse> {
+    pub fn structure_matrix(&self, pose: &Pose) -> Result<DMatrix<f64>, GeometryError> {
         let mut matrix = DMatrix::zeros(self.dof(), self.cable_count());
         self.write_structure_matrix(pose, &mut matrix)?;
         Ok(matrix)
     }
 
     /// [`Model::structure_matrix`] into memory of the caller; claims none where the matrix is n × m already.
-    pub fn write_structure_matrix(&self, pose: &Pose, matrix: &mut DMatrix<f64>) -> Result<(), DegenerateCourse> {
+    pub fn write_structure_matrix(&self, pose: &Pose, matrix: &mut DMatrix<f64>) -> Result<(), GeometryError> {
         let size = (self.dof(), self.cable_count());
         if matrix.shape() != size {
             *matrix = DMatrix::zeros(size.0, size.1);
@@ -63,7 +63,7 @@ impl Model {
     }
 }
 
-/// [`Model::write_cable_lengths`]; false where a cable may have no course.
+/// [`Model::write_cable_lengths`]; false where a cable may have no path.
 struct Lengths<'a> {
     groups: &'a [CableGroup],
     position: [f64; 3],
@@ -77,17 +77,17 @@ impl Kernel for Lengths<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> bool {
         let zero = lanes.constant(0.0);
-        let mut doubt = zero;
+        let mut needs_scalar = zero;
         for (group, target) in self.groups.iter().zip(self.lengths.chunks_mut(LANES)) {
-            let cables = group.checked_courses(lanes, self.position, self.rotation);
-            doubt = doubt + cables.doubt;
-            write(&cables.course.length.to_array(), target);
+            let cables = group.checked_paths(lanes, self.position, self.rotation);
+            needs_scalar = needs_scalar + cables.needs_scalar;
+            write(&cables.path.length.to_array(), target);
         }
-        !lanes.any(zero.is_less(doubt))
+        !lanes.any(zero.is_less(needs_scalar))
     }
 }
 
-/// [`Model::write_structure_matrix`], column by column; false where a cable may have no course.
+/// [`Model::write_structure_matrix`], column by column; false where a cable may have no path.
 struct Columns<'a> {
     groups: &'a [CableGroup],
     basis: &'a [Twist],
@@ -102,12 +102,12 @@ impl Kernel for Columns<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> bool {
         let zero = lanes.constant(0.0);
-        let mut doubt = zero;
+        let mut needs_scalar = zero;
         let n = self.basis.len();
         for (group, target) in self.groups.iter().zip(self.columns.chunks_mut(LANES * n)) {
-            let cables = group.checked_courses(lanes, self.position, self.rotation);
-            doubt = doubt + cables.doubt;
-            let rows = in_pattern(self.basis, wrench(cables.moment_arm, cables.course.direction));
+            let cables = group.checked_paths(lanes, self.position, self.rotation);
+            needs_scalar = needs_scalar + cables.needs_scalar;
+            let rows = in_pattern(self.basis, wrench(cables.moment_arm, cables.path.direction));
             let mut numbers = [[0.0; LANES]; 6];
             for row in 0..6 {
                 numbers[row] = rows[row].to_array();
@@ -118,7 +118,7 @@ impl Kernel for Columns<'_> {
                 }
             }
         }
-        !lanes.any(zero.is_less(doubt))
+        !lanes.any(zero.is_less(needs_scalar))
     }
 }
 
@@ -155,7 +155,7 @@ mod tests {
 
     /// On every unit, column by column and cable by cable.
     #[test]
-    fn a_single_pose_has_the_bits_of_its_courses() {
+    fn a_single_pose_has_the_bits_of_its_paths() {
         let (mut compared, mut with_pulleys) = (0, 0);
         for model in models() {
             let home = model.robot().home_or_middle();
@@ -164,19 +164,18 @@ mod tests {
                 let twist = model.twist_basis().iter().enumerate();
                 let twist = twist.fold(Twist::zeros(), |sum, (row, basis)| sum + basis * (step * (row as f64).cos()));
                 let pose = home.displaced(&twist);
-                let courses: Result<Vec<_>, _> =
-                    (0..model.cable_count()).map(|cable| model.course(cable, &pose)).collect();
+                let paths: Result<Vec<_>, _> = (0..model.cable_count()).map(|cable| model.path(cable, &pose)).collect();
                 let (lengths, matrix) = (model.cable_lengths(&pose), model.structure_matrix(&pose));
-                let courses = match courses {
-                    Ok(courses) => courses,
+                let paths = match paths {
+                    Ok(paths) => paths,
                     Err(reason) => {
                         assert_eq!((lengths, matrix), (Err(reason), Err(reason)), "{}", model.robot().name);
                         continue;
                     }
                 };
                 let (lengths, matrix) = (lengths.unwrap(), matrix.unwrap());
-                for (cable, (course, _)) in courses.iter().enumerate() {
-                    assert_eq!(lengths[cable].to_bits(), course.length.to_bits(), "{}", model.robot().name);
+                for (cable, (path, _)) in paths.iter().enumerate() {
+                    assert_eq!(lengths[cable].to_bits(), path.length.to_bits(), "{}", model.robot().name);
                     let column = model.structure_column(cable, &pose).unwrap();
                     for (row, basis) in model.twist_basis().iter().enumerate() {
                         let expected = basis.dot(&column);
@@ -203,7 +202,7 @@ mod tests {
         let model = Model::new(Robot::builtin("planar-example").unwrap(), Composition::STANDARD).unwrap();
         let cable = &model.robot().cables[2];
         let onto = Pose { position: cable.frame_anchor - cable.platform_anchor, ..Pose::identity() };
-        let expected = DegenerateCourse::ZeroLength { cable: 3 };
+        let expected = GeometryError::ZeroLength { cable: 3 };
         assert_eq!(model.cable_lengths(&onto), Err(expected));
         assert_eq!(model.structure_matrix(&onto), Err(expected));
     }

@@ -6,7 +6,7 @@ use nalgebra::{Const, SVector, Vector3};
 use num_dual::DualVec;
 
 use super::*;
-use crate::cable::{Course, outlet};
+use crate::cable::{CablePath, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
 use crate::robot::{Cable, ParameterKind, Platform, Robot, WrapSide};
 use crate::scalar::{add, rotate};
@@ -61,26 +61,26 @@ fn tilted_pose() -> Pose {
     Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.4), [0.2, -0.3, 0.4])
 }
 
-/// Course of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is all a dual number sees.
-fn dual_course(robot: &Robot, pose: &Pose, with_pulley: bool) -> Course<Dual> {
+/// CablePath of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is all a dual number sees.
+fn dual_path(robot: &Robot, pose: &Pose, with_pulley: bool) -> CablePath<Dual> {
     let cable = &robot.cables[0];
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
-    let lever = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 9));
+    let moment_arm = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 9));
     let turn = numbers(Vector3::zeros(), 3);
-    let anchor = add(numbers(pose.position, 0), add(lever, crate::scalar::cross(turn, lever)));
+    let anchor = add(numbers(pose.position, 0), add(moment_arm, crate::scalar::cross(turn, moment_arm)));
     let frame_anchor = numbers(cable.frame_anchor, 6);
     match (with_pulley, cable.pulley_swivel_axis) {
         (true, Some(axis)) => {
             let radius = variable(cable.pulley_radius.unwrap(), 12);
             let constants = |v: Vector3<f64>| [0, 1, 2].map(|k| Dual::from(v[k]));
             match robot.pulley_side(cable) {
-                None => outlet::pulley::course(frame_anchor, constants(axis), radius, anchor),
+                None => outlet::pulley::path(frame_anchor, constants(axis), radius, anchor),
                 Some(side) => {
-                    outlet::pulley::course_on_side(frame_anchor, constants(axis), constants(side), radius, anchor)
+                    outlet::pulley::path_on_side(frame_anchor, constants(axis), constants(side), radius, anchor)
                 }
             }
         }
-        _ => outlet::point::course(frame_anchor, anchor),
+        _ => outlet::point::path(frame_anchor, anchor),
     }
 }
 
@@ -88,13 +88,13 @@ fn dual_course(robot: &Robot, pose: &Pose, with_pulley: bool) -> Course<Dual> {
 fn check_derivatives(robot: &Robot, pose: &Pose, with_pulley: bool) {
     let composition = if with_pulley { Composition::PULLEY } else { Composition::STANDARD };
     let model = Model::new(robot.clone(), composition).unwrap();
-    let (course, lever) = model.course(0, pose).unwrap();
+    let (path, moment_arm) = model.path(0, pose).unwrap();
     // indices 9.. are the platform anchor, 12 the radius; the layout needs 13 variables
-    let dual = dual_course(robot, pose, with_pulley);
-    let (by_pose, directions_by_pose) = course.by_pose(lever.into());
-    let (by_anchor, directions_by_anchor) = course.by_platform_anchor(&pose.rotation_rows());
+    let dual = dual_path(robot, pose, with_pulley);
+    let (by_pose, directions_by_pose) = path.by_pose(moment_arm.into());
+    let (by_anchor, directions_by_anchor) = path.by_platform_anchor(&pose.rotation_rows());
     // next to the axis and to the rim directions change fast, and rounding grows with their gradient (1/m)
-    let tolerance = 1e-12 * course.direction_gradient.iter().flatten().fold(1.0, |max: f64, x| max.max(x.abs()));
+    let tolerance = 1e-12 * path.direction_gradient.iter().flatten().fold(1.0, |max: f64, x| max.max(x.abs()));
     let analytic = |pose: [f64; 6], frame: [f64; 3], platform: [f64; 3], radius: f64| {
         let mut all = pose.to_vec();
         all.extend(frame);
@@ -102,11 +102,11 @@ fn check_derivatives(robot: &Robot, pose: &Pose, with_pulley: bool) {
         all.push(radius);
         SVector::<f64, 13>::from_vec(all)
     };
-    let expected = analytic(by_pose, course.direction, by_anchor, course.length_by_radius);
+    let expected = analytic(by_pose, path.direction, by_anchor, path.length_by_radius);
     assert!((gradient(&dual.length) - expected).amax() < tolerance, "{} {expected}", gradient(&dual.length));
     for k in 0..3 {
-        let frame = course.direction_gradient[k].map(|x| -x);
-        let expected = analytic(directions_by_pose[k], frame, directions_by_anchor[k], course.direction_by_radius[k]);
+        let frame = path.direction_gradient[k].map(|x| -x);
+        let expected = analytic(directions_by_pose[k], frame, directions_by_anchor[k], path.direction_by_radius[k]);
         assert!((gradient(&dual.direction[k]) - expected).amax() < tolerance, "row {k}");
     }
 }
@@ -135,22 +135,22 @@ fn second_derivatives_by_anchor_and_radius_are_one_symmetric_matrix() {
     for (robot, poses) in [swivelling, (planar_robot(WrapSide::Right), planar_poses())] {
         for pose in poses {
             let model = Model::new(robot.clone(), Composition::PULLEY).unwrap();
-            let (course, _) = model.course(0, &pose).unwrap();
-            let by_radius = gradient(&dual_course(&robot, &pose, true).length_by_radius);
+            let (path, _) = model.path(0, &pose).unwrap();
+            let by_radius = gradient(&dual_path(&robot, &pose, true).length_by_radius);
             for k in 0..3 {
-                assert!((by_radius[k] + course.direction_by_radius[k]).abs() < 1e-12);
+                assert!((by_radius[k] + path.direction_by_radius[k]).abs() < 1e-12);
                 for column in 0..3 {
-                    let (upper, lower) = (course.direction_gradient[k][column], course.direction_gradient[column][k]);
+                    let (upper, lower) = (path.direction_gradient[k][column], path.direction_gradient[column][k]);
                     assert!((upper - lower).abs() < 1e-13);
                 }
             }
-            let turned = 1.0 - course.wrap_angle.cos();
-            assert!((by_radius[12] - turned * turned / course.free_length).abs() < 1e-12);
+            let turned = 1.0 - path.wrap_angle.cos();
+            assert!((by_radius[12] - turned * turned / path.free_length).abs() < 1e-12);
         }
     }
 }
 
-/// A nanometre from the swivel axis and from the rim there are derivatives, and they are right; where there is no course there
+/// A nanometre from the swivel axis and from the rim there are derivatives, and they are right; where there is no path there
 /// is a reason. Nothing is ever NaN.
 #[test]
 fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
@@ -173,13 +173,13 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
                 Vector3::new(distance * angle.cos(), distance * angle.sin(), if turn % 2 == 0 { 1.0 } else { -1.0 });
             for position in [rim, axis] {
                 let pose = Pose { position, ..Pose::identity() };
-                let Ok((course, _)) = model.course(0, &pose) else {
+                let Ok((path, _)) = model.path(0, &pose) else {
                     without += 1;
                     continue;
                 };
-                let gradient = course.direction_gradient.iter().flatten();
-                let numbers = [course.length, course.wrap_angle, course.length_by_radius];
-                assert!(gradient.chain(&course.direction_by_radius).chain(&numbers).all(|x| x.is_finite()), "{pose:?}");
+                let gradient = path.direction_gradient.iter().flatten();
+                let numbers = [path.length, path.wrap_angle, path.length_by_radius];
+                assert!(gradient.chain(&path.direction_by_radius).chain(&numbers).all(|x| x.is_finite()), "{pose:?}");
                 // nearer than this, rounding of the position itself decides the digits
                 if distance >= 1e-9 {
                     check_derivatives(&robot, &pose, true);
@@ -193,14 +193,14 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
 #[test]
 fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
     let cable = Cable { pulley_radius: Some(0.0), ..tilted_pulley_cable() };
-    let course = |composition| {
+    let path = |composition| {
         let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
-        model.course(0, &tilted_pose()).unwrap()
+        model.path(0, &tilted_pose()).unwrap()
     };
-    let ((base, lever), (pulley, _)) = (course(Composition::STANDARD), course(Composition::PULLEY));
+    let ((base, moment_arm), (pulley, _)) = (path(Composition::STANDARD), path(Composition::PULLEY));
     assert!((base.length - pulley.length).abs() < 1e-14);
-    let (base_pose, base_direction) = base.by_pose(lever.into());
-    let (pulley_pose, pulley_direction) = pulley.by_pose(lever.into());
+    let (base_pose, base_direction) = base.by_pose(moment_arm.into());
+    let (pulley_pose, pulley_direction) = pulley.by_pose(moment_arm.into());
     for k in 0..6 {
         assert!((base_pose[k] - pulley_pose[k]).abs() < 1e-14);
         for row in 0..3 {
@@ -220,8 +220,8 @@ fn radius_zero_has_no_axis_to_avoid() {
         ..Cable::default()
     };
     let model = Model::new(robot_of(vec![cable]), Composition::PULLEY).unwrap();
-    let (course, _) = model.course(0, &Pose::identity()).unwrap();
-    assert_eq!((course.length, course.direction), (3.0, [0.0, 0.0, 1.0]));
+    let (path, _) = model.path(0, &Pose::identity()).unwrap();
+    assert_eq!((path.length, path.direction), (3.0, [0.0, 0.0, 1.0]));
 }
 
 /// `∂q/∂(twist) = −A`: pulling a cable in does the work its force does.
@@ -247,11 +247,11 @@ fn structure_matrix_is_minus_the_length_gradient() {
 fn pulley_length_agrees_with_the_dissertation_away_from_the_axis() {
     let radius = 0.161;
     for (b_xy, b_z) in [(2.0, -3.0), (0.5, 1.0), (4.0, 0.0), (0.2, -0.5)] {
-        let course = outlet::pulley::course([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
+        let path = outlet::pulley::path([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
         let center_distance = f64::hypot(b_xy - radius, b_z);
         let free = (center_distance * center_distance - radius * radius).sqrt();
         let wrap = (free / center_distance).acos() + (b_z / center_distance).acos();
-        assert!((course.length - (free + radius * wrap)).abs() < 1e-14);
+        assert!((path.length - (free + radius * wrap)).abs() < 1e-14);
     }
 }
 
@@ -259,15 +259,15 @@ fn pulley_length_agrees_with_the_dissertation_away_from_the_axis() {
 #[test]
 fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
     let (radius, b_xy, b_z) = (0.161, 0.1, 1.0);
-    let course = outlet::pulley::course([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
+    let path = outlet::pulley::path([0.0; 3], [0.0, 0.0, 1.0], radius, [b_xy, 0.0, b_z]);
     let center_distance = f64::hypot(b_xy - radius, b_z);
     let free = (center_distance * center_distance - radius * radius).sqrt();
     let printed = free + radius * ((free / center_distance).acos() + (b_z / center_distance).acos());
     let surplus = 2.0 * radius * (b_z / center_distance).acos();
-    assert!((printed - course.length - surplus).abs() < 1e-13);
+    assert!((printed - path.length - surplus).abs() < 1e-13);
     // tangent point on the circle, free part tangent to it
-    let u = course.direction;
-    let contact = [b_xy + course.free_length * u[0], b_z + course.free_length * u[2]];
+    let u = path.direction;
+    let contact = [b_xy + path.free_length * u[0], b_z + path.free_length * u[2]];
     assert!((f64::hypot(contact[0] - radius, contact[1]) - radius).abs() < 1e-14);
     assert!(((contact[0] - radius) * u[0] + contact[1] * u[2]).abs() < 1e-14);
 }
@@ -279,9 +279,9 @@ fn degenerate_courses_are_named_and_never_nan() {
     let cable = Cable { platform_anchor: Vector3::zeros(), ..cable };
     let at = |x: f64, z: f64, composition| {
         let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
-        model.course(0, &Pose { position: Vector3::new(x, 0.0, z), ..Pose::identity() }).unwrap_err()
+        model.path(0, &Pose { position: Vector3::new(x, 0.0, z), ..Pose::identity() }).unwrap_err()
     };
-    use crate::cable::DegenerateCourse as Reason;
+    use crate::cable::GeometryError as Reason;
     assert_eq!(at(0.0, 0.0, Composition::STANDARD), Reason::ZeroLength { cable: 1 });
     assert_eq!(at(0.12, 0.05, Composition::PULLEY), Reason::InsidePulley { cable: 1, radius: 0.12 });
     assert_eq!(at(0.0, 1.0, Composition::PULLEY), Reason::OnSwivelAxis { cable: 1 });
@@ -295,9 +295,9 @@ fn a_placed_pulley_touches_where_the_point_model_has_its_anchor() {
     let pose = tilted_pose();
     for axis in [Vector3::z(), -Vector3::z(), Vector3::new(0.6, 0.0, 0.8)] {
         let placed = place_pulleys(&robot, &[(0.161, axis)], &pose).unwrap();
-        let (course, _) = Model::new(placed, Composition::PULLEY).unwrap().course(0, &pose).unwrap();
+        let (path, _) = Model::new(placed, Composition::PULLEY).unwrap().path(0, &pose).unwrap();
         let contact =
-            pose.transform(&robot.cables[0].platform_anchor) + Vector3::from(course.direction) * course.free_length;
+            pose.transform(&robot.cables[0].platform_anchor) + Vector3::from(path.direction) * path.free_length;
         assert!((contact - robot.cables[0].frame_anchor).norm() < 1e-14);
         let base = Model::new(robot.clone(), Composition::STANDARD).unwrap();
         let difference = base.structure_matrix(&pose).unwrap()
@@ -324,7 +324,7 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
             let mut changed = robot.clone();
             parameter.set(&mut changed, value);
             let changed = Model::new(changed, Composition::PULLEY).unwrap();
-            changed.recorded_length(0, changed.course(0, &tilted_pose()).unwrap().0.length)
+            changed.recorded_length(0, changed.path(0, &tilted_pose()).unwrap().0.length)
         };
         let (value, h) = (parameter.value(model.robot()), 1e-6);
         let slope = (recorded(value + h) - recorded(value - h)) / (2.0 * h);

@@ -40,15 +40,15 @@ pub(super) fn clamped(room: &[Room], step: &mut [f64]) {
 
 /// Ends the step at the first bound that it meets: a descent, if the step is one. Whether there is such a bound.
 pub(super) fn stopped(room: &[Room], step: &mut [f64]) -> bool {
-    let share = |(step, room): (&f64, &Room)| match *step {
+    let step_fraction = |(step, room): (&f64, &Room)| match *step {
         0.0 => f64::INFINITY,
         step if step < 0.0 => room.0 / step,
         step => room.1 / step,
     };
-    let share = step.iter().zip(room).map(share).fold(f64::INFINITY, f64::min).max(0.0);
-    if share < 1.0 {
-        step.iter_mut().for_each(|step| *step *= share);
+    let step_fraction = step.iter().zip(room).map(step_fraction).fold(f64::INFINITY, f64::min).max(0.0);
+    if step_fraction < 1.0 {
+        step.iter_mut().for_each(|step| *step *= step_fraction);
     }
     clamped(room, step);
-    share < 1.0
+    step_fraction < 1.0
 }

@@ -136,7 +136,9 @@ fn dogleg(system: &impl NormalSystem, scale: &[f64], radius: f64, held: &[bool],
         (0..count).for_each(|k| step[k] = cauchy[k] * (radius / length));
         return true;
     }
-    let at = |share: f64| -> Vec<f64> { (0..count).map(|k| cauchy[k] + share * (step[k] - cauchy[k])).collect() };
+    let at = |step_fraction: f64| -> Vec<f64> {
+        (0..count).map(|k| cauchy[k] + step_fraction * (step[k] - cauchy[k])).collect()
+    };
     let (mut inside, mut outside) = (0.0, 1.0);
     for _ in 0..50 {
         let middle = 0.5 * (inside + outside);
@@ -214,17 +216,17 @@ impl Quadratic {
         let bend = down.dot(&(&self.hessian * &down));
         let (bound, _) = self.first_bound(&DVector::zeros(down.len()), &down);
         let least = -self.gradient.dot(&down) / bend;
-        let share = least.min(radius / down.amax()).min(INSIDE * bound);
-        if share.is_finite() { down * share } else { down * 0.0 }
+        let step_fraction = least.min(radius / down.amax()).min(INSIDE * bound);
+        if step_fraction.is_finite() { down * step_fraction } else { down * 0.0 }
     }
 
     /// Share of a step at which it meets its first bound, and the parameter that does.
     fn first_bound(&self, from: &DVector<f64>, step: &DVector<f64>) -> (f64, usize) {
-        let share = |k: usize| {
+        let step_fraction = |k: usize| {
             let bound = if step[k] < 0.0 { self.room[k].0 } else { self.room[k].1 };
             if step[k] == 0.0 { f64::INFINITY } else { ((bound - from[k]) / step[k]).max(0.0) }
         };
-        (0..step.len()).map(|k| (share(k), k)).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
+        (0..step.len()).map(|k| (step_fraction(k), k)).fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
     }
 }
 
@@ -234,16 +236,16 @@ fn reflective(system: &impl NormalSystem, around: Surroundings<'_>, radius: f64,
     let model = Quadratic::new(system, around);
     let (wanted, is_limited) = model.within(radius)?;
     let start = DVector::zeros(step.len());
-    let (share, hit) = model.first_bound(&start, &wanted);
-    let best = if share > 1.0 {
+    let (step_fraction, hit) = model.first_bound(&start, &wanted);
+    let best = if step_fraction > 1.0 {
         wanted.clone()
     } else {
-        let mut back = &wanted * (1.0 - share);
+        let mut back = &wanted * (1.0 - step_fraction);
         back[hit] = -back[hit];
-        let corner = &wanted * share;
+        let corner = &wanted * step_fraction;
         let (second, _) = model.first_bound(&corner, &back);
         let reflected = corner + back * (INSIDE * second.min(1.0));
-        let candidates = [&wanted * (INSIDE * share), reflected, model.downhill(radius)];
+        let candidates = [&wanted * (INSIDE * step_fraction), reflected, model.downhill(radius)];
         let [first, others @ ..] = candidates;
         others.into_iter().fold(first, |a, b| if model.value(&b) < model.value(&a) { b } else { a })
     };

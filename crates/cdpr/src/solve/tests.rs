@@ -51,10 +51,10 @@ impl<N: Select> Problem for Valley<N> {
         let fraction = (control.radius / length(&step)).min(one);
         step = [fraction * step[0], fraction * step[1]];
         self.step = step;
-        let promise = -(step[0] * g + step[1] * f);
+        let predicted_reduction = -(step[0] * g + step[1] * f);
         let is_regular = (x.constant(1e-11) * h * l).is_less(determinant);
         let bend = step[0] * step[0] * h + x.constant(2.0) * step[0] * step[1] * k + step[1] * step[1] * l;
-        let gain = (x.constant(2.0) * promise - bend) / self.here.cost;
+        let gain = (x.constant(2.0) * predicted_reduction - bend) / self.here.cost;
         Step { size: length(&step), gain, is_cut: fraction.is_less(one), is_regular }
     }
 

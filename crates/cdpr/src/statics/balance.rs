@@ -9,7 +9,7 @@ use crate::model::Model;
 
 /// Tensions in two parts that add up to them (eq. 2.38–2.40).
 #[derive(Clone, Debug, PartialEq)]
-pub struct Split {
+pub struct TensionSplit {
     /// f_int = H λ: the part that tightens the cables against each other, without wrench, Aᵀ f_int = 0 (N).
     pub internal: Vec<f64>,
     /// f_ext = A⁺ᵀ Aᵀ f: the part that carries the load, the shortest tensions with the wrench of f (N). Entries may be
@@ -48,7 +48,7 @@ pub fn wrench_residual(
 /// the same wrench. A row of which the others leave less than 10·max(n, m)·ε of the longest row (moment rows divided by the
 /// platform radius, so that all are without unit) counts as dependent: that much is rounding of the matrix. Scaling rows
 /// does not change the row space, so the radius matters for the rank alone.
-pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Split, StaticsError> {
+pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<TensionSplit, StaticsError> {
     check_tensions(model, tensions)?;
     let mut matrix = model.structure_matrix(pose)?;
     for row in model.robot().motion_pattern.translations()..model.dof() {
@@ -58,7 +58,11 @@ pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Split, Stat
     let f = DVector::from_column_slice(tensions);
     let external = &basis * basis.tr_mul(&f);
     let internal = &f - &external;
-    Ok(Split { internal: internal.as_slice().to_vec(), external: external.as_slice().to_vec(), rank: basis.ncols() })
+    Ok(TensionSplit {
+        internal: internal.as_slice().to_vec(),
+        external: external.as_slice().to_vec(),
+        rank: basis.ncols(),
+    })
 }
 
 /// Orthonormal columns that span the columns of a matrix: modified Gram–Schmidt with pivoting. Ends after n steps whatever
@@ -100,8 +104,8 @@ pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Resul
     check_tensions(model, tensions)?;
     let rotation = pose.rotation_rows();
     let length = |(index, &tension): (usize, &f64)| {
-        let (course, _) = model.checked_course(index, pose.position.into(), &rotation)?;
-        match model.law(index).closed_length(course.length, tension) {
+        let (path, _) = model.checked_path(index, pose.position.into(), &rotation)?;
+        match model.law(index).closed_length(path.length, tension) {
             Some(length) if length > 0.0 => Ok(length),
             _ => cable_lengths(model, (pose, &rotation), index, tension, None).map(|lengths| lengths.controlled_length),
         }

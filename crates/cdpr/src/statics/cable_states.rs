@@ -30,11 +30,11 @@ pub(crate) fn cable_state_at_outlet(
 }
 
 fn state_of(model: &Model, pose: &Pose, index: usize, input: CableInput) -> Result<CableState, StaticsError> {
-    // a pose without a course is told in the words of the geometry
-    let (course, end) = model.checked_course(index, pose.position.into(), &pose.rotation_rows())?;
-    let state = model.law(index).state_on(&course, &end, input, None);
+    // a pose without a path is told in the words of the geometry
+    let (path, end) = model.checked_path(index, pose.position.into(), &pose.rotation_rows())?;
+    let state = model.law(index).state_on(&path, &end, input, None);
     let state = state.and_then(CableState::unless_overstretched);
-    state.map_err(|reason| StaticsError::of_cable(index, course.length, reason))
+    state.map_err(|reason| StaticsError::of_cable(index, path.length, reason))
 }
 
 /// One straight cable (0-based) as a spring of 1 N/m with this tension, of any sign (N).
@@ -44,8 +44,8 @@ pub(crate) fn unit_spring_state(
     index: usize,
     tension: f64,
 ) -> Result<CableState, StaticsError> {
-    let (course, end) = model.checked_course(index, pose.position.into(), &pose.rotation_rows())?;
-    Ok(unit_spring(&course, &end, model.law(index).recording, tension))
+    let (path, end) = model.checked_path(index, pose.position.into(), &pose.rotation_rows())?;
+    Ok(unit_spring(&path, &end, model.law(index).recording, tension))
 }
 
 /// Lengths of one cable (0-based) with a tension where the robot measures it (N; NaN where it is unknown), from a memory of its own or
@@ -57,8 +57,8 @@ pub(crate) fn cable_lengths(
     tension: f64,
     memory: Option<&Memory>,
 ) -> Result<CableLengths, StaticsError> {
-    let (course, end) = model.checked_course(index, pose.position.into(), rotation)?;
+    let (path, end) = model.checked_path(index, pose.position.into(), rotation)?;
     let input = |tension| model.measured_tension(index, tension);
-    let lengths = model.law(index).lengths_on(&course, &end, (tension, input), memory);
-    lengths.map_err(|reason| StaticsError::of_cable(index, course.length, reason))
+    let lengths = model.law(index).lengths_on(&path, &end, (tension, input), memory);
+    lengths.map_err(|reason| StaticsError::of_cable(index, path.length, reason))
 }

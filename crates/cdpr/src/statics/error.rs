@@ -2,10 +2,10 @@
 
 use thiserror::Error;
 
-use crate::cable::{CableStateError, DegenerateCourse};
+use crate::cable::{CableStateError, GeometryError};
 use crate::model::Model;
 
-/// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no course.
+/// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no path.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StaticsError {
@@ -75,9 +75,9 @@ pub enum StaticsError {
         /// Number of the cable, from 1.
         cable: usize,
     },
-    /// A cable has no unique course at the pose.
+    /// A cable has no unique path at the pose.
     #[error(transparent)]
-    Course(#[from] DegenerateCourse),
+    CablePath(#[from] GeometryError),
 }
 
 impl StaticsError {

@@ -74,8 +74,8 @@ impl Load {
 
     /// ∂w/∂\[δr; δφ\] at a pose: only the weight's moment changes, by m \[g\]× \[R c\]× δφ.
     pub fn gradient(&self, pose: &Pose) -> Matrix6<f64> {
-        let lever = pose.rotation * self.center_of_mass;
-        let moment: Matrix3<f64> = self.weight.cross_matrix() * lever.cross_matrix();
+        let moment_arm = pose.rotation * self.center_of_mass;
+        let moment: Matrix3<f64> = self.weight.cross_matrix() * moment_arm.cross_matrix();
         let mut gradient = Matrix6::zeros();
         gradient.fixed_view_mut::<3, 3>(3, 3).copy_from(&moment);
         gradient
@@ -108,8 +108,8 @@ impl Load {
     /// forces and weight, and for a constant moment along the straight turn between the poses.
     pub fn work(&self, from: &Pose, to: &Pose) -> f64 {
         let twist = from.displacement_to(to);
-        let lever = |pose: &Pose| pose.rotation * self.center_of_mass;
-        self.constant.dot(&twist) + self.weight.dot(&(twist.fixed_rows::<3>(0) + lever(to) - lever(from)))
+        let moment_arm = |pose: &Pose| pose.rotation * self.center_of_mass;
+        self.constant.dot(&twist) + self.weight.dot(&(twist.fixed_rows::<3>(0) + moment_arm(to) - moment_arm(from)))
     }
 }
 

@@ -12,7 +12,7 @@ mod stiffness;
 #[cfg(test)]
 mod tests;
 
-pub use balance::{Split, balanced_wrench, controlled_lengths, split, wrench_residual};
+pub use balance::{TensionSplit, balanced_wrench, controlled_lengths, split, wrench_residual};
 pub(crate) use cable_states::{cable_lengths, cable_state_at_outlet, unit_spring_state};
 pub use cable_states::{cable_state, cable_states};
 pub use error::{StaticsError, check_tensions};

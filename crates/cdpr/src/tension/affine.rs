@@ -1,4 +1,4 @@
-//! All tensions that balance a load: f = p + H λ, with p the shortest of them and H an orthonormal basis of ker Aᵀ.
+//! All tensions that balance a load: f = p + H λ, with p the one of minimum norm and H an orthonormal basis of ker Aᵀ.
 
 use nalgebra::DMatrix;
 
@@ -68,14 +68,14 @@ impl Affine {
         &self.columns.as_flattened()[index * self.stride..][..self.cable_count]
     }
 
-    /// p, the shortest of all balanced tensions (N). As long as no cable is fixed.
-    pub(super) fn shortest(&self) -> &[f64] {
+    /// p, the balanced tensions of minimum norm (N). As long as no cable is fixed.
+    pub(super) fn minimum_norm(&self) -> &[f64] {
         self.column(self.dimension)
     }
 
     /// The balanced tensions nearest to a reference, p + H Hᵀ f_ref (N). As long as no cable is fixed.
     pub(super) fn nearest(&self, reference: &[f64], point: &mut [f64]) {
-        point.copy_from_slice(self.shortest());
+        point.copy_from_slice(self.minimum_norm());
         for index in 0..self.dimension {
             let column = self.column(index);
             let along = dot(column, reference);

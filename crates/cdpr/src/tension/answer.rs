@@ -115,7 +115,7 @@ impl Answer {
                 (previous - limit).abs()
             );
         }
-        let words = self.certificate.words();
+        let words = self.certificate.to_string();
         let words = match self.rates_are_the_reason {
             true => format!(
                 "with limits as near to the previous tensions as the rates ask, {words}; without the rates there are tensions"

@@ -136,7 +136,7 @@ pub(super) fn write_residual(structure_matrix: &DMatrix<f64>, wrench: &[f64], te
     }
 }
 
-/// Writes the shortest correction of the reference with the least rest; returns the rank.
+/// Writes the minimum-norm correction of the reference with the least rest; returns the rank.
 fn by_singular_values(
     structure_matrix: &DMatrix<f64>,
     wrench: &[f64],
@@ -158,7 +158,7 @@ fn by_singular_values(
             *rest /= length;
         }
     }
-    let (correction, rank) = shortest(rows, &unbalanced);
+    let (correction, rank) = minimum_norm(rows, &unbalanced);
     tensions.copy_from_slice((middle - correction).as_slice());
     Ok(rank)
 }
@@ -167,7 +167,7 @@ fn by_singular_values(
 const LOST: f64 = 1e-12;
 
 /// Shortest x with the least ‖rows x − right‖, and the rank of the rows.
-fn shortest(rows: DMatrix<f64>, right: &DVector<f64>) -> (DVector<f64>, usize) {
+fn minimum_norm(rows: DMatrix<f64>, right: &DVector<f64>) -> (DVector<f64>, usize) {
     let cables = rows.ncols();
     // rows of numbers whose products overflow carry nothing
     let Some(decomposition) = svd(rows, true, true) else { return (DVector::zeros(cables), 0) };

@@ -14,7 +14,7 @@ pub(super) enum Memory {
     Programme,
     ClosedForm(closed_form::Solver),
     ImprovedClosedForm(Affine),
-    Puncture { balanced: Affine, shortest: Vec<f64> },
+    Puncture { balanced: Affine, minimum_norm: Vec<f64> },
     Dykstra { balanced: Affine, search: dykstra::Search },
     Centroid { balanced: Affine, search: centroid::Search },
     Norm(Box<norm::Search>),
@@ -40,7 +40,7 @@ impl Memory {
             Method::Qp => Self::Programme,
             Method::ClosedForm => Self::ClosedForm(closed_form::Solver::new(cable_count, dof)),
             Method::ImprovedClosedForm => Self::ImprovedClosedForm(balanced),
-            Method::Puncture => Self::Puncture { balanced, shortest: vec![0.0; cable_count] },
+            Method::Puncture => Self::Puncture { balanced, minimum_norm: vec![0.0; cable_count] },
             Method::Dykstra => Self::Dykstra { balanced, search: dykstra::Search::new(cable_count) },
             Method::Centroid => Self::Centroid { balanced, search: centroid::Search::new(cable_count, dof) },
             Method::Minimum => Self::Norm(Box::new(norm::Search::new(norm::End::Zero, cable_count, dof))),
@@ -85,9 +85,9 @@ impl Memory {
                 balanced.load(structure_matrix, wrench)?
                     && improved_closed_form::search(balanced, limits, reference, tensions)
             }
-            Self::Puncture { balanced, shortest } => {
+            Self::Puncture { balanced, minimum_norm } => {
                 balanced.load(structure_matrix, wrench)?
-                    && puncture::search(balanced, limits, reference, shortest, tensions)
+                    && puncture::search(balanced, limits, reference, minimum_norm, tensions)
             }
             Self::Dykstra { balanced, search } => {
                 balanced.load(structure_matrix, wrench)? && {
@@ -107,7 +107,7 @@ impl Memory {
         problem: &Problem<'_>,
         options: &Options<'_>,
         reference: &[f64],
-        programme: &mut quadratic::Solver,
+        qp: &mut quadratic::Solver,
         answer: &mut Answer,
     ) -> Result<(), InputError> {
         let Problem { structure_matrix, wrench } = *problem;
@@ -129,12 +129,10 @@ impl Memory {
             }
             (Self::NearestWrench { search, wrench: nearest }, Status::Infeasible) => {
                 answer.iterations = search.run(problem, options.lengths, limits, reference, tensions);
-                return take_nearest_to_reference(problem, nearest, limits, reference, programme, tensions);
+                return take_nearest_to_reference(problem, nearest, limits, reference, qp, tensions);
             }
             (Self::Norm(search), Status::Feasible) => search.run(problem, limits, options.p, tensions)?,
-            (Self::Barrier(barrier), Status::Feasible) => {
-                barrier.run(problem, limits, reference, programme, tensions)?
-            }
+            (Self::Barrier(barrier), Status::Feasible) => barrier.run(problem, limits, reference, qp, tensions)?,
             _ => return Ok(()),
         };
         match steps {
@@ -151,14 +149,14 @@ fn take_nearest_to_reference(
     wrench: &mut [f64],
     limits: &Limits,
     reference: &[f64],
-    programme: &mut quadratic::Solver,
+    qp: &mut quadratic::Solver,
     tensions: &mut [f64],
 ) -> Result<(), InputError> {
     wrench.fill(0.0);
     for (column, f) in problem.structure_matrix.column_iter().zip(tensions.iter()) {
         wrench.iter_mut().zip(&column).for_each(|(rest, entry)| *rest -= entry * f);
     }
-    let found = programme.solve(problem.structure_matrix, wrench, limits, Some(reference))?;
+    let found = qp.solve(problem.structure_matrix, wrench, limits, Some(reference))?;
     if found.status == quadratic::Status::Feasible {
         tensions.copy_from_slice(&found.tensions);
     }
@@ -172,7 +170,7 @@ impl Barrier {
         problem: &Problem<'_>,
         limits: &Limits,
         reference: &[f64],
-        programme: &mut quadratic::Solver,
+        qp: &mut quadratic::Solver,
         tensions: &mut [f64],
     ) -> Result<Option<u32>, InputError> {
         self.balanced.load(problem.structure_matrix, problem.wrench)?;
@@ -186,7 +184,7 @@ impl Barrier {
         while !is_inside {
             let Some(&margin) = margins.next() else { break };
             self.narrow.narrow_from(limits, margin);
-            let found = programme.solve(problem.structure_matrix, problem.wrench, &self.narrow, Some(reference))?;
+            let found = qp.solve(problem.structure_matrix, problem.wrench, &self.narrow, Some(reference))?;
             is_inside = found.status == quadratic::Status::Feasible;
             if is_inside {
                 tensions.copy_from_slice(&found.tensions);
@@ -194,7 +192,7 @@ impl Barrier {
         }
         self.has_last = false;
         if !is_inside {
-            let found = programme.solve(problem.structure_matrix, problem.wrench, limits, Some(reference))?;
+            let found = qp.solve(problem.structure_matrix, problem.wrench, limits, Some(reference))?;
             tensions.copy_from_slice(&found.tensions);
             return Ok(Some(0));
         }

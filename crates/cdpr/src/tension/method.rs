@@ -19,7 +19,7 @@ pub enum Method {
     ClosedForm,
     /// The closed form, with the cable that breaks its limit most put on it, again and again (`improved_closed_form`).
     ImprovedClosedForm,
-    /// The first point within the limits on the way from the shortest tensions to the improved closed form (`puncture`).
+    /// The first point within the limits on the way from the minimum-norm tensions to the improved closed form (`puncture`).
     Puncture,
     /// Alternating projections on balance and limits (`dykstra`).
     Dykstra,

@@ -2,7 +2,7 @@
 //!
 //! min ‖S (Aᵀ f + w)‖ with f_min ≤ f ≤ f_max, where S divides moments by a length (see [`super::Options::lengths`]): least
 //! squares with bounded unknowns (Stark and Parker 1995). Cables start at their limits; the one whose release shrinks
-//! the rest fastest is set free, the free ones are solved for by orthogonal columns, and those that run into a limit stay
+//! the residual fastest is set free, the free ones are solved for by orthogonal columns, and those that run into a limit stay
 //! there, until no cable has anything to gain. The wrench is unique and follows the load continuously; of the tensions that give it,
 //! those nearest to the reference are taken by the quadratic programme. Where the load can be balanced, the answer is that
 //! programme's.
@@ -33,7 +33,7 @@ pub(super) struct Search {
     dof: usize,
     /// S Aᵀ by columns, and what is left of the load: S (Aᵀ f + w).
     matrix: DMatrix<f64>,
-    rest: Vec<f64>,
+    residual: Vec<f64>,
     places: Vec<Place>,
     /// Cables that are free, in the order of their orthogonal columns Q, and R by columns of n.
     free: Vec<usize>,
@@ -49,7 +49,7 @@ impl Search {
         Self {
             dof,
             matrix: DMatrix::zeros(dof, cable_count),
-            rest: vec![0.0; dof],
+            residual: vec![0.0; dof],
             places: vec![Place::Least; cable_count],
             free: Vec::with_capacity(dof),
             orthogonal: vec![0.0; dof * dof],
@@ -100,20 +100,20 @@ impl Search {
     }
 
     fn write_rest(&mut self, wrench: &[f64], scale: &impl Fn(usize) -> f64, tensions: &[f64]) {
-        self.rest.iter_mut().zip(wrench).enumerate().for_each(|(row, (rest, w))| *rest = scale(row) * w);
+        self.residual.iter_mut().zip(wrench).enumerate().for_each(|(row, (residual, w))| *residual = scale(row) * w);
         for (column, f) in self.matrix.as_slice().chunks_exact(self.dof).zip(tensions) {
-            add_scaled(&mut self.rest, *f, column);
+            add_scaled(&mut self.residual, *f, column);
         }
     }
 
-    /// The cable at a limit whose way inside shrinks the rest fastest, per newton of its pull.
+    /// The cable at a limit whose way inside shrinks the residual fastest, per newton of its pull.
     fn most_gaining(&self, size: f64) -> Option<usize> {
         let (mut best, mut found) = (1e-10 * size, None);
         for (cable, column) in self.matrix.as_slice().chunks_exact(self.dof).enumerate() {
             let gain = match self.places[cable] {
                 Place::Free => continue,
-                Place::Least => -dot(column, &self.rest),
-                Place::Largest => dot(column, &self.rest),
+                Place::Least => -dot(column, &self.residual),
+                Place::Largest => dot(column, &self.residual),
             } / dot(column, column).sqrt();
             if gain > best && !self.barred[cable] {
                 (best, found) = (gain, Some(cable));
@@ -136,8 +136,8 @@ impl Search {
     /// Writes column `count` of Q and R, by two passes of Gram and Schmidt.
     fn orthogonalize(&mut self, cable: usize, count: usize) -> bool {
         let dof = self.dof;
-        let (done, rest) = self.orthogonal.split_at_mut(count * dof);
-        let column = &mut rest[..dof];
+        let (done, residual) = self.orthogonal.split_at_mut(count * dof);
+        let column = &mut residual[..dof];
         column.copy_from_slice(&self.matrix.as_slice()[cable * dof..][..dof]);
         let whole = dot(column, column).sqrt();
         let entries = &mut self.triangle[count * dof..][..dof];
@@ -192,11 +192,11 @@ impl Search {
         }
     }
 
-    /// The change of the free tensions that leaves least of the rest: R step = −Qᵀ rest.
+    /// The change of the free tensions that leaves least of the residual: R step = −Qᵀ residual.
     fn write_step(&mut self) {
         let (dof, count) = (self.dof, self.free.len());
         for place in (0..count).rev() {
-            let mut sum = -dot(&self.orthogonal[place * dof..][..dof], &self.rest);
+            let mut sum = -dot(&self.orthogonal[place * dof..][..dof], &self.residual);
             for later in place + 1..count {
                 sum -= self.triangle[later * dof + place] * self.step[later];
             }

@@ -47,7 +47,7 @@ pub(super) enum End {
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     end: End,
-    programme: quadratic::Solver,
+    qp: quadratic::Solver,
     matrix: DMatrix<f64>,
     limits: Limits,
     reference: Vec<f64>,
@@ -59,7 +59,7 @@ impl Search {
     pub(super) fn new(end: End, cable_count: usize, dof: usize) -> Self {
         Self {
             end,
-            programme: quadratic::Solver::new(cable_count, dof),
+            qp: quadratic::Solver::new(cable_count, dof),
             matrix: DMatrix::zeros(dof, cable_count),
             limits: Limits::zero(cable_count),
             reference: vec![0.0; cable_count],
@@ -69,7 +69,7 @@ impl Search {
     }
 
     pub(super) fn forget(&mut self) {
-        self.programme.forget();
+        self.qp.forget();
     }
 
     /// Where the norm is zero.
@@ -94,7 +94,7 @@ impl Search {
         for cable in 0..tensions.len() {
             self.reference[cable] = self.target(limits, cable);
         }
-        let found = self.programme.solve(problem.structure_matrix, problem.wrench, limits, Some(&self.reference))?;
+        let found = self.qp.solve(problem.structure_matrix, problem.wrench, limits, Some(&self.reference))?;
         if found.status != Status::Feasible {
             return Ok(None);
         }
@@ -124,8 +124,7 @@ impl Search {
             // edges along which the sum hardly changes take a long way; more would be lost in rounding
             factor = f64::min(4.0 * factor, 1e5);
             self.reference.iter_mut().zip(tensions.iter()).for_each(|(reference, f)| *reference = f + away);
-            let found =
-                self.programme.solve(problem.structure_matrix, problem.wrench, limits, Some(&self.reference))?;
+            let found = self.qp.solve(problem.structure_matrix, problem.wrench, limits, Some(&self.reference))?;
             if found.status != Status::Feasible {
                 return Ok(None);
             }
@@ -183,7 +182,7 @@ impl Search {
         }
         self.limits.scale_from(limits, &self.weights);
         // the columns are other ones at every step: the limits that were active last time are a start like any other
-        let found = self.programme.solve(&self.matrix, problem.wrench, &self.limits, Some(&self.reference))?;
+        let found = self.qp.solve(&self.matrix, problem.wrench, &self.limits, Some(&self.reference))?;
         if found.status != Status::Feasible {
             return Ok(false);
         }

@@ -28,7 +28,7 @@ use super::{InputError, Limits, Method, Options, quadratic};
 #[derive(Clone, Debug)]
 pub struct Solver {
     dof: usize,
-    programme: quadratic::Solver,
+    qp: quadratic::Solver,
     reference: Vec<f64>,
     memory: Memory,
     answer: Answer,
@@ -53,7 +53,7 @@ impl Solver {
     pub fn new(method: Method, cable_count: usize, dof: usize) -> Self {
         Self {
             dof,
-            programme: quadratic::Solver::new(cable_count, dof),
+            qp: quadratic::Solver::new(cable_count, dof),
             reference: vec![0.0; cable_count],
             memory: Memory::new(method, cable_count, dof),
             answer: Answer::new(method, cable_count, dof, Limits::zero(cable_count)),
@@ -62,7 +62,7 @@ impl Solver {
 
     /// Forgets the last problem: the next answer does not depend on it, to the last bit.
     pub fn forget(&mut self) {
-        self.programme.forget();
+        self.qp.forget();
         self.memory.forget();
     }
 
@@ -113,12 +113,12 @@ impl Solver {
     }
 
     fn search(&mut self, problem: &Problem<'_>, options: &Options<'_>) -> Result<(), InputError> {
-        let Self { programme, reference, memory, answer, .. } = self;
+        let Self { qp, reference, memory, answer, .. } = self;
         if memory.search(problem, reference, answer)? {
             answer.status = Status::Feasible;
             return Ok(());
         }
-        let found = programme.solve(problem.structure_matrix, problem.wrench, &answer.limits, Some(reference))?;
+        let found = qp.solve(problem.structure_matrix, problem.wrench, &answer.limits, Some(reference))?;
         answer.iterations = answer.iterations.max(found.iterations);
         let is_exact = answer.method.is_exact();
         answer.status = match found.status {
@@ -133,7 +133,7 @@ impl Solver {
         if let Some(certificate) = found.certificate() {
             answer.certificate.copy_from(certificate);
         }
-        memory.search_on(problem, options, reference, programme, answer)
+        memory.search_on(problem, options, reference, qp, answer)
     }
 
     /// Whether an infeasible problem is feasible without the rates.
@@ -144,7 +144,7 @@ impl Solver {
         options: &Options<'_>,
     ) -> Result<(), InputError> {
         if self.answer.status == Status::Infeasible && options.rates.is_some() {
-            let free = self.programme.solve(problem.structure_matrix, problem.wrench, limits, None)?;
+            let free = self.qp.solve(problem.structure_matrix, problem.wrench, limits, None)?;
             self.answer.rates_are_the_reason = free.status == quadratic::Status::Feasible;
         }
         Ok(())

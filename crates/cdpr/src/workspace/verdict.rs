@@ -23,7 +23,7 @@ impl Verdict {
         Self { margin: margin.min(-f64::MIN_POSITIVE), reason: Some(reason.into()), cable }
     }
 
-    /// The criterion has no meaning at the pose, so that it fails whatever would be changed: no course of a cable, say.
+    /// The criterion has no meaning at the pose, so that it fails whatever would be changed: no path of a cable, say.
     pub fn impossible(reason: impl Into<String>, cable: Option<usize>) -> Self {
         Self::failed(f64::NEG_INFINITY, reason, cable)
     }

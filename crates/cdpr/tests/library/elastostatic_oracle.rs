@@ -100,11 +100,11 @@ impl Whole<'_> {
             let mut balance = Vector6::from_fn(|k, _| self.value(7 * CABLES + k));
             for cable in 0..CABLES {
                 let tension = self.value(first + 6 + cable);
-                let lever = pose.rotation * self.vector(3 * CABLES + 3 * cable);
-                let cable_vector = self.vector(3 * cable) - pose.position - lever;
+                let moment_arm = pose.rotation * self.vector(3 * CABLES + 3 * cable);
+                let cable_vector = self.vector(3 * cable) - pose.position - moment_arm;
                 let length = cable_vector.norm();
                 let force = cable_vector * (tension / length);
-                let moment = lever.cross(&force);
+                let moment = moment_arm.cross(&force);
                 balance += Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
                 let row = sample * CABLES + cable;
                 rows.push((tension - self.samples.tensions.as_ref().unwrap()[row]) / SIGMAS.tension.unwrap());

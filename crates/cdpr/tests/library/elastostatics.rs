@@ -65,8 +65,8 @@ fn tally(robot: &Robot, composition: Composition, limits: [f64; 2]) -> Tally {
         };
         let lengths: Vec<f64> = (0..model.cable_count())
             .map(|cable| {
-                let (course, _) = model.course(cable, &pose).unwrap();
-                model.elasticity(cable).controlled_length(course.length, expected[cable])
+                let (path, _) = model.path(cable, &pose).unwrap();
+                model.elasticity(cable).controlled_length(path.length, expected[cable])
             })
             .collect();
         let guess = displaced(&pose, 0.1 * scale, 3_f64.to_radians(), &mut rng);
@@ -171,8 +171,8 @@ fn tensions_follow_from_the_law_and_balance_the_load() {
         let solution = solve(&model, &lengths, &load, &pose, &Settings::default()).unwrap();
         assert_eq!(solution.status, Status::Converged, "{:?}", solution.reason);
         for cable in 0..8 {
-            let (course, _) = model.course(cable, &solution.pose).unwrap();
-            let tension = model.elasticity(cable).tension(course.length, lengths[cable]).value.max(0.0);
+            let (path, _) = model.path(cable, &solution.pose).unwrap();
+            let tension = model.elasticity(cable).tension(path.length, lengths[cable]).value.max(0.0);
             assert!((solution.tensions[cable] - tension).abs() < 1e-7); // 1e-15 m over 1e-6 m/N
         }
         assert_eq!(solution.slack, solution.tensions.iter().filter(|f| **f == 0.0).count());
@@ -231,7 +231,7 @@ fn relaxed(model: &Model, lengths: &[f64], load: &Load, start: &Pose) -> Pose {
     for _ in 0..200_000 {
         let tensions: Vec<f64> = (0..model.cable_count())
             .map(|cable| {
-                let length = model.course(cable, &pose).unwrap().0.length;
+                let length = model.path(cable, &pose).unwrap().0.length;
                 model.elasticity(cable).tension(length, lengths[cable]).value.max(0.0)
             })
             .collect();
@@ -412,7 +412,7 @@ impl RandomRobots {
 /// Wrench out of balance beside the forces at work, by the public formulas.
 fn imbalance(model: &Model, lengths: &[f64], load: &Load, pose: &Pose) -> f64 {
     let tension = |cable: usize| {
-        let length = model.course(cable, pose).unwrap().0.length;
+        let length = model.path(cable, pose).unwrap().0.length;
         model.elasticity(cable).tension(length, lengths[cable]).value.max(0.0)
     };
     let tensions: Vec<f64> = (0..model.cable_count()).map(tension).collect();

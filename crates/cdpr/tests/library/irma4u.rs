@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::candidate::parse_list;
 use cdpr::identification::fit::{self, Status};
-use cdpr::identification::selection::{self, Criterion};
+use cdpr::identification::selection::{self, SelectionCriterion};
 use cdpr::identification::standard_error;
 use cdpr::measurement::{Samples, SensorSigmas, Split};
 use cdpr::model::{Composition, Model};
@@ -272,7 +272,7 @@ fn no_model_of_the_swinging_platform_has_an_error_of_zero() {
         let settings = selection::Settings { criterion, ..selection::Settings::default() };
         selection::select(robot, &candidates, &samples, &folds, &settings, &|| {}).unwrap()
     };
-    let under_load = select(&robot, Criterion::Position);
+    let under_load = select(&robot, SelectionCriterion::Position);
     for candidate in &under_load.candidates {
         let judgement = candidate.outcome.as_ref().unwrap();
         let (value, blocks) = (1e3 * judgement.criterion, &judgement.validation);
@@ -283,10 +283,10 @@ fn no_model_of_the_swinging_platform_has_an_error_of_zero() {
     println!("{}", under_load.reason);
     let mut weightless = robot.clone();
     weightless.platform.mass = None;
-    let unknown = select(&weightless, Criterion::Position);
+    let unknown = select(&weightless, SelectionCriterion::Position);
     assert_eq!((unknown.best, unknown.recommended), (None, None), "{}", unknown.reason);
     println!("{}", unknown.reason);
-    let by_lengths = select(&weightless, Criterion::Length);
+    let by_lengths = select(&weightless, SelectionCriterion::Length);
     let best = by_lengths.candidates[by_lengths.recommended.unwrap()].outcome.as_ref().unwrap();
     println!("by lengths {:.3} mm: {}", 1e3 * best.criterion, by_lengths.reason);
     assert!(best.criterion < 2e-3 && best.validation.position_error_m.mean.is_nan());

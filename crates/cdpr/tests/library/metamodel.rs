@@ -213,7 +213,7 @@ fn recorded_lengths_and_tensions_are_those_of_the_machine() {
         for cable in 0..8 {
             assert_eq!(tensions[8 * sample + cable], machine.recorded_tension(cable, real[cable]));
             let recorded = machine.controlled_length(cable, exact.samples.lengths_of(sample)[cable] + offsets[cable]);
-            // a slack cable is longer than its course
+            // a slack cable is longer than its path
             let difference = recorded - explained[cable];
             assert!(difference.abs() < 1e-9 || (real[cable] == 0.0 && difference > 0.0), "{difference}");
         }

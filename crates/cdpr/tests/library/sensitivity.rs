@@ -2,7 +2,7 @@
 
 use super::support::{builtin, random_poses, simulator, with_drums, with_pulleys};
 use cdpr::geometry::Pose;
-use cdpr::metamodel::sensitivity::{Cause, Kind, Offsets, Sensitivity, Setting, Side};
+use cdpr::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, Sensitivity, Setting, Side};
 use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};
 use cdpr::metamodel::{Control, Operation, Outcome, Status, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, Model};
@@ -50,7 +50,7 @@ impl Case {
     }
 
     /// What emerges at every pose with a deviation, by the exact forward problem, along the path if there is one.
-    fn exact(&self, rule: Offsets, cause: &Cause, by: f64) -> Vec<Outcome> {
+    fn exact(&self, rule: Offsets, cause: &ParameterDeviation, by: f64) -> Vec<Outcome> {
         let deviating = |side: Side, model: &Model| {
             let mut robot = model.robot().clone();
             if cause.side == side {

@@ -2,7 +2,7 @@
 
 use super::support::{builtin, random_poses, simulator, with_pulleys};
 use cdpr::geometry::Pose;
-use cdpr::metamodel::sensitivity::{Cause, Kind, Offsets, PoseSensitivity, Sensitivity, Setting, Side};
+use cdpr::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Sensitivity, Setting, Side};
 use cdpr::metamodel::study::{CommandedPose, Distribution, Initial, Shortening, TensionMethod};
 use cdpr::metamodel::tolerance::{Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo};
 use cdpr::metamodel::winch_offsets;
@@ -18,7 +18,7 @@ struct Subject {
     offsets: Vec<f64>,
     commanded: Vec<CommandedPose>,
     nominal: Vec<PoseSensitivity>,
-    causes: Vec<Cause>,
+    causes: Vec<ParameterDeviation>,
 }
 
 fn initial(tensions: Option<Vec<f64>>, tension_method: Option<TensionMethod>) -> Initial {
@@ -68,7 +68,7 @@ impl Subject {
 
     /// A standard deviation for each unit.
     fn sigmas(&self, length: f64) -> Vec<f64> {
-        let sigma = |cause: &Cause| match cause.kind.unit() {
+        let sigma = |cause: &ParameterDeviation| match cause.kind.unit() {
             "m" => length,
             "1" => length,
             "kg" => 1e3 * length,
@@ -164,7 +164,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
     let (accuracy, coverage) = (0.3, 2.0);
     let is_named = |side: Side, kind: Kind| side == Side::Machine && kind != Kind::Parameter(ParameterKind::Force);
     let found = allowed(&subject.causes, &subject.nominal, &errors, (accuracy, coverage), &is_named, translations);
-    let left = |sigma: &dyn Fn(&Cause) -> f64, is_worst: bool| {
+    let left = |sigma: &dyn Fn(&ParameterDeviation) -> f64, is_worst: bool| {
         let sigmas: Vec<f64> = subject.causes.iter().map(sigma).collect();
         let spread = Spread::of(&subject.nominal, &errors, &sigmas, 1.0, translations);
         let ways = if is_worst { spread.worst_case } else { spread.deviation.iter().map(|s| coverage * s).collect() };
@@ -172,7 +172,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
         left.fold(f64::INFINITY, f64::min)
     };
     for kind in &found.kinds {
-        let of = |cause: &Cause| (cause.side, cause.kind) == (kind.side, kind.kind);
+        let of = |cause: &ParameterDeviation| (cause.side, cause.kind) == (kind.side, kind.kind);
         for (tolerance, is_worst) in [(kind.alone, false), (kind.alone_worst_case, true)] {
             let rest = left(&|cause| if of(cause) { tolerance } else { 0.0 }, is_worst);
             // rounding of sums
@@ -181,7 +181,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
         assert_eq!(kind.joint.is_some(), is_named(kind.side, kind.kind), "{kind:?}");
     }
     for is_worst in [false, true] {
-        let joint = |cause: &Cause| {
+        let joint = |cause: &ParameterDeviation| {
             let own = found.kinds.iter().find(|kind| (kind.side, kind.kind) == (cause.side, cause.kind)).unwrap();
             (if is_worst { own.joint_worst_case } else { own.joint }).unwrap_or(0.0)
         };

@@ -48,7 +48,7 @@ fn assert_equilibrium(model: &Model, load: &Load, lengths: &[f64], solution: &So
     let residual = wrench_residual(model, &solution.pose, &solution.tensions, load).unwrap();
     assert!(residual.amax() < 1e-6, "{residual}");
     for cable in 0..model.cable_count() {
-        let excess = model.course(cable, &solution.pose).unwrap().0.length - lengths[cable];
+        let excess = model.path(cable, &solution.pose).unwrap().0.length - lengths[cable];
         let tension = solution.tensions[cable];
         assert!(tension >= 0.0 && excess <= 1e-9, "cable {cable}: {tension} N, {excess} m too long");
         assert!(tension == 0.0 || excess.abs() <= 1e-9, "cable {cable}: {tension} N though {excess} m too short");

@@ -9,7 +9,7 @@ use cdpr::nalgebra::{UnitQuaternion, Vector3};
 use cdpr::robot::{Obstacle, ObstacleShape};
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
-use cdpr::workspace::criterion::{All, LengthLimits, PlatformOffObstacles, WrenchClosure, WrenchFeasible};
+use cdpr::workspace::criterion::{All, LengthLimits, PlatformObstacles, WrenchClosure, WrenchFeasible};
 use cdpr::workspace::grid::{Count, Grid, Outcome};
 use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::{Archetype, Bounds, Cells, Criterion, Region, Verdict, hull, octree};
@@ -128,7 +128,7 @@ fn rays_in_closed_form_end_where_bisected_ones_do() {
     robot.obstacles = vec![Obstacle { name: "crate".to_owned(), shape }];
     let model = Model::new(robot, Composition::STANDARD).unwrap();
     let lengths = || Box::new(LengthLimits::new(&model, Some(2.0), Some(9.5)).unwrap()) as Box<dyn Criterion>;
-    let platform = || Box::new(PlatformOffObstacles::new(&model, 0.0).unwrap()) as Box<dyn Criterion>;
+    let platform = || Box::new(PlatformObstacles::new(&model, 0.0).unwrap()) as Box<dyn Criterion>;
     let all = All::new(vec![lengths(), platform()]).unwrap();
     let bounds = Bounds::around(&model).unwrap();
     let closure = WrenchClosure::new(&model).unwrap();

@@ -2,7 +2,7 @@
 
 use cdpr::identification::Candidate;
 use cdpr::identification::fit;
-use cdpr::identification::selection::{Criterion, Settings, select};
+use cdpr::identification::selection::{SelectionCriterion, Settings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::FreeParameters;
 
@@ -66,7 +66,7 @@ pub(super) fn page(
         data_name: &name,
         validation_name: validation.as_deref().unwrap_or("none: all figures are of the data of the fit"),
         selection: &selection,
-        criterion: Criterion::default(),
+        criterion: SelectionCriterion::default(),
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
         warnings,

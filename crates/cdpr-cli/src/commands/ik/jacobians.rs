@@ -19,7 +19,7 @@ pub(super) struct Jacobians {
     /// Nothing for platforms whose turns are their angles.
     #[serde(skip_serializing_if = "Option::is_none")]
     angles: Option<AngleJacobian>,
-    /// Null for cables without a unique course, and for all that hang.
+    /// Null for cables without a unique path, and for all that hang.
     cables: Vec<Option<CableJacobians>>,
     /// Tells of cables that hang.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -4,7 +4,7 @@ use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
-use cdpr::workspace::criterion::registry::{self, Setting, Wanted};
+use cdpr::workspace::criterion::registry::{self, CriterionRequest, Setting};
 use cdpr::workspace::hull::{self, Center};
 use cdpr::workspace::refine::Goal;
 use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError};
@@ -63,7 +63,7 @@ impl<'a> Question<'a> {
         Ok(Self { model, archetype, bounds, step, goal, rays, tolerance, method, setting, criteria, given })
     }
 
-    pub(super) fn criterion(&self, wanted: &[Wanted]) -> Result<Box<dyn Criterion + 'a>, Failure> {
+    pub(super) fn criterion(&self, wanted: &[CriterionRequest]) -> Result<Box<dyn Criterion + 'a>, Failure> {
         registry::all(wanted, &self.setting).map_err(|error| {
             let source = match error {
                 WorkspaceError::Limits(_)

@@ -1,7 +1,7 @@
-//! Lengths of a cable with a tension on its course: what its winch is told.
+//! Lengths of a cable with a tension on its path: what its winch is told.
 
 use super::{CableLaw, Kind};
-use crate::cable::course::Course;
+use crate::cable::path::CablePath;
 use crate::cable::state::{CableInput, CableStateError};
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::wrench::CableEnd;
@@ -40,38 +40,38 @@ impl CableLaw {
     #[inline(always)]
     pub(crate) fn lengths_on(
         &self,
-        course: &Course<f64>,
+        path: &CablePath<f64>,
         end: &CableEnd<f64>,
         (tension, input): (f64, impl FnOnce(f64) -> CableInput),
         memory: Option<&Memory>,
     ) -> Result<CableLengths, CableStateError> {
-        let of_course = |controlled_length: f64| CableLengths {
-            length: course.length,
+        let of_path = |controlled_length: f64| CableLengths {
+            length: path.length,
             controlled_length,
-            direction: course.direction,
-            wrap_angle: course.wrap_angle,
+            direction: path.direction,
+            wrap_angle: path.wrap_angle,
             outlet_tension: tension,
             platform_tension: None,
         };
-        match self.closed_length(course.length, tension) {
-            Some(length) if length > 0.0 || tension.is_nan() => Ok(of_course(length)),
+        match self.closed_length(path.length, tension) {
+            Some(length) if length > 0.0 || tension.is_nan() => Ok(of_path(length)),
             Some(_) => Err(CableStateError::Overstretched { tension }),
-            None if tension.is_nan() => Ok(of_course(f64::NAN)),
-            None => self.solved_lengths(course, end, input(tension), memory),
+            None if tension.is_nan() => Ok(of_path(f64::NAN)),
+            None => self.solved_lengths(path, end, input(tension), memory),
         }
     }
 
     #[inline(never)]
     fn solved_lengths(
         &self,
-        course: &Course<f64>,
+        path: &CablePath<f64>,
         end: &CableEnd<f64>,
         input: CableInput,
         memory: Option<&Memory>,
     ) -> Result<CableLengths, CableStateError> {
         let state = match memory {
-            Some(memory) => self.with_memory(memory).state_on(course, end, input, None)?,
-            None => self.state_on(course, end, input, None)?,
+            Some(memory) => self.with_memory(memory).state_on(path, end, input, None)?,
+            None => self.state_on(path, end, input, None)?,
         };
         let state = state.unless_overstretched()?;
         Ok(CableLengths {

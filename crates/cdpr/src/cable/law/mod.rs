@@ -27,9 +27,9 @@ pub(crate) use lengths::CableLengths;
 pub use parameters::{LawChange, LawParameter};
 pub(crate) use straight::unit_spring;
 
-use super::course::Course;
 use super::elasticity::Elasticity;
 use super::outlet::Outlet;
+use super::path::CablePath;
 use super::span::{Shape, State};
 use super::state::{CableInput, CableState, CableStateError, Recording};
 use super::stretch::Stretch;
@@ -59,7 +59,7 @@ pub struct CableLaw {
 /// Formula of a cable law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Straight and rigid: its length is that of its course, whatever its tension.
+    /// Straight and rigid: its length is that of its path, whatever its tension.
     Rigid,
     /// Straight and linear, in closed form, with the basis of its stiffness; without one it is a constant spring.
     Linear(Elasticity<f64>, Option<StiffnessBasis>),
@@ -71,8 +71,8 @@ pub enum Kind {
 
 impl CableLaw {
     /// The straight, rigid cable between the same ends.
-    fn course(&self, platform_anchor: [f64; 3]) -> Course<f64> {
-        self.outlet.course(platform_anchor)
+    fn path(&self, platform_anchor: [f64; 3]) -> CablePath<f64> {
+        self.outlet.path(platform_anchor)
     }
 
     /// The law of the cable once it remembers this; itself where its stretch has no memory.
@@ -94,25 +94,25 @@ impl CableLaw {
         guess: Option<State<f64>>,
     ) -> Result<CableState, CableStateError> {
         let end = end.into();
-        let state = self.state_on(&self.course(end.anchor), &end, input, guess)?;
+        let state = self.state_on(&self.path(end.anchor), &end, input, guess)?;
         match input {
             CableInput::ControlledLength(_) => Ok(state),
             CableInput::OutletTension(_) | CableInput::PlatformTension(_) => state.unless_overstretched(),
         }
     }
 
-    /// [`CableLaw::state_from`] with the course of the straight cable to the end; a tension may leave it a length below zero.
+    /// [`CableLaw::state_from`] with the path of the straight cable to the end; a tension may leave it a length below zero.
     #[inline]
     pub(crate) fn state_on(
         &self,
-        course: &Course<f64>,
+        path: &CablePath<f64>,
         end: &CableEnd<f64>,
         input: CableInput,
         guess: Option<State<f64>>,
     ) -> Result<CableState, CableStateError> {
         match self.kind {
-            Kind::Rigid | Kind::Linear(..) | Kind::Stretching => self.straight_state(course, end, input),
-            Kind::Sagging(shape) => self.sagging_state((shape, course), end, input, guess),
+            Kind::Rigid | Kind::Linear(..) | Kind::Stretching => self.straight_state(path, end, input),
+            Kind::Sagging(shape) => self.sagging_state((shape, path), end, input, guess),
         }
     }
 

@@ -164,6 +164,9 @@ impl Search<'_> {
     }
 }
 
-fn moved(state: &State<f64>, step: &[f64; 4], share: f64) -> State<f64> {
-    State { force: [0, 1, 2].map(|k| state.force[k] + share * step[k]), length: state.length + share * step[3] }
+fn moved(state: &State<f64>, step: &[f64; 4], step_fraction: f64) -> State<f64> {
+    State {
+        force: [0, 1, 2].map(|k| state.force[k] + step_fraction * step[k]),
+        length: state.length + step_fraction * step[3],
+    }
 }

@@ -33,19 +33,19 @@ impl CableLaw {
         let length_change = |controlled_length| LawChange { pull: [0.0; 3], controlled_length };
         match (self.kind, parameter) {
             (Kind::Sagging(shape), _) => {
-                let course = self.course(state.end.anchor);
-                let side = Self::chord(&course).map_or(1.0, |chord| chord.side);
+                let path = self.path(state.end.anchor);
+                let side = Self::chord(&path).map_or(1.0, |chord| chord.side);
                 let evaluation = self.evaluate(shape, &state.span, side);
                 let (end, length) = self.sagging_change(state, parameter, side);
                 self.held_change(state, &evaluation.by_state, end, length)
             }
             (_, LawParameter::PulleyRadius) => match self.outlet.pulley() {
                 Some(_) => {
-                    let course = self.course(state.end.anchor);
-                    let by_length = self.length(course.length, state.outlet_tension).by_length;
+                    let path = self.path(state.end.anchor);
+                    let by_length = self.length(path.length, state.outlet_tension).by_length;
                     LawChange {
-                        pull: scale(state.outlet_tension, course.direction_by_radius),
-                        controlled_length: by_length * course.length_by_radius,
+                        pull: scale(state.outlet_tension, path.direction_by_radius),
+                        controlled_length: by_length * path.length_by_radius,
                     }
                 }
                 None => length_change(0.0),

@@ -2,7 +2,7 @@
 
 use super::CableLaw;
 use super::sagging::Evaluation;
-use crate::cable::course::Course;
+use crate::cable::path::CablePath;
 use crate::cable::span::{Shape, State};
 use crate::cable::state::{CableInput, CableState, CableStateError};
 use crate::cable::wrench::CableEnd;
@@ -27,24 +27,24 @@ pub(super) struct Chord {
 
 impl CableLaw {
     /// The straight cable between the same ends.
-    pub(super) fn chord(course: &Course<f64>) -> Result<Chord, CableStateError> {
-        if !(course.length.is_finite() && course.free_length > 0.0) {
+    pub(super) fn chord(path: &CablePath<f64>) -> Result<Chord, CableStateError> {
+        if !(path.length.is_finite() && path.free_length > 0.0) {
             return Err(CableStateError::NoCourse);
         }
-        let side = if course.wrap_angle > std::f64::consts::PI { -1.0 } else { 1.0 };
-        let away = scale(-1.0, course.direction);
-        Ok(Chord { away, free_length: course.free_length, length: course.length, side })
+        let side = if path.wrap_angle > std::f64::consts::PI { -1.0 } else { 1.0 };
+        let away = scale(-1.0, path.direction);
+        Ok(Chord { away, free_length: path.free_length, length: path.length, side })
     }
 
     /// The law of a cable with weight, solved.
     pub(super) fn sagging_state(
         &self,
-        (shape, course): (Shape, &Course<f64>),
+        (shape, path): (Shape, &CablePath<f64>),
         end: &CableEnd<f64>,
         known: CableInput,
         guess: Option<State<f64>>,
     ) -> Result<CableState, CableStateError> {
-        let chord = Self::chord(course)?;
+        let chord = Self::chord(path)?;
         self.refuse_impossible(&chord, known)?;
         let mut search = Search { law: self, shape, platform_anchor: end.anchor, chord, steps: 0 };
         let first = guess.unwrap_or_else(|| search.start(known));

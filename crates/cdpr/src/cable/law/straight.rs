@@ -1,8 +1,8 @@
 //! The law of a straight cable: one equation between length, controlled length and tension.
 
 use super::{CableLaw, Kind};
-use crate::cable::course::Course;
 use crate::cable::elasticity::Elasticity;
+use crate::cable::path::CablePath;
 use crate::cable::span;
 use crate::cable::state::{CableInput, CableState, CableStateError, Recording};
 use crate::cable::wrench::CableEnd;
@@ -20,15 +20,15 @@ impl CableLaw {
     #[inline]
     pub(super) fn straight_state(
         &self,
-        course: &Course<f64>,
+        path: &CablePath<f64>,
         end: &CableEnd<f64>,
         input: CableInput,
     ) -> Result<CableState, CableStateError> {
-        if !(course.length.is_finite() && course.free_length > 0.0) {
+        if !(path.length.is_finite() && path.free_length > 0.0) {
             return Err(CableStateError::NoCourse);
         }
-        let q = course.length;
-        let state = |tension: f64, length: &Length| straight(course, end, self.recording, tension, length);
+        let q = path.length;
+        let state = |tension: f64, length: &Length| straight(path, end, self.recording, tension, length);
         match input {
             CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
                 Ok(state(tension, &self.length(q, tension)))
@@ -110,33 +110,33 @@ impl CableLaw {
     }
 }
 
-/// A straight cable on its course with this tension and length.
+/// A straight cable on its path with this tension and length.
 #[inline]
 fn straight(
-    course: &Course<f64>,
+    path: &CablePath<f64>,
     end: &CableEnd<f64>,
     recording: Recording,
     tension: f64,
     length: &Length,
 ) -> CableState {
-    let u = course.direction;
+    let u = path.direction;
     // ∂f/∂q at fixed q_θ, and by q_θ; a slack cable has none, a rigid one no number
     let taut = tension > 0.0;
     let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
     let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
-    let turning = course.direction_gradient.map(|row| scale(tension, row));
+    let turning = path.direction_gradient.map(|row| scale(tension, row));
     CableState {
         end: *end,
         recording,
         is_given_at_platform: false,
-        span: span::State { force: scale(-tension, u), length: course.free_length * length.by_length },
+        span: span::State { force: scale(-tension, u), length: path.free_length * length.by_length },
         controlled_length: length.value,
         pull: scale(tension, u),
         direction: u,
         outlet_tension: tension,
         platform_tension: tension,
-        wrap_angle: course.wrap_angle,
-        strained_length: course.length,
+        wrap_angle: path.wrap_angle,
+        strained_length: path.length,
         // δq = −u·δp_B
         tangent: [0, 1, 2].map(|row| [0, 1, 2].map(|column| turning[row][column] - stiffness * u[row] * u[column])),
         tangent_at_tension: turning,
@@ -147,11 +147,16 @@ fn straight(
     }
 }
 
-/// The straight cable on a course as a spring of 1 N/m with this tension, of any sign: least squares of lengths are the equilibrium of such
+/// The straight cable on a path as a spring of 1 N/m with this tension, of any sign: least squares of lengths are the equilibrium of such
 /// springs (eq. 2.81).
-pub(crate) fn unit_spring(course: &Course<f64>, end: &CableEnd<f64>, recording: Recording, tension: f64) -> CableState {
+pub(crate) fn unit_spring(
+    path: &CablePath<f64>,
+    end: &CableEnd<f64>,
+    recording: Recording,
+    tension: f64,
+) -> CableState {
     const UNIT: Elasticity<f64> = Elasticity { by_length: 0.0, by_controlled_length: 0.0, constant: 1.0 };
-    straight(course, end, recording, tension, &linear(&UNIT, course.length, tension))
+    straight(path, end, recording, tension, &linear(&UNIT, path.length, tension))
 }
 
 #[inline]

@@ -4,7 +4,7 @@
 use super::Outlet;
 use super::pulley::PulleyPlane;
 use crate::cable::CableEnd;
-use crate::cable::course::Course;
+use crate::cable::path::CablePath;
 use crate::cable::wrench::wrench;
 use crate::scalar::{Real, add, cross, dot, scale, sub};
 
@@ -43,45 +43,45 @@ pub struct ContactByPose<T> {
 }
 
 impl<T: Real> Outlet<T> {
-    /// Contact point of the cable on this course to a platform anchor (world, m), with its derivatives; without meaning where the
-    /// course is not finite.
+    /// Contact point of the cable on this path to a platform anchor (world, m), with its derivatives; without meaning where the
+    /// path is not finite.
     #[inline]
-    pub fn contact(&self, platform_anchor: [T; 3], course: &Course<T>) -> Contact<T> {
+    pub fn contact(&self, platform_anchor: [T; 3], path: &CablePath<T>) -> Contact<T> {
         match *self {
             Self::Point { frame_anchor } => {
-                let zero = course.length.constant(0.0);
+                let zero = path.length.constant(0.0);
                 Contact {
                     point: frame_anchor,
                     arc_length: zero,
-                    free_length_by_anchor: scale(zero.constant(-1.0), course.direction),
+                    free_length_by_anchor: scale(zero.constant(-1.0), path.direction),
                     arc_length_by_anchor: [zero; 3],
                     point_by_anchor: [[zero; 3]; 3],
                 }
             }
             Self::Swivel { frame_anchor, swivel_axis, radius } => {
                 let plane = PulleyPlane::swivelling(frame_anchor, swivel_axis, radius, platform_anchor);
-                on_pulley(frame_anchor, radius, &plane, course)
+                on_pulley(frame_anchor, radius, &plane, path)
             }
             Self::Sided { frame_anchor, swivel_axis, side, radius } => {
                 let plane = PulleyPlane::on_side(frame_anchor, swivel_axis, side, platform_anchor);
-                on_pulley(frame_anchor, radius, &plane, course)
+                on_pulley(frame_anchor, radius, &plane, path)
             }
         }
     }
 }
 
-fn on_pulley<T: Real>(entry: [T; 3], radius: T, plane: &PulleyPlane<T>, course: &Course<T>) -> Contact<T> {
-    let (u, minus) = (course.direction, radius.constant(-1.0));
+fn on_pulley<T: Real>(entry: [T; 3], radius: T, plane: &PulleyPlane<T>, path: &CablePath<T>) -> Contact<T> {
+    let (u, minus) = (path.direction, radius.constant(-1.0));
     let PulleyPlane { swivel_axis, radial, turning, .. } = *plane;
     let (cosine, sine) = (-dot(u, swivel_axis), -dot(u, radial));
     let from_axis = radius * (radius.constant(1.0) - cosine); // b_a
     let normal = cross(radial, swivel_axis); // n_M
     let across = cross(normal, u); // û_r
-    let arc_length_by_anchor = scale(radius / course.free_length, across);
+    let arc_length_by_anchor = scale(radius / path.free_length, across);
     let row = |k: usize| sub(scale(turning * from_axis * normal[k], normal), scale(u[k], arc_length_by_anchor));
     Contact {
         point: add(entry, add(scale(from_axis, radial), scale(radius * sine, swivel_axis))),
-        arc_length: radius * course.wrap_angle,
+        arc_length: radius * path.wrap_angle,
         free_length_by_anchor: sub(scale(minus, u), arc_length_by_anchor),
         arc_length_by_anchor,
         point_by_anchor: [row(0), row(1), row(2)],

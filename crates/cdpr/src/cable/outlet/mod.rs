@@ -7,7 +7,7 @@ pub mod pulley;
 
 pub use contact::{Contact, ContactByPose};
 
-use super::course::{Course, DegenerateCourse};
+use super::path::{CablePath, GeometryError};
 use crate::scalar::{LANES, Lanes, Real, dot, scale, sub};
 
 /// Outlet of one cable by numbers T; of several cables, in lanes or as arrays of them.
@@ -99,44 +99,44 @@ impl<T> Outlet<T> {
 }
 
 impl<T: Real> Outlet<T> {
-    /// Course of the straight, rigid cable to a platform anchor (world, m); numbers that are not finite where it has none.
+    /// CablePath of the straight, rigid cable to a platform anchor (world, m); numbers that are not finite where it has none.
     #[inline(always)]
-    pub fn course(&self, platform_anchor: [T; 3]) -> Course<T> {
+    pub fn path(&self, platform_anchor: [T; 3]) -> CablePath<T> {
         match *self {
-            Self::Point { frame_anchor } => point::course(frame_anchor, platform_anchor),
+            Self::Point { frame_anchor } => point::path(frame_anchor, platform_anchor),
             Self::Swivel { frame_anchor, swivel_axis, radius } => {
-                pulley::course(frame_anchor, swivel_axis, radius, platform_anchor)
+                pulley::path(frame_anchor, swivel_axis, radius, platform_anchor)
             }
             Self::Sided { frame_anchor, swivel_axis, side, radius } => {
-                pulley::course_on_side(frame_anchor, swivel_axis, side, radius, platform_anchor)
+                pulley::path_on_side(frame_anchor, swivel_axis, side, radius, platform_anchor)
             }
         }
     }
 }
 
 impl Outlet<f64> {
-    /// Why a cable with this course to a platform anchor (world, m) has none; `cable` is its number, from 1.
+    /// Why a cable with this path to a platform anchor (world, m) has none; `cable` is its number, from 1.
     #[inline]
     pub(crate) fn degeneracy(
         &self,
         cable: usize,
         platform_anchor: [f64; 3],
-        course: &Course<f64>,
-    ) -> Option<DegenerateCourse> {
+        path: &CablePath<f64>,
+    ) -> Option<GeometryError> {
         let d = sub(platform_anchor, *self.frame_anchor());
         let distance = dot(d, d).sqrt();
         if !distance.is_finite() {
-            return Some(DegenerateCourse::NotFinite { cable });
+            return Some(GeometryError::NotFinite { cable });
         }
         let radius = match *self {
             Self::Point { .. } => {
                 // one may round to zero where the other does not
-                let is_zero = distance == 0.0 || !(course.length > 0.0);
-                return is_zero.then_some(DegenerateCourse::ZeroLength { cable });
+                let is_zero = distance == 0.0 || !(path.length > 0.0);
+                return is_zero.then_some(GeometryError::ZeroLength { cable });
             }
             Self::Sided { swivel_axis, side, radius, .. } => {
                 if dot(side, d) < 0.0 && dot(swivel_axis, d) > 0.0 {
-                    return Some(DegenerateCourse::OpenSide { cable });
+                    return Some(GeometryError::OpenSide { cable });
                 }
                 radius
             }
@@ -144,15 +144,15 @@ impl Outlet<f64> {
                 let across = sub(d, scale(dot(swivel_axis, d), swivel_axis));
                 // nearer than rounding can tell a side of the axis
                 if radius > 0.0 && dot(across, across).sqrt() <= pulley::ON_AXIS * (distance + radius) {
-                    return Some(DegenerateCourse::OnSwivelAxis { cable });
+                    return Some(GeometryError::OnSwivelAxis { cable });
                 }
                 radius
             }
         };
-        match course.length.is_finite() && course.free_length > 0.0 {
+        match path.length.is_finite() && path.free_length > 0.0 {
             true => None,
-            false if radius == 0.0 => Some(DegenerateCourse::ZeroLength { cable }),
-            false => Some(DegenerateCourse::InsidePulley { cable, radius }),
+            false if radius == 0.0 => Some(GeometryError::ZeroLength { cable }),
+            false => Some(GeometryError::InsidePulley { cable, radius }),
         }
     }
 }
@@ -164,14 +164,14 @@ const LONGEST: f64 = 1e100;
 const CLEAR: f64 = 1e-6;
 
 impl<L: Lanes> Outlet<L> {
-    /// 0 where a course exists for sure, 1 where [`Outlet::degeneracy`] of the single cable must say whether it does.
+    /// 0 where a path exists for sure, 1 where [`Outlet::degeneracy`] of the single cable must say whether it does.
     #[inline(always)]
-    pub(crate) fn needs_scalar(&self, platform_anchor: [L; 3], course: &Course<L>) -> L {
-        let l = course.length;
+    pub(crate) fn needs_scalar(&self, platform_anchor: [L; 3], path: &CablePath<L>) -> L {
+        let l = path.length;
         let (zero, one) = (l.constant(0.0), l.constant(1.0));
         let is_clear = |least: L, distance: L| zero.select(least.is_less(distance), one);
         // the outlet computes the same, which costs nothing twice
-        let doubt = match *self {
+        let needs_scalar = match *self {
             Self::Point { .. } => zero,
             Self::Swivel { frame_anchor, swivel_axis, radius } => {
                 let d = sub(platform_anchor, frame_anchor);
@@ -185,8 +185,8 @@ impl<L: Lanes> Outlet<L> {
             }
         };
         // NaN is neither
-        let doubt = doubt.select(l.constant(SHORTEST).is_less(course.free_length), one);
-        doubt.select(course.length.is_less(l.constant(LONGEST)), one)
+        let needs_scalar = needs_scalar.select(l.constant(SHORTEST).is_less(path.free_length), one);
+        needs_scalar.select(path.length.is_less(l.constant(LONGEST)), one)
     }
 }
 

@@ -1,11 +1,11 @@
 //! Point outlet: the cable runs straight from the frame anchor (standard model, eq. 2.5–2.8).
 
-use crate::cable::course::{Course, normalized};
+use crate::cable::path::{CablePath, normalized};
 use crate::scalar::{Real, sub};
 
-/// Course from the frame anchor a to the platform anchor p_B (both world, m).
+/// CablePath from the frame anchor a to the platform anchor p_B (both world, m).
 #[inline(always)]
-pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<T> {
+pub fn path<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> CablePath<T> {
     let (u, q) = normalized(sub(frame_anchor, platform_anchor));
     let zero = q.constant(0.0);
     let inverse = q.constant(1.0) / q;
@@ -16,7 +16,7 @@ pub fn course<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> Course<
             direction_gradient[row][column] = (u[row] * u[column] - identity) * inverse;
         }
     }
-    Course {
+    CablePath {
         length: q,
         free_length: q,
         direction: u,

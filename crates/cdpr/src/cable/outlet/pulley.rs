@@ -3,7 +3,7 @@
 
 use thiserror::Error;
 
-use crate::cable::course::{Course, normalized};
+use crate::cable::path::{CablePath, normalized};
 use crate::scalar::{Real, add, cross, dot, scale, sub};
 
 /// Added under the root of the distance from the swivel axis: too small to change any bit of a distance above 1e-142 m,
@@ -48,39 +48,39 @@ impl<T: Real> PulleyPlane<T> {
     }
 }
 
-/// Course over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
+/// CablePath over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
 ///
 /// x_A points from the axis to the platform anchor. Inside the pulley (b_M < r_p) the result is NaN.
 #[inline(always)]
-pub fn course<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> Course<T> {
-    course_in_plane(PulleyPlane::swivelling(entry, swivel_axis, radius, platform_anchor), radius)
+pub fn path<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anchor: [T; 3]) -> CablePath<T> {
+    path_in_plane(PulleyPlane::swivelling(entry, swivel_axis, radius, platform_anchor), radius)
 }
 
-/// Course over a pulley that does not swivel: its centre stands at D + r_p x_A, with the unit vector x_A = `side` (world).
+/// CablePath over a pulley that does not swivel: its centre stands at D + r_p x_A, with the unit vector x_A = `side` (world).
 ///
 /// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the cable would
 /// lift off, the result is NaN.
 #[inline(always)]
-pub fn course_on_side<T: Real>(
+pub fn path_on_side<T: Real>(
     entry: [T; 3],
     swivel_axis: [T; 3],
     side: [T; 3],
     radius: T,
     platform_anchor: [T; 3],
-) -> Course<T> {
+) -> CablePath<T> {
     let plane = PulleyPlane::on_side(entry, swivel_axis, side, platform_anchor);
     // a case without a branch: NaN in the last quadrant, else 0
     let open_side =
         radius.constant(0.0) * (radius.constant(1.5 * std::f64::consts::PI) - plane.b_xy.full_angle(plane.b_z)).sqrt();
-    let mut course = course_in_plane(plane, radius);
-    course.length = course.length + open_side;
-    course
+    let mut path = path_in_plane(plane, radius);
+    path.length = path.length + open_side;
+    path
 }
 
 /// With h = b_xy − r_p: q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β and
 /// −u = cos β z_A + sin β x_A.
 #[inline(always)]
-fn course_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> Course<T> {
+fn path_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> CablePath<T> {
     let PulleyPlane { swivel_axis, radial, b_z, b_xy, turning } = plane;
     let one = radius.constant(1.0);
     let h = b_xy - radius;
@@ -102,7 +102,7 @@ fn course_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> Course<T> {
             direction_gradient[row][column] = -(swing * bend[row] * bend[column] + swivel * side[row] * side[column]);
         }
     }
-    Course {
+    CablePath {
         length: free_length + radius * wrap_angle,
         free_length,
         direction: add(scale(-cosine, swivel_axis), scale(-sine, radial)),

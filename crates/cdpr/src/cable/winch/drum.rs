@@ -74,7 +74,7 @@ impl DrumLength {
     };
 }
 
-/// The course of a cable between drum and first pulley.
+/// The path of a cable between drum and first pulley.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// Where the cable leaves the drum (world, m).

@@ -43,7 +43,7 @@ impl<T: Select> Normal<T> {
         Self { lower, inverse, has_rank }
     }
 
-    /// Factors of the rows whose sum solves the balance with this rest.
+    /// Factors of the rows whose sum solves the balance with this residual.
     #[inline(always)]
     pub(super) fn solve(&self, mut x: [T; 6]) -> [T; 6] {
         for k in 0..6 {

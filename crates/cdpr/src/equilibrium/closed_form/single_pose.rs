@@ -33,17 +33,17 @@ pub(in crate::equilibrium) struct Found {
 }
 
 impl Kernel for OnePose<'_> {
-    /// `None` leaves it to the general way: a cable may have no course, rows may depend on each other, numbers may not be finite.
+    /// `None` leaves it to the general way: a cable may have no path, rows may depend on each other, numbers may not be finite.
     type Output = Option<Found>;
 
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> Option<Found> {
         let (zero, middle) = (lanes.constant(0.0), lanes.load(self.middle));
-        let (rows, doubt) = self.rows(lanes);
-        let rest = plus(self.wrench, over_cables(&rows, middle));
+        let (rows, needs_scalar) = self.rows(lanes);
+        let residual = plus(self.wrench, over_cables(&rows, middle));
         let normal = Normal::of(products(&rows), self.basis.len());
-        let mut change = move_along(zero, &rows, normal.solve(rest));
-        let left = plus(rest, over_cables(&rows, change));
+        let mut change = move_along(zero, &rows, normal.solve(residual));
+        let left = plus(residual, over_cables(&rows, change));
         change = move_along(change, &rows, normal.solve(left));
         let tensions = middle + change;
         let mut terms = [zero; 6];
@@ -54,22 +54,23 @@ impl Kernel for OnePose<'_> {
         }
         let residual = plus(self.wrench, sums(&terms));
         let sizes = plus(self.wrench.map(f64::abs), sums(&amounts));
-        let is_sure = normal.has_rank == 1.0 && !lanes.any(zero.is_less(doubt)) && sizes.iter().sum::<f64>() < LARGEST;
+        let is_sure =
+            normal.has_rank == 1.0 && !lanes.any(zero.is_less(needs_scalar)) && sizes.iter().sum::<f64>() < LARGEST;
         is_sure.then(|| Found { tensions: tensions.to_array(), residual, sizes })
     }
 }
 
 impl OnePose<'_> {
-    /// Rows of the structure matrix by cables, zeros where a robot has fewer of either; above 0 where a cable may have no course.
+    /// Rows of the structure matrix by cables, zeros where a robot has fewer of either; above 0 where a cable may have no path.
     #[inline(always)]
     fn rows<L: Lanes>(&self, lanes: L) -> ([L; 6], L) {
-        let found = self.cables.checked_courses(lanes, self.position, self.rotation);
-        let mut rows = in_pattern(self.basis, wrench(found.moment_arm, found.course.direction));
+        let found = self.cables.checked_paths(lanes, self.position, self.rotation);
+        let mut rows = in_pattern(self.basis, wrench(found.moment_arm, found.path.direction));
         let weight = lanes.load(&self.cables.weight);
         for k in 0..6 {
             rows[k] = rows[k] * weight;
         }
-        (rows, found.doubt)
+        (rows, found.needs_scalar)
     }
 }
 

@@ -55,16 +55,16 @@ impl Kernel for AtPose<'_> {
         let mut totals = [0.0; TERMS];
         let cables = problem.model.groups().iter().zip(problem.springs).zip(tensions).zip(lengths);
         for (((group, springs), tensions), lengths) in cables {
-            let (course, moment_arm) = group.courses(lanes, position, &rotation);
-            let pull = problem.pull(course.length, group.elasticity(lanes).by_length, springs);
+            let (path, moment_arm) = group.paths(lanes, position, &rotation);
+            let pull = problem.pull(path.length, group.elasticity(lanes).by_length, springs);
             pull.tension.store(tensions);
-            course.length.store(lengths);
+            path.length.store(lengths);
             let zero = lanes.constant(0.0);
             let mut terms = [zero; TERMS];
             terms[0] = pull.energy;
-            force_terms(&mut terms, course.direction, moment_arm, pull.tension);
+            force_terms(&mut terms, path.direction, moment_arm, pull.tension);
             if with_stiffness {
-                stiffness_terms(&mut terms, &course.direction_gradient, course.direction, moment_arm, &pull);
+                stiffness_terms(&mut terms, &path.direction_gradient, path.direction, moment_arm, &pull);
             }
             let count = if with_stiffness { TERMS } else { FORCE_TERMS };
             for first in (0..count).step_by(4) {

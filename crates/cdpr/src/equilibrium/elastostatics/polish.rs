@@ -85,8 +85,8 @@ impl Problem<'_> {
         let state = polish.state?;
         let pushes = state.tensions.iter().any(|&tension| tension < 0.0);
         let too_long = rigid.cables().any(|cable| {
-            let (course, _) = self.model.course_or_nan(cable, &state.pose);
-            !(course.length - rigid.lengths[cable] <= self.settings.length_tolerance)
+            let (path, _) = self.model.path_or_nan(cable, &state.pose);
+            !(path.length - rigid.lengths[cable] <= self.settings.length_tolerance)
         });
         let pull: f64 = state.tensions.iter().sum();
         if pushes || too_long || !(state.residual.norm() <= RESIDUAL * pull.max(1.0)) {
@@ -115,7 +115,7 @@ impl Problem<'_> {
     ) -> Option<State> {
         let mut excess = 0.0_f64;
         for (cable, tension) in tensions.iter_mut().enumerate() {
-            let length = self.model.course(cable, &pose).ok()?.0.length;
+            let length = self.model.path(cable, &pose).ok()?.0.length;
             if !rigid.is_rigid[cable] {
                 *tension = self.model.elasticity(cable).tension(length, rigid.lengths[cable]).value.max(0.0);
             } else if taut.contains(&cable) {
@@ -135,7 +135,7 @@ impl Problem<'_> {
         let mut stiffness = -geometric_stiffness(self.model, &state.pose, &state.tensions).ok()? - by_load;
         let structure_matrix = self.model.structure_matrix(&state.pose).ok()?;
         for cable in (0..rigid.lengths.len()).filter(|&cable| !rigid.is_rigid[cable] && state.tensions[cable] > 0.0) {
-            let length = self.model.course(cable, &state.pose).ok()?.0.length;
+            let length = self.model.path(cable, &state.pose).ok()?.0.length;
             let by_length = self.model.elasticity(cable).tension(length, rigid.lengths[cable]).by_length;
             let column = structure_matrix.column(cable);
             stiffness.ger(by_length, &column, &column, 1.0);
@@ -152,7 +152,7 @@ impl Problem<'_> {
         system.view_mut((0, 0), (n, n)).copy_from(&self.stiffness(rigid, load, state)?);
         right.rows_mut(0, n).copy_from(&state.residual);
         for (index, &cable) in taut.iter().enumerate() {
-            right[n + index] = self.model.course(cable, &state.pose).ok()?.0.length - rigid.lengths[cable];
+            right[n + index] = self.model.path(cable, &state.pose).ok()?.0.length - rigid.lengths[cable];
             for row in 0..n {
                 system[(row, n + index)] = -structure_matrix[(row, cable)];
                 system[(n + index, row)] = structure_matrix[(row, cable)];

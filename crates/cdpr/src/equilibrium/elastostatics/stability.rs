@@ -97,8 +97,8 @@ pub(super) fn beside_rigid_cables(
         false => without(problem, &slack, &end.pose),
     };
     let touches = |cable: &usize| {
-        let (course, _) = problem.model.course_or_nan(*cable, &end.pose);
-        course.length >= rigid.lengths[*cable] - problem.settings.length_tolerance
+        let (path, _) = problem.model.path_or_nan(*cable, &end.pose);
+        path.length >= rigid.lengths[*cable] - problem.settings.length_tolerance
     };
     let touching: Vec<usize> = slack.into_iter().filter(touches).collect();
     // A square matrix, so that the decomposition has all n directions.
@@ -160,7 +160,7 @@ fn blocks_all(columns: &DMatrix<f64>) -> bool {
     balance.is_ok_and(|found| found.status == quadratic::Status::Feasible)
 }
 
-/// The structure matrix, turns as the way at the platform radius; nothing where a cable has no course.
+/// The structure matrix, turns as the way at the platform radius; nothing where a cable has no path.
 fn columns(problem: &Problem<'_>, pose: &Pose) -> Option<DMatrix<f64>> {
     let mut columns = problem.model.structure_matrix(pose).ok()?;
     for (row, mut entries) in columns.row_iter_mut().enumerate() {

@@ -14,7 +14,7 @@ impl Problem<'_> {
         for (cable, residual) in solution.residuals.iter_mut().enumerate() {
             // a pose polished for rigid cables is another than that of the descent
             let length = match rigid.any() {
-                true => self.model.course_or_nan(cable, &best.end.pose).0.length,
+                true => self.model.path_or_nan(cable, &best.end.pose).0.length,
                 false => *residual,
             };
             let tension = solution.tensions[cable];
@@ -51,7 +51,7 @@ impl Problem<'_> {
         let residual = solution.wrench_residual;
         if best.end.stop == Stop::Degenerate {
             let cables = 0..self.model.cable_count();
-            let found = cables.into_iter().find_map(|cable| self.model.course(cable, &best.end.pose).err());
+            let found = cables.into_iter().find_map(|cable| self.model.path(cable, &best.end.pose).err());
             return found.map_or_else(
                 || "the cable lengths cannot be computed at the start".to_owned(),
                 |reason| format!("at the start, {reason}"),
@@ -85,8 +85,7 @@ impl Problem<'_> {
 
     /// Answers that are right and yet hardly meant: cables stretched beyond what they can take.
     fn remark(&self, rigid: &Rigid<'_>, solution: &Solution) -> Option<String> {
-        let strain =
-            |cable: usize| self.model.course_or_nan(cable, &solution.pose).0.length / rigid.lengths[cable] - 1.0;
+        let strain = |cable: usize| self.model.path_or_nan(cable, &solution.pose).0.length / rigid.lengths[cable] - 1.0;
         let strains = (0..rigid.lengths.len()).map(|cable| (cable, strain(cable)));
         let (cable, strain) = strains.fold((0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
         (strain > self.settings.remarkable_strain).then(|| {

@@ -29,7 +29,7 @@ impl<'a> Balance<'a> {
         model.cables().has_fixed_directions() && (model.dof()..=LANES).contains(&model.cable_count())
     }
 
-    /// Fills in the rows of the structure matrix, zeros from row n on; where a cable may have no course the answer is above 0.
+    /// Fills in the rows of the structure matrix, zeros from row n on; where a cable may have no path the answer is above 0.
     /// Columns without a cable are left as they are.
     #[inline(always)]
     pub(in crate::equilibrium) fn fill<L: Lanes>(
@@ -38,23 +38,23 @@ impl<'a> Balance<'a> {
         position: [L; 3],
         rotation: &[[L; 3]; 3],
     ) -> L {
-        let mut doubt = position[0].constant(0.0);
+        let mut needs_scalar = position[0].constant(0.0);
         let cables = &self.model.groups()[0];
         let basis = self.model.twist_basis();
         for cable in 0..self.model.cable_count() {
-            let found = cables.course_in_lanes(cable, position, rotation);
-            let column = in_pattern(basis, wrench(found.moment_arm, found.course.direction));
+            let found = cables.path_in_lanes(cable, position, rotation);
+            let column = in_pattern(basis, wrench(found.moment_arm, found.path.direction));
             for row in 0..6 {
                 rows[row][cable] = column[row];
             }
-            doubt = doubt + found.doubt;
+            needs_scalar = needs_scalar + found.needs_scalar;
         }
-        doubt
+        needs_scalar
     }
 
     /// Aᵀ f_m + w: what the middle of the limits leaves of the load.
     #[inline(always)]
-    pub(in crate::equilibrium) fn rest<L: Lanes>(&self, rotation: &[[L; 3]; 3], rows: &Rows<L>) -> [L; 6] {
+    pub(in crate::equilibrium) fn residual<L: Lanes>(&self, rotation: &[[L; 3]; 3], rows: &Rows<L>) -> [L; 6] {
         let l = rotation[0][0];
         let (weight, center) = self.load.weight();
         let weight = constants(l, (*weight).into());
@@ -63,13 +63,13 @@ impl<'a> Balance<'a> {
         let force = add(constants(l, [constant[0], constant[1], constant[2]]), weight);
         let moment = add(constants(l, [constant[3], constant[4], constant[5]]), cross(center, weight));
         let [[x, y, z], [a, b, c]] = [force, moment];
-        let mut rest = in_pattern(self.model.twist_basis(), [x, y, z, a, b, c]);
+        let mut residual = in_pattern(self.model.twist_basis(), [x, y, z, a, b, c]);
         for cable in 0..self.model.cable_count() {
             let middle = l.constant(self.middle[cable]);
             for row in 0..6 {
-                rest[row] = rest[row] + rows[row][cable] * middle;
+                residual[row] = residual[row] + rows[row][cable] * middle;
             }
         }
-        rest
+        residual
     }
 }

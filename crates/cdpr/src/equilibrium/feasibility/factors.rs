@@ -10,8 +10,8 @@ pub(in crate::equilibrium) type Rows<L> = [[L; LANES]; 6];
 
 /// f = f₀ + H λ solves Aᵀ f + w = 0.
 pub(super) struct Solutions<L> {
-    /// f₀, the shortest solution, per cable (N).
-    pub(super) shortest: [L; LANES],
+    /// f₀, the minimum-norm solution, per cable (N).
+    pub(super) minimum_norm: [L; LANES],
     /// H by columns, orthonormal; the last ones are zero where redundancy is less than 2.
     pub(super) null_space: [[L; LANES]; 2],
     /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
@@ -30,22 +30,27 @@ struct Reflections<'a, L> {
     /// The rows' lengths, squared.
     squares: [L; 6],
     /// What rows not yet reached leave of the load.
-    rest: [L; 6],
-    /// Rᵀ y = −rest, zeros behind.
+    residual: [L; 6],
+    /// Rᵀ y = −residual, zeros behind.
     solution: [L; LANES],
     has_rank: L,
 }
 
-/// [`Solutions`] for these rows, which are lost; `rest` is w. Two directions of the null space at most are found.
+/// [`Solutions`] for these rows, which are lost; `residual` is w. Two directions of the null space at most are found.
 #[inline(always)]
-pub(super) fn solve<L: Lanes>(lanes: L, [dof, cables]: [usize; 2], rows: &mut Rows<L>, rest: [L; 6]) -> Solutions<L> {
+pub(super) fn solve<L: Lanes>(
+    lanes: L,
+    [dof, cables]: [usize; 2],
+    rows: &mut Rows<L>,
+    residual: [L; 6],
+) -> Solutions<L> {
     let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
     let mut squares = [zero; 6];
     for row in 0..dof {
         squares[row] = product::<L, 0>(&rows[row], &rows[row]);
     }
     let (factors, solution) = ([zero; 6], [zero; LANES]);
-    let mut reflections = Reflections { dof, rows, factors, squares, rest, solution, has_rank: one };
+    let mut reflections = Reflections { dof, rows, factors, squares, residual, solution, has_rank: one };
     reflections.find::<0>();
     reflections.find::<1>();
     reflections.find::<2>();
@@ -64,8 +69,8 @@ pub(super) fn solve<L: Lanes>(lanes: L, [dof, cables]: [usize; 2], rows: &mut Ro
     reflections.apply::<2>(found);
     reflections.apply::<1>(found);
     reflections.apply::<0>(found);
-    let [shortest, first, second] = vectors;
-    Solutions { shortest, null_space: [first, second], has_rank: reflections.has_rank }
+    let [minimum_norm, first, second] = vectors;
+    Solutions { minimum_norm, null_space: [first, second], has_rank: reflections.has_rank }
 }
 
 impl<L: Lanes> Reflections<'_, L> {
@@ -89,12 +94,12 @@ impl<L: Lanes> Reflections<'_, L> {
         self.rows[K][K] = head;
         self.factors[K] = factor;
         // R has −signed on its diagonal
-        let y = self.rest[K] * (factor * head);
+        let y = self.residual[K] * (factor * head);
         self.solution[K] = y;
         for row in K + 1..self.dof {
             let target = &mut self.rows[row];
             subtract::<L, K>(target, factor * product::<L, K>(&v, target), &v);
-            self.rest[row] = self.rest[row] + target[K] * y;
+            self.residual[row] = self.residual[row] + target[K] * y;
         }
     }
 

@@ -8,7 +8,7 @@
 //!
 //! for redundancy 1 the same with pairs, and without redundancy f₀ itself must keep the limits. These are the facets of the
 //! available wrench set (Bouchard, Gosselin and Moore 2010). Where a verdict hangs on less than 1e-4 of the largest tension, where
-//! rows of the structure matrix are nearly dependent, where a cable may have no course, and for all other robots and effects,
+//! rows of the structure matrix are nearly dependent, where a cable may have no path, and for all other robots and effects,
 //! the single pose is asked.
 
 pub(super) mod balance;
@@ -29,7 +29,7 @@ use crate::tension::{InputError, Limits};
 use balance::Balance;
 use strips::Strips;
 
-/// Whether tensions within limits balance the load at each pose; false where a cable has no course.
+/// Whether tensions within limits balance the load at each pose; false where a cable has no path.
 ///
 /// Every answer is that of [`quadratic::solve`] with the structure matrix and the load at the pose, and for sagging cables that of
 /// [`distribution::solve`]. Asking for poses in order, and for many at a time, is fastest; [`Solver`] keeps its memory.
@@ -167,9 +167,9 @@ impl Kernel for Chunk<'_> {
             let mut numbers = [Line::default(); POSE_ROWS];
             transpose(poses, &mut numbers);
             let (position, rotation) = in_lanes(lanes, &numbers);
-            let doubt = balance.fill(&mut rows, position, &rotation);
-            let rest = balance.rest(&rotation, &rows);
-            let codes = strips.verdicts(lanes, &mut rows, rest, doubt).to_array();
+            let needs_scalar = balance.fill(&mut rows, position, &rotation);
+            let residual = balance.residual(&rotation, &rows);
+            let codes = strips.verdicts(lanes, &mut rows, residual, needs_scalar).to_array();
             for (verdict, code) in verdicts.iter_mut().zip(codes) {
                 *verdict = match code {
                     1.0 => Verdict::Feasible,

@@ -58,23 +58,23 @@ impl Strips {
         Self { dof, cables: limits.cable_count(), half, scale }
     }
 
-    /// 1 where tensions exist, −1 where none do, 0 where that is in doubt; `rest` is what the middle of the limits leaves of
-    /// the load, and `doubt` above 0 where the rows mean nothing.
+    /// 1 where tensions exist, −1 where none do, 0 where that is in doubt; `residual` is what the middle of the limits leaves of
+    /// the load, and `needs_scalar` above 0 where the rows mean nothing.
     #[inline(always)]
-    pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, rest: [L; 6], doubt: L) -> L {
+    pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, residual: [L; 6], needs_scalar: L) -> L {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
-        let solutions = factors::solve(lanes, [self.dof, self.cables], rows, rest);
+        let solutions = factors::solve(lanes, [self.dof, self.cables], rows, residual);
         let mut scale = lanes.constant(self.scale);
         for cable in 0..self.cables {
-            scale = scale + solutions.shortest[cable].abs();
+            scale = scale + solutions.minimum_norm[cable].abs();
         }
         let none = lanes.constant(f64::NEG_INFINITY);
         let mut margins = Margins { outside: none, inside: none, band: scale * lanes.constant(BAND) };
         let rounding = scale * lanes.constant(ROUNDING);
-        // most poses that have tensions have the shortest ones
+        // most poses that have tensions have the minimum-norm ones
         let mut clear = none;
         for cable in 0..self.cables {
-            clear = (solutions.shortest[cable].abs() - lanes.constant(self.half[cable])).max(clear);
+            clear = (solutions.minimum_norm[cable].abs() - lanes.constant(self.half[cable])).max(clear);
         }
         let clear = clear + margins.band;
         let is_open = lanes.any((-rounding).is_less(clear));
@@ -89,19 +89,19 @@ impl Strips {
         // NaN passes none of these
         verdict = verdict.select(zero.is_less(solutions.has_rank), zero);
         verdict = verdict.select(scale.is_less(lanes.constant(LARGEST)), zero);
-        verdict.select(doubt.is_less(one), zero)
+        verdict.select(needs_scalar.is_less(one), zero)
     }
 
     #[inline(always)]
     fn test_single<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
         for i in 0..self.cables {
-            margins.add(solutions.shortest[i], lanes.constant(self.half[i]), lanes.constant(1.0));
+            margins.add(solutions.minimum_norm[i], lanes.constant(self.half[i]), lanes.constant(1.0));
         }
     }
 
     #[inline(always)]
     fn test_pairs<L: Lanes>(&self, lanes: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
-        let (f, h) = (&solutions.shortest, &solutions.null_space[0]);
+        let (f, h) = (&solutions.minimum_norm, &solutions.null_space[0]);
         for i in 0..self.cables {
             for j in i + 1..self.cables {
                 let (h_i, h_j) = (h[i].abs(), h[j].abs());
@@ -113,7 +113,7 @@ impl Strips {
 
     #[inline(always)]
     fn test_triples<L: Lanes>(&self, rounding: L, solutions: &Solutions<L>, margins: &mut Margins<L>) {
-        let (lanes, f) = (rounding, &solutions.shortest);
+        let (lanes, f) = (rounding, &solutions.minimum_norm);
         let [x, y] = &solutions.null_space;
         let mut determinants = [[lanes.constant(0.0); LANES]; LANES];
         for i in 0..self.cables {

@@ -10,7 +10,7 @@ use crate::model::Composition;
 use crate::robot::{Robot, builtin};
 use crate::scalar::Unit;
 
-/// Poses from the middle of the workspace to far beyond it, some of them without a course.
+/// Poses from the middle of the workspace to far beyond it, some of them without a path.
 fn poses(model: &Model, count: usize, rng: &mut ChaCha8Rng) -> Vec<Pose> {
     let home = model.robot().home_or_middle();
     let mut poses: Vec<Pose> = (0..count)

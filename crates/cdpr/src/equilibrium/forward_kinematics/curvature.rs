@@ -17,9 +17,9 @@ impl Problem<'_> {
         let model = self.model;
         let mut sum = [[0.0; N]; N];
         for cable in 0..model.cable_count() {
-            let Ok((course, moment_arm)) = model.course(cable, pose) else { continue };
-            let residual = course.length - self.targets[cable / LANES][cable % LANES];
-            let by_pose = wrench_by_pose(&course.direction_gradient, moment_arm.into(), course.direction);
+            let Ok((path, moment_arm)) = model.path(cable, pose) else { continue };
+            let residual = path.length - self.targets[cable / LANES][cable % LANES];
+            let by_pose = wrench_by_pose(&path.direction_gradient, moment_arm.into(), path.direction);
             let by_pose =
                 Matrix6::from_fn(|row, column| -0.5 * residual * (by_pose[row][column] + by_pose[column][row]));
             for i in 0..N {

@@ -201,15 +201,15 @@ impl<const N: usize> Kernel for AtPose<'_, N> {
         }
         let groups = problem.model.groups();
         for ((group, targets), residuals) in groups.iter().zip(problem.targets).zip(residuals) {
-            let (course, lever) = group.courses(lanes, position, &rotation);
-            let residual = course.length - lanes.load(targets);
+            let (path, moment_arm) = group.paths(lanes, position, &rotation);
+            let residual = path.length - lanes.load(targets);
             residual.store(residuals);
             let weight = lanes.load(&group.weight);
             let residual = residual * weight;
             cost += (residual * residual).sum();
             if let Some(normal) = &mut normal {
-                let u = [course.direction[0] * weight, course.direction[1] * weight, course.direction[2] * weight];
-                normal.add(in_basis(problem.model, lanes, u, cross(lever, u)), residual);
+                let u = [path.direction[0] * weight, path.direction[1] * weight, path.direction[2] * weight];
+                normal.add(in_basis(problem.model, lanes, u, cross(moment_arm, u)), residual);
             }
         }
         cost

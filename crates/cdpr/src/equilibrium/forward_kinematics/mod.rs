@@ -245,9 +245,9 @@ pub(super) fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Resul
 }
 
 fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
-    // modelled minus given; NaN where a cable has no course
+    // modelled minus given; NaN where a cable has no path
     let residual =
-        |(cable, length): (usize, &f64)| model.course(cable, guess).map_or(f64::NAN, |(c, _)| c.length - length);
+        |(cable, length): (usize, &f64)| model.path(cable, guess).map_or(f64::NAN, |(c, _)| c.length - length);
     let residuals: Vec<f64> = lengths.iter().enumerate().map(residual).collect();
     let reason = format!(
         "{} cables cannot determine {} degrees of freedom by their lengths alone; the pose also depends on the load",

@@ -103,7 +103,7 @@ impl Problem<'_> {
 
     fn degenerate_reason(&self, pose: &Pose) -> String {
         let cables = 0..self.model.cable_count();
-        let found = cables.into_iter().find_map(|cable| self.model.course(cable, pose).err());
+        let found = cables.into_iter().find_map(|cable| self.model.path(cable, pose).err());
         found.map_or_else(
             || "the cable lengths cannot be computed at the start".to_owned(),
             |reason| format!("at the start, {reason}"),

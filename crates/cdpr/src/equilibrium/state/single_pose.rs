@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::State;
-use crate::cable::DegenerateCourse;
+use crate::cable::GeometryError;
 use crate::equilibrium::closed_form::{Found, OnePose};
 use crate::equilibrium::distribution::DistributionError;
 use crate::geometry::Pose;
@@ -83,7 +83,7 @@ impl Model {
         &self,
         pose: &Pose,
         state: &'s mut State,
-    ) -> Result<&'s DMatrix<f64>, DegenerateCourse> {
+    ) -> Result<&'s DMatrix<f64>, GeometryError> {
         let matrix = &mut state.balanced(self).structure_matrix;
         self.write_structure_matrix(pose, matrix)?;
         Ok(matrix)

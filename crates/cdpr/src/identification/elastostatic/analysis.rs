@@ -140,7 +140,7 @@ fn analyse(
         parameters,
         axes: model.axes(),
         cables: 0..model.cable_count(),
-        worth: DVector::from_column_slice(problem.worth()),
+        scale: DVector::from_column_slice(problem.scale()),
     };
     let directions = uncertainty.weak_directions(&named, &mean_rotation(samples), settings.weak_direction_limit);
     analysis.set_weak_directions(model, directions);

@@ -27,7 +27,7 @@ pub(super) struct Problem<'a> {
     /// The file's values, where priors are centred.
     pub(super) start: Vec<f64>,
     /// Metres that one unit of each parameter is worth.
-    worth: Vec<f64>,
+    scale: Vec<f64>,
 }
 
 /// Where a descent ended.
@@ -45,7 +45,7 @@ pub(super) struct PlainStep {
     /// Where it leads.
     pub(super) values: Vec<f64>,
     /// What it promises to gain (twice that of the quadratic model).
-    pub(super) promise: f64,
+    pub(super) predicted_reduction: f64,
     /// Cost where it started.
     pub(super) cost: f64,
 }
@@ -63,7 +63,7 @@ impl<'a> Problem<'a> {
         let compliance =
             parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
         let compliance = compliance.fold(1e-7, f64::max);
-        let worth = |parameter: &Parameter| match parameter.kind {
+        let scale = |parameter: &Parameter| match parameter.kind {
             ParameterKind::LengthScale => length,
             ParameterKind::DrumRadius => length / parameter.value(model.robot()).max(1e-3),
             ParameterKind::Compliance => tension * length,
@@ -79,13 +79,13 @@ impl<'a> Problem<'a> {
             parameters,
             settings,
             start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
-            worth: parameters.iter().map(worth).collect(),
+            scale: parameters.iter().map(scale).collect(),
         }
     }
 
     /// Metres that one unit of each parameter is worth.
-    pub(super) fn worth(&self) -> &[f64] {
-        &self.worth
+    pub(super) fn scale(&self) -> &[f64] {
+        &self.scale
     }
 
     /// The model at other parameter values.
@@ -149,9 +149,9 @@ impl<'a> Problem<'a> {
             let (low, high) = parameter.bounds();
             *value > low && *value < high
         };
-        let promise = -(0..step.len()).map(|k| step[k] * equations.gradient(k)).sum::<f64>();
+        let predicted_reduction = -(0..step.len()).map(|k| step[k] * equations.gradient(k)).sum::<f64>();
         let all_inside = self.parameters.iter().zip(&values).all(inside);
-        all_inside.then_some(PlainStep { values, promise, cost: equations.cost() })
+        all_inside.then_some(PlainStep { values, predicted_reduction, cost: equations.cost() })
     }
 
     /// Descends from these values until the next step promises no more than this share of the cost.
@@ -192,7 +192,7 @@ impl<'a> Problem<'a> {
             (low - value, high - value)
         };
         let room: Vec<Room> = self.parameters.iter().zip(values).map(room).collect();
-        let around = Surroundings { room: &room, scale: &self.worth };
+        let around = Surroundings { room: &room, scale: &self.scale };
         let (mut held, mut step) = (vec![false; values.len()], vec![0.0; values.len()]);
         let is_cut = self.settings.minimizer.step(equations, around, control, (&mut held, &mut step))?;
         Some((step, is_cut))
@@ -227,7 +227,7 @@ impl solve::Problem for Descent<'_, '_> {
         for (trial, (value, step)) in self.trial.values.iter_mut().zip(values.iter().zip(&step)) {
             *trial = value + step;
         }
-        let size = minimizer::size(&step, &self.problem.worth);
+        let size = minimizer::size(&step, &self.problem.scale);
         let gain = self.problem.settings.minimizer.gain(equations, &step, equations.cost());
         Step { size, gain, is_cut, is_regular: true }
     }

@@ -5,7 +5,7 @@
 //! parameters, z = z_M − D Nᵀ Σ⁻¹ (r + N (z_M − z)), the adjustment of observations known from geodesy (Gauss–Helmert model)
 //! and orthogonal distance regression.
 
-use super::covariance::{factorize, invert, solve};
+use super::measurement_noise::{factorize, invert, solve};
 use super::noise::{Noise, Sigmas};
 use super::normal::{NormalEquations, whiten};
 use super::rows::{Recorded, RowModel, SampleRows};

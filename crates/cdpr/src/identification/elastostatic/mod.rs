@@ -5,9 +5,9 @@
 //! covariance, to first order Σ = N diag(σ²) Nᵀ with N the rows' derivatives by everything that is measured.
 
 mod analysis;
-mod covariance;
 mod descent;
 mod linearization;
+mod measurement_noise;
 mod noise;
 mod normal;
 mod optimum;

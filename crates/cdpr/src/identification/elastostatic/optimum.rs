@@ -1,8 +1,8 @@
 //! The best optimum over several starts, with weights that agree with it.
 
-use super::covariance::sigmas;
 use super::descent::{End, Problem};
 use super::linearization::Linearization;
+use super::measurement_noise::sigmas;
 use super::noise::Sigmas;
 use super::rows::{RowModel, recorded_state};
 use crate::geometry::Wrench;
@@ -26,7 +26,7 @@ const SAME_NOISE: f64 = 1e-7;
 /// optima, and far below any standard deviation.
 const NEAR_PROMISE: f64 = 1e-1;
 const SEARCH_PROMISE: f64 = 1e-9;
-const FINAL_PROMISE: f64 = 1e-7;
+const FINAL_REDUCTION: f64 = 1e-7;
 /// The optimum and what belongs to it.
 pub(crate) struct Optimum {
     /// The model before the fit; with a free wrench its robot states a constant one.
@@ -72,7 +72,7 @@ pub(crate) fn find(
 ) -> Result<Optimum, InputError> {
     let tensions = checked_tensions(model, samples)?;
     let start_model = with_constant_wrench(model, samples, &tensions, parameters)?;
-    check_courses(&start_model, samples, &tensions)?;
+    check_paths(&start_model, samples, &tensions)?;
     let (sigmas, absolute) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let mut adjust = Adjust { problem: &problem, sigmas, noise: 1.0 };
@@ -139,21 +139,21 @@ impl Adjust<'_> {
 
     /// Gauss–Newton steps with corrections at each; false when they do not contract, or need damping.
     fn polish(&self, end: &mut End, linearization: &mut Linearization) -> Result<bool, InputError> {
-        let mut last_promise = f64::INFINITY;
+        let mut last_predicted_reduction = f64::INFINITY;
         for _ in 0..POLISHING_STEPS {
             self.correct(end, linearization)?;
             let Some(step) = self.problem.plain_step(&end.values, linearization) else { return Ok(false) };
             end.iterations += 1;
             end.history.push(step.cost);
             (end.values, end.cost) = (step.values, step.cost);
-            if step.promise <= FINAL_PROMISE * step.cost {
+            if step.predicted_reduction <= FINAL_REDUCTION * step.cost {
                 end.converged = true;
                 return Ok(true);
             }
-            if !(step.promise < 0.25 * last_promise) {
+            if !(step.predicted_reduction < 0.25 * last_predicted_reduction) {
                 return Ok(false);
             }
-            last_promise = step.promise;
+            last_predicted_reduction = step.predicted_reduction;
         }
         Ok(false)
     }
@@ -163,7 +163,7 @@ impl Adjust<'_> {
         for round in 0..ADJUSTMENTS {
             let before = linearization.clone();
             self.correct(end, linearization)?;
-            let more = self.problem.descend(&end.values, linearization, FINAL_PROMISE);
+            let more = self.problem.descend(&end.values, linearization, FINAL_REDUCTION);
             let gained = (more.cost - end.cost).abs();
             *end = End { iterations: end.iterations + more.iterations, ..more };
             if round > 0 && before.distance_to(linearization) < 1e-6 && gained <= 1e-9 * end.cost {
@@ -221,13 +221,15 @@ fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputE
     }
 }
 
-fn check_courses(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
+fn check_paths(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
     let m = model.cable_count();
     for (sample, pose) in samples.poses.iter().enumerate() {
         for cable in 0..model.cable_count() {
             let tension = model.real_tension(cable, tensions[sample * m + cable]);
             match cable_state(model, pose, cable, tension) {
-                Err(StaticsError::Course(reason)) => return Err(InputError::Degenerate { sample: sample + 1, reason }),
+                Err(StaticsError::CablePath(reason)) => {
+                    return Err(InputError::Degenerate { sample: sample + 1, reason });
+                }
                 Err(StaticsError::CableState { cable, reason }) => {
                     return Err(InputError::CableState { sample: sample + 1, cable, reason });
                 }

@@ -188,9 +188,9 @@ pub(super) fn recorded_state(
     (pose, rotation): (&Pose, &[[f64; 3]; 3]),
     recorded_tension: f64,
 ) -> Option<CableState> {
-    let (course, end) = model.course_at(cable, pose.position.into(), rotation);
+    let (path, end) = model.path_at(cable, pose.position.into(), rotation);
     let input = model.measured_tension(cable, model.real_tension(cable, recorded_tension));
-    model.law(cable).state_on(&course, &end, input, None).ok()
+    model.law(cable).state_on(&path, &end, input, None).ok()
 }
 
 /// Tensions below this many standard deviations of the force sensor may be those of a slack cable.

@@ -45,12 +45,12 @@ fn pose() -> Pose {
 fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
     let cable = &robot.cables[0];
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
-    let lever = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 3));
-    let anchor = add([0, 1, 2].map(|k| Dual::from(pose.position[k])), lever);
+    let moment_arm = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 3));
+    let anchor = add([0, 1, 2].map(|k| Dual::from(pose.position[k])), moment_arm);
     let axis = cable.pulley_swivel_axis.unwrap();
     let radius = variable(cable.pulley_radius.unwrap(), 8);
-    let course =
-        outlet::pulley::course(numbers(cable.frame_anchor, 0), [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor);
+    let path =
+        outlet::pulley::path(numbers(cable.frame_anchor, 0), [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor);
     let tension = (Dual::from(recorded_tension) - variable(cable.tension_offset.unwrap(), 12))
         / variable(cable.tension_scale.unwrap(), 11);
     let specific = variable(1.0 / cable.axial_stiffness.unwrap(), 9);
@@ -60,10 +60,10 @@ fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
         Some(StiffnessBasis::Unstrained) => Elasticity { by_length: zero, by_controlled_length: specific, constant },
         _ => Elasticity { by_length: specific, by_controlled_length: zero, constant },
     };
-    let controlled = law.controlled_length(course.length, tension);
+    let controlled = law.controlled_length(path.length, tension);
     let length = variable(cable.length_scale.unwrap(), 7) * controlled + variable(cable.length_offset.unwrap(), 6);
-    let moment = cross(lever, course.direction);
-    let u = course.direction;
+    let moment = cross(moment_arm, path.direction);
+    let u = path.direction;
     [
         u[0] * tension,
         u[1] * tension,
@@ -129,7 +129,7 @@ fn exact_samples(machine: &Model, count: usize) -> Samples {
         let missing = &structure * &middle + load.in_pattern(machine, &pose);
         let tension = &middle - structure.pseudo_inverse(1e-12).unwrap() * missing;
         for cable in 0..8 {
-            let length = machine.course(cable, &pose).unwrap().0.length;
+            let length = machine.path(cable, &pose).unwrap().0.length;
             let controlled = machine.elasticity(cable).controlled_length(length, tension[cable]);
             samples.lengths.push(machine.recorded_length(cable, controlled));
             tensions.push(machine.recorded_tension(cable, tension[cable]));

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::*;
 use crate::geometry::{MotionPattern, Plane, Twist};
 use crate::identification::candidate::parse_list;
-use crate::identification::selection::{Criterion, Selection, Settings, select};
+use crate::identification::selection::{Selection, SelectionCriterion, Settings, select};
 use crate::measurement::{Fold, SensorSigmas};
 use crate::metamodel::simulate::simulate;
 use crate::metamodel::study::CommandedPose;
@@ -58,7 +58,7 @@ fn recorded(noise: &SensorSigmas) -> Samples {
     simulated.samples
 }
 
-fn selected(mass: Option<f64>, samples: &Samples, criterion: Criterion) -> Selection {
+fn selected(mass: Option<f64>, samples: &Samples, criterion: SelectionCriterion) -> Selection {
     let (train, validation) = (0..samples.len()).partition(|sample| sample.is_multiple_of(2));
     let fold = Fold { name: "every other".to_owned(), train, validation };
     let candidates = parse_list("standard;standard:length-offset").unwrap();
@@ -104,14 +104,14 @@ fn a_candidate_without_answers_is_never_recommended() {
     let noise = SensorSigmas { position: Some(1e-3), length: Some(2e-4), ..SensorSigmas::default() };
     let mut samples = recorded(&noise);
     samples.tensions = None;
-    let found = selected(None, &samples, Criterion::Position);
+    let found = selected(None, &samples, SelectionCriterion::Position);
     assert_eq!((found.best, found.recommended), (None, None));
     assert!(found.reason.contains("0 of 20 validation samples"), "{}", found.reason);
     let judgements: Vec<_> = found.candidates.iter().map(|one| one.outcome.as_ref().unwrap()).collect();
     assert!(judgements.iter().all(|one| one.criterion.is_nan() && one.disqualified.is_some()));
     // by what can be judged, and where the load is known
-    assert_eq!(selected(None, &samples, Criterion::Length).recommended, Some(1));
-    let known = selected(Some(12.0), &samples, Criterion::Position);
+    assert_eq!(selected(None, &samples, SelectionCriterion::Length).recommended, Some(1));
+    let known = selected(Some(12.0), &samples, SelectionCriterion::Position);
     assert_eq!(known.recommended, Some(1));
     let judgement = known.candidates[1].outcome.as_ref().unwrap();
     assert!((0.0005..0.004).contains(&judgement.criterion), "the sensors' noise is left: {}", judgement.criterion);
@@ -124,7 +124,7 @@ fn means_are_over_the_samples_that_all_candidates_answer() {
     samples.tensions = None;
     // cables far too short to meet: no candidate has an answer there
     samples.lengths[4 * 5..4 * 6].fill(0.6);
-    let found = selected(Some(12.0), &samples, Criterion::Position);
+    let found = selected(Some(12.0), &samples, SelectionCriterion::Position);
     let judgement = found.candidates[1].outcome.as_ref().unwrap();
     assert_eq!((judgement.compared_samples, judgement.validation.answered), (19, 19), "{}", found.reason);
     assert!(judgement.criterion < 0.01, "{}", judgement.criterion);

@@ -48,7 +48,7 @@ struct Search<'a, const P: usize> {
     /// 1/σ² of the priors, 0 without one.
     prior_weights: [f64; P],
     /// Metres that one unit of each parameter is worth.
-    worth: [f64; P],
+    scale: [f64; P],
     bounds: [(f64, f64); P],
     start: [f64; P],
 }
@@ -65,7 +65,7 @@ impl<'a, const P: usize> Search<'a, P> {
             prior_weights: std::array::from_fn(|k| {
                 prior_sigma(settings, parameter(k).kind).map_or(0.0, |s| 1.0 / (s * s))
             }),
-            worth: std::array::from_fn(|k| block.worth(parameter(k).kind)),
+            scale: std::array::from_fn(|k| block.scale(parameter(k).kind)),
             bounds: std::array::from_fn(|k| parameter(k).bounds()),
             start,
         }
@@ -125,7 +125,7 @@ impl<'a, const P: usize> Search<'a, P> {
             (self.bounds[k].0 - value, self.bounds[k].1 - value)
         });
         let mut step = [0.0; P];
-        let around = Surroundings { room: &room, scale: &self.worth };
+        let around = Surroundings { room: &room, scale: &self.scale };
         let is_cut = self.settings.minimizer.step(equations, around, control, (&mut [false; P], &mut step))?;
         Some((step, is_cut))
     }
@@ -183,7 +183,7 @@ impl<const P: usize> solve::Problem for Descent<'_, '_, P> {
         let found = self.search.step(change, equations, control);
         let (step, is_cut) = found.unwrap_or(([0.0; P], false));
         self.trial.change = add(change, &step);
-        let size = minimizer::size(&step, &self.search.worth);
+        let size = minimizer::size(&step, &self.search.scale);
         let gain = self.search.settings.minimizer.gain(equations, &step, equations.cost);
         Step { size, gain, is_cut, is_regular: found.is_some() }
     }

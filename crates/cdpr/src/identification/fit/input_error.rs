@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::cable::DegenerateCourse;
+use crate::cable::GeometryError;
 use crate::model::{ModelError, ParameterError, WinchError};
 use crate::robot::ParameterKind;
 use crate::statics::LoadError;
@@ -71,7 +71,7 @@ pub enum InputError {
         /// Number of the sample, from 1.
         sample: usize,
         /// What is wrong there.
-        reason: DegenerateCourse,
+        reason: GeometryError,
     },
     /// A prior that cannot be read.
     #[error(

@@ -173,7 +173,7 @@ impl Optimum {
     }
 
     /// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance
-    /// that grows with the lever would reward them for it.
+    /// that grows with the moment arm would reward them for it.
     fn with_given_levers(&self, model: &Model) -> Result<Model, ModelError> {
         let mut robot = self.calibrated(model)?.robot().clone();
         for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {

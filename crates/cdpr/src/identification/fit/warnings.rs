@@ -13,8 +13,7 @@ pub(in crate::identification) fn suspicious_units(model: &Model, samples: &Sampl
         let (mut recorded, mut modelled) = (0.0, 0.0);
         for (sample, pose) in samples.poses.iter().enumerate() {
             recorded += samples.lengths_of(sample)[cable];
-            modelled +=
-                model.course(cable, pose).map_or(0.0, |(course, _)| model.recorded_length(cable, course.length));
+            modelled += model.path(cable, pose).map_or(0.0, |(path, _)| model.recorded_length(cable, path.length));
         }
         let ratio = recorded / modelled;
         if !(0.5..=2.0).contains(&ratio) {

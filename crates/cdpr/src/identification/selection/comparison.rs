@@ -1,6 +1,6 @@
 //! Criterion of every candidate on the validation samples that all compared candidates answer.
 
-use super::{Criterion, Judged, Judgement};
+use super::{JudgedCandidate, Judgement, SelectionCriterion};
 use crate::identification::bootstrap;
 
 /// Share of the validation samples that a candidate must answer: the mean of the rest alone would flatter it.
@@ -10,7 +10,7 @@ const LEAST_ANSWERED: f64 = 0.95;
 ///
 /// A sample that one of the compared candidates leaves without an answer counts for none of them, so that all means are
 /// over the same samples.
-pub(super) fn compare(candidates: &mut [Judged], criterion: Criterion, seed: u64) {
+pub(super) fn compare(candidates: &mut [JudgedCandidate], criterion: SelectionCriterion, seed: u64) {
     let mut judgements: Vec<&mut Judgement> =
         candidates.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()).collect();
     let series: Vec<Vec<f64>> = judgements.iter().map(|judgement| criterion.of(&judgement.validation_errors)).collect();
@@ -33,7 +33,7 @@ pub(super) fn compare(candidates: &mut [Judged], criterion: Criterion, seed: u64
 }
 
 /// The reason against a candidate that answers too few samples.
-fn too_few(judgement: &Judgement, series: &[f64], criterion: Criterion) -> Option<String> {
+fn too_few(judgement: &Judgement, series: &[f64], criterion: SelectionCriterion) -> Option<String> {
     let answered = series.iter().filter(|value| value.is_finite()).count();
     if answered > 0 && answered as f64 >= LEAST_ANSWERED * series.len() as f64 {
         return None;

@@ -1,5 +1,7 @@
 //! Errors that can decide between candidates.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use crate::identification::evaluation::{ErrorBlocks, Evaluation};
@@ -8,7 +10,7 @@ use crate::identification::evaluation::{ErrorBlocks, Evaluation};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
-pub enum Criterion {
+pub enum SelectionCriterion {
     /// Mean position error (m, eq. 3.4).
     #[default]
     Position,
@@ -20,17 +22,18 @@ pub enum Criterion {
     Tension,
 }
 
-impl Criterion {
-    /// The quantity in words.
-    pub fn words(self) -> &'static str {
-        match self {
+impl fmt::Display for SelectionCriterion {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
             Self::Position => "mean position error",
             Self::Rotation => "mean rotation error",
             Self::Length => "mean cable-length error",
             Self::Tension => "mean tension error (2-norm over cables)",
-        }
+        })
     }
+}
 
+impl SelectionCriterion {
     /// Unit for people.
     pub fn unit(self) -> &'static str {
         match self {

@@ -1,19 +1,25 @@
 //! Words for the outcome of a comparison.
 
-use super::{Criterion, Judged, Judgement};
+use super::{JudgedCandidate, Judgement, SelectionCriterion};
 
 /// The reason where no candidate can be compared.
-pub(super) fn nobody(judged: &[(usize, &Judgement)], names: &[Judged], criterion: Criterion) -> String {
+pub(super) fn nobody(
+    judged: &[(usize, &Judgement)],
+    names: &[JudgedCandidate],
+    criterion: SelectionCriterion,
+) -> String {
     let first = judged.iter().find_map(|(index, judgement)| Some((index, judgement.disqualified.as_ref()?)));
     let why = first.map_or_else(String::new, |(index, why)| format!("; `{}`: {why}", names[*index].name));
     let instead = match criterion {
-        Criterion::Tension => "that takes a model whose tensions follow from its lengths, and recorded tensions",
-        Criterion::Length => "check the poses of the data",
+        SelectionCriterion::Tension => {
+            "that takes a model whose tensions follow from its lengths, and recorded tensions"
+        }
+        SelectionCriterion::Length => "check the poses of the data",
         _ => {
             "the error of the cable lengths at the measured poses needs no predicted pose and can be the criterion instead"
         }
     };
-    format!("no candidate can be judged by its {}{why}; {instead}", criterion.words())
+    format!("no candidate can be judged by its {}{why}; {instead}", criterion)
 }
 
 /// Doubts about a candidate as a sentence before what speaks for it.
@@ -30,8 +36,8 @@ fn caution(judgement: &Judgement) -> String {
 
 /// Words for the outcome.
 pub(super) struct Reason<'a> {
-    pub(super) names: &'a [Judged],
-    pub(super) criterion: Criterion,
+    pub(super) names: &'a [JudgedCandidate],
+    pub(super) criterion: SelectionCriterion,
     pub(super) best: usize,
     pub(super) limit: f64,
 }
@@ -39,7 +45,7 @@ pub(super) struct Reason<'a> {
 impl Reason<'_> {
     pub(super) fn for_choice(&self, index: usize, judgement: &Judgement, judged: &[(usize, &Judgement)]) -> String {
         let name = |index: usize| &self.names[index].name;
-        let (words, value) = (self.criterion.words(), self.criterion.format(judgement.criterion));
+        let (words, value) = (self.criterion.to_string(), self.criterion.format(judgement.criterion));
         let limit = self.criterion.format(self.limit);
         let mut text = caution(judgement);
         text += &match index == self.best {

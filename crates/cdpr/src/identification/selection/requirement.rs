@@ -7,7 +7,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::identification::evaluation::ErrorBlocks;
-use crate::metamodel::errors::PoseError;
+use crate::metamodel::errors::PoseErrorStatistics;
 
 /// An upper limit on one error figure, e.g. `position_mean_m=0.005`.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +43,7 @@ const METRICS: [Metric; 18] = [
     ("tension_max_N", |e| e.tension_error.map_or(f64::NAN, |t| t.max)),
 ];
 
-fn rotation(errors: &ErrorBlocks) -> &PoseError {
+fn rotation(errors: &ErrorBlocks) -> &PoseErrorStatistics {
     &errors.rotation_error_rad
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{DVector, Vector3};
 
 use super::error::EffectError;
-use super::{State, largest};
+use super::{EffectState, largest};
 use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Status};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
@@ -15,7 +15,7 @@ const WAY_BACK: f64 = 1e-6;
 
 /// How a displacement was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum DisplacementMethod {
     /// By the forward problem.
     Exact,
     /// By δx = −K_wx⁻¹ K_wq δq_θ (eq. 2.80), for small changes.
@@ -34,11 +34,11 @@ pub struct Displacement {
     /// Number of cables that lose their tension.
     pub slack: usize,
     /// How it was found.
-    pub method: Method,
+    pub method: DisplacementMethod,
 }
 
 /// What the platform of a machine at rest in a state does when its controlled lengths change by `change` (m), one per cable.
-pub fn displacement(machine: &Model, state: &State, change: &[f64]) -> Result<Displacement, EffectError> {
+pub fn displacement(machine: &Model, state: &EffectState, change: &[f64]) -> Result<Displacement, EffectError> {
     let tensions = match (&state.tensions, ForwardProblem::of(machine, state.load.is_ok())) {
         (Some(tensions), ForwardProblem::Equilibrium) => tensions,
         _ => return by_geometry(machine, &state.pose, change),
@@ -59,11 +59,11 @@ fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacem
     let mut machine_state = equilibrium::State::at(machine, pose);
     let found = machine.forward(&lengths, None, Some(pose), &mut machine_state)?.converged()?;
     let (translation, rotation) = apart(pose, &found.pose);
-    Ok(Displacement { translation, rotation, tension: None, slack: 0, method: Method::Exact })
+    Ok(Displacement { translation, rotation, tension: None, slack: 0, method: DisplacementMethod::Exact })
 }
 
 /// By the forward problem; `None` where it has no answer.
-fn by_equilibrium(machine: &Model, state: &State, tensions: &[f64], change: &[f64]) -> Option<Displacement> {
+fn by_equilibrium(machine: &Model, state: &EffectState, tensions: &[f64], change: &[f64]) -> Option<Displacement> {
     let mut settings = ForwardSettings::default();
     settings.equilibrium.max_restarts = 0;
     let load = state.load.as_ref().ok()?;
@@ -82,12 +82,12 @@ fn by_equilibrium(machine: &Model, state: &State, tensions: &[f64], change: &[f6
     let (end, end_tensions, slack) = at_rest(&lengths)?;
     let (translation, rotation) = apart(&start, &end);
     let tension = Some(largest(end_tensions.iter().zip(&start_tensions).map(|(end, start)| end - start)));
-    Some(Displacement { translation, rotation, tension, slack, method: Method::Exact })
+    Some(Displacement { translation, rotation, tension, slack, method: DisplacementMethod::Exact })
 }
 
 fn to_first_order(
     machine: &Model,
-    state: &State,
+    state: &EffectState,
     tensions: &[f64],
     change: &[f64],
 ) -> Result<Displacement, EffectError> {
@@ -106,7 +106,7 @@ fn to_first_order(
         slack += usize::from(cable.outlet_tension + tension_change < 0.0);
     }
     let (translation, rotation) = (step.norm(), turn.norm());
-    Ok(Displacement { translation, rotation, tension: Some(most), slack, method: Method::FirstOrder })
+    Ok(Displacement { translation, rotation, tension: Some(most), slack, method: DisplacementMethod::FirstOrder })
 }
 
 /// Distance (m) and angle (rad) between poses.
@@ -129,11 +129,11 @@ mod tests {
         let model = Model::new(robot, Composition::ELASTIC).unwrap();
         let tensions = vec![3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
         let load = Load::constant(balanced_wrench(&model, &pose, &tensions).unwrap());
-        let state = State { pose, load: Ok(load), tensions: Some(tensions.clone()) };
+        let state = EffectState { pose, load: Ok(load), tensions: Some(tensions.clone()) };
         let change: Vec<f64> = (0..8).map(|cable| 1e-5 * f64::from(cable - 3)).collect();
         let exact = displacement(&model, &state, &change).unwrap();
         let linear = to_first_order(&model, &state, &tensions, &change).unwrap();
-        assert_eq!((exact.method, linear.method), (Method::Exact, Method::FirstOrder));
+        assert_eq!((exact.method, linear.method), (DisplacementMethod::Exact, DisplacementMethod::FirstOrder));
         // what is left is of second order: the change over the length, 1e-5 of the result
         for (exact, linear) in [
             (exact.translation, linear.translation),

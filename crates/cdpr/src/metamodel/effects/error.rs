@@ -21,7 +21,7 @@ pub enum EffectError {
     #[error(transparent)]
     Distribution(#[from] DistributionError),
     /// No tensions balance the load within the limits.
-    #[error("{}", .0.words())]
+    #[error("{0}")]
     Unbalanced(Reason),
     /// Lengths that belong to tensions, of which none are given.
     #[error("the tensions are unknown")]

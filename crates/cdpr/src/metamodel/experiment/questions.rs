@@ -3,7 +3,7 @@
 use super::Experiment;
 use crate::metamodel::initial_tension::Task;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::sensitivity::{Cause, Offsets, Sensitivity, Setting, causes};
+use crate::metamodel::sensitivity::{Offsets, ParameterDeviation, Sensitivity, Setting, causes};
 use crate::metamodel::winches::tensions_set;
 use crate::tension::Limits;
 
@@ -36,7 +36,7 @@ impl Experiment {
     }
 
     /// Deviations of control model, machine and winches.
-    pub fn causes(&self, offsets: Offsets) -> Vec<Cause> {
+    pub fn causes(&self, offsets: Offsets) -> Vec<ParameterDeviation> {
         causes(&self.control, &self.machine, &self.setting(offsets))
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::starts::starts;
-use super::{Fit, Optimum, Target, Task, Wanted, emerging, offsets_of, wanted};
+use super::{Fit, Optimum, Target, Task, WantedTensions, emerging, offsets_of, wanted};
 use crate::geometry::Pose;
 use crate::metamodel::input_error::InputError;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, descend};
@@ -77,7 +77,7 @@ struct End {
 struct Search<'a> {
     task: &'a Task<'a>,
     poses: &'a [Pose],
-    wanted: &'a [Wanted],
+    wanted: &'a [WantedTensions],
     /// H at the initial pose.
     basis: DMatrix<f64>,
     /// The widest range of the limits (N).

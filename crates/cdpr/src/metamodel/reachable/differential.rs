@@ -5,7 +5,7 @@ use crate::geometry::Pose;
 use crate::metamodel::control::Control;
 use crate::metamodel::driving::Driving;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::sensitivity::{Cause, Kind, Side};
+use crate::metamodel::sensitivity::{Kind, ParameterDeviation, Side};
 use crate::metamodel::study::{History, TensionMethod};
 use crate::model::{Model, ModelError};
 use crate::workspace::Region;
@@ -27,7 +27,7 @@ impl Varied {
     /// Those of a reachable workspace, a cause deviating by this (its unit); winches keep what they were set to.
     ///
     /// Refuses initial tensions: they are no number of their own but come with all winch offsets at once.
-    pub fn new(reachable: &Reachable<'_>, cause: &Cause, by: f64) -> Result<Self, InputError> {
+    pub fn new(reachable: &Reachable<'_>, cause: &ParameterDeviation, by: f64) -> Result<Self, InputError> {
         let driving = reachable.driving();
         let mut offsets = driving.offsets().to_vec();
         match cause.kind {
@@ -68,7 +68,7 @@ pub fn differential_hull(
     reachable: &Reachable<'_>,
     region: &Region<'_>,
     hull: &Hull,
-    cause: &Cause,
+    cause: &ParameterDeviation,
 ) -> Result<Motion, InputError> {
     let step = cause.kind.difference_step();
     let [below, above] = [Varied::new(reachable, cause, -step)?, Varied::new(reachable, cause, step)?];

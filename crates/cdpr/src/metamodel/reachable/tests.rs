@@ -3,7 +3,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::metamodel::sensitivity::{Cause, Kind, Side};
+use crate::metamodel::sensitivity::{Kind, ParameterDeviation, Side};
 use crate::metamodel::study::Initial;
 use crate::metamodel::winch_offsets;
 use crate::model::{Composition, Model};
@@ -131,7 +131,7 @@ fn the_differential_hull_is_that_of_small_changes() {
         (Side::Machine, Kind::Parameter(ParameterKind::AxialStiffness), 1e-3),
         (Side::Winches, Kind::WinchOffset, 1e-4),
     ] {
-        let cause = Cause { side, kind, cable: 0, axis: 0 };
+        let cause = ParameterDeviation { side, kind, cable: 0, axis: 0 };
         let moved = differential_hull(&reachable, &region, &nominal, &cause).unwrap();
         let by = |change: f64| {
             let varied = Varied::new(&reachable, &cause, change).unwrap();
@@ -148,7 +148,7 @@ fn the_differential_hull_is_that_of_small_changes() {
         assert!(compared >= 57, "{side:?} {kind:?}: {compared}");
         assert!(moved.rates.iter().flatten().any(|rate| rate.abs() > 0.01), "{side:?} {kind:?}");
     }
-    let cause = Cause { side: Side::Winches, kind: Kind::InitialTension, cable: 0, axis: 0 };
+    let cause = ParameterDeviation { side: Side::Winches, kind: Kind::InitialTension, cable: 0, axis: 0 };
     let refused = differential_hull(&reachable, &region, &nominal, &cause);
     assert_eq!(refused.err(), Some(InputError::TensionsVaryTogether));
 }

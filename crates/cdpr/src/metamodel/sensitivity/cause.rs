@@ -100,7 +100,7 @@ impl Side {
 
 /// One number that may deviate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Cause {
+pub struct ParameterDeviation {
     /// Whose.
     pub side: Side,
     /// What.
@@ -111,7 +111,7 @@ pub struct Cause {
     pub axis: usize,
 }
 
-impl Cause {
+impl ParameterDeviation {
     /// Name for people and files, e.g. `machine frame-anchor[1].x`.
     pub fn name(&self, model: &Model) -> String {
         let side = self.side.name();
@@ -162,13 +162,18 @@ impl Cause {
 }
 
 /// All that may deviate on one side, ordered by cable, kind and axis; what acts on the platform last.
-pub fn causes_of(side: Side, model: &Model) -> Vec<Cause> {
+pub fn causes_of(side: Side, model: &Model) -> Vec<ParameterDeviation> {
     let mut causes = Vec::new();
     let has_tensions = model.needs_tensions();
     for cable in 0..model.cable_count() {
         if side == Side::Winches {
             let of_winch = [(Kind::WinchOffset, true), (Kind::InitialTension, has_tensions)].into_iter();
-            causes.extend(of_winch.filter(|(_, has)| *has).map(|(kind, _)| Cause { side, kind, cable, axis: 0 }));
+            causes.extend(of_winch.filter(|(_, has)| *has).map(|(kind, _)| ParameterDeviation {
+                side,
+                kind,
+                cable,
+                axis: 0,
+            }));
             continue;
         }
         for kind in OF_CABLES.into_iter().filter(|&kind| belongs(kind, model, cable)) {
@@ -187,8 +192,8 @@ pub fn causes_of(side: Side, model: &Model) -> Vec<Cause> {
     causes
 }
 
-fn deviation(side: Side, Parameter { cable, kind, axis }: Parameter) -> Cause {
-    Cause { side, kind: Kind::Parameter(kind), cable, axis }
+fn deviation(side: Side, Parameter { cable, kind, axis }: Parameter) -> ParameterDeviation {
+    ParameterDeviation { side, kind: Kind::Parameter(kind), cable, axis }
 }
 
 /// Numbers of the platform that may deviate.

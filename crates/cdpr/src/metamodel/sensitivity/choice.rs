@@ -13,7 +13,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cause::Cause;
+use super::cause::ParameterDeviation;
 use super::equilibrium::load_change;
 use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
@@ -89,7 +89,7 @@ impl<'a> Choice<'a> {
     }
 
     /// Change of all tensions per unit of a deviation of the model (N).
-    pub(super) fn by_cause(&self, cause: &Cause) -> Result<DVector<f64>, StaticsError> {
+    pub(super) fn by_cause(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, StaticsError> {
         let mut wrench = in_pattern(self.model, &load_change(cause, self.model, &self.pose));
         let mut column = DVector::zeros(wrench.len());
         if let Some((parameter, unit)) = cause.cable_parameter(self.model) {

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::cause::Cause;
+use super::cause::ParameterDeviation;
 use super::choice::Choice;
 use crate::geometry::Pose;
 use crate::metamodel::control::{Control, TensionChoice};
@@ -24,7 +24,11 @@ impl<'a> Command<'a> {
     }
 
     /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
-    pub(super) fn by_causes(&mut self, pose: &Pose, causes: &[Cause]) -> Result<Vec<DVector<f64>>, OperationError> {
+    pub(super) fn by_causes(
+        &mut self,
+        pose: &Pose,
+        causes: &[ParameterDeviation],
+    ) -> Result<Vec<DVector<f64>>, OperationError> {
         let Control { model, tension_method } = self.control;
         let m = model.cable_count();
         let Some(TensionChoice { solver, load, limits }) = &mut self.choice else {
@@ -37,7 +41,7 @@ impl<'a> Command<'a> {
         let choice = Choice::by(tension_method, (model, pose), load, limits, &found.tensions)?
             .map_err(OperationError::NotSmooth)?;
         let stretch = by_tensions(model, pose, &found.tensions)?;
-        let one = |cause: &Cause| {
+        let one = |cause: &ParameterDeviation| {
             let fixed = at_tensions(model, pose, &found.tensions, cause)?;
             let chosen = choice.by_cause(cause)?;
             Ok(fixed + stretch.component_mul(&chosen))
@@ -51,7 +55,7 @@ pub(super) fn at_tensions(
     model: &Model,
     pose: &Pose,
     tensions: &[f64],
-    cause: &Cause,
+    cause: &ParameterDeviation,
 ) -> Result<DVector<f64>, StaticsError> {
     let mut change = DVector::zeros(model.cable_count());
     if let Some((parameter, unit)) = cause.cable_parameter(model) {

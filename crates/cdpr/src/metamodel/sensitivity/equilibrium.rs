@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cause::Cause;
+use super::cause::ParameterDeviation;
 use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
@@ -112,11 +112,11 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// What follows from one unit of a deviation of this machine and the change of the lengths that goes with it (m).
-    pub(super) fn by_cause(&self, cause: &Cause, sent: &DVector<f64>) -> Answer {
+    pub(super) fn by_cause(&self, cause: &ParameterDeviation, sent: &DVector<f64>) -> Answer {
         self.answer(&self.right_side(sent, Some(cause)))
     }
 
-    fn right_side(&self, sent: &DVector<f64>, cause: Option<&Cause>) -> DVector<f64> {
+    fn right_side(&self, sent: &DVector<f64>, cause: Option<&ParameterDeviation>) -> DVector<f64> {
         let n = self.model.dof();
         let mut right = DVector::zeros(n + self.cables.len());
         right.rows_mut(n, self.cables.len()).copy_from(sent);
@@ -133,7 +133,7 @@ impl<'a> Equilibrium<'a> {
     }
 
     /// Change of the wrench at a fixed state, and of the length of the cause's cable.
-    fn deviation(&self, cause: &Cause) -> (Wrench, f64) {
+    fn deviation(&self, cause: &ParameterDeviation) -> (Wrench, f64) {
         if let Some((parameter, change)) = cause.cable_parameter(self.model) {
             let state = (cause.cable, &self.cables[cause.cable]);
             let (wrench, length) = self.model.by_parameter(state, &parameter, &self.pose.rotation_matrix());
@@ -154,11 +154,11 @@ impl<'a> Equilibrium<'a> {
 }
 
 /// Change of the load by one unit of a deviation (world; N, N·m).
-pub(super) fn load_change(cause: &Cause, model: &Model, pose: &Pose) -> Wrench {
+pub(super) fn load_change(cause: &ParameterDeviation, model: &Model, pose: &Pose) -> Wrench {
     let robot = model.robot();
     let gravity = robot.gravity.unwrap_or_default();
-    let at = |lever: nalgebra::Vector3<f64>, force: nalgebra::Vector3<f64>| {
-        let moment = (pose.rotation * lever).cross(&force);
+    let at = |moment_arm: nalgebra::Vector3<f64>, force: nalgebra::Vector3<f64>| {
+        let moment = (pose.rotation * moment_arm).cross(&force);
         Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
     };
     let Some(parameter) = cause.parameter() else { return Wrench::zeros() };

@@ -17,7 +17,7 @@ mod windings;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use cause::{Cause, Kind, Side, causes_of};
+pub use cause::{Kind, ParameterDeviation, Side, causes_of};
 pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
 pub use setting::{Offsets, Setting};
 
@@ -78,7 +78,7 @@ pub struct Sensitivity<'a> {
     operation: Operation<'a>,
     command: Command<'a>,
     load: Option<Load>,
-    causes: Vec<Cause>,
+    causes: Vec<ParameterDeviation>,
     /// Of the winch offsets per cause (m).
     offsets: Vec<DVector<f64>>,
 }
@@ -115,7 +115,7 @@ impl<'a> Sensitivity<'a> {
     }
 
     /// Deviations, in the order of the columns of all derivatives: control model, machine, winches.
-    pub fn causes(&self) -> &[Cause] {
+    pub fn causes(&self) -> &[ParameterDeviation] {
         &self.causes
     }
 
@@ -145,7 +145,8 @@ impl<'a> Sensitivity<'a> {
     fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {
         let windings = Windings::at(self.control.model, self.machine, &outcome.sent)?;
         let equilibrium = self.equilibrium(outcome)?.ok_or(OperationError::Singular)?;
-        let of_control: Vec<Cause> = self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
+        let of_control: Vec<ParameterDeviation> =
+            self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
         let commanded = self.command.by_causes(&command.pose, &of_control)?;
         let (n, m, count) = (self.machine.dof(), self.machine.cable_count(), self.causes.len());
         let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
@@ -178,7 +179,7 @@ impl<'a> Sensitivity<'a> {
 }
 
 /// All that may deviate: control model, machine, winches.
-pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<Cause> {
+pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<ParameterDeviation> {
     let elastic = tension_model(setting.set_with(control), machine);
     let mut causes = causes_of(Side::Control, control);
     causes.extend(causes_of(Side::Machine, machine));

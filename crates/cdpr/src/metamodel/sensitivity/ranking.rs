@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 
-use super::{Cause, Derivatives, Kind, Side};
+use super::{Derivatives, Kind, ParameterDeviation, Side};
 
 /// What one unit of a cause does over the poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Influence {
     /// The cause.
-    pub cause: Cause,
+    pub cause: ParameterDeviation,
     /// Mean distance that the platform moves (m per unit).
     pub position_mean: f64,
     /// Largest.
@@ -40,8 +40,8 @@ pub struct KindInfluence {
 }
 
 /// Every cause with what it does, in the order of the causes.
-pub fn rank(causes: &[Cause], derivatives: &[&Derivatives], translations: usize) -> Vec<Influence> {
-    let one = |(column, &cause): (usize, &Cause)| {
+pub fn rank(causes: &[ParameterDeviation], derivatives: &[&Derivatives], translations: usize) -> Vec<Influence> {
+    let one = |(column, &cause): (usize, &ParameterDeviation)| {
         let position = Spread::of(derivatives.iter().map(|at| at.position(translations, column)));
         let rotation = Spread::of(derivatives.iter().map(|at| at.rotation(translations, column)));
         let largest = |at: &&Derivatives| at.tensions.as_ref().map(|tensions| tensions.column(column).amax());
@@ -61,7 +61,11 @@ pub fn rank(causes: &[Cause], derivatives: &[&Derivatives], translations: usize)
 }
 
 /// Every kind with what it does.
-pub fn rank_kinds(causes: &[Cause], derivatives: &[&Derivatives], translations: usize) -> Vec<KindInfluence> {
+pub fn rank_kinds(
+    causes: &[ParameterDeviation],
+    derivatives: &[&Derivatives],
+    translations: usize,
+) -> Vec<KindInfluence> {
     let mut kinds: Vec<(Side, Kind)> = causes.iter().map(|cause| (cause.side, cause.kind)).collect();
     kinds.sort();
     kinds.dedup();

@@ -8,7 +8,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::cause::{Cause, Side};
+use super::cause::{ParameterDeviation, Side};
 use super::{Derivatives, PoseSensitivity, Sensitivity};
 use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
@@ -117,7 +117,7 @@ fn pulled(from: &Outcome, to: &Outcome, by: f64) -> DVector<f64> {
 
 /// h: forward problems end within some 1e-11 m, so that differences over it are good to 1e-5 and better, and few cables have the end of
 /// a branch so near.
-fn step(cause: &Cause) -> f64 {
+fn step(cause: &ParameterDeviation) -> f64 {
     match cause.kind.unit() {
         "m" | "1" => 1e-5,
         "kg" => 0.1,

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 
-use super::cause::{Cause, Kind, Side};
+use super::cause::{Kind, ParameterDeviation, Side};
 use super::choice::Choice;
 use super::command::{at_tensions, by_tensions};
 use super::windings::Windings;
@@ -60,11 +60,11 @@ impl<'a> Setting<'a> {
         &self,
         control: &'a Model,
         machine: &'a Model,
-        causes: &[Cause],
+        causes: &[ParameterDeviation],
     ) -> Result<Vec<DVector<f64>>, InputError> {
         let m = machine.cable_count();
         let at = if self.has_computed_offsets() { Some(AtInitial::new(self, control, machine)?) } else { None };
-        let one = |cause: &Cause| match (cause.kind, &at) {
+        let one = |cause: &ParameterDeviation| match (cause.kind, &at) {
             (Kind::WinchOffset, _) => Ok(DVector::from_fn(m, |cable, _| f64::from(u8::from(cable == cause.cable)))),
             (Kind::InitialTension, Some(at)) => Ok(at.by_initial_tension(cause)),
             (_, Some(at)) if self.offsets == Offsets::SetAnew => at.by_cause(cause),
@@ -125,14 +125,14 @@ impl<'a> AtInitial<'a> {
         self.windings.sent(&machine) - set_with
     }
 
-    fn by_initial_tension(&self, cause: &Cause) -> DVector<f64> {
+    fn by_initial_tension(&self, cause: &ParameterDeviation) -> DVector<f64> {
         match &self.as_they_are {
             Some(choice) => self.by_tension_change(&choice.by_reference(cause.cable)),
             None => DVector::zeros(self.tensions.len()),
         }
     }
 
-    fn by_cause(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
+    fn by_cause(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, InputError> {
         let model = match cause.side {
             Side::Machine => self.machine,
             Side::Control if self.setting.former.is_none() => self.set_with,
@@ -155,7 +155,7 @@ impl<'a> AtInitial<'a> {
     }
 
     /// Central differences, for tensions from which no derivative leads away.
-    fn by_differences(&self, cause: &Cause) -> Result<DVector<f64>, InputError> {
+    fn by_differences(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, InputError> {
         let step = cause.kind.difference_step();
         let offsets = |by: f64| {
             let deviating = |model: &Model| {

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::cause::{Cause, Kind, Side};
+use super::cause::{Kind, ParameterDeviation, Side};
 use crate::cable::winch::DrumLength;
 use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::winding::{Winding, WindingGradient};
@@ -40,7 +40,7 @@ impl<'a> Windings<'a> {
     }
 
     /// Change of the length that the cause's cable pays out for the same length sent (m per unit).
-    pub(super) fn by_cause(&self, cause: &Cause) -> f64 {
+    pub(super) fn by_cause(&self, cause: &ParameterDeviation) -> f64 {
         let Some(gradient) = self.gradients.as_ref().map(|gradients| &gradients[cause.cable]) else { return 0.0 };
         match cause.side {
             // a larger believed length at the same angle is a smaller angle for the same length
@@ -65,7 +65,7 @@ impl<'a> Windings<'a> {
 }
 
 /// Change of an ideal winch's length at a fixed angle.
-fn by_ideal(drum: &DrumLength, cause: &Cause) -> f64 {
+fn by_ideal(drum: &DrumLength, cause: &ParameterDeviation) -> f64 {
     match cause.kind {
         Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
         Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
@@ -74,7 +74,7 @@ fn by_ideal(drum: &DrumLength, cause: &Cause) -> f64 {
 }
 
 /// Change of a drum's length at a fixed angle.
-fn by_drum(drum: &DrumLength, cause: &Cause, model: &Model) -> f64 {
+fn by_drum(drum: &DrumLength, cause: &ParameterDeviation, model: &Model) -> f64 {
     if !model.composition().drum {
         return 0.0;
     }

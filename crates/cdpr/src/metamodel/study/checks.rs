@@ -1,6 +1,6 @@
 //! What a study file may not say, with the place where it says it.
 
-use super::{Grid, Random, Study, TensionTests, Tolerances};
+use super::{PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
 use crate::model::Composition;
 use crate::reading::{ReadError, Step, TomlDocument};
 
@@ -162,7 +162,11 @@ fn check_poses(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
     }
 }
 
-fn check_random(random: &Random, grid: Option<&Grid>, error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
+fn check_random(
+    random: &RandomPoses,
+    grid: Option<&PoseGrid>,
+    error: &dyn Fn(String) -> ReadError,
+) -> Result<(), ReadError> {
     if random.min.is_some() != random.max.is_some() {
         return Err(error("a box has two corners: min and max".to_owned()));
     }
@@ -184,7 +188,7 @@ fn check_corners(min: &[f64], max: &[f64], error: &dyn Fn(String) -> ReadError) 
     Ok(())
 }
 
-fn check_grid(grid: &Grid, error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
+fn check_grid(grid: &PoseGrid, error: &dyn Fn(String) -> ReadError) -> Result<(), ReadError> {
     let (dimension, max, count) = (grid.min.len(), grid.max.len(), grid.count.len());
     if max != dimension || count != dimension {
         return Err(error(format!(

@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{Grid, Random, Study, TensionTests};
+use super::{PoseGrid, RandomPoses, Study, TensionTests};
 use crate::geometry::{PatternError, Pose};
 use crate::robot::Robot;
 
@@ -89,7 +89,7 @@ impl TensionTests {
     }
 }
 
-impl Grid {
+impl PoseGrid {
     fn points(&self) -> Vec<Vec<f64>> {
         let mut points = vec![Vec::new()];
         for ((&min, &max), &count) in self.min.iter().zip(&self.max).zip(&self.count) {
@@ -105,9 +105,9 @@ impl Grid {
     }
 }
 
-impl Random {
+impl RandomPoses {
     /// Lower and upper corner of the box: its own, or those of the grid.
-    pub(super) fn corners<'a>(&'a self, grid: Option<&'a Grid>) -> Option<[&'a [f64]; 2]> {
+    pub(super) fn corners<'a>(&'a self, grid: Option<&'a PoseGrid>) -> Option<[&'a [f64]; 2]> {
         let of_grid = || grid.map(|grid| [&grid.min[..], &grid.max[..]]);
         let own = self.min.as_deref().zip(self.max.as_deref());
         own.map(|(min, max)| [min, max]).or_else(of_grid)

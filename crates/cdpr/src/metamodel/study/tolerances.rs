@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::metamodel::sensitivity::{Cause, Kind, Offsets, Side};
+use crate::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, Side};
 use crate::robot::ParameterKind;
 
 /// How far the numbers of control model, machine and winches may be off, and what accuracy is required.
@@ -131,7 +131,7 @@ pub struct WinchTolerances {
 
 impl Tolerances {
     /// Standard deviation of a cause, in its unit.
-    pub fn sigma(&self, cause: &Cause) -> f64 {
+    pub fn sigma(&self, cause: &ParameterDeviation) -> f64 {
         let same = |&(side, kind, ..): &(Side, Kind, &str, f64)| (side, kind) == (cause.side, cause.kind);
         self.entries().find(same).map_or(0.0, |(.., sigma)| sigma)
     }

@@ -1,6 +1,6 @@
 //! The tolerances that a required accuracy allows.
 
-use crate::metamodel::sensitivity::{Cause, Kind, PoseSensitivity, Side};
+use crate::metamodel::sensitivity::{Kind, ParameterDeviation, PoseSensitivity, Side};
 
 /// What a required accuracy allows.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Allowance {
 /// `errors` are those of the robot without deviations, or zeros where deviations alone are asked for. Jointly allowed tolerances
 /// are those allowed alone, all made smaller by the same factor; they are told for the kinds that `is_named` names.
 pub fn allowed(
-    causes: &[Cause],
+    causes: &[ParameterDeviation],
     poses: &[PoseSensitivity],
     errors: &[f64],
     (accuracy, coverage): (f64, f64),
@@ -97,7 +97,7 @@ struct Reached {
 impl Reached {
     fn of<'a>(
         kind: (Side, Kind),
-        causes: &[Cause],
+        causes: &[ParameterDeviation],
         poses: impl Iterator<Item = &'a PoseSensitivity>,
         translations: usize,
     ) -> Self {

@@ -4,7 +4,7 @@ use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo,
 use crate::metamodel::experiment::Experiment;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::Status;
-use crate::metamodel::sensitivity::{Cause, Kind, Offsets, PoseSensitivity, Side};
+use crate::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Side};
 use crate::metamodel::study::{AccuracyOf, CommandedPose, Tolerances};
 
 /// Questions about deviations, beside the tolerances of the study.
@@ -26,7 +26,7 @@ pub struct DeviationSettings {
 #[derive(Clone, Debug)]
 pub struct Deviations {
     /// Deviations, in the order of the columns of all derivatives.
-    pub causes: Vec<Cause>,
+    pub causes: Vec<ParameterDeviation>,
     /// Commanded poses.
     pub commanded: Vec<CommandedPose>,
     /// Outcome and derivatives, pose by pose.

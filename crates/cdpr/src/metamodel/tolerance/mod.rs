@@ -14,7 +14,7 @@ pub use allowed::{Allowance, Allowed, allowed};
 pub use deviations::{DeviationSettings, Deviations};
 pub use monte_carlo::{Engine, MonteCarlo, Quantiles, Settings, monte_carlo};
 
-use super::sensitivity::{Cause, PoseSensitivity};
+use super::sensitivity::{ParameterDeviation, PoseSensitivity};
 
 /// What deviations do to the position, to first order.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +51,6 @@ impl Spread {
 }
 
 /// Standard deviation of every cause, as a study's tolerances say.
-pub fn sigmas(causes: &[Cause], tolerances: &super::study::Tolerances) -> Vec<f64> {
+pub fn sigmas(causes: &[ParameterDeviation], tolerances: &super::study::Tolerances) -> Vec<f64> {
     causes.iter().map(|cause| tolerances.sigma(cause)).collect()
 }

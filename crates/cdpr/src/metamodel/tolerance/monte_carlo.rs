@@ -9,7 +9,7 @@ use crate::metamodel::control::Control;
 use crate::metamodel::errors::quantile;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::{Operation, Status};
-use crate::metamodel::sensitivity::{Cause, PoseSensitivity, Setting, Side};
+use crate::metamodel::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
 use crate::metamodel::study::{CommandedPose, Distribution, History, TensionMethod};
 use crate::model::Model;
 
@@ -96,7 +96,7 @@ type Answer = [f64; 3];
 pub fn monte_carlo<'a>(
     (control, machine): (impl Into<Control<'a>>, &'a Model),
     (setting, offsets): (&Setting<'_>, &[f64]),
-    causes: &[Cause],
+    causes: &[ParameterDeviation],
     (poses, nominal): (&[CommandedPose], &[PoseSensitivity]),
     settings: &Settings<'_>,
 ) -> Result<MonteCarlo, InputError> {
@@ -104,7 +104,7 @@ pub fn monte_carlo<'a>(
         return Err(InputError::TooManyRobots { robots: settings.robots, poses: poses.len(), limit: ANSWER_LIMIT });
     }
     let active: Vec<usize> = (0..causes.len()).filter(|&cause| settings.sigmas[cause] > 0.0).collect();
-    let own: Vec<Cause> = active.iter().map(|&cause| causes[cause]).collect();
+    let own: Vec<ParameterDeviation> = active.iter().map(|&cause| causes[cause]).collect();
     let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
     let deviates = own.iter().any(|cause| cause.side == Side::Control);
     let control = control.into();

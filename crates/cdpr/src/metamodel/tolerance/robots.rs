@@ -5,7 +5,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::sensitivity::{Cause, Kind, Offsets, Setting, Side};
+use crate::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, Setting, Side};
 use crate::metamodel::study::{Distribution, Initial};
 use crate::metamodel::winches::{tensions_set, winch_offsets};
 use crate::model::Model;
@@ -35,7 +35,7 @@ pub(super) struct Makers<'a> {
     /// The offsets in use (m).
     pub(super) offsets: &'a [f64],
     /// What deviates.
-    pub(super) causes: &'a [Cause],
+    pub(super) causes: &'a [ParameterDeviation],
     /// Initial tensions (N); empty where they do not matter.
     tensions: Vec<f64>,
 }
@@ -53,7 +53,7 @@ impl<'a> Makers<'a> {
         (control, machine): (&'a Model, &'a Model),
         setting: &'a Setting<'a>,
         offsets: &'a [f64],
-        causes: &'a [Cause],
+        causes: &'a [ParameterDeviation],
     ) -> Result<Self, InputError> {
         let is_asked = causes.iter().any(|cause| cause.kind == Kind::InitialTension);
         let mut makers = Self { control, machine, setting, offsets, causes, tensions: Vec::new() };

@@ -1,14 +1,14 @@
 //! Lengths and structure matrices at many poses at once, a pose per lane.
 //!
 //! Every number has the bits that the single pose gives, on every vector unit: [`Model::cable_lengths`] and
-//! [`Model::structure_matrix`] are the same formulas for one number instead of eight. Where a cable has no course its numbers
-//! are NaN; [`Model::course`] says why.
+//! [`Model::structure_matrix`] are the same formulas for one number instead of eight. Where a cable has no path its numbers
+//! are NaN; [`Model::path`] says why.
 
-mod course;
+mod path;
 #[cfg(test)]
 mod tests;
 
-pub(super) use course::CourseInLanes;
+pub(super) use path::CablePathInLanes;
 
 use super::Model;
 use crate::cable::wrench::wrench;
@@ -80,15 +80,15 @@ impl Kernel for Lengths<'_> {
         let zero = lanes.constant(0.0);
         for (group, lengths) in (first..).zip(lines.chunks_exact_mut(model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
-            let mut doubt = zero;
+            let mut needs_scalar = zero;
             for (cables, target) in model.groups().iter().zip(lengths.chunks_mut(LANES)) {
                 for (lane, target) in target.iter_mut().enumerate() {
-                    let cable = cables.course_in_lanes(lane, position, &rotation);
-                    cable.course.length.store(&mut target.0);
-                    doubt = doubt + cable.doubt;
+                    let cable = cables.path_in_lanes(lane, position, &rotation);
+                    cable.path.length.store(&mut target.0);
+                    needs_scalar = needs_scalar + cable.needs_scalar;
                 }
             }
-            if lanes.any(zero.is_less(doubt)) {
+            if lanes.any(zero.is_less(needs_scalar)) {
                 settle_lengths(model, poses, group, lengths);
             }
         }
@@ -102,7 +102,7 @@ fn settle_lengths(model: &Model, poses: &PoseBatch, group: usize, lengths: &mut 
     for lane in 0..LANES.min(poses.len() - group * LANES) {
         let pose = poses.get(group * LANES + lane);
         for (cable, line) in lengths.iter_mut().enumerate() {
-            line.0[lane] = model.course(cable, &pose).map_or(f64::NAN, |(course, _)| course.length);
+            line.0[lane] = model.path(cable, &pose).map_or(f64::NAN, |(path, _)| path.length);
         }
     }
 }
@@ -134,18 +134,18 @@ impl Kernel for StructureMatrices<'_> {
         let n = model.dof();
         for (group, matrices) in (first..).zip(lines.chunks_exact_mut(n * model.cable_count())) {
             let (position, rotation) = poses.at(lanes, group);
-            let mut doubt = zero;
+            let mut needs_scalar = zero;
             for (cables, target) in model.groups().iter().zip(matrices.chunks_mut(LANES * n)) {
                 for (lane, target) in target.chunks_exact_mut(n).enumerate() {
-                    let cable = cables.course_in_lanes(lane, position, &rotation);
-                    let column = in_pattern(model.twist_basis(), wrench(cable.moment_arm, cable.course.direction));
+                    let cable = cables.path_in_lanes(lane, position, &rotation);
+                    let column = in_pattern(model.twist_basis(), wrench(cable.moment_arm, cable.path.direction));
                     for (target, entry) in target.iter_mut().zip(column) {
                         entry.store(&mut target.0);
                     }
-                    doubt = doubt + cable.doubt;
+                    needs_scalar = needs_scalar + cable.needs_scalar;
                 }
             }
-            if lanes.any(zero.is_less(doubt)) {
+            if lanes.any(zero.is_less(needs_scalar)) {
                 settle_matrices(model, poses, group, matrices);
             }
         }

@@ -23,7 +23,7 @@ fn models() -> Vec<Model> {
     models
 }
 
-/// Random poses around the home pose, and poses at which cables have no course.
+/// Random poses around the home pose, and poses at which cables have no path.
 fn poses(model: &Model, count: usize) -> Vec<Pose> {
     let home = model.robot().home_or_middle();
     let mut rng = ChaCha8Rng::seed_from_u64(61);
@@ -53,7 +53,7 @@ fn same(a: f64, b: f64) -> bool {
 
 #[test]
 fn lengths_and_matrices_have_the_bits_of_single_poses_on_every_unit() {
-    let mut without_course = 0;
+    let mut without_path = 0;
     for model in models() {
         let poses = poses(&model, 203);
         let batch: PoseBatch = poses.iter().collect();
@@ -66,9 +66,9 @@ fn lengths_and_matrices_have_the_bits_of_single_poses_on_every_unit() {
             StructureMatrices { model: &model, poses: &batch, first: 0, lines: matrices.lines_mut() }.run_on(unit);
             for (item, pose) in poses.iter().enumerate() {
                 for cable in 0..model.cable_count() {
-                    let course = model.course(cable, pose);
-                    let length = course.as_ref().map_or(f64::NAN, |(course, _)| course.length);
-                    without_course += usize::from(course.is_err());
+                    let path = model.path(cable, pose);
+                    let length = path.as_ref().map_or(f64::NAN, |(path, _)| path.length);
+                    without_path += usize::from(path.is_err());
                     let name = &model.robot().name;
                     assert!(same(lengths.get(cable, item), length), "{name}, {unit:?}: cable {cable}, pose {item}");
                     let column = model.structure_column(cable, pose);
@@ -81,7 +81,7 @@ fn lengths_and_matrices_have_the_bits_of_single_poses_on_every_unit() {
             }
         }
     }
-    assert!(without_course > 1000, "{without_course}");
+    assert!(without_path > 1000, "{without_path}");
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn a_pulley_that_does_not_swivel_differs_beyond_its_entry_only() {
     swivelling.cables[0].pulley_wrap_side = None;
     let [fixed, swivelling] = [robot, swivelling].map(|robot| Model::new(robot, Composition::PULLEY).unwrap());
     for pose in planar_poses() {
-        let (on_side, turned) = (fixed.course(0, &pose).unwrap().0, swivelling.course(0, &pose).unwrap().0);
+        let (on_side, turned) = (fixed.path(0, &pose).unwrap().0, swivelling.path(0, &pose).unwrap().0);
         let beyond = (pose.transform(&fixed.robot().cables[0].platform_anchor)).x < -2.0;
         assert_eq!(on_side.wrap_angle > turned.wrap_angle + 1e-9, beyond, "{pose:?}");
         assert!(beyond || (on_side.length - turned.length).abs() < 1e-14);
@@ -55,13 +55,13 @@ fn a_pulley_that_does_not_swivel_differs_beyond_its_entry_only() {
 
 #[test]
 fn the_open_side_of_a_pulley_and_spatial_wrap_sides_are_refused() {
-    use crate::cable::DegenerateCourse as Reason;
+    use crate::cable::GeometryError as Reason;
     let model = Model::new(planar_robot(WrapSide::Right), Composition::PULLEY).unwrap();
     let left_above = Pose { position: Vector3::new(-4.0, 0.0, 5.0), ..Pose::identity() };
-    assert_eq!(model.course(0, &left_above).unwrap_err(), Reason::OpenSide { cable: 1 });
-    assert!(model.course_or_nan(0, &left_above).0.length.is_nan());
+    assert_eq!(model.path(0, &left_above).unwrap_err(), Reason::OpenSide { cable: 1 });
+    assert!(model.path_or_nan(0, &left_above).0.length.is_nan());
     let inside = Pose { position: Vector3::new(-2.3 + 0.1, 0.0, 2.9), ..Pose::identity() };
-    assert_eq!(model.course(0, &inside).unwrap_err(), Reason::InsidePulley { cable: 1, radius: 0.12 });
+    assert_eq!(model.path(0, &inside).unwrap_err(), Reason::InsidePulley { cable: 1, radius: 0.12 });
 
     let spatial = robot_of(planar_robot(WrapSide::Right).cables);
     let refused = Model::new(spatial, Composition::PULLEY).unwrap_err();
@@ -79,7 +79,7 @@ fn radius_zero_is_a_point_also_without_a_swivel() {
     robot.cables[0].pulley_radius = Some(0.0);
     let [pulley, point] = [Composition::PULLEY, Composition::STANDARD].map(|effects| {
         let model = Model::new(robot.clone(), effects).unwrap();
-        planar_poses().iter().map(|pose| model.course(0, pose).unwrap().0).collect::<Vec<_>>()
+        planar_poses().iter().map(|pose| model.path(0, pose).unwrap().0).collect::<Vec<_>>()
     });
     for (pulley, point) in pulley.iter().zip(&point) {
         assert!((pulley.length - point.length).abs() < 1e-14);

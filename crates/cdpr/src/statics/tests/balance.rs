@@ -112,7 +112,7 @@ fn what_no_cable_can_do_is_refused_by_its_number() {
     assert_eq!(section_wrench(&model, &pose, &f, &[8]), Err(StaticsError::UnknownCable { cable: 9, count: 8 }));
     assert_eq!(section_wrench(&model, &pose, &f, &[1, 1]), Err(StaticsError::RepeatedCable { cable: 2 }));
     let nowhere = Pose { position: Vector3::repeat(f64::NAN), ..Pose::identity() };
-    assert!(matches!(balanced_wrench(&model, &nowhere, &f), Err(StaticsError::Course(_))));
+    assert!(matches!(balanced_wrench(&model, &nowhere, &f), Err(StaticsError::CablePath(_))));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use num_dual::DualVec;
 
 use super::*;
 use crate::cable::elasticity::Elasticity;
-use crate::cable::{Course, outlet};
+use crate::cable::{CablePath, outlet};
 use crate::geometry::Wrench;
 use crate::scalar::{add, cross, rotate};
 
@@ -23,16 +23,16 @@ fn dual_force(model: &Model, index: usize, pose: &Pose, controlled: f64) -> [Dua
     let turn = [0, 1, 2].map(|k| variable(0.0, 3 + k));
     let stored: [Dual; 3] =
         rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), constants(cable.platform_anchor));
-    let lever = add(stored, cross(turn, stored));
-    let anchor = add([0, 1, 2].map(|k| variable(pose.position[k], k)), lever);
-    let course: Course<Dual> = match model.composition().pulley {
-        true => outlet::pulley::course(
+    let moment_arm = add(stored, cross(turn, stored));
+    let anchor = add([0, 1, 2].map(|k| variable(pose.position[k], k)), moment_arm);
+    let path: CablePath<Dual> = match model.composition().pulley {
+        true => outlet::pulley::path(
             constants(cable.frame_anchor),
             constants(cable.pulley_swivel_axis.expect("has a pulley")),
             Dual::from(cable.pulley_radius.expect("has a pulley")),
             anchor,
         ),
-        false => outlet::point::course(constants(cable.frame_anchor), anchor),
+        false => outlet::point::path(constants(cable.frame_anchor), anchor),
     };
     let law = model.elasticity(index);
     let dual_law = Elasticity {
@@ -40,9 +40,9 @@ fn dual_force(model: &Model, index: usize, pose: &Pose, controlled: f64) -> [Dua
         by_controlled_length: law.by_controlled_length.into(),
         constant: law.constant.into(),
     };
-    let tension = dual_law.tension(course.length, variable(controlled, 6)).value;
-    let u = course.direction;
-    let moment = cross(lever, u);
+    let tension = dual_law.tension(path.length, variable(controlled, 6)).value;
+    let u = path.direction;
+    let moment = cross(moment_arm, u);
     [u[0], u[1], u[2], moment[0], moment[1], moment[2]].map(|x| x * tension)
 }
 
@@ -105,12 +105,12 @@ fn misprinted_signs_fail_finite_differences() {
     for (name, matrix) in misprints {
         assert!((matrix - &numeric).amax() > 10.0, "{name}");
     }
-    // eq. 2.69: ∂b/∂x with the sign of the print, twice the lever's part away
+    // eq. 2.69: ∂b/∂x with the sign of the print, twice the moment arm's part away
     let mut lever_part = DMatrix::<f64>::zeros(6, 6);
     for cable in 0..8 {
-        let (course, lever) = model.course(cable, &pose).unwrap();
-        let u = Vector3::from(course.direction);
-        let part = u.cross_matrix() * lever.cross_matrix() * tensions[cable];
+        let (path, moment_arm) = model.path(cable, &pose).unwrap();
+        let u = Vector3::from(path.direction);
+        let part = u.cross_matrix() * moment_arm.cross_matrix() * tensions[cable];
         let mut corner = lever_part.view_mut((3, 3), (3, 3));
         corner += part;
     }
@@ -163,11 +163,11 @@ fn gravity_terms_agree_with_dual_numbers() {
     let (model, pose, _, load) = of(Composition::ELASTIC);
     let robot = model.robot();
     let weight = robot.gravity.unwrap() * robot.platform.mass.unwrap();
-    let lever = rotate(
+    let moment_arm = rotate(
         &pose.rotation_rows().map(|row| row.map(Dual::from)),
         [0, 1, 2].map(|k| Dual::from(robot.platform.center_of_mass.unwrap()[k])),
     );
-    let turned = add(lever, cross([0, 1, 2].map(|k| variable(0.0, 3 + k)), lever));
+    let turned = add(moment_arm, cross([0, 1, 2].map(|k| variable(0.0, 3 + k)), moment_arm));
     let moment = cross(turned, [0, 1, 2].map(|k| Dual::from(weight[k])));
     for row in 0..3 {
         assert!((moment[row].re - load.wrench(&pose)[3 + row]).abs() < 1e-12);

@@ -52,23 +52,23 @@ fn the_tangent_of_a_pull_is_symmetric() {
     let (model, pose, tensions, _) = of(Composition::PULLEY_ELASTIC);
     let controlled = controlled_lengths(&model, &pose, &tensions).unwrap();
     for cable in 0..8 {
-        let (course, lever) = model.course(cable, &pose).unwrap();
+        let (path, moment_arm) = model.path(cable, &pose).unwrap();
         let pull = |step: Vector3<f64>| {
             let twist = Twist::new(step.x, step.y, step.z, 0.0, 0.0, 0.0);
-            let (course, _) = model.course(cable, &pose.displaced(&twist)).unwrap();
-            let tension = model.elasticity(cable).tension(course.length, controlled[cable]).value;
-            Vector3::from(course.direction) * tension
+            let (path, _) = model.path(cable, &pose.displaced(&twist)).unwrap();
+            let tension = model.elasticity(cable).tension(path.length, controlled[cable]).value;
+            Vector3::from(path.direction) * tension
         };
         let h = 1e-5; // truncation ~ h² · 1e4 N/m³, rounding ~ 1e3 N · ε/h
         let columns = [0, 1, 2].map(|k| (pull(Vector3::ith(k, h)) - pull(Vector3::ith(k, -h))) / (2.0 * h));
         let tangent = Matrix3::from_columns(&columns);
         assert!((tangent - tangent.transpose()).amax() < 1e-4, "cable {}: {tangent}", cable + 1);
-        let u = Vector3::from(course.direction);
-        let law = model.elasticity(cable).tension(course.length, controlled[cable]);
-        let gradient = Matrix3::from_fn(|i, j| course.direction_gradient[i][j]);
+        let u = Vector3::from(path.direction);
+        let law = model.elasticity(cable).tension(path.length, controlled[cable]);
+        let gradient = Matrix3::from_fn(|i, j| path.direction_gradient[i][j]);
         assert!((tangent - (gradient * law.value - u * u.transpose() * law.by_length)).amax() < 1e-4);
         // and it is what the translations of a one-cable robot feel
-        assert!(lever.norm() > 0.0);
+        assert!(moment_arm.norm() > 0.0);
     }
 }
 

@@ -14,7 +14,7 @@ pub(super) const LOST: f64 = 1e-12;
 /// Above this length the rank is certain without looking for the best order of the rows.
 pub(super) const CERTAIN: f64 = 1e-5;
 
-/// A rest of the load below this part of load and tensions is rounding, where rows depend on each other.
+/// A residual of the load below this part of load and tensions is rounding, where rows depend on each other.
 const INCONSISTENT: f64 = 1e-9;
 
 /// Householder factors of the rows of a structure matrix, A = Q R.
@@ -46,7 +46,7 @@ pub(in crate::tension) struct Unreachable {
     /// Place (in the order of the factors) of the row that stays unbalanced.
     place: usize,
     /// What is missing there.
-    rest: f64,
+    residual: f64,
 }
 
 impl Balance {
@@ -77,7 +77,7 @@ impl Balance {
         self.rank == self.dof && reciprocals.fold(0.0, f64::max) < 1.0 / CERTAIN
     }
 
-    /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the shortest tensions that balance what
+    /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the minimum-norm tensions that balance what
     /// they can of the load. `Some` where that is not all of it.
     pub(in crate::tension) fn solve(
         &mut self,
@@ -175,7 +175,7 @@ impl Balance {
                 self.bring_longest_to(k);
             }
             self.take_head(k, k);
-            let (done, rest) = self.columns.split_at_mut((k + 1) * blocks);
+            let (done, residual) = self.columns.split_at_mut((k + 1) * blocks);
             let v = &mut done[k * blocks..];
             let length = dot(v, v).sqrt();
             if length <= if ordered { LOST } else { CERTAIN } {
@@ -188,7 +188,7 @@ impl Balance {
             let factor = 1.0 / (signed * *head);
             self.triangle[k * dof + k] = -1.0 / signed;
             self.factors[k] = factor;
-            for column in rest.chunks_exact_mut(blocks) {
+            for column in residual.chunks_exact_mut(blocks) {
                 let along = factor * dot(v, column);
                 add_scaled(column, -along, v);
             }
@@ -225,27 +225,27 @@ impl Balance {
         for place in 0..dof {
             let row = self.order[place];
             let column = &self.triangle[place * dof..(place + 1) * dof];
-            let mut rest = wrench[row] * self.row_scales[row];
-            size = size.max(rest.abs());
-            sum += rest.abs();
+            let mut residual = wrench[row] * self.row_scales[row];
+            size = size.max(residual.abs());
+            sum += residual.abs();
             for (entry, y) in column[..rank.min(place)].iter().zip(&self.coordinates) {
-                rest += entry * y;
+                residual += entry * y;
             }
             if place < rank {
-                self.coordinates[place] = -rest * column[place];
+                self.coordinates[place] = -residual * column[place];
                 size = size.max(self.coordinates[place].abs());
-            } else if worst.is_none_or(|worst| rest.abs() > worst.rest.abs()) {
-                worst = Some(Unreachable { place, rest });
+            } else if worst.is_none_or(|worst| residual.abs() > worst.residual.abs()) {
+                worst = Some(Unreachable { place, residual });
             }
         }
         // the squares of tensions are needed too; NaN fails this as well
         if !(sum.abs() < LARGEST) {
             return Err(InputError::NotFinite { what: "wrench" });
         }
-        Ok(worst.filter(|worst| worst.rest.abs() > INCONSISTENT * size))
+        Ok(worst.filter(|worst| worst.residual.abs() > INCONSISTENT * size))
     }
 
-    /// Writes H (m − rank columns) and after it the shortest tensions p = Q y that balance the load.
+    /// Writes H (m − rank columns) and after it the minimum-norm tensions p = Q y that balance the load.
     fn write_solutions(&self, columns: &mut [Block]) {
         let (blocks, rank) = (self.blocks, self.rank);
         let dimension = self.cable_count - rank;
@@ -297,7 +297,7 @@ impl Balance {
     /// The combination y of rows that vanishes, Aᵀ's part, but not its load: yᵀ w < 0.
     pub(super) fn write_contradiction(&self, unreachable: Unreachable, y: &mut [f64]) {
         let place = unreachable.place;
-        let sign = -unreachable.rest.signum();
+        let sign = -unreachable.residual.signum();
         y.fill(0.0);
         let column = &self.triangle[place * self.dof..];
         self.write_back_substituted(&column[..self.rank], y);

@@ -32,12 +32,12 @@ impl<const N: usize> Kernel for Solutions<'_, N> {
         let mut reflectors = [lanes.constant(0.0); N];
         let mut factors = [0.0; N];
         // w, then what R leaves of it
-        let mut rest = [0.0; N];
+        let mut residual = [0.0; N];
         let mut y = [0.0; LANES];
         let mut size = 0.0;
         for j in 0..N {
-            rest[j] = self.wrench[j] * scales[j];
-            size += rest[j].abs();
+            residual[j] = self.wrench[j] * scales[j];
+            size += residual[j].abs();
         }
         if !(size < LARGEST) {
             return false;
@@ -55,12 +55,12 @@ impl<const N: usize> Kernel for Solutions<'_, N> {
             let factor = 1.0 / (square + length * head.abs());
             let v = tail + lanes.load(&UNIT[k]) * lanes.constant(signed);
             let reciprocal = -1.0 / signed;
-            y[k] = -rest[k] * reciprocal;
+            y[k] = -residual[k] * reciprocal;
             for j in k + 1..N {
                 let along = factor * (products[j] + signed * rows[j].to_array()[k]);
                 rows[j] = rows[j] - lanes.constant(along) * v;
                 let entry = rows[j].to_array()[k];
-                rest[j] += entry * y[k];
+                residual[j] += entry * y[k];
                 self.triangle[j * N + k] = entry;
             }
             self.triangle[k * N + k] = reciprocal;
@@ -153,12 +153,12 @@ impl<const N: usize> Kernel for Combination<'_, N> {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) {
         let (triangle, reflectors) = (&self.triangle[..N * N], &self.reflectors[..N]);
-        let mut rest = lanes.load(self.cables);
+        let mut residual = lanes.load(self.cables);
         for k in 0..N {
             let v = lanes.load(&reflectors[k]);
-            rest = rest - lanes.constant(self.factors[k] * (v * rest).sum()) * v;
+            residual = residual - lanes.constant(self.factors[k] * (v * residual).sum()) * v;
         }
-        let mut y = rest.to_array();
+        let mut y = residual.to_array();
         for place in (0..N).rev() {
             y[place] *= triangle[place * N + place];
             for before in 0..place {

@@ -68,7 +68,7 @@ impl Distribution {
     pub fn reason(&self) -> Option<String> {
         match self.status {
             Status::Feasible => None,
-            Status::Infeasible => Some(self.certificate.words()),
+            Status::Infeasible => Some(self.certificate.to_string()),
             Status::Undecided => Some(UNDECIDED.to_owned()),
         }
     }
@@ -191,7 +191,7 @@ impl Solver {
             dof => {
                 wrench_residual.copy_from_slice(wrench);
                 for (column, tension) in structure_matrix.as_slice().chunks_exact(dof).zip(tensions.iter()) {
-                    wrench_residual.iter_mut().zip(column).for_each(|(rest, entry)| *rest += entry * tension);
+                    wrench_residual.iter_mut().zip(column).for_each(|(residual, entry)| *residual += entry * tension);
                 }
             }
         }
@@ -212,12 +212,12 @@ impl Solver {
 
 /// Aᵀ f + w, for a number of rows that the compiler knows.
 fn write_residual<const N: usize>(structure_matrix: &[f64], wrench: &[f64], tensions: &[f64], residual: &mut [f64]) {
-    let mut rest = [0.0; N];
-    rest.copy_from_slice(wrench);
+    let mut sum = [0.0; N];
+    sum.copy_from_slice(wrench);
     for (column, tension) in structure_matrix.chunks_exact(N).zip(tensions) {
         for row in 0..N {
-            rest[row] += column[row] * tension;
+            sum[row] += column[row] * tension;
         }
     }
-    residual.copy_from_slice(&rest);
+    residual.copy_from_slice(&sum);
 }

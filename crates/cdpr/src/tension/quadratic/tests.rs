@@ -108,7 +108,7 @@ fn every_verdict_proves_itself() {
                 feasible += 1;
                 assert!(limits.contain(&found.tensions, 0.0), "case {case}");
                 // 12 tensions of 1000 N, balanced to the limits' tolerance 1e-10 each
-                assert!(found.wrench_residual.iter().all(|rest| rest.abs() < 2e-6), "case {case}: {found:?}");
+                assert!(found.wrench_residual.iter().all(|residual| residual.abs() < 2e-6), "case {case}: {found:?}");
             }
             Status::Infeasible => {
                 infeasible += 1;

@@ -1,12 +1,20 @@
 //! A certificate told in words.
 
+use std::fmt;
+
 use super::certificate::{Certificate, ROUNDING};
+
+impl fmt::Display for Certificate {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.sentence())
+    }
+}
 
 impl Certificate {
     /// What balance asks of which cables, and what their limits allow; a sentence part without a full stop.
     ///
     /// In Σ cᵢ fᵢ = required the cables with c < 0 stand at their least tension, so that the others have least to do.
-    pub(in crate::tension) fn words(&self) -> String {
+    fn sentence(&self) -> String {
         if self.is_unresisted {
             return self.words_without_cables();
         }

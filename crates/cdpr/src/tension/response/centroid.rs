@@ -20,8 +20,8 @@ pub(super) struct Centroid {
     tensions: Vec<f64>,
     /// H.
     basis: DMatrix<f64>,
-    /// A⁺ᵀ: the shortest tensions for a wrench, cables without a range left out.
-    shortest: DMatrix<f64>,
+    /// A⁺ᵀ: the minimum-norm tensions for a wrench, cables without a range left out.
+    minimum_norm: DMatrix<f64>,
     facets: Vec<Facet>,
     /// In the unit's power.
     volume: f64,
@@ -62,7 +62,7 @@ impl Centroid {
         let mut kept = matrix.clone().insert_rows(n, fixed.len(), 0.0);
         fixed.iter().enumerate().for_each(|(row, &cable)| kept[(n + row, cable)] = 1.0);
         let basis = null_space(&kept).ok()?;
-        let shortest = kept.pseudo_inverse(ROUNDING).ok()?.columns(0, n).into_owned();
+        let minimum_norm = kept.pseudo_inverse(ROUNDING).ok()?.columns(0, n).into_owned();
         let unit = limits.diameter();
         let dimension = basis.ncols();
         let (mut half_spaces, mut places) = (Vec::new(), Vec::new());
@@ -85,7 +85,7 @@ impl Centroid {
         }
         // a set of hardly any volume has a centroid of rounding errors
         let is_thick = volume > ROUNDING;
-        is_thick.then(|| Self { tensions: tensions.to_vec(), basis, shortest, facets, volume, unit })
+        is_thick.then(|| Self { tensions: tensions.to_vec(), basis, minimum_norm, facets, volume, unit })
     }
 
     pub(super) fn cable_count(&self) -> usize {
@@ -95,7 +95,7 @@ impl Centroid {
     /// Change of all tensions when the column of one cable and the wrench change so.
     pub(super) fn change(&self, cable: usize, column: &[f64], wrench: &[f64]) -> DVector<f64> {
         let [by_tension, by_wrench] =
-            [column, wrench].map(|change| -(&self.shortest * DVector::from_column_slice(change)));
+            [column, wrench].map(|change| -(&self.minimum_norm * DVector::from_column_slice(change)));
         // δ(λ) = away + slope (H_k · λ)
         let away = &by_tension * self.tensions[cable] + by_wrench;
         let slope = by_tension * self.unit;

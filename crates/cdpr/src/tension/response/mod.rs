@@ -135,7 +135,7 @@ impl Response {
     pub fn change_by_reference(&self, cable: usize) -> DVector<f64> {
         match &self.rule {
             Rule::Optimum(optimum) => optimum.change_by_slope(cable),
-            // the way from the shortest tensions and the centroid keep no reference that could be moved cable by cable
+            // the way from the minimum-norm tensions and the centroid keep no reference that could be moved cable by cable
             Rule::Puncture(puncture) => DVector::zeros(puncture.way.len()),
             Rule::Centroid(centroid) => DVector::zeros(centroid.cable_count()),
         }
@@ -152,14 +152,14 @@ fn between(limits: &Limits, tensions: &[f64], share: f64) -> Vec<usize> {
     (0..tensions.len()).filter(is_free).collect()
 }
 
-/// The first point within the limits on the way from the shortest tensions to the improved closed form.
+/// The first point within the limits on the way from the minimum-norm tensions to the improved closed form.
 #[derive(Clone, Debug)]
 struct Puncture {
-    /// Of the shortest tensions, and of the improved closed form.
+    /// Of the minimum-norm tensions, and of the improved closed form.
     ends: [Optimum; 2],
-    /// From the shortest tensions to the improved closed form (N).
+    /// From the minimum-norm tensions to the improved closed form (N).
     way: Vec<f64>,
-    /// Part of the way that is gone, and the cable that is on its limit there; nothing where the shortest tensions keep the limits.
+    /// Part of the way that is gone, and the cable that is on its limit there; nothing where the minimum-norm tensions keep the limits.
     at: Option<(f64, usize)>,
 }
 
@@ -167,11 +167,11 @@ impl Puncture {
     fn of(matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> Result<Self, NotSmooth> {
         let zeros = vec![0.0; matrix.ncols()];
         let to_zero = Options { reference: Reference::Given(&zeros), ..Options::default() };
-        let shortest = solve(Method::ClosedForm, matrix, wrench, limits, &to_zero)?.tensions;
+        let minimum_norm = solve(Method::ClosedForm, matrix, wrench, limits, &to_zero)?.tensions;
         let inner = solve(Method::ImprovedClosedForm, matrix, wrench, limits, &Options::default())?.tensions;
-        let way: Vec<f64> = inner.iter().zip(&shortest).map(|(inner, outer)| inner - outer).collect();
+        let way: Vec<f64> = inner.iter().zip(&minimum_norm).map(|(inner, outer)| inner - outer).collect();
         let mut at = None;
-        for (cable, (outer, way)) in shortest.iter().zip(&way).enumerate() {
+        for (cable, (outer, way)) in minimum_norm.iter().zip(&way).enumerate() {
             let limit = outer.clamp(limits.minimum()[cable], limits.maximum()[cable]);
             let part = (limit - outer) / way;
             if limit != *outer && *way != 0.0 && at.is_none_or(|(most, _)| part > most) {
@@ -179,7 +179,7 @@ impl Puncture {
             }
         }
         let all = (0..zeros.len()).collect();
-        let of_shortest = Optimum::nearest(matrix, &shortest, all, &|_| 0.0);
+        let of_shortest = Optimum::nearest(matrix, &minimum_norm, all, &|_| 0.0);
         let free = between(limits, &inner, ON_LIMIT);
         let of_inner = Optimum::nearest(matrix, &inner, free, &|cable| limits.middle(cable));
         let ends = [of_shortest.ok_or(NotSmooth::Pinned)?, of_inner.ok_or(NotSmooth::Pinned)?];

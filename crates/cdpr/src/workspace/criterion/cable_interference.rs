@@ -14,7 +14,7 @@ use crate::workspace::WorkspaceError;
 /// there by design and are not compared. The margin (m) is the least distance left; cables of a planar robot count as lying in one
 /// plane, and where two cross it is below zero by how far they have to be pulled apart.
 #[derive(Clone, Debug)]
-pub struct CablesApart<'a> {
+pub struct CableInterference<'a> {
     model: &'a Model,
     pairs: Vec<Pair>,
     clearance: f64,
@@ -29,7 +29,7 @@ struct Pair {
 
 const NAME: &str = "cable-interference";
 
-impl<'a> CablesApart<'a> {
+impl<'a> CableInterference<'a> {
     /// The criterion for a clearance between the cables' surfaces (m), with the file's diameters or this one for all cables (m).
     pub fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
@@ -59,7 +59,7 @@ impl<'a> CablesApart<'a> {
     }
 }
 
-impl Criterion for CablesApart<'_> {
+impl Criterion for CableInterference<'_> {
     fn name(&self) -> &str {
         NAME
     }

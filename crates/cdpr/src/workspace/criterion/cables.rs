@@ -1,9 +1,9 @@
-//! What criteria ask of every cable: keys of the file, courses at a pose, and names.
+//! What criteria ask of every cable: keys of the file, paths at a pose, and names.
 
 use nalgebra::Vector3;
 
 use super::clearance::Segment;
-use crate::cable::Course;
+use crate::cable::CablePath;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::robot::{Cable, Robot};
@@ -99,24 +99,24 @@ pub(super) fn fixed_directions(model: &Model, criterion: &'static str) -> Result
     }
 }
 
-/// The course of a cable, and its lever b = R b_P (world, m).
-pub(super) type CourseAndLever = (Course<f64>, Vector3<f64>);
+/// The path of a cable, and its moment arm b = R b_P (world, m).
+pub(super) type CablePathAndArm = (CablePath<f64>, Vector3<f64>);
 
-/// Courses of all cables, or the verdict that one has none.
-pub(super) fn courses(model: &Model, pose: &Pose) -> Result<Vec<CourseAndLever>, Verdict> {
-    let course = |cable| {
-        model.course(cable, pose).map_err(|error| Verdict::impossible(error.to_string(), Some(error.cable() - 1)))
+/// Paths of all cables, or the verdict that one has none.
+pub(super) fn paths(model: &Model, pose: &Pose) -> Result<Vec<CablePathAndArm>, Verdict> {
+    let path = |cable| {
+        model.path(cable, pose).map_err(|error| Verdict::impossible(error.to_string(), Some(error.cable() - 1)))
     };
-    (0..model.cable_count()).map(course).collect()
+    (0..model.cable_count()).map(path).collect()
 }
 
 /// The free parts of all cables, from the outlet to the platform anchor (world); sag is left out.
 pub(super) fn straight(model: &Model, pose: &Pose) -> Result<Vec<Segment>, Verdict> {
-    let segment = |(course, lever): CourseAndLever| {
-        let anchor = pose.position + lever;
-        Segment { from: anchor + Vector3::from(course.direction) * course.free_length, to: anchor }
+    let segment = |(path, moment_arm): CablePathAndArm| {
+        let anchor = pose.position + moment_arm;
+        Segment { from: anchor + Vector3::from(path.direction) * path.free_length, to: anchor }
     };
-    Ok(courses(model, pose)?.into_iter().map(segment).collect())
+    Ok(paths(model, pose)?.into_iter().map(segment).collect())
 }
 
 /// The degree of freedom that a direction has most of: "along x", "about z".

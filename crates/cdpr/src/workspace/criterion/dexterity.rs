@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::cables::{length_scale, mainly, not_negative};
 use super::{Criterion, Verdict};
-use crate::cable::DegenerateCourse;
+use crate::cable::GeometryError;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::decomposition::svd;
@@ -17,7 +17,7 @@ const SINGULAR: f64 = 1e12;
 ///
 /// The margin is κ_max − κ. A matrix that has lost rank counts as κ = 10¹².
 #[derive(Clone, Debug)]
-pub struct WellConditioned<'a> {
+pub struct JacobianConditioning<'a> {
     matrix: ScaledMatrix<'a>,
     largest: f64,
 }
@@ -27,7 +27,7 @@ pub struct WellConditioned<'a> {
 ///
 /// It is 1 where the cables act alike in all directions and 0 where in some direction none acts. The margin is its excess.
 #[derive(Clone, Debug)]
-pub struct Dexterous<'a> {
+pub struct Dexterity<'a> {
     matrix: ScaledMatrix<'a>,
     least: f64,
 }
@@ -49,7 +49,7 @@ struct Conditioning {
 
 impl ScaledMatrix<'_> {
     fn conditioning(&self, pose: &Pose) -> Result<Conditioning, Verdict> {
-        let refused = |error: DegenerateCourse| Verdict::impossible(error.to_string(), Some(error.cable() - 1));
+        let refused = |error: GeometryError| Verdict::impossible(error.to_string(), Some(error.cable() - 1));
         let mut matrix: DMatrix<f64> = self.model.structure_matrix(pose).map_err(refused)?;
         for row in self.model.robot().motion_pattern.translations()..matrix.nrows() {
             matrix.row_mut(row).scale_mut(1.0 / self.length_scale);
@@ -68,7 +68,7 @@ impl ScaledMatrix<'_> {
     }
 }
 
-impl<'a> WellConditioned<'a> {
+impl<'a> JacobianConditioning<'a> {
     /// The criterion for the largest condition number allowed, 1 or more, with the platform radius as length scale (m) where none
     /// is given.
     pub fn new(model: &'a Model, largest: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
@@ -81,7 +81,7 @@ impl<'a> WellConditioned<'a> {
     }
 }
 
-impl<'a> Dexterous<'a> {
+impl<'a> Dexterity<'a> {
     /// The criterion for the least dexterity allowed, 0 to 1, with the platform radius as length scale (m) where none is given.
     pub fn new(model: &'a Model, least: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         let wanted = "it is a number from 0 to 1";
@@ -92,7 +92,7 @@ impl<'a> Dexterous<'a> {
     }
 }
 
-impl Criterion for WellConditioned<'_> {
+impl Criterion for JacobianConditioning<'_> {
     fn name(&self) -> &str {
         "condition"
     }
@@ -120,7 +120,7 @@ impl Criterion for WellConditioned<'_> {
     }
 }
 
-impl Criterion for Dexterous<'_> {
+impl Criterion for Dexterity<'_> {
     fn name(&self) -> &str {
         "dexterity"
     }

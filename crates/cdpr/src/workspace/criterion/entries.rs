@@ -1,10 +1,10 @@
 //! The list of all criteria: one entry each.
 
-use super::registry::{Entry, Number, Setting, Wanted};
+use super::registry::{CriterionRequest, Entry, Number, Setting};
 use super::{
-    CablesApart, Criterion, Dexterous, LengthLimits, ModelValid, ObstaclesClear, PlatformClear, PlatformOffObstacles,
-    StaticallyStable, StiffEnough, StiffVibrations, WellConditioned, WrapLimits, WrenchClosure, WrenchFeasible,
-    WrenchSetFeasible,
+    CableInterference, CableObstacles, Criterion, Dexterity, JacobianConditioning, LengthLimits, MinimumStiffness,
+    ModelValidity, NaturalFrequency, PlatformInterference, PlatformObstacles, StaticStability, WrapLimits,
+    WrenchClosure, WrenchFeasible, WrenchSetFeasible,
 };
 use crate::workspace::WorkspaceError;
 use crate::workspace::criterion::Requirement;
@@ -59,7 +59,7 @@ pub const ENTRIES: &[Entry] = &[
         make: |setting, wanted| {
             let (load, limits) = (setting.load.clone()?, setting.limits.clone()?);
             let (least, length) = (wanted.required("least"), wanted.number("length"));
-            Ok(Box::new(StiffEnough::new(setting.model, &load, &limits, least, length)?))
+            Ok(Box::new(MinimumStiffness::new(setting.model, &load, &limits, least, length)?))
         },
     },
     Entry {
@@ -68,7 +68,7 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[LENGTH],
         make: |setting, wanted| {
             let (load, limits) = (setting.load.clone()?, setting.limits.clone()?);
-            Ok(Box::new(StaticallyStable::new(setting.model, &load, &limits, wanted.number("length"))?))
+            Ok(Box::new(StaticStability::new(setting.model, &load, &limits, wanted.number("length"))?))
         },
     },
     Entry {
@@ -77,7 +77,7 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[needed("least", "Hz")],
         make: |setting, wanted| {
             let (load, limits) = (setting.load.clone()?, setting.limits.clone()?);
-            Ok(Box::new(StiffVibrations::new(setting.model, &load, &limits, wanted.required("least"))?))
+            Ok(Box::new(NaturalFrequency::new(setting.model, &load, &limits, wanted.required("least"))?))
         },
     },
     Entry {
@@ -86,7 +86,7 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[needed("largest", "1"), LENGTH],
         make: |setting, wanted| {
             let (largest, length) = (wanted.required("largest"), wanted.number("length"));
-            Ok(Box::new(WellConditioned::new(setting.model, largest, length)?))
+            Ok(Box::new(JacobianConditioning::new(setting.model, largest, length)?))
         },
     },
     Entry {
@@ -95,7 +95,7 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[needed("least", "1"), LENGTH],
         make: |setting, wanted| {
             let (least, length) = (wanted.required("least"), wanted.number("length"));
-            Ok(Box::new(Dexterous::new(setting.model, least, length)?))
+            Ok(Box::new(Dexterity::new(setting.model, least, length)?))
         },
     },
     Entry {
@@ -122,14 +122,16 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[optional("clearance", "m"), optional("diameter", "m")],
         make: |setting, wanted| {
             let (clearance, diameter) = (wanted.number("clearance").unwrap_or(0.0), wanted.number("diameter"));
-            Ok(Box::new(CablesApart::new(setting.model, clearance, diameter)?))
+            Ok(Box::new(CableInterference::new(setting.model, clearance, diameter)?))
         },
     },
     Entry {
         name: "platform-interference",
         summary: "every cable leaves the platform by this angle at least",
         numbers: &[optional("angle", "rad")],
-        make: |setting, wanted| Ok(Box::new(PlatformClear::new(setting.model, wanted.number("angle").unwrap_or(0.0))?)),
+        make: |setting, wanted| {
+            Ok(Box::new(PlatformInterference::new(setting.model, wanted.number("angle").unwrap_or(0.0))?))
+        },
     },
     Entry {
         name: "obstacles",
@@ -137,7 +139,7 @@ pub const ENTRIES: &[Entry] = &[
         numbers: &[optional("clearance", "m"), optional("diameter", "m")],
         make: |setting, wanted| {
             let (clearance, diameter) = (wanted.number("clearance").unwrap_or(0.0), wanted.number("diameter"));
-            Ok(Box::new(ObstaclesClear::new(setting.model, clearance, diameter)?))
+            Ok(Box::new(CableObstacles::new(setting.model, clearance, diameter)?))
         },
     },
     Entry {
@@ -145,19 +147,19 @@ pub const ENTRIES: &[Entry] = &[
         summary: "the platform keeps away from the file's obstacles by the clearance",
         numbers: &[optional("clearance", "m")],
         make: |setting, wanted| {
-            Ok(Box::new(PlatformOffObstacles::new(setting.model, wanted.number("clearance").unwrap_or(0.0))?))
+            Ok(Box::new(PlatformObstacles::new(setting.model, wanted.number("clearance").unwrap_or(0.0))?))
         },
     },
     Entry {
         name: "validity",
         summary: "every cable has a course",
         numbers: &[],
-        make: |setting, _| Ok(Box::new(ModelValid::new(setting.model))),
+        make: |setting, _| Ok(Box::new(ModelValidity::new(setting.model))),
     },
 ];
 
 /// A payload where one of its numbers is given, else a ball about the load.
-fn wrench_set<'a>(setting: &Setting<'a>, wanted: &Wanted) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
+fn wrench_set<'a>(setting: &Setting<'a>, wanted: &CriterionRequest) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
     let (model, limits, length) = (setting.model, setting.limits.clone()?, wanted.number("length"));
     let of_ball = ["force", "moment"].map(|number| wanted.number(number));
     let [least, largest, acceleration, angular] =

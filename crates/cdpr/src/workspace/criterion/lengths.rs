@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::cables::{courses, limits, named};
+use super::cables::{limits, named, paths};
 use super::{Criterion, Spans, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
@@ -42,8 +42,8 @@ impl Criterion for LengthLimits<'_> {
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {
-        let lengths = match courses(self.model, pose) {
-            Ok(courses) => courses.into_iter().map(|(course, _)| course.length),
+        let lengths = match paths(self.model, pose) {
+            Ok(paths) => paths.into_iter().map(|(path, _)| path.length),
             Err(verdict) => return verdict,
         };
         nearest_limit(lengths, &self.limits, |cable, length, limit| {

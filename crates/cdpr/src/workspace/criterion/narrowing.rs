@@ -79,7 +79,7 @@ impl Closing<'_> {
 /// by the t at which y no longer proves anything; that is the next t. Every certificate comes from a vertex of the dual, so
 /// the last of finitely many steps is exact to the rounding of the programme, 1e-10 of the limits.
 pub(super) fn largest(
-    programme: &mut Solver,
+    qp: &mut Solver,
     matrix: &DMatrix<f64>,
     wrench: &[f64],
     closing: &Closing<'_>,
@@ -88,7 +88,7 @@ pub(super) fn largest(
     let mut best = start;
     for _ in 0..MAX_PROGRAMMES {
         let Some(limits) = closing.at(best.amount) else { break };
-        let found = programme.solve(matrix, wrench, &limits, None)?;
+        let found = qp.solve(matrix, wrench, &limits, None)?;
         if found.status == Status::Feasible {
             break;
         }

@@ -20,7 +20,7 @@ use crate::workspace::WorkspaceError;
 /// of √(λ_min)/2π for the least eigenvalue of M⁻¹ K_wx, with the sign of an unstable λ_min before the root; −∞ where no tensions
 /// within limits hold the load.
 #[derive(Clone, Debug)]
-pub struct StiffVibrations<'a> {
+pub struct NaturalFrequency<'a> {
     held: HeldPlatform<'a>,
     least: f64,
     /// About the platform origin, platform axes (kg, kg·m, kg·m²).
@@ -29,7 +29,7 @@ pub struct StiffVibrations<'a> {
 
 const NAME: &str = "natural-frequency";
 
-impl<'a> StiffVibrations<'a> {
+impl<'a> NaturalFrequency<'a> {
     /// The criterion for the least frequency (Hz), elastic cables and a platform with mass, centre of mass and inertia as far as it
     /// turns.
     pub fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
@@ -94,14 +94,14 @@ fn mass_matrix(robot: &Robot) -> Result<Matrix6<f64>, WorkspaceError> {
     let center = robot.platform.center_of_mass.ok_or_else(|| missing(robot, "`center_of_mass_m` in [platform]"))?;
     let inertia =
         robot.platform.inertia.ok_or_else(|| missing(robot, "`inertia_about_center_of_mass_kg_m2` in [platform]"))?;
-    let lever = center.cross_matrix();
-    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-lever * mass));
-    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(lever * mass));
-    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&(inertia - lever * lever * mass));
+    let moment_arm = center.cross_matrix();
+    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-moment_arm * mass));
+    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(moment_arm * mass));
+    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&(inertia - moment_arm * moment_arm * mass));
     Ok(matrix)
 }
 
-impl Criterion for StiffVibrations<'_> {
+impl Criterion for NaturalFrequency<'_> {
     fn name(&self) -> &str {
         NAME
     }

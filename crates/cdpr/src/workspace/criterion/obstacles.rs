@@ -18,7 +18,7 @@ use crate::workspace::WorkspaceError;
 /// against it. The margin (m) is the least distance left, below zero by the depth where a cable goes through. Of a strut in a plane
 /// that is its radius and the way by which the crossing axes have to be drawn apart.
 #[derive(Clone, Debug)]
-pub struct ObstaclesClear<'a> {
+pub struct CableObstacles<'a> {
     model: &'a Model,
     pairs: Vec<Pair>,
     clearance: f64,
@@ -41,7 +41,7 @@ pub(super) enum Body {
 
 const NAME: &str = "obstacles";
 
-impl<'a> ObstaclesClear<'a> {
+impl<'a> CableObstacles<'a> {
     /// The criterion for a clearance (m), with the file's cable diameters or this one for all cables (m).
     pub fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
@@ -107,7 +107,7 @@ impl Body {
     }
 }
 
-impl Criterion for ObstaclesClear<'_> {
+impl Criterion for CableObstacles<'_> {
     fn name(&self) -> &str {
         NAME
     }

@@ -1,6 +1,6 @@
 //! Cables that do not touch the platform.
 
-use super::cables::{courses, named, not_negative};
+use super::cables::{named, not_negative, paths};
 use super::clearance::Cone;
 use super::{Criterion, Verdict};
 use crate::geometry::Pose;
@@ -15,7 +15,7 @@ use crate::workspace::WorkspaceError;
 /// angle beside a side of the cone and inside it, at most the angle off its edges; in a plane too, from 90° off a side on. Anchors inside the hull of the anchors are not judged:
 /// where they sit the hull says nothing about the body.
 #[derive(Clone, Debug)]
-pub struct PlatformClear<'a> {
+pub struct PlatformInterference<'a> {
     model: &'a Model,
     /// In platform axes, one per cable; none where the anchor is not judged.
     cones: Vec<Option<Cone>>,
@@ -24,7 +24,7 @@ pub struct PlatformClear<'a> {
 
 const NAME: &str = "platform-interference";
 
-impl<'a> PlatformClear<'a> {
+impl<'a> PlatformInterference<'a> {
     /// The criterion for the least angle between cable and platform (rad), 0 for a touch.
     pub fn new(model: &'a Model, angle: f64) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
@@ -57,7 +57,7 @@ impl<'a> PlatformClear<'a> {
     }
 }
 
-impl Criterion for PlatformClear<'_> {
+impl Criterion for PlatformInterference<'_> {
     fn name(&self) -> &str {
         NAME
     }
@@ -67,14 +67,14 @@ impl Criterion for PlatformClear<'_> {
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {
-        let courses = match courses(self.model, pose) {
-            Ok(courses) => courses,
+        let paths = match paths(self.model, pose) {
+            Ok(paths) => paths,
             Err(verdict) => return verdict,
         };
         let mut least = (f64::MAX, None);
-        for (cable, ((course, _), cone)) in courses.iter().zip(&self.cones).enumerate() {
+        for (cable, ((path, _), cone)) in paths.iter().zip(&self.cones).enumerate() {
             let Some(cone) = cone else { continue };
-            let angle = cone.angle(&(pose.rotation.inverse() * nalgebra::Vector3::from(course.direction)));
+            let angle = cone.angle(&(pose.rotation.inverse() * nalgebra::Vector3::from(path.direction)));
             if angle < least.0 {
                 least = (angle, Some(cable));
             }

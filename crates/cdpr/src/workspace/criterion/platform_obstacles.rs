@@ -16,7 +16,7 @@ use crate::workspace::WorkspaceError;
 /// margin (m) is the exact distance of the nearest obstacle less the clearance; where they overlap, minus the shortest way that
 /// would part them. Without a clearance and among boxes only, where it holds along a straight way has a closed form.
 #[derive(Clone, Debug)]
-pub struct PlatformOffObstacles<'a> {
+pub struct PlatformObstacles<'a> {
     model: &'a Model,
     /// In platform axes.
     solid: Solid,
@@ -27,7 +27,7 @@ pub struct PlatformOffObstacles<'a> {
 
 const NAME: &str = "platform-obstacles";
 
-impl<'a> PlatformOffObstacles<'a> {
+impl<'a> PlatformObstacles<'a> {
     /// The criterion for a clearance (m).
     pub fn new(model: &'a Model, clearance: f64) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
@@ -50,7 +50,7 @@ impl<'a> PlatformOffObstacles<'a> {
     }
 }
 
-impl Criterion for PlatformOffObstacles<'_> {
+impl Criterion for PlatformObstacles<'_> {
     fn name(&self) -> &str {
         NAME
     }

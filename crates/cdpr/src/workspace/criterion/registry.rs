@@ -34,7 +34,7 @@ pub struct Entry {
     pub(super) make: Make,
 }
 
-pub(super) type Make = for<'a> fn(&Setting<'a>, &Wanted) -> Result<Box<dyn Criterion + 'a>, WorkspaceError>;
+pub(super) type Make = for<'a> fn(&Setting<'a>, &CriterionRequest) -> Result<Box<dyn Criterion + 'a>, WorkspaceError>;
 
 /// A number that a criterion takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ pub struct Number {
 
 /// A criterion as it is asked for: `NAME` or `NAME:NUMBER=VALUE,…`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Wanted {
+pub struct CriterionRequest {
     name: &'static str,
     numbers: Vec<(&'static str, f64)>,
 }
@@ -88,7 +88,7 @@ pub enum WantedError {
     },
 }
 
-impl FromStr for Wanted {
+impl FromStr for CriterionRequest {
     type Err = WantedError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
@@ -126,7 +126,7 @@ fn no_number(part: &str, entry: &Entry) -> WantedError {
     WantedError::Number { part: part.to_owned(), name: entry.name, cure }
 }
 
-impl Wanted {
+impl CriterionRequest {
     /// The criterion of this name without numbers.
     pub fn named(name: &str) -> Result<Self, WantedError> {
         name.parse()
@@ -155,7 +155,7 @@ impl Wanted {
 }
 
 /// The criterion that asks for all of these.
-pub fn all<'a>(wanted: &[Wanted], setting: &Setting<'a>) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
+pub fn all<'a>(wanted: &[CriterionRequest], setting: &Setting<'a>) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
     let mut criteria = wanted.iter().map(|wanted| wanted.make(setting)).collect::<Result<Vec<_>, _>>()?;
     match criteria.len() {
         1 => criteria.pop().ok_or(WorkspaceError::NoCriterion),
@@ -169,10 +169,10 @@ mod tests {
 
     #[test]
     fn a_wrong_name_and_a_wrong_number_are_answered_by_what_there_is() {
-        let words = |text: &str| text.parse::<Wanted>().unwrap_err().to_string();
+        let words = |text: &str| text.parse::<CriterionRequest>().unwrap_err().to_string();
         assert!(words("wrench-feasable").contains("did you mean `wrench-feasible`"));
         assert!(words("wrench-closure:least=1").contains("takes none"));
-        assert_eq!("wrench-closure".parse::<Wanted>().unwrap().name(), "wrench-closure");
+        assert_eq!("wrench-closure".parse::<CriterionRequest>().unwrap().name(), "wrench-closure");
     }
 
     #[test]

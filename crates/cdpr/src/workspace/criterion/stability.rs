@@ -12,11 +12,11 @@ use crate::workspace::WorkspaceError;
 /// Every small displacement at fixed controlled lengths is driven back: the symmetric part of K_wx = K_C − K_G − ∂w/∂x has positive
 /// eigenvalues only.
 ///
-/// A weight above the point it hangs from, or tensions that press a lever over, can make it fail however stiff the cables are. The
+/// A weight above the point it hangs from, or tensions that press a moment arm over, can make it fail however stiff the cables are. The
 /// margin (N/m) is the smallest eigenvalue, turns counted as the way of a point at the length scale; its sign does not depend on
 /// that length. −∞ where no tensions within limits hold the load.
 #[derive(Clone, Debug)]
-pub struct StaticallyStable<'a> {
+pub struct StaticStability<'a> {
     held: HeldPlatform<'a>,
     length_scale: f64,
 }
@@ -26,7 +26,7 @@ const NAME: &str = "stability";
 /// Eigenvalues this small beside the largest cannot be told from rounding.
 const ROUNDING: f64 = 1e-13;
 
-impl<'a> StaticallyStable<'a> {
+impl<'a> StaticStability<'a> {
     /// The criterion for elastic cables, with the platform radius as length scale (m) where none is given.
     pub fn new(model: &'a Model, load: &Load, limits: &Limits, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         let length_scale = length_scale(model, NAME, scale)?;
@@ -34,7 +34,7 @@ impl<'a> StaticallyStable<'a> {
     }
 }
 
-impl Criterion for StaticallyStable<'_> {
+impl Criterion for StaticStability<'_> {
     fn name(&self) -> &str {
         NAME
     }

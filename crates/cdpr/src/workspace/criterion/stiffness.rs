@@ -20,7 +20,7 @@ use crate::workspace::WorkspaceError;
 /// Tensions are the ones nearest to the middle of their limits that balance the load. The margin (N/m) is the eigenvalue's excess;
 /// −∞ where no tensions within limits hold the load, which then is the reason.
 #[derive(Clone, Debug)]
-pub struct StiffEnough<'a> {
+pub struct MinimumStiffness<'a> {
     held: HeldPlatform<'a>,
     least: f64,
     length_scale: f64,
@@ -28,7 +28,7 @@ pub struct StiffEnough<'a> {
 
 const NAME: &str = "stiffness";
 
-impl<'a> StiffEnough<'a> {
+impl<'a> MinimumStiffness<'a> {
     /// The criterion for the least stiffness (N/m), with the platform radius as length scale (m) where none is given.
     pub fn new(
         model: &'a Model,
@@ -43,7 +43,7 @@ impl<'a> StiffEnough<'a> {
     }
 }
 
-impl Criterion for StiffEnough<'_> {
+impl Criterion for MinimumStiffness<'_> {
     fn name(&self) -> &str {
         NAME
     }
@@ -135,7 +135,7 @@ impl<'a> HeldPlatform<'a> {
         let found = distribution::solve(self.model, pose, &self.load, &self.limits)
             .map_err(|error| Verdict::impossible(error.to_string(), cable_of(&error)))?;
         if let Some(reason) = &found.reason {
-            return Err(Verdict::impossible(format!("no tensions hold the load: {}", reason.words()), None));
+            return Err(Verdict::impossible(format!("no tensions hold the load: {reason}"), None));
         }
         statics::Stiffness::at(self.model, pose, &found.tensions, &self.load)
             .map_err(|error| Verdict::impossible(error.to_string(), None))

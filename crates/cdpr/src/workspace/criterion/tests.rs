@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{All, Any, Criterion, StaticallyStable, StiffEnough, WrenchClosure, WrenchFeasible, WrenchSetFeasible};
+use super::{All, Any, Criterion, MinimumStiffness, StaticStability, WrenchClosure, WrenchFeasible, WrenchSetFeasible};
 use crate::geometry::Pose;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
@@ -100,9 +100,9 @@ fn a_suspended_robot_has_no_wrench_closure_and_a_constrained_one_has_it_at_home(
     assert!(held.holds() && held.margin <= 1.0, "{held:?}");
 }
 
-/// Where a cable has no course there is a verdict with its number, not a panic.
+/// Where a cable has no path there is a verdict with its number, not a panic.
 #[test]
-fn a_platform_on_an_anchor_fails_with_the_cable_that_has_no_course() {
+fn a_platform_on_an_anchor_fails_with_the_cable_that_has_no_path() {
     let model = standard("planar-example");
     let criterion =
         WrenchFeasible::new(&model, &Load::of(model.robot()).unwrap(), &Limits::uniform(4, 1e3, 8e3).unwrap());
@@ -145,8 +145,8 @@ fn criteria_that_choose_tensions_take_longer_with_cables_that_sag() {
     let load = Load::of(&robot).unwrap();
     let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
     let efforts = |model| {
-        let stiff = StiffEnough::new(model, &load, &limits, 1.0, None).unwrap();
-        let stable = StaticallyStable::new(model, &load, &limits, None).unwrap();
+        let stiff = MinimumStiffness::new(model, &load, &limits, 1.0, None).unwrap();
+        let stable = StaticStability::new(model, &load, &limits, None).unwrap();
         [WrenchFeasible::new(model, &load, &limits).unwrap().effort(), stiff.effort(), stable.effort()]
     };
     assert_eq!(efforts(&straight), [1.0, 100.0, 100.0]);

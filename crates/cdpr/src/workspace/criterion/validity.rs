@@ -8,23 +8,23 @@ use crate::cable::outlet::Outlet;
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// Every cable has a course at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel axis, or
+/// Every cable has a path at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel axis, or
 /// on the open side of a pulley that does not swivel.
 ///
-/// The margin (m) is the least distance of a platform anchor from where its cable has no course: from the outlet, or from the
+/// The margin (m) is the least distance of a platform anchor from where its cable has no path: from the outlet, or from the
 /// pulley's circle and swivel axis. Inside the pulley it is below zero by the depth; on outlet or axis it is zero and fails.
 #[derive(Clone, Debug)]
-pub struct ModelValid<'a> {
+pub struct ModelValidity<'a> {
     model: &'a Model,
 }
 
-impl<'a> ModelValid<'a> {
+impl<'a> ModelValidity<'a> {
     /// The criterion for any model.
     pub fn new(model: &'a Model) -> Self {
         Self { model }
     }
 
-    /// Distance of a cable's platform anchor from where it would have no course (m).
+    /// Distance of a cable's platform anchor from where it would have no path (m).
     fn distance(&self, cable: usize, pose: &Pose) -> f64 {
         let outlet = &self.model.law(cable).outlet;
         let entry = Vector3::from(*outlet.frame_anchor());
@@ -52,7 +52,7 @@ impl<'a> ModelValid<'a> {
     }
 }
 
-impl Criterion for ModelValid<'_> {
+impl Criterion for ModelValidity<'_> {
     fn name(&self) -> &str {
         "validity"
     }
@@ -72,7 +72,7 @@ impl Criterion for ModelValid<'_> {
             if distance < nearest.0 {
                 nearest = (distance, Some(cable));
             }
-            if let (None, Err(error)) = (&reason, self.model.course(cable, pose)) {
+            if let (None, Err(error)) = (&reason, self.model.path(cable, pose)) {
                 let text = error.to_string();
                 let words = text.strip_prefix(&format!("cable {}", cable + 1)).unwrap_or(&text);
                 reason = Some((cable, format!("{}{words}", named(self.model.robot(), cable))));
@@ -86,6 +86,6 @@ impl Criterion for ModelValid<'_> {
     }
 
     fn holds(&self, pose: &Pose) -> bool {
-        pose.is_finite() && (0..self.model.cable_count()).all(|cable| self.model.course(cable, pose).is_ok())
+        pose.is_finite() && (0..self.model.cable_count()).all(|cable| self.model.path(cable, pose).is_ok())
     }
 }

@@ -1,6 +1,6 @@
 //! Wrap angles within limits.
 
-use super::cables::{courses, limits, named};
+use super::cables::{limits, named, paths};
 use super::lengths::nearest_limit;
 use super::{Criterion, Verdict};
 use crate::geometry::Pose;
@@ -47,8 +47,8 @@ impl Criterion for WrapLimits<'_> {
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {
-        let angles = match courses(self.model, pose) {
-            Ok(courses) => courses.into_iter().map(|(course, _)| course.wrap_angle),
+        let angles = match paths(self.model, pose) {
+            Ok(paths) => paths.into_iter().map(|(path, _)| path.wrap_angle),
             Err(verdict) => return verdict,
         };
         nearest_limit(angles, &self.limits, |cable, angle, limit| {

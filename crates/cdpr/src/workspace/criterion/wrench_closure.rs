@@ -37,30 +37,30 @@ impl<'a> WrenchClosure<'a> {
         fixed_directions(model, "wrench-closure").map(|()| Self { model })
     }
 
-    fn programme(&self) -> Solver {
+    fn qp(&self) -> Solver {
         Solver::new(self.model.cable_count(), self.model.dof() + 1)
     }
 
     /// Whether the tensions with this structure matrix can be `LEAST` at least, of a sum of 1.
-    fn all_pull(&self, programme: &mut Solver, matrix: &DMatrix<f64>) -> bool {
-        programme.forget();
+    fn all_pull(&self, qp: &mut Solver, matrix: &DMatrix<f64>) -> bool {
+        qp.forget();
         let limits = Limits::uniform(matrix.ncols(), LEAST, 1.0);
         let with_sum = with_sum(matrix);
         limits.is_ok_and(|limits| {
-            let found = programme.solve(&with_sum, &sum_of_one(matrix.nrows()), &limits, None);
+            let found = qp.solve(&with_sum, &sum_of_one(matrix.nrows()), &limits, None);
             found.is_ok_and(|found| found.status == Status::Feasible)
         })
     }
 
     /// The largest least tension of a sum of 1.
-    fn least_tension(&self, programme: &mut Solver, matrix: &DMatrix<f64>) -> Result<Narrowing, WorkspaceError> {
+    fn least_tension(&self, qp: &mut Solver, matrix: &DMatrix<f64>) -> Result<Narrowing, WorkspaceError> {
         let cable_count = matrix.ncols();
         let limits = Limits::uniform(cable_count, 0.0, 1.0)?;
         // of a sum of 1 none can be above what the others leave
         let closing = Closing { limits: &limits, rise: 1.0, fall: cable_count as f64 - 1.0 };
         let start = Narrowing { cable: None, ..closing.end() };
         let wrench = sum_of_one(matrix.nrows());
-        Ok(largest(programme, &with_sum(matrix), &wrench, &closing, start)?)
+        Ok(largest(qp, &with_sum(matrix), &wrench, &closing, start)?)
     }
 }
 
@@ -113,9 +113,9 @@ impl Criterion for WrenchClosure<'_> {
             let reason = format!("{cable_count} cables cannot pull against each other in {dof} degrees of freedom");
             return Verdict::impossible(reason, None);
         }
-        let mut programme = self.programme();
-        let holds = self.all_pull(&mut programme, &matrix);
-        let Narrowing { amount, cable } = match self.least_tension(&mut programme, &matrix) {
+        let mut qp = self.qp();
+        let holds = self.all_pull(&mut qp, &matrix);
+        let Narrowing { amount, cable } = match self.least_tension(&mut qp, &matrix) {
             Ok(narrowing) => narrowing,
             Err(error) => return Verdict::impossible(error.to_string(), None),
         };
@@ -128,7 +128,7 @@ impl Criterion for WrenchClosure<'_> {
 
     fn holds(&self, pose: &Pose) -> bool {
         let Ok(matrix) = self.model.structure_matrix(pose) else { return false };
-        self.all_pull(&mut self.programme(), &matrix) && rank(&matrix) == matrix.nrows()
+        self.all_pull(&mut self.qp(), &matrix) && rank(&matrix) == matrix.nrows()
     }
 
     fn holds_along(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Spans> {

@@ -35,14 +35,14 @@ impl<'a> WrenchFeasible<'a> {
         Ok(Self { model, load: *load, limits: limits.clone() })
     }
 
-    fn programme(&self) -> Solver {
+    fn qp(&self) -> Solver {
         Solver::new(self.model.cable_count(), self.model.dof())
     }
 
-    fn margin(&self, programme: &mut Solver, balance: &Balance, is_feasible: bool) -> Narrowing {
+    fn margin(&self, qp: &mut Solver, balance: &Balance, is_feasible: bool) -> Narrowing {
         let closing = Closing { limits: &self.limits, rise: 1.0, fall: 1.0 };
         let start = if is_feasible { closing.end() } else { Narrowing { amount: 0.0, cable: None } };
-        largest(programme, &balance.matrix, &balance.wrench, &closing, start)
+        largest(qp, &balance.matrix, &balance.wrench, &closing, start)
             .unwrap_or(Narrowing { amount: f64::NEG_INFINITY, cable: None })
     }
 }
@@ -58,20 +58,20 @@ impl Criterion for WrenchFeasible<'_> {
 
     fn judge(&self, pose: &Pose) -> Verdict {
         let wrench = self.load.in_pattern(self.model, pose);
-        let mut programme = self.programme();
+        let mut qp = self.qp();
         let mut infeasible = None;
         let balance = distribution::balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
-            programme.forget();
-            let found = programme.solve(matrix, wrench, &self.limits, None)?;
+            qp.forget();
+            let found = qp.solve(matrix, wrench, &self.limits, None)?;
             infeasible = found.reason();
             Ok(infeasible.is_none().then(|| found.tensions.clone()))
         });
         let balance = match balance {
-            Ok(Balance { reason: Some(reason), .. }) => return Verdict::impossible(reason.words(), None),
+            Ok(Balance { reason: Some(reason), .. }) => return Verdict::impossible(reason.to_string(), None),
             Ok(balance) => balance,
             Err(error) => return Verdict::impossible(error.to_string(), cable_of(&error)),
         };
-        let Narrowing { amount, cable } = self.margin(&mut programme, &balance, infeasible.is_none());
+        let Narrowing { amount, cable } = self.margin(&mut qp, &balance, infeasible.is_none());
         match infeasible {
             None => Verdict::held(amount, cable),
             Some(reason) => Verdict::failed(amount, reason, cable),
@@ -99,7 +99,7 @@ impl Criterion for WrenchFeasible<'_> {
 /// The cable (from 0) that keeps the question from having a meaning.
 pub(super) fn cable_of(error: &DistributionError) -> Option<usize> {
     match error {
-        DistributionError::Statics(StaticsError::Course(course)) => Some(course.cable() - 1),
+        DistributionError::Statics(StaticsError::CablePath(path)) => Some(path.cable() - 1),
         DistributionError::Statics(StaticsError::CableState { cable, .. }) => Some(cable - 1),
         _ => None,
     }

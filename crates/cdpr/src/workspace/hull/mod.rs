@@ -130,8 +130,8 @@ pub fn solve(
         points: found.points,
         feasible_points: found.feasible_points,
         status: Status::StarShaped,
-        rays_again: found.again.rays,
-        left_out: found.again.size,
+        rays_again: found.reentry.rays,
+        left_out: found.reentry.size,
         directions: sphere.directions,
         faces: sphere.faces,
         coarse_faces: sphere.coarse_faces,
@@ -140,7 +140,7 @@ pub fn solve(
     };
     let size = hull.measure().map_or(0.0, |measure| measure.size);
     if hull.left_out > SLIVER * size {
-        hull.status = Status::NotStarShaped { rays: found.again.rays, direction: found.again.direction };
+        hull.status = Status::NotStarShaped { rays: found.reentry.rays, direction: found.reentry.direction };
     }
     Ok(hull)
 }

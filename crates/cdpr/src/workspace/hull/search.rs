@@ -18,12 +18,12 @@ pub(super) struct Found {
     pub(super) rays_at_bounds: usize,
     pub(super) points: u64,
     pub(super) feasible_points: u64,
-    pub(super) again: Again,
+    pub(super) reentry: Reentry,
 }
 
 /// What rays saw of the region after they had left it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Again {
+pub(super) struct Reentry {
     /// Number of rays that entered it again.
     pub(super) rays: usize,
     /// Direction of the one that did over the longest way.
@@ -46,7 +46,7 @@ impl Rays<'_> {
 
     /// What the spans of all rays say. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
     fn read(&self, spans: &[Spans], tolerance: f64) -> Found {
-        let (mut radii, mut rays_at_bounds, mut again, mut longest) = (Vec::new(), 0, Again::default(), 0.0);
+        let (mut radii, mut rays_at_bounds, mut reentry, mut longest) = (Vec::new(), 0, Reentry::default(), 0.0);
         for (ray, spans) in spans.iter().enumerate() {
             // the centre belongs to the region
             let end = spans.parts().first().filter(|part| part[0] <= tolerance).map_or(0.0, |part| part[1]);
@@ -54,10 +54,10 @@ impl Rays<'_> {
             radii.push(end);
             let beyond: Vec<&[f64; 2]> = spans.parts().iter().filter(|part| part[0] > end).collect();
             let way: f64 = beyond.iter().map(|[from, to]| to - from).sum();
-            again.rays += usize::from(way > tolerance);
-            again.size += beyond.iter().map(|part| self.part(**part)).sum::<f64>();
+            reentry.rays += usize::from(way > tolerance);
+            reentry.size += beyond.iter().map(|part| self.part(**part)).sum::<f64>();
             if way > longest {
-                (longest, again.direction) = (way, self.directions[ray]);
+                (longest, reentry.direction) = (way, self.directions[ray]);
             }
         }
         let points: Vec<Point> = radii.iter().enumerate().map(|(ray, radius)| self.point(ray, *radius)).collect();
@@ -69,14 +69,14 @@ impl Rays<'_> {
             .filter(|(_, holds)| !**holds)
             .for_each(|(radius, _)| *radius -= (0.5 * tolerance).min(*radius));
         let feasible_points = holds.iter().filter(|holds| **holds).count() as u64;
-        Found { radii, rays_at_bounds, points: points.len() as u64, feasible_points, again }
+        Found { radii, rays_at_bounds, points: points.len() as u64, feasible_points, reentry }
     }
 
     fn look(&self, settings: &Settings) -> Found {
         let probes = settings.probes.max(1);
         let holds = self.probe(probes);
         let mut brackets = Vec::with_capacity(self.lengths.len());
-        let (mut rays_at_bounds, mut again, mut longest) = (0, Again::default(), 0.0);
+        let (mut rays_at_bounds, mut reentry, mut longest) = (0, Reentry::default(), 0.0);
         for (ray, holds) in holds.chunks_exact(probes).enumerate() {
             let at = |probe: usize| self.lengths[ray] * probe as f64 / probes as f64;
             let left = holds.iter().position(|holds| !holds);
@@ -84,10 +84,10 @@ impl Rays<'_> {
             brackets.push(left.map_or([self.lengths[ray]; 2], |left| [at(left), at(left + 1)]));
             let beyond: Vec<usize> = (left.unwrap_or(probes)..probes).filter(|&probe| holds[probe]).collect();
             let way = beyond.len() as f64 * at(1);
-            again.rays += usize::from(!beyond.is_empty());
-            again.size += beyond.iter().map(|&probe| self.part([at(probe), at(probe + 1)])).sum::<f64>();
+            reentry.rays += usize::from(!beyond.is_empty());
+            reentry.size += beyond.iter().map(|&probe| self.part([at(probe), at(probe + 1)])).sum::<f64>();
             if way > longest {
-                (longest, again.direction) = (way, self.directions[ray]);
+                (longest, reentry.direction) = (way, self.directions[ray]);
             }
         }
         let [judged, feasible] = self.bisect(&mut brackets, settings.tolerance);
@@ -96,7 +96,7 @@ impl Rays<'_> {
             rays_at_bounds,
             points: judged + holds.len() as u64,
             feasible_points: feasible + holds.iter().filter(|holds| **holds).count() as u64,
-            again,
+            reentry,
         }
     }
 

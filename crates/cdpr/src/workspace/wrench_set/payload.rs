@@ -136,7 +136,7 @@ impl Payload {
     }
 
     fn at(&self, mass: f64, model: &Model, pose: &Pose) -> Parallelotope {
-        let lever = pose.rotation * self.center_of_mass;
+        let moment_arm = pose.rotation * self.center_of_mass;
         let rotation = pose.rotation_matrix();
         // a massless payload has no inertia either
         let share = if self.mass[1] > 0.0 { mass / self.mass[1] } else { 0.0 };
@@ -145,7 +145,7 @@ impl Payload {
             let wrench = Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
             model.twist_basis().iter().map(|twist| twist.dot(&wrench)).collect()
         };
-        let of_force = |force: Vector3<f64>| rows(force, lever.cross(&force));
+        let of_force = |force: Vector3<f64>| rows(force, moment_arm.cross(&force));
         let mut center = of_force(self.gravity * mass);
         for (row, twist) in center.iter_mut().zip(model.twist_basis()) {
             *row += twist.dot(&self.constant);

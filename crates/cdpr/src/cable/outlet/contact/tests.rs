@@ -39,10 +39,10 @@ fn outlets() -> impl Strategy<Value = (Outlet<f64>, [f64; 3])> {
                     (Outlet::Sided { frame_anchor, swivel_axis, side, radius }, in_plane)
                 }
             };
-            let course = outlet.course(anchor);
-            let steepest = course.direction_gradient.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let path = outlet.path(anchor);
+            let steepest = path.direction_gradient.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
             // gradients of 1e3 per metre: millimetres beside axis or rim
-            let is_clear = outlet.degeneracy(1, anchor, &course).is_none() && steepest < 1e3;
+            let is_clear = outlet.degeneracy(1, anchor, &path).is_none() && steepest < 1e3;
             is_clear.then_some((outlet, anchor))
         },
     )
@@ -54,16 +54,16 @@ proptest! {
     /// Both are exact, so only rounding separates them; it grows with how fast the direction turns.
     #[test]
     fn jacobians_of_contact_points_agree_with_dual_numbers((outlet, anchor) in outlets()) {
-        let course = outlet.course(anchor);
-        let contact = outlet.contact(anchor, &course);
+        let path = outlet.path(anchor);
+        let contact = outlet.contact(anchor, &path);
         let variables = [0, 1, 2]
             .map(|k| Dual::new(anchor[k], num_dual::Derivative::some(SVector::<f64, 3>::ith(k, 1.0))));
         let in_duals = outlet.map(|&number| Dual::from(number));
-        let dual_course = in_duals.course(variables);
-        let dual = in_duals.contact(variables, &dual_course);
-        let steepest = course.direction_gradient.iter().flatten().fold(1.0, |most: f64, x| most.max(x.abs()));
+        let dual_path = in_duals.path(variables);
+        let dual = in_duals.contact(variables, &dual_path);
+        let steepest = path.direction_gradient.iter().flatten().fold(1.0, |most: f64, x| most.max(x.abs()));
         let tolerance = 1e-12 * steepest;
-        prop_assert!(distance(gradient(&dual_course.free_length), contact.free_length_by_anchor) < tolerance);
+        prop_assert!(distance(gradient(&dual_path.free_length), contact.free_length_by_anchor) < tolerance);
         prop_assert!(distance(gradient(&dual.arc_length), contact.arc_length_by_anchor) < tolerance);
         for k in 0..3 {
             prop_assert!(distance(gradient(&dual.point[k]), contact.point_by_anchor[k]) < tolerance, "row {k}");
@@ -74,12 +74,12 @@ proptest! {
     /// eq. 2.86 as printed (+u J_qu) misses.
     #[test]
     fn the_free_part_begins_at_the_contact_point((outlet, anchor) in outlets()) {
-        let course = outlet.course(anchor);
-        let contact = outlet.contact(anchor, &course);
-        let from_anchor = add(anchor, scale(course.free_length, course.direction));
+        let path = outlet.path(anchor);
+        let contact = outlet.contact(anchor, &path);
+        let from_anchor = add(anchor, scale(path.free_length, path.direction));
         // metres of a few units, to rounding
         prop_assert!(distance(contact.point, from_anchor) < 1e-13);
-        let u = course.direction;
+        let u = path.direction;
         let [x, y, z] = contact.point_by_anchor;
         let along = [0, 1, 2].map(|k| u[0] * x[k] + u[1] * y[k] + u[2] * z[k]);
         prop_assert!(distance(sub(along, u), contact.free_length_by_anchor) < 1e-12);
@@ -90,19 +90,19 @@ proptest! {
     /// The anchor moves to first order along the twist; free part and arc change by what the whole does, and l by p_A − p_B.
     #[test]
     fn by_the_pose_parts_sum_to_the_whole((outlet, anchor) in outlets(), twist in proptest::array::uniform6(-1.0..1.0_f64)) {
-        let course = outlet.course(anchor);
+        let path = outlet.path(anchor);
         let end = CableEnd { anchor, moment_arm: [0.3, -0.2, 0.5] };
-        let contact = outlet.contact(anchor, &course);
+        let contact = outlet.contact(anchor, &path);
         let by_pose = contact.by_pose(&end);
         let along = |row: &[f64; 6]| row.iter().zip(&twist).map(|(entry, part)| entry * part).sum::<f64>();
         let (v, omega) = ([twist[0], twist[1], twist[2]], [twist[3], twist[4], twist[5]]);
-        let length = course.by_pose(end.moment_arm).0;
+        let length = path.by_pose(end.moment_arm).0;
         let moved = add(v, cross(omega, end.moment_arm));
         prop_assert!(distance(end.by_pose().map(|row| along(&row)), moved) < 1e-14);
         let parts = along(&by_pose.free_length) + along(&by_pose.arc_length);
         // gradients up to some hundred, of numbers of order one
         prop_assert!((parts - along(&length)).abs() < 1e-12);
-        prop_assert!((parts + dot(course.direction, moved)).abs() < 1e-12);
+        prop_assert!((parts + dot(path.direction, moved)).abs() < 1e-12);
         let point = rotate(&contact.point_by_anchor, moved);
         prop_assert!(distance(by_pose.point.map(|row| along(&row)), point) < 1e-11);
         prop_assert!(distance(by_pose.cable_vector.map(|row| along(&row)), sub(point, moved)) < 1e-11);

@@ -34,8 +34,8 @@ struct Point<L> {
     residual: [L; 6],
     /// Lower triangle.
     stiffness: [[L; 6]; 6],
-    /// Above 0 where a cable may have no course.
-    doubt: L,
+    /// Above 0 where a cable may have no path.
+    needs_scalar: L,
 }
 
 impl Descents<'_> {
@@ -98,7 +98,7 @@ impl Kernel for Descents<'_> {
             tensions: [Line::default(); LANES],
             trial_tensions: [Line::default(); LANES],
             terms: [[zero; TERMS]; LANES],
-            point: Point { residual: [zero; 6], stiffness: [[zero; 6]; 6], doubt: zero },
+            point: Point { residual: [zero; 6], stiffness: [[zero; 6]; 6], needs_scalar: zero },
             trial_squared: infinite,
             residual_squared: infinite,
         };
@@ -153,7 +153,7 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
         self.point = Point { stiffness, ..next };
         self.trial_squared = descents.squared(&next.residual);
         let is_cut = self.trial_squared.is_less(l.constant(CUT) * self.residual_squared);
-        Trial::new(l, l.without(is_cut, l.constant(0.0).is_less(next.doubt)))
+        Trial::new(l, l.without(is_cut, l.constant(0.0).is_less(next.needs_scalar)))
     }
 
     #[inline(always)]
@@ -213,20 +213,20 @@ impl Descents<'_> {
     ) -> Point<L> {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
         let (position, rotation) = in_lanes(lanes, pose);
-        let mut doubt = zero;
+        let mut needs_scalar = zero;
         for (cable, length) in self.lengths.iter().enumerate() {
-            let found = self.model.groups()[0].course_in_lanes(cable, position, &rotation);
-            let (u, moment_arm) = (found.course.direction, found.moment_arm);
-            let force_at_rest = springs[cable] * (found.course.length - lanes.load(&length.0));
+            let found = self.model.groups()[0].path_in_lanes(cable, position, &rotation);
+            let (u, moment_arm) = (found.path.direction, found.moment_arm);
+            let force_at_rest = springs[cable] * (found.path.length - lanes.load(&length.0));
             let softer = one / (one + lanes.constant(self.model.elasticity(cable).by_length) * force_at_rest);
             let stiffness = springs[cable] * softer * softer;
             let pull = Pull { tension: force_at_rest * softer, stiffness, energy: zero };
             pull.tension.store(&mut tensions[cable].0);
             force_terms(&mut terms[cable], u, moment_arm, pull.tension);
             if with_stiffness {
-                stiffness_terms(&mut terms[cable], &found.course.direction_gradient, u, moment_arm, &pull);
+                stiffness_terms(&mut terms[cable], &found.path.direction_gradient, u, moment_arm, &pull);
             }
-            doubt = doubt.max(found.doubt);
+            needs_scalar = needs_scalar.max(found.needs_scalar);
         }
         let mut totals = [zero; TERMS];
         for term in 1..if with_stiffness { TERMS } else { 7 } {
@@ -237,14 +237,14 @@ impl Descents<'_> {
             totals[term] = sum(cables);
         }
         let (residual, stiffness) = unpack(&totals);
-        let mut point = Point { residual, stiffness, doubt };
+        let mut point = Point { residual, stiffness, needs_scalar };
         self.add_load(&mut point, &rotation);
         point
     }
 
     #[inline(always)]
     fn add_load<L: Lanes>(&self, point: &mut Point<L>, rotation: &[[L; 3]; 3]) {
-        let (load, l) = (&self.load, point.doubt);
+        let (load, l) = (&self.load, point.needs_scalar);
         let center = constants(l, load.center_of_mass);
         let c = [dot(rotation[0], center), dot(rotation[1], center), dot(rotation[2], center)];
         let g = constants(l, load.weight);

@@ -26,8 +26,8 @@ struct Normal<L> {
     right: [L; 6],
     /// Lower triangle.
     matrix: [[L; 6]; 6],
-    /// 1 where a cable may have no course.
-    doubt: L,
+    /// 1 where a cable may have no path.
+    needs_scalar: L,
 }
 
 impl Descents<'_> {
@@ -73,7 +73,7 @@ impl Kernel for Descents<'_> {
             pose: start,
             trial: start,
             cost: lanes.constant(f64::INFINITY),
-            normal: Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], doubt: zero },
+            normal: Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], needs_scalar: zero },
         };
         let rules = Rules {
             tolerance: lanes.constant(self.settings.pose_tolerance) * mean_length.max(one),
@@ -106,8 +106,8 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
         self.normal = self.equations(!is_last);
         let (cost, infinite) = (self.normal.cost, l.constant(f64::INFINITY));
         let most = self.cost * l.constant(1.0 + 1e-12) + self.rounding;
-        let has_courses = self.normal.doubt.is_less(l.constant(0.5));
-        let helps = l.both(l.without(cost.is_less(infinite), most.is_less(cost)), has_courses);
+        let has_paths = self.normal.needs_scalar.is_less(l.constant(0.5));
+        let helps = l.both(l.without(cost.is_less(infinite), most.is_less(cost)), has_paths);
         Trial::new(l, helps)
     }
 
@@ -127,19 +127,19 @@ impl<L: Lanes> Eight<'_, L> {
         let zero = lanes.constant(0.0);
         let (position, rotation) = in_lanes(lanes, pose);
         let mut rows = [[zero; LANES]; 7];
-        let mut doubt = zero;
+        let mut needs_scalar = zero;
         for (cable, length) in self.lengths.iter().enumerate() {
-            let found = self.model.groups()[0].course_in_lanes(cable, position, &rotation);
-            let u = found.course.direction;
+            let found = self.model.groups()[0].path_in_lanes(cable, position, &rotation);
+            let u = found.path.direction;
             let moment = cross(found.moment_arm, u);
             for axis in 0..3 {
                 rows[axis][cable] = u[axis];
                 rows[3 + axis][cable] = moment[axis];
             }
-            rows[6][cable] = found.course.length - lanes.load(&length.0);
-            doubt = doubt.max(found.doubt);
+            rows[6][cable] = found.path.length - lanes.load(&length.0);
+            needs_scalar = needs_scalar.max(found.needs_scalar);
         }
-        let mut normal = Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], doubt };
+        let mut normal = Normal { cost: zero, right: [zero; 6], matrix: [[zero; 6]; 6], needs_scalar };
         normal.cost = product(&rows[6], &rows[6]);
         if with_matrix {
             for i in 0..self.model.dof() {

@@ -9,7 +9,7 @@ use crate::cable::law::{Kind, LawParameter};
 use crate::cable::outlet::bent;
 use crate::cable::span::{Shape, State};
 use crate::cable::stretch::Stretch;
-use crate::cable::{CableState, Course};
+use crate::cable::{CablePath, CableState};
 use crate::scalar::{Real, Smooth, add, cross, dot, rotate, scale, sub};
 
 /// Derivatives by what the equations determine (force and length of a span, or the tension of a straight cable), and by what
@@ -45,7 +45,7 @@ struct Twin {
     /// What vanishes beside the known quantity: three rows of a span, none of a straight cable.
     equations: Vec<Dual>,
     pull: [Dual; 3],
-    lever: [Dual; 3],
+    moment_arm: [Dual; 3],
     controlled_length: Dual,
     outlet_tension: Dual,
     platform_tension: Dual,
@@ -57,37 +57,37 @@ impl Twin {
         let turn = vector(Vector3::zeros(), TWIST + 3);
         let rows = pose.rotation_rows().map(|row| row.map(Dual::from));
         let turned = rotate(&rows, vector(cable.platform_anchor, PLATFORM_ANCHOR));
-        let lever = add(turned, cross(turn, turned));
-        let anchor = add(vector(pose.position, TWIST), lever);
+        let moment_arm = add(turned, cross(turn, turned));
+        let anchor = add(vector(pose.position, TWIST), moment_arm);
         match model.law(index).kind {
-            Kind::Sagging(shape) => Self::sagging(model, index, shape, anchor, lever, state),
-            _ => Self::straight(model, index, anchor, lever, state),
+            Kind::Sagging(shape) => Self::sagging(model, index, shape, anchor, moment_arm, state),
+            _ => Self::straight(model, index, anchor, moment_arm, state),
         }
     }
 
-    fn straight(model: &Model, index: usize, anchor: [Dual; 3], lever: [Dual; 3], state: &CableState) -> Self {
+    fn straight(model: &Model, index: usize, anchor: [Dual; 3], moment_arm: [Dual; 3], state: &CableState) -> Self {
         let (cable, law) = (&model.robot().cables[index], model.law(index));
         let mut outlet = law.outlet.map(|number| Dual::from(*number));
         *outlet.frame_anchor_mut() = vector(cable.frame_anchor, FRAME_ANCHOR);
         outlet.radius_mut().into_iter().for_each(|radius| *radius = variable(radius.re, RADIUS));
-        let course: Course<Dual> = outlet.course(anchor);
+        let path: CablePath<Dual> = outlet.path(anchor);
         let tension = variable(state.outlet_tension, STATE);
         let hidden = variable(law.hidden_length, HIDDEN);
         let controlled_length = match law.kind {
-            Kind::Rigid => course.length,
+            Kind::Rigid => path.length,
             Kind::Linear(linear, _) => {
-                dual_elasticity(model, index, &linear, hidden).controlled_length(course.length, tension)
+                dual_elasticity(model, index, &linear, hidden).controlled_length(path.length, tension)
             }
             _ => {
                 let (strain, slope) = law.stretch.strain(tension.re);
-                let strained = course.length + hidden - tension * law.series_compliance;
+                let strained = path.length + hidden - tension * law.series_compliance;
                 strained / (tension.chain(strain, slope) + 1.0) - hidden
             }
         };
         Self {
             equations: Vec::new(),
-            pull: scale(tension, course.direction),
-            lever,
+            pull: scale(tension, path.direction),
+            moment_arm,
             controlled_length,
             outlet_tension: tension,
             platform_tension: tension,
@@ -99,7 +99,7 @@ impl Twin {
         index: usize,
         shape: Shape,
         anchor: [Dual; 3],
-        lever: [Dual; 3],
+        moment_arm: [Dual; 3],
         state: &CableState,
     ) -> Self {
         let (cable, law) = (&model.robot().cables[index], model.law(index));
@@ -130,7 +130,7 @@ impl Twin {
             Self {
                 equations: sub(end, anchor).to_vec(),
                 pull: scale(Dual::from(-1.0), end_force),
-                lever,
+                moment_arm,
                 controlled_length: length + outside / (strain + 1.0) - hidden,
                 outlet_tension: tension,
                 platform_tension: dot(end_force, end_force).sqrt(),
@@ -147,7 +147,7 @@ impl Twin {
 
     /// Wrench \[t; b × t\] on the platform.
     fn wrench(&self) -> [Dual; 6] {
-        let ([x, y, z], [u, v, w]) = (self.pull, cross(self.lever, self.pull));
+        let ([x, y, z], [u, v, w]) = (self.pull, cross(self.moment_arm, self.pull));
         [x, y, z, u, v, w]
     }
 

@@ -83,7 +83,7 @@ fn effects_that_vanish_leave_the_model_without_them() {
     for seed in [1, 2, 4] {
         let robot = by_unstrained_length(seed);
         for effect in &EFFECTS {
-            for composition in Composition::all().filter(|all| all.words().any(|word| word == effect.word)) {
+            for composition in Composition::all().filter(|all| all.effects().any(|word| word == effect.word)) {
                 vanishes(&robot, effect, composition, seed);
             }
         }

@@ -7,9 +7,9 @@ use crate::robot::WrapSide;
 fn sampled(model: &Model, pose: &Pose, count: usize) -> Vec<Vec<Vector3<f64>>> {
     (0..model.cable_count())
         .map(|cable| {
-            let (course, lever) = model.course(cable, pose).unwrap();
-            let anchor = pose.position + lever;
-            let outlet = anchor + Vector3::from(course.direction) * course.free_length;
+            let (path, moment_arm) = model.path(cable, pose).unwrap();
+            let anchor = pose.position + moment_arm;
+            let outlet = anchor + Vector3::from(path.direction) * path.free_length;
             (0..=count).map(|step| outlet + (anchor - outlet) * (step as f64 / count as f64)).collect()
         })
         .collect()
@@ -20,7 +20,7 @@ fn cables_are_as_near_to_each_other_as_their_sampled_points() {
     for model in
         [model("cablerobot-simulator-helicopter", Composition::STANDARD), model("cucablerobot", Composition::PULLEY)]
     {
-        let criterion = CablesApart::new(&model, 0.0, Some(0.0)).unwrap();
+        let criterion = CableInterference::new(&model, 0.0, Some(0.0)).unwrap();
         for pose in poses(&model, 6, 0.5, 93) {
             let cables = sampled(&model, &pose, 300);
             let mut nearest = f64::INFINITY;
@@ -44,7 +44,7 @@ fn cables_are_as_near_to_each_other_as_their_sampled_points() {
 #[test]
 fn cables_are_as_far_from_obstacles_as_their_sampled_points() {
     let model = model("cablerobot-simulator-helicopter", Composition::STANDARD);
-    let criterion = ObstaclesClear::new(&model, 0.0, Some(0.0)).unwrap();
+    let criterion = CableObstacles::new(&model, 0.0, Some(0.0)).unwrap();
     let (mut through, mut past) = (0, 0);
     for pose in poses(&model, 40, 2.0, 94) {
         let points = sampled(&model, &pose, 4000);
@@ -81,12 +81,12 @@ fn an_obstacle_under_a_frame_anchor_carries_it() {
     robot.obstacles = vec![Obstacle { name: "post".to_owned(), shape }];
     let home = robot.home_or_middle();
     let model = Model::new(robot, Composition::STANDARD).unwrap();
-    assert!(ObstaclesClear::new(&model, 0.01, None).unwrap().holds(&home));
+    assert!(CableObstacles::new(&model, 0.01, None).unwrap().holds(&home));
     let mut other = model.robot().clone();
     let b = home.transform(&other.cables[1].platform_anchor);
     other.cables[1].frame_anchor = b + (anchor - b) * 1.5;
     let model = Model::new(other, Composition::STANDARD).unwrap();
-    let verdict = ObstaclesClear::new(&model, 0.01, None).unwrap().judge(&home);
+    let verdict = CableObstacles::new(&model, 0.01, None).unwrap().judge(&home);
     assert_eq!((verdict.holds(), verdict.cable), (false, Some(1)), "{verdict:?}");
     assert!(verdict.reason.unwrap().contains("\"post\""));
 }
@@ -100,7 +100,7 @@ fn a_cable_that_runs_through_the_platform_is_found() {
     // the frame anchor on the other side of the middle
     robot.cables[4].frame_anchor = home.transform(&(b + (middle - b) * 20.0));
     let model = Model::new(robot, Composition::STANDARD).unwrap();
-    let verdict = PlatformClear::new(&model, 0.0).unwrap().judge(&home);
+    let verdict = PlatformInterference::new(&model, 0.0).unwrap().judge(&home);
     assert_eq!((verdict.holds(), verdict.cable), (false, Some(4)), "{verdict:?}");
     assert!(verdict.reason.unwrap().contains("runs into the platform"));
     // sampled: 1 mm along the cable it is below all planes through faces at the anchor; a larger body is met too
@@ -108,7 +108,7 @@ fn a_cable_that_runs_through_the_platform_is_found() {
     let away = |k: i32| Vector3::new(f64::from(k & 1) - 0.5, f64::from(k >> 1 & 1) - 0.5, f64::from(k >> 2) - 0.5);
     large.platform.hull = Some((0..8).map(|k| middle + away(k) * 0.05).collect());
     let large = Model::new(large, Composition::STANDARD).unwrap();
-    let small_body = PlatformClear::new(&large, 0.0).unwrap().judge(&home);
+    let small_body = PlatformInterference::new(&large, 0.0).unwrap().judge(&home);
     assert_eq!((small_body.holds(), small_body.cable), (false, Some(4)), "{small_body:?}");
 }
 
@@ -121,7 +121,7 @@ fn a_platform_is_as_far_from_obstacles_as_its_sampled_points() {
     let ObstacleShape::Box { min, max } = robot.obstacles[0].shape else { panic!("a crate") };
     robot.obstacles.truncate(1);
     let model = Model::new(robot, Composition::STANDARD).unwrap();
-    let criterion = PlatformOffObstacles::new(&model, 0.02).unwrap();
+    let criterion = PlatformObstacles::new(&model, 0.02).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(97);
     let (mut held, mut failed) = (0, 0);
     for pose in poses(&model, 60, 1.0, 98) {
@@ -154,9 +154,9 @@ fn lengths_and_wraps_are_those_of_the_model() {
     for pose in poses(&model, 50, 1.5, 95) {
         let (mut least, mut turn) = (f64::INFINITY, f64::INFINITY);
         for cable in 0..model.cable_count() {
-            let course = model.course(cable, &pose).unwrap().0;
-            least = least.min(course.length - 0.5).min(12.0 - course.length);
-            turn = turn.min(course.wrap_angle - 0.2).min(3.0 - course.wrap_angle);
+            let path = model.path(cable, &pose).unwrap().0;
+            least = least.min(path.length - 0.5).min(12.0 - path.length);
+            turn = turn.min(path.wrap_angle - 0.2).min(3.0 - path.wrap_angle);
         }
         assert!(
             (lengths.judge(&pose).margin - least).abs() < 1e-12 && (wraps.judge(&pose).margin - turn).abs() < 1e-12
@@ -168,7 +168,7 @@ fn lengths_and_wraps_are_those_of_the_model() {
     assert!(wide.reason.unwrap().contains("at least 177.62°"));
 }
 
-/// Along a line into each trouble the margin falls to zero just where the courses end.
+/// Along a line into each trouble the margin falls to zero just where the paths end.
 #[test]
 fn validity_ends_where_courses_end() {
     let mut planar = complete("planar-example");
@@ -184,7 +184,7 @@ fn validity_ends_where_courses_end() {
     ];
     let mut rng = ChaCha8Rng::seed_from_u64(96);
     for model in models {
-        let criterion = ModelValid::new(&model);
+        let criterion = ModelValidity::new(&model);
         let mut failed = 0;
         for case in 0..400 {
             // a platform anchor near an outlet
@@ -194,10 +194,10 @@ fn validity_ends_where_courses_end() {
             let around: Vector3<f64> = model.axes().iter().map(|axis| axis * rng.random_range(-near..near)).sum();
             let pose = Pose { position: data.frame_anchor + around - data.platform_anchor, ..Pose::identity() };
             let verdict = criterion.judge(&pose);
-            let has_courses = (0..model.cable_count()).all(|cable| model.course(cable, &pose).is_ok());
-            assert_eq!(verdict.holds(), has_courses, "{verdict:?}");
+            let has_paths = (0..model.cable_count()).all(|cable| model.path(cable, &pose).is_ok());
+            assert_eq!(verdict.holds(), has_paths, "{verdict:?}");
             assert!(verdict.margin.is_finite() && verdict.margin.abs() < 10.0, "{verdict:?}");
-            failed += usize::from(!has_courses);
+            failed += usize::from(!has_paths);
             // a margin of half a millimetre and more is not used up by a tenth
             if verdict.margin > 5e-4 {
                 let step = model.twist_basis()[0] * 1e-4;

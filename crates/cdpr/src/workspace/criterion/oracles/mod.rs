@@ -15,7 +15,7 @@ use crate::robot::{Obstacle, ObstacleShape, Robot};
 use crate::statics::Load;
 use crate::tension::Limits;
 use crate::workspace::WorkspaceError;
-use crate::workspace::criterion::registry::{self, Setting, Wanted};
+use crate::workspace::criterion::registry::{self, CriterionRequest, Setting};
 
 /// A built-in robot with every key that a criterion may ask for.
 fn complete(name: &str) -> Robot {
@@ -75,23 +75,23 @@ fn poses(model: &Model, count: usize, reach: f64, seed: u64) -> Vec<Pose> {
 fn all(model: &Model) -> Vec<Box<dyn Criterion + '_>> {
     let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), None, None).unwrap());
     let mut all: Vec<Box<dyn Criterion + '_>> = vec![
-        Box::new(StiffEnough::new(model, &load, &limits, 1e4, None).unwrap()),
-        Box::new(StaticallyStable::new(model, &load, &limits, None).unwrap()),
-        Box::new(StiffVibrations::new(model, &load, &limits, 5.0).unwrap()),
-        Box::new(WellConditioned::new(model, 5.0, None).unwrap()),
-        Box::new(Dexterous::new(model, 0.2, None).unwrap()),
+        Box::new(MinimumStiffness::new(model, &load, &limits, 1e4, None).unwrap()),
+        Box::new(StaticStability::new(model, &load, &limits, None).unwrap()),
+        Box::new(NaturalFrequency::new(model, &load, &limits, 5.0).unwrap()),
+        Box::new(JacobianConditioning::new(model, 5.0, None).unwrap()),
+        Box::new(Dexterity::new(model, 0.2, None).unwrap()),
         Box::new(LengthLimits::new(model, None, None).unwrap()),
-        Box::new(CablesApart::new(model, 0.02, None).unwrap()),
-        Box::new(ObstaclesClear::new(model, 0.1, None).unwrap()),
-        Box::new(PlatformOffObstacles::new(model, 0.05).unwrap()),
-        Box::new(ModelValid::new(model)),
+        Box::new(CableInterference::new(model, 0.02, None).unwrap()),
+        Box::new(CableObstacles::new(model, 0.1, None).unwrap()),
+        Box::new(PlatformObstacles::new(model, 0.05).unwrap()),
+        Box::new(ModelValidity::new(model)),
         Box::new(WrenchSetFeasible::with_ball(model, &limits, &load, [50.0, 10.0], None).unwrap()),
     ];
     if model.composition().pulley {
         all.push(Box::new(WrapLimits::new(model, None, None).unwrap()));
     }
     if model.robot().motion_pattern.has_rotation() {
-        all.push(Box::new(PlatformClear::new(model, 0.1).unwrap()));
+        all.push(Box::new(PlatformInterference::new(model, 0.1).unwrap()));
     }
     all
 }
@@ -157,36 +157,36 @@ fn what_a_criterion_needs_and_the_file_lacks_is_named() {
         let words = error.unwrap_err().to_string();
         assert!(words.contains(part), "{part} is not in: {words}");
     };
-    says(StiffEnough::new(&rigid, &load, &limits, 0.0, None).map(drop), "`elastic`");
-    says(StaticallyStable::new(&rigid, &load, &limits, None).map(drop), "`elastic`");
+    says(MinimumStiffness::new(&rigid, &load, &limits, 0.0, None).map(drop), "`elastic`");
+    says(StaticStability::new(&rigid, &load, &limits, None).map(drop), "`elastic`");
     says(LengthLimits::new(&rigid, None, None).map(drop), "length_max_m");
     says(LengthLimits::new(&rigid, Some(3.0), Some(2.0)).map(drop), "not above");
     says(WrapLimits::new(&rigid, None, Some(3.0)).map(drop), "`pulley`");
-    says(CablesApart::new(&rigid, 0.0, None).map(drop), "diameter_m");
-    says(CablesApart::new(&rigid, -1.0, Some(0.01)).map(drop), "clearance");
-    says(ObstaclesClear::new(&rigid, 0.0, Some(0.01)).map(drop), "[[obstacle]]");
-    says(WellConditioned::new(&rigid, 0.5, None).map(drop), "1 or more");
-    says(Dexterous::new(&rigid, 1.5, None).map(drop), "0 to 1");
-    says(Dexterous::new(&rigid, 0.5, Some(0.0)).map(drop), "length scale");
+    says(CableInterference::new(&rigid, 0.0, None).map(drop), "diameter_m");
+    says(CableInterference::new(&rigid, -1.0, Some(0.01)).map(drop), "clearance");
+    says(CableObstacles::new(&rigid, 0.0, Some(0.01)).map(drop), "[[obstacle]]");
+    says(JacobianConditioning::new(&rigid, 0.5, None).map(drop), "1 or more");
+    says(Dexterity::new(&rigid, 1.5, None).map(drop), "0 to 1");
+    says(Dexterity::new(&rigid, 0.5, Some(0.0)).map(drop), "length scale");
     let mut point = Robot::builtin("planar-example").unwrap();
     let planar = Model::new(point.clone(), Composition::STANDARD).unwrap();
-    says(PlatformClear::new(&planar, 0.0).map(drop), "hull_m");
+    says(PlatformInterference::new(&planar, 0.0).map(drop), "hull_m");
     point.platform.mass = None;
     point.cables.iter_mut().for_each(|cable| cable.axial_stiffness = Some(1e5));
     let elastic = Model::new(point, Composition::ELASTIC).unwrap();
-    says(StiffVibrations::new(&elastic, &load, &Limits::uniform(4, 1.0, 1e4).unwrap(), 1.0).map(drop), "mass_kg");
+    says(NaturalFrequency::new(&elastic, &load, &Limits::uniform(4, 1.0, 1e4).unwrap(), 1.0).map(drop), "mass_kg");
     let mut half = complete("cogiro");
     half.cables[3].length_max = None;
     half.cables[2].axial_stiffness = None;
     half.cables[2].axial_compliance = Some(0.0);
     let half = Model::new(half, Composition::ELASTIC).unwrap();
     says(LengthLimits::new(&half, None, None).map(drop), "cable 4");
-    says(StiffEnough::new(&half, &load, &limits, 0.0, None).map(drop), "axial_stiffness_EA_N");
+    says(MinimumStiffness::new(&half, &load, &limits, 0.0, None).map(drop), "axial_stiffness_EA_N");
     let mut inside = complete("cogiro");
     let corner = |k: i32| Vector3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2)) * 20.0;
     inside.platform.hull = Some((0..8).map(|k| corner(k) - Vector3::repeat(10.0)).collect());
     let inside = Model::new(inside, Composition::STANDARD).unwrap();
-    says(PlatformClear::new(&inside, 0.0).map(drop), "hull_m");
+    says(PlatformInterference::new(&inside, 0.0).map(drop), "hull_m");
 }
 
 /// Every entry of the registry makes the criterion of its name from a complete robot and the numbers that it needs.
@@ -202,12 +202,12 @@ fn every_criterion_is_made_by_its_name() {
             .filter(|number| number.is_required)
             .map(|number| format!("{}=1", number.name))
             .collect();
-        let wanted: Wanted = format!("{}:{}", entry.name, numbers.join(",")).parse().unwrap();
+        let wanted: CriterionRequest = format!("{}:{}", entry.name, numbers.join(",")).parse().unwrap();
         let criterion = wanted.make(&setting).unwrap();
         assert_eq!(criterion.name(), entry.name);
         assert!(!criterion.judge(&model.robot().home_or_middle()).margin.is_nan());
     }
-    let made = |text: &str| text.parse::<Wanted>().unwrap().make(&setting);
+    let made = |text: &str| text.parse::<CriterionRequest>().unwrap().make(&setting);
     assert!(made("wrench-set-feasible:mass-min=5,mass-max=20,acceleration=14,angular-acceleration=3").is_ok());
     let both = made("wrench-set-feasible:mass-max=20,force=5").map(drop).unwrap_err().to_string();
     assert!(both.contains("two criteria"), "{both}");

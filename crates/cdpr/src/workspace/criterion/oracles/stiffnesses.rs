@@ -16,7 +16,7 @@ fn stiffness_by_differences(model: &Model, pose: &Pose, load: &Load, limits: &Li
     let residual = |pose: &Pose| {
         let tensions: Vec<f64> = (0..model.cable_count())
             .map(|cable| {
-                let length = model.course(cable, pose).unwrap().0.length;
+                let length = model.path(cable, pose).unwrap().0.length;
                 model.elasticity(cable).tension(length, controlled[cable]).value
             })
             .collect();
@@ -36,8 +36,8 @@ fn the_softest_direction_is_that_of_small_differences() {
     for model in models() {
         let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), None, None).unwrap());
         let scale = 0.7;
-        let criterion = StiffEnough::new(&model, &load, &limits, 1000.0, Some(scale)).unwrap();
-        let stable = StaticallyStable::new(&model, &load, &limits, Some(scale)).unwrap();
+        let criterion = MinimumStiffness::new(&model, &load, &limits, 1000.0, Some(scale)).unwrap();
+        let stable = StaticStability::new(&model, &load, &limits, Some(scale)).unwrap();
         let mut compared = 0;
         for pose in poses(&model, 30, 0.5, 97) {
             let verdict = criterion.judge(&pose);
@@ -70,9 +70,9 @@ fn a_weight_above_the_platform_makes_it_unstable() {
         robot.cables.iter_mut().for_each(|cable| cable.tension_max = Some(1e6));
         let model = Model::new(robot, Composition::ELASTIC).unwrap();
         let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), Some(0.0), None).unwrap());
-        let vibrations = StiffVibrations::new(&model, &load, &limits, 0.0).unwrap();
+        let vibrations = NaturalFrequency::new(&model, &load, &limits, 0.0).unwrap();
         let home = model.robot().home_or_middle();
-        let verdict = StaticallyStable::new(&model, &load, &limits, Some(scale)).unwrap().judge(&home);
+        let verdict = StaticStability::new(&model, &load, &limits, Some(scale)).unwrap().judge(&home);
         assert_eq!(vibrations.holds(&home), verdict.holds());
         verdict
     };
@@ -99,7 +99,7 @@ fn the_frequency_of_a_point_on_springs_is_that_done_by_hand() {
     // without tension only the springs act: 4 · 1e4 N/m · 0.6² across
     let limits = Limits::uniform(4, 1e-9, 1e-9).unwrap();
     let load = Load::constant(Twist::zeros());
-    let criterion = StiffVibrations::new(&model, &load, &limits, 2.0).unwrap();
+    let criterion = NaturalFrequency::new(&model, &load, &limits, 2.0).unwrap();
     let verdict = criterion.judge(&Pose::identity());
     let expected = (4.0 * 1e4 * 0.36_f64 / 100.0).sqrt() / std::f64::consts::TAU - 2.0;
     assert!((verdict.margin - expected).abs() < 1e-9, "{verdict:?} {expected}");
@@ -115,18 +115,19 @@ fn the_lowest_frequency_solves_the_characteristic_equation() {
     robot.platform.inertia = Some(Matrix3::new(20.0, 1.0, 2.0, 1.0, 25.0, -3.0, 2.0, -3.0, 30.0));
     let model = Model::new(robot, Composition::ELASTIC).unwrap();
     let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), None, None).unwrap());
-    let criterion = StiffVibrations::new(&model, &load, &limits, 0.0).unwrap();
+    let criterion = NaturalFrequency::new(&model, &load, &limits, 0.0).unwrap();
     let mut compared = 0;
     for pose in poses(&model, 20, 1.0, 98) {
         let Some(stiffness) = stiffness_by_differences(&model, &pose, &load, &limits) else { continue };
         let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
-        let (rotation, lever) =
+        let (rotation, moment_arm) =
             (pose.rotation_matrix(), pose.rotation * model.robot().platform.center_of_mass.unwrap());
         let inertia = rotation * model.robot().platform.inertia.unwrap() * rotation.transpose();
         // kinetic energy ½ m (v + ω × c)² + ½ ωᵀ I ω
         let energy = |x: &[f64], y: &[f64]| {
-            let point =
-                |x: &[f64]| Vector3::from_column_slice(&x[..3]) + Vector3::from_column_slice(&x[3..]).cross(&lever);
+            let point = |x: &[f64]| {
+                Vector3::from_column_slice(&x[..3]) + Vector3::from_column_slice(&x[3..]).cross(&moment_arm)
+            };
             let (o, p) = (Vector3::from_column_slice(&x[3..]), Vector3::from_column_slice(&y[3..]));
             100.0 * point(x).dot(&point(y)) + o.dot(&(inertia * p))
         };
@@ -145,8 +146,8 @@ fn the_lowest_frequency_solves_the_characteristic_equation() {
 fn condition_and_dexterity_are_ratios_of_singular_values() {
     for model in models() {
         let radius = model.platform_radius();
-        let condition = WellConditioned::new(&model, 3.0, None).unwrap();
-        let dexterity = Dexterous::new(&model, 1.0 / 3.0, Some(radius)).unwrap();
+        let condition = JacobianConditioning::new(&model, 3.0, None).unwrap();
+        let dexterity = Dexterity::new(&model, 1.0 / 3.0, Some(radius)).unwrap();
         for pose in poses(&model, 30, 1.0, 99) {
             let mut matrix = model.structure_matrix(&pose).unwrap();
             for row in model.robot().motion_pattern.translations()..model.dof() {
@@ -163,7 +164,7 @@ fn condition_and_dexterity_are_ratios_of_singular_values() {
     let mut few = complete("cogiro");
     few.cables.truncate(5);
     let few = Model::new(few, Composition::STANDARD).unwrap();
-    let verdict = Dexterous::new(&few, 0.1, None).unwrap().judge(&few.robot().home_or_middle());
+    let verdict = Dexterity::new(&few, 0.1, None).unwrap().judge(&few.robot().home_or_middle());
     assert!((verdict.margin + 0.1).abs() < 1e-12, "five cables leave a direction: {verdict:?}");
 }
 
@@ -179,7 +180,7 @@ fn condition_and_dexterity_do_not_depend_on_the_size_of_the_robot() {
     let large = Model::new(robot, Composition::STANDARD).unwrap();
     for pose in poses(&small, 20, 1.0, 100) {
         let twice = Pose { position: pose.position * 2.0, ..pose };
-        let (a, b) = (Dexterous::new(&small, 0.2, None).unwrap(), Dexterous::new(&large, 0.2, None).unwrap());
+        let (a, b) = (Dexterity::new(&small, 0.2, None).unwrap(), Dexterity::new(&large, 0.2, None).unwrap());
         assert!((a.judge(&pose).margin - b.judge(&twice).margin).abs() < 1e-12);
     }
 }

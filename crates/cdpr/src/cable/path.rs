@@ -1,4 +1,4 @@
-//! The course of one cable from its outlet to the platform anchor.
+//! The path of one cable from its outlet to the platform anchor.
 
 use thiserror::Error;
 
@@ -10,7 +10,7 @@ use crate::scalar::{Real, dot, rotate_back, scale};
 /// Laws that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
 /// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property), ∂u/∂p_B = −∂u/∂a.
 #[derive(Clone, Copy, Debug)]
-pub struct Course<T> {
+pub struct CablePath<T> {
     /// Geometric length q from the frame anchor, wrapped part included (m).
     pub length: T,
     /// Length of the straight part q_f (m).
@@ -27,10 +27,10 @@ pub struct Course<T> {
     pub direction_gradient: [[T; 3]; 3],
 }
 
-/// Why a cable has no unique course.
+/// Why a cable has no unique path.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
-pub enum DegenerateCourse {
+pub enum GeometryError {
     /// The two anchors coincide, so the cable has no direction.
     #[error("cable {cable}: its platform anchor lies on its outlet, so the cable has no direction")]
     ZeroLength {
@@ -69,7 +69,7 @@ pub enum DegenerateCourse {
     },
 }
 
-impl DegenerateCourse {
+impl GeometryError {
     /// Number of the cable, from 1.
     pub fn cable(&self) -> usize {
         match *self {
@@ -82,7 +82,7 @@ impl DegenerateCourse {
     }
 }
 
-impl<T: Real> Course<T> {
+impl<T: Real> CablePath<T> {
     /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the moment arm b = R b_P.
     ///
     /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (see the book, “Models”).

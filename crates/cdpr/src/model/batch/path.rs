@@ -1,34 +1,34 @@
 //! One cable at eight poses at once.
 
-use crate::cable::{CableEnd, Course};
+use crate::cable::{CableEnd, CablePath};
 use crate::model::CableGroup;
 use crate::scalar::{LANES, Lanes, constants};
 
 /// A cable at poses in lanes, or cables in lanes at a pose.
-pub(crate) struct CourseInLanes<L> {
-    pub(crate) course: Course<L>,
+pub(crate) struct CablePathInLanes<L> {
+    pub(crate) path: CablePath<L>,
     /// b = R b_P (world, m).
     pub(crate) moment_arm: [L; 3],
-    /// 0 where the course exists for sure, 1 where the single pose must say whether it does.
-    pub(crate) doubt: L,
+    /// 0 where the path exists for sure, 1 where the single pose must say whether it does.
+    pub(crate) needs_scalar: L,
 }
 
 impl CableGroup {
-    /// Course and moment arm of one of the group's cables at poses given by positions and rotation rows: the bits of
-    /// `Model::course_at`.
+    /// CablePath and moment arm of one of the group's cables at poses given by positions and rotation rows: the bits of
+    /// `Model::path_at`.
     #[inline(always)]
-    pub(crate) fn course_in_lanes<L: Lanes>(
+    pub(crate) fn path_in_lanes<L: Lanes>(
         &self,
         lane: usize,
         position: [L; 3],
         rotation: &[[L; 3]; 3],
-    ) -> CourseInLanes<L> {
+    ) -> CablePathInLanes<L> {
         let l = position[0];
         let end = CableEnd::at(position, rotation, constants(l, entry(&self.platform_anchor, lane)));
         let outlet = self.outlet.spread(l, lane);
-        let course = outlet.course(end.anchor);
-        let doubt = outlet.needs_scalar(end.anchor, &course);
-        CourseInLanes { course, moment_arm: end.moment_arm, doubt }
+        let path = outlet.path(end.anchor);
+        let needs_scalar = outlet.needs_scalar(end.anchor, &path);
+        CablePathInLanes { path, moment_arm: end.moment_arm, needs_scalar }
     }
 }
 
