@@ -7,9 +7,11 @@ use std::process::ExitCode;
 use clap::ValueEnum;
 use serde::Serialize;
 
-use crate::diagnostics;
 use crate::failure::Failure;
+use crate::{console, diagnostics};
 use cdpr_reports::answers::Envelope;
+
+pub(crate) use cdpr_reports::answers::Answer;
 
 /// How an answer is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -27,17 +29,6 @@ impl Format {
         let json = words.iter().any(|word| word == "--format=json")
             || words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
         if json { Self::Json } else { Self::Text }
-    }
-}
-
-/// The result of a command: the fields for scripts, words for people.
-pub(crate) trait Answer: Serialize {
-    /// The answer for people.
-    fn words(&self) -> String;
-
-    /// True when the answer is a no: exit code 1.
-    fn is_negative(&self) -> bool {
-        false
     }
 }
 
@@ -63,7 +54,7 @@ impl Output {
     /// Writes the answer to stdout and tells the exit code.
     pub(crate) fn answer(&self, answer: &impl Answer) -> Result<ExitCode, Failure> {
         let text = match self.format {
-            Format::Text => answer.words(),
+            Format::Text => answer.words(console::answer_width()),
             Format::Json => self.json(answer, status(answer))?,
         };
         to_stdout(&text)?;

@@ -1,14 +1,10 @@
 //! What the library's statics refuse, as a failure or as a negative answer.
 
-use cdpr::cable::GeometryError;
 use cdpr::statics::StaticsError;
 
 use crate::failure::Failure;
 
-/// True where the pose is at fault: a negative answer, not a failure.
-pub(crate) fn has_no_path(error: &StaticsError) -> bool {
-    matches!(error, StaticsError::CablePath(reason) if !matches!(reason, GeometryError::NotFinite { .. }))
-}
+pub(crate) use cdpr_reports::answers::has_no_path;
 
 /// The failure, with the option whose numbers are at fault.
 pub(crate) fn refused(option: &str, error: &StaticsError) -> Failure {

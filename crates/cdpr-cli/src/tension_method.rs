@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use cdpr::model::Model;
 use cdpr::tension::{InputError, Method, Options, Reference};
+use cdpr_reports::answers::is_turn;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -125,11 +126,6 @@ impl Wishes {
         let mut rows = model.twist_basis().iter().zip(&self.lengths);
         rows.find(|(twist, _)| is_turn(twist)).map(|(_, length)| *length)
     }
-}
-
-/// True of a direction that turns the platform, whose wrench component is a moment.
-pub(crate) fn is_turn(twist: &cdpr::geometry::Twist) -> bool {
-    twist.fixed_rows::<3>(3).norm() > 0.0
 }
 
 /// Root mean square distance of the platform anchors from the origin of the platform; 1 m where all lie there.

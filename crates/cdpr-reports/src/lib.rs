@@ -14,8 +14,9 @@
 //! | [`sweep_result`] | answer, table and drawing of a sweep |
 //! | [`study_page`] | the page of a study: errors over its poses and the regions around them |
 //! | [`workspace_page`] | the page of a workspace, in which the platform can be dragged |
-//! | [`answers`] | results as JSON objects with units in their keys |
+//! | [`answers`] | results as JSON objects with units in their keys, and in words |
 //! | [`number_format`] | numbers for people |
+//! | [`table`] | tables for people, fitted to a width |
 
 pub mod answers;
 pub mod comparison;
@@ -30,6 +31,7 @@ pub mod saved_result;
 pub mod sensitivity;
 pub mod study_page;
 pub mod sweep_result;
+pub mod table;
 pub mod workspace_page;
 
 pub use html_page::PageError;

@@ -3,9 +3,10 @@
 use cdpr::metamodel::sweep::Row;
 use serde::Serialize;
 
-use crate::answers::{BEYOND_THE_WHOLE, is_beyond_the_whole};
+use crate::answers::{Answer, BEYOND_THE_WHOLE, is_beyond_the_whole};
 use crate::figures::{ShareCurve, Shares};
-use crate::number_format::short;
+use crate::number_format::{short, significant};
+use crate::table::Table;
 
 /// Rows of all points of a sweep.
 #[derive(Serialize)]
@@ -106,6 +107,40 @@ impl SweepResult {
                 .push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
         }
         Shares { parameter: axis_label(key), curves }.svg()
+    }
+}
+
+impl Answer for SweepResult {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let mut heading = self.parameters.clone();
+        heading.push("any error".to_owned());
+        heading.extend(self.position_error_max_m.iter().map(|most| format!("{} mm", significant(1e3 * most, 3))));
+        let mut table = Table::with_heading(heading);
+        let percent =
+            |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
+        for SweepPoint { row, share, share_by_accuracy } in &self.rows {
+            let mut cells: Vec<String> = row.values.iter().map(|value| significant(*value, 5)).collect();
+            cells.push(percent(share));
+            cells.extend(
+                (0..self.position_error_max_m.len())
+                    .map(|index| percent(&share_by_accuracy.get(index).copied().flatten())),
+            );
+            table.row(cells);
+        }
+        let mut text = format!("reached share of the physical workspace\n\n{}", table.text(width));
+        if let Some(remark) = &self.remark {
+            text.push_str(&format!("\n{remark}\n"));
+        }
+        if let Some(reason) = self.rows.iter().find_map(|row| row.row.reason.as_ref()) {
+            let failed = self.rows.iter().filter(|row| row.row.reason.is_some()).count();
+            text.push_str(&format!("\n{failed} points have no answer, the first because {reason}\n"));
+        }
+        text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
+        text
     }
 }
 

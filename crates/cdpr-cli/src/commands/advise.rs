@@ -1,7 +1,5 @@
 //! `cdpr advise`: which control model is good enough for a robot and a task.
 
-mod words;
-
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;

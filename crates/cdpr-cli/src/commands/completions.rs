@@ -33,7 +33,7 @@ struct Completions {
 }
 
 impl Answer for Completions {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         self.script.clone()
     }
 }

@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::explanations::{self, Explanation};
 use crate::failure::Failure;
-use crate::table::Table;
+use cdpr_reports::table::Table;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -46,16 +46,16 @@ struct Entry {
 }
 
 impl Answer for Explained {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         format!("{}\n\n{}\n", self.code, self.explanation)
     }
 }
 
 impl Answer for Listed {
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(["code", "what happened"]).left_column(1);
         self.codes.iter().for_each(|entry| table.row(vec![entry.code.to_owned(), entry.summary.clone()]));
-        table.text()
+        table.text(width)
     }
 }
 

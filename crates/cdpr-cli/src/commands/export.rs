@@ -127,7 +127,7 @@ fn shown_path(path: &Path) -> String {
 }
 
 impl Answer for Exported {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         let about = self.candidate.as_ref().map(|name| format!(", candidate {name}")).unwrap_or_default();
         let files: String = self.files.iter().map(|name| format!("  {name}\n")).collect();
         format!("figures of {}{about}\n\n{files}\nwritten to {}\n", self.result, self.out)

@@ -1,10 +1,7 @@
 //! `cdpr fk`: the pose behind cable lengths, or behind tensions.
 
-mod answer;
-
 use std::process::ExitCode;
 
-use answer::ForwardAnswer;
 use cdpr::equilibrium::{ForwardError, ForwardProblem, ForwardSettings, Start, State, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
@@ -14,6 +11,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{IDEAL_WINCH, ModelArguments, load_of, pose_of};
 use crate::numbers::NumberList;
+use cdpr_reports::answers::ForwardAnswer;
 
 const EXAMPLES: &str = "\
 Examples:

@@ -1,28 +1,25 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
 mod report;
-mod words;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::fit::{self, Estimate, Fit, Minimizer, Prior, Status, descent_count, fit_observed};
-use cdpr::identification::{Analysis, Basin, ErrorBlocks, Evaluation, EvaluationError, evaluate_fitted};
+use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
+use cdpr::identification::{Evaluation, EvaluationError, evaluate_fitted};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
 use cdpr::robot::ParameterKind;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
-use crate::error_table::convergence_remark;
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
 use crate::measurements::DataArguments;
 use crate::progress::Progress;
+use cdpr_reports::answers::{self, IdentificationAnswer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -99,39 +96,6 @@ fn minimizers() -> impl TypedValueParser<Value = Minimizer> {
     PossibleValuesParser::new(Minimizer::ALL.map(Minimizer::name)).map(move |name| named(name).unwrap_or_default())
 }
 
-#[derive(Serialize)]
-struct Identified {
-    robot: String,
-    model: String,
-    free: String,
-    data: String,
-    samples: usize,
-    status: Status,
-    reason: String,
-    iterations: u32,
-    parameter_count: usize,
-    #[serde(flatten)]
-    analysis: Analysis,
-    parameters: Vec<Estimate>,
-    noise_factor: f64,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    basins: Vec<Basin>,
-    history: Vec<f64>,
-    train: ErrorBlocks,
-    train_before: ErrorBlocks,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    validation_data: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    validation: Option<ErrorBlocks>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    validation_before: Option<ErrorBlocks>,
-    warnings: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    out: Option<String>,
-    #[serde(skip)]
-    pattern: MotionPattern,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let samples = arguments.data.read(&model, output)?;
@@ -148,7 +112,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, other.as_ref(), &answer.reason, &output.remarks()))
+        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &output.remarks()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
@@ -257,48 +221,18 @@ impl Task<'_> {
         file.or_else(|| split.map(|split| format!("held-out parts ({split})")))
     }
 
-    fn answer(&self, result: Identification) -> Result<Identified, Failure> {
+    fn answer(&self, result: Identification) -> Result<IdentificationAnswer, Failure> {
         let Identification { fit, train, validation } = result;
-        let train_after = self.evaluate(&fit.model, &train)?.blocks();
-        let train_before = self.evaluate_given(&train)?.blocks();
-        let (validation, validation_before) =
-            validation.map(|(after, before)| (after.blocks(), before.blocks())).unzip();
-        let mut warnings = fit.warnings;
-        warnings.extend(convergence_remark(&train_after, "training samples"));
-        warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
-        Ok(Identified {
-            robot: self.model.robot().name.clone(),
-            model: self.model.composition().to_string(),
+        Ok(IdentificationAnswer::new(answers::Identification {
+            model: self.model,
             free: self.arguments.free.to_string(),
             data: self.arguments.data.name(),
             samples: train.len(),
-            status: fit.status,
-            reason: fit.reason,
-            iterations: fit.iterations,
-            parameter_count: fit.parameters.len(),
-            analysis: fit.analysis,
-            parameters: fit.parameters,
-            noise_factor: fit.noise_factor,
-            basins: fit.basins,
-            history: fit.history,
-            train: train_after,
-            train_before,
+            train: [self.evaluate(&fit.model, &train)?.blocks(), self.evaluate_given(&train)?.blocks()],
+            fit,
             validation_data: self.validation_name(),
-            validation,
-            validation_before,
-            warnings,
+            validation: validation.map(|(after, before)| [after.blocks(), before.blocks()]),
             out: self.arguments.out.as_ref().map(|path| path.display().to_string()),
-            pattern: self.model.robot().motion_pattern,
-        })
-    }
-}
-
-impl Answer for Identified {
-    fn is_negative(&self) -> bool {
-        self.status != Status::Converged
-    }
-
-    fn words(&self) -> String {
-        words::of(self)
+        }))
     }
 }

@@ -1,12 +1,9 @@
 //! `cdpr initial-tension`: how winches are set for a path, an area or a volume.
 
-mod answer;
-
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::str::FromStr;
 
-use answer::{InitialTensionAnswer, State};
 use cdpr::geometry::Pose;
 use cdpr::metamodel::InputError;
 use cdpr::metamodel::initial_tension::{approach, fit, optimum};
@@ -22,6 +19,7 @@ use crate::failure::Failure;
 use crate::numbers::NumberList;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
+use cdpr_reports::answers::{InitialTensionAnswer, WinchState};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -101,12 +99,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let (before, best, way) = found;
     let reached = size(&study_file, &pose)?;
-    let former = State {
+    let former = WinchState {
         offsets: std::mem::replace(&mut study_file.experiment.offsets, best.offsets.clone()),
         fit: before,
         reached,
     };
-    let latter = State { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&study_file, &pose)? };
+    let latter =
+        WinchState { offsets: best.offsets.clone(), fit: best.fit.clone(), reached: size(&study_file, &pose)? };
     drop(progress);
     if !best.is_settled {
         output.remark("the search did not come to rest: better initial tensions may exist");

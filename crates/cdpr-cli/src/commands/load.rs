@@ -3,20 +3,14 @@
 use std::process::ExitCode;
 use std::str::FromStr;
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of};
 use crate::numbers::NumberList;
-use crate::statics_failure::{has_no_path, refused};
-use crate::table::{Table, cell};
-use cdpr_reports::answers::PoseAnswer;
-use cdpr_reports::answers::WrenchAnswer;
+use crate::statics_failure::refused;
+use cdpr_reports::answers::LoadAnswer;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -78,43 +72,6 @@ impl FromStr for Group {
     }
 }
 
-#[derive(Serialize)]
-struct LoadEstimate {
-    robot: String,
-    model: String,
-    status: &'static str,
-    reason: Option<String>,
-    pose: PoseAnswer,
-    #[serde(rename = "tensions_N")]
-    tensions: Vec<f64>,
-    #[serde(flatten)]
-    statics: Statics,
-    #[serde(skip)]
-    cable_names: Vec<String>,
-}
-
-/// Null where a cable has no unique course.
-#[derive(Default, Serialize)]
-struct Statics {
-    #[serde(flatten)]
-    wrench: WrenchAnswer,
-    #[serde(rename = "internal_N")]
-    internal: Option<Vec<f64>>,
-    #[serde(rename = "external_N")]
-    external: Option<Vec<f64>>,
-    rank: Option<usize>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    sections: Vec<Section>,
-}
-
-#[derive(Serialize)]
-struct Section {
-    name: String,
-    cables: Vec<usize>,
-    #[serde(flatten)]
-    wrench: WrenchAnswer,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let robot = model.robot();
@@ -125,78 +82,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             *tension = model.real_tension(cable, *tension);
         });
     }
-    let found = statics(&model, &pose, &tensions, &arguments.groups);
-    let reason = found.as_ref().err().filter(|error| has_no_path(error)).map(ToString::to_string);
-    let statics = match found {
-        Err(_) if reason.is_some() => Statics::default(),
-        found => found.map_err(|error| refused("--tensions", &error))?,
-    };
-    if !statics.is_finite() {
+    let groups: Vec<_> = arguments.groups.into_iter().map(|group| (group.name, group.cables)).collect();
+    let answer = LoadAnswer::of(&model, &pose, tensions, &groups).map_err(|error| refused("--tensions", &error))?;
+    if !answer.is_finite() {
         return Err(Failure::numerical("the wrench of these tensions overflows; check their unit (N)"));
     }
-    output.answer(&LoadEstimate {
-        robot: robot.name.clone(),
-        model: model.composition().to_string(),
-        status: if reason.is_none() { "solved" } else { "singular" },
-        reason,
-        pose: PoseAnswer::new(robot, &pose),
-        tensions,
-        statics,
-        cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-    })
-}
-
-fn statics(model: &Model, pose: &Pose, tensions: &[f64], groups: &[Group]) -> Result<Statics, StaticsError> {
-    let wrench = balanced_wrench(model, pose, tensions)?;
-    let TensionSplit { internal, external, rank } = split(model, pose, tensions)?;
-    let section = |group: &Group| {
-        let cables: Vec<usize> = group.cables.iter().map(|number| number - 1).collect();
-        let wrench = WrenchAnswer::new(model.robot(), &section_wrench(model, pose, tensions, &cables)?);
-        Ok(Section { name: group.name.clone(), cables: group.cables.clone(), wrench })
-    };
-    Ok(Statics {
-        wrench: WrenchAnswer::new(model.robot(), &wrench),
-        internal: Some(internal),
-        external: Some(external),
-        rank: Some(rank),
-        sections: groups.iter().map(section).collect::<Result<_, StaticsError>>()?,
-    })
-}
-
-impl Statics {
-    fn is_finite(&self) -> bool {
-        let wrenches = std::iter::once(&self.wrench).chain(self.sections.iter().map(|section| &section.wrench));
-        let mut parts = self.internal.iter().chain(&self.external).flatten();
-        wrenches.into_iter().all(WrenchAnswer::is_finite) && parts.all(|number| number.is_finite())
-    }
-}
-
-impl Answer for LoadEstimate {
-    fn is_negative(&self) -> bool {
-        self.reason.is_some()
-    }
-
-    fn words(&self) -> String {
-        let mut text = format!("{}, model {}, at {}\n", self.robot, self.model, self.pose.words());
-        if let Some(reason) = &self.reason {
-            text.push_str(&format!("singular: {reason}\n"));
-        }
-        let Statics { wrench, internal: Some(internal), external: Some(external), .. } = &self.statics else {
-            return text;
-        };
-        let mut heading = vec!["wrench on the platform".to_owned()];
-        heading.extend(wrench.heading());
-        let mut wrenches = Table::with_heading(heading);
-        let mut row = |name: String, wrench: &WrenchAnswer| {
-            wrenches.row([vec![name], wrench.cells()].concat());
-        };
-        row("load that the tensions balance".to_owned(), wrench);
-        self.statics.sections.iter().for_each(|section| row(format!("cables of {}", section.name), &section.wrench));
-        let mut parts = Table::new(["cable", "tension N", "internal N", "external N"]);
-        for (cable, name) in self.cable_names.iter().enumerate() {
-            let numbers = [self.tensions[cable], internal[cable], external[cable]];
-            parts.row([vec![name.clone()], numbers.map(|number| cell(Some(number), 3)).to_vec()].concat());
-        }
-        format!("{text}\n{}\n{}", wrenches.text(), parts.text())
-    }
+    output.answer(&answer)
 }

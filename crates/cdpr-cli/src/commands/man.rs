@@ -39,7 +39,7 @@ struct Written {
 }
 
 impl Answer for Written {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         match (&self.page, &self.out) {
             (Some(page), _) => page.clone(),
             (None, out) => {

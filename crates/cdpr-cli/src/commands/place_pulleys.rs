@@ -14,8 +14,9 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::{RobotArgument, pose_or_home};
 use crate::numbers::{NumberList, number_from_zero};
-use crate::table::{Table, cell};
 use cdpr_reports::answers::{PoseAnswer, axis_names, components};
+use cdpr_reports::number_format::cell;
+use cdpr_reports::table::Table;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -149,7 +150,7 @@ fn swivel_axis(robot: &Robot, numbers: &NumberList) -> Result<Vector3<f64>, Fail
 }
 
 impl Answer for Placed {
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut heading = vec!["cable".to_owned(), "radius m".to_owned()];
         heading.extend(self.axes.iter().map(|axis| format!("frame anchor {axis} m")));
         heading.push("moved by mm".to_owned());
@@ -161,6 +162,6 @@ impl Answer for Placed {
             table.row(cells);
         }
         let heading = format!("{}: pulleys placed to agree with the point model at {}", self.robot, self.pose.words());
-        format!("{heading}\n\n{}\nwritten to {}\n", table.text(), self.out)
+        format!("{heading}\n\n{}\nwritten to {}\n", table.text(width), self.out)
     }
 }

@@ -1,7 +1,5 @@
 //! `cdpr reachable`: which part of its workspace a robot really reaches under its control model.
 
-mod words;
-
 use std::path::PathBuf;
 use std::process::ExitCode;
 

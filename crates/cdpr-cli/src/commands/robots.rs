@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::help_for_unknown_robot;
-use crate::table::Table;
+use cdpr_reports::table::Table;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,7 +33,7 @@ struct RobotFile {
 }
 
 impl Answer for RobotFile {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         self.toml.to_owned()
     }
 }
@@ -52,13 +52,13 @@ struct Entry {
 }
 
 impl Answer for Robots {
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(["name", "pattern", "cables", "title"]);
         for entry in &self.robots {
             let title = entry.title.clone().unwrap_or_default();
             table.row(vec![entry.name.clone(), entry.motion_pattern.to_owned(), entry.cable_count.to_string(), title]);
         }
-        table.left_column(3).text()
+        table.left_column(3).text(width)
     }
 }
 

@@ -43,7 +43,7 @@ struct Schema {
 }
 
 impl Answer for Schema {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         self.words.clone()
     }
 }

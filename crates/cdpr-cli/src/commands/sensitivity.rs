@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::numbers::finite_number;
 use crate::progress::Progress;
-use crate::sensitivities::{self, SensitivityReport};
+use crate::sensitivities;
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
 
@@ -140,9 +140,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let written: Vec<_> =
         maps.iter().chain(&poses).chain(&picture).map(|(path, text)| (path.as_path(), text.as_bytes())).collect();
     files::write_all(&written)?;
-    output.answer(&SensitivityReport {
-        answer: SensitivityAnswer::new(&found, &study_file, &tolerances, &settings),
-        top: arguments.top,
-        has_rotation: study_file.machine.robot().motion_pattern.has_rotation(),
-    })
+    let answer = SensitivityAnswer::new(&found, &study_file, &tolerances, &settings);
+    output.answer(&SensitivityAnswer { told: arguments.top, ..answer })
 }

@@ -94,7 +94,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 }
 
 impl Answer for Simulated {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         let mut text =
             format!("{} samples written to {}, sensor accuracies to {}\n", self.samples, self.out, self.sidecar);
         if self.left_out > 0 {

@@ -2,20 +2,17 @@
 
 use std::process::ExitCode;
 
-use cdpr::model::{Composition, Model, StretchEffect};
-use cdpr::nalgebra::DMatrix;
-use cdpr::statics::{Stability, Stiffness, wrench_residual};
+use cdpr::model::{Composition, StretchEffect};
+use cdpr::statics::{Stiffness, wrench_residual};
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{RobotArgument, load_of, pose_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_path, refused};
-use crate::table::{Table, cell};
 use crate::tension_choice::{Chosen, tensions_of};
-use cdpr_reports::answers::{PoseAnswer, axis_names, degrees_of_freedom};
+use cdpr_reports::answers::StiffnessAnswer;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -50,46 +47,6 @@ pub(crate) struct Arguments {
     wrench: Option<NumberList>,
 }
 
-type Rows = Vec<Vec<f64>>;
-
-#[derive(Serialize)]
-struct StiffnessAnswer {
-    robot: String,
-    model: String,
-    /// `stable`, `indifferent`, `unstable`; `infeasible` without tensions, `singular` without courses.
-    status: &'static str,
-    reason: Option<String>,
-    pose: PoseAnswer,
-    degrees_of_freedom: Vec<String>,
-    #[serde(rename = "tensions_N")]
-    tensions: Option<Vec<f64>>,
-    #[serde(flatten)]
-    matrices: Matrices,
-    warnings: Vec<String>,
-    #[serde(skip)]
-    cable_names: Vec<String>,
-    #[serde(skip)]
-    translations: usize,
-}
-
-/// Null without tensions or courses.
-#[derive(Default, Serialize)]
-struct Matrices {
-    stiffness: Option<Rows>,
-    geometric: Option<Rows>,
-    cable: Option<Rows>,
-    gravity: Option<Rows>,
-    compliance: Option<Rows>,
-    length_to_wrench: Option<Rows>,
-    #[serde(rename = "eigenvalues_N_per_m")]
-    eigenvalues: Option<Vec<f64>>,
-    length_scale_m: f64,
-    #[serde(rename = "cable_stiffness_N_per_m")]
-    cable_stiffness: Option<Vec<f64>>,
-    controlled_lengths_m: Option<Vec<f64>>,
-    wrench_residual: Option<Vec<f64>>,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.robot.model(arguments.model)?;
     if !model.needs_tensions() {
@@ -99,165 +56,23 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     }
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     let load = load_of(model.robot(), arguments.wrench.as_ref())?;
-    let mut answer = StiffnessAnswer::empty(&model, PoseAnswer::new(model.robot(), &pose));
+    let answer = StiffnessAnswer::new(&model, &pose);
     let tensions = match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {
         Chosen::Tensions(tensions) => tensions,
-        Chosen::None { status, reason } => {
-            (answer.status, answer.reason) = (status, Some(reason));
-            return output.answer(&answer);
-        }
+        Chosen::None { status, reason } => return output.answer(&answer.refused(status, reason)),
     };
-    match Stiffness::at(&model, &pose, &tensions, &load) {
+    let answer = match Stiffness::at(&model, &pose, &tensions, &load) {
         Ok(stiffness) => {
             let residual = wrench_residual(&model, &pose, &tensions, &load);
             let residual = residual.map_err(|error| refused("--tensions", &error))?;
-            answer.fill(&model, &stiffness, residual.as_slice(), &tensions)?;
-            answer.warn(residual.as_slice(), &tensions);
-            answer.tensions = Some(tensions);
+            if !stiffness.system.iter().all(|x| x.is_finite()) {
+                let message = "the stiffness overflows; check the units of tensions, stiffness and lengths";
+                return Err(Failure::numerical(message));
+            }
+            answer.with(&model, &stiffness, tensions, residual.as_slice())
         }
-        Err(error) if has_no_path(&error) => (answer.status, answer.reason) = ("singular", Some(error.to_string())),
+        Err(error) if has_no_path(&error) => answer.refused("singular", error.to_string()),
         Err(error) => return Err(refused("--tensions", &error)),
-    }
+    };
     output.answer(&answer)
-}
-
-fn rows(matrix: &DMatrix<f64>) -> Rows {
-    // + 0.0: the sign of zero says nothing
-    matrix.row_iter().map(|row| row.iter().map(|x| x + 0.0).collect()).collect()
-}
-
-/// Stability in a word, and why where it is a no.
-fn verdict(model: &Model, stiffness: &Stiffness, tensions: &[f64]) -> (&'static str, Option<String>) {
-    match stiffness.stability() {
-        Stability::Stable => ("stable", None),
-        Stability::Unstable => {
-            let smallest = stiffness.eigenvalues().first().copied().unwrap_or(f64::NAN);
-            ("unstable", Some(format!("a displacement is driven on by {:.4} N/m instead of driven back", -smallest)))
-        }
-        Stability::Indifferent => {
-            let slack = tensions.iter().filter(|&&tension| tension == 0.0).count();
-            let (cables, dof) = (model.cable_count(), model.dof());
-            let counts = format!("{cables} cables, {slack} of them slack, for {dof} degrees of freedom");
-            ("indifferent", Some(format!("in some direction nothing drives the platform back ({counts})")))
-        }
-    }
-}
-
-impl StiffnessAnswer {
-    fn empty(model: &Model, pose: PoseAnswer) -> Self {
-        let robot = model.robot();
-        let axes = axis_names(robot);
-        Self {
-            robot: robot.name.clone(),
-            model: model.composition().to_string(),
-            status: "singular",
-            reason: None,
-            pose,
-            degrees_of_freedom: degrees_of_freedom(robot),
-            tensions: None,
-            matrices: Matrices { length_scale_m: model.platform_radius(), ..Matrices::default() },
-            warnings: Vec::new(),
-            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-            translations: axes.len(),
-        }
-    }
-
-    fn fill(
-        &mut self,
-        model: &Model,
-        stiffness: &Stiffness,
-        residual: &[f64],
-        tensions: &[f64],
-    ) -> Result<(), Failure> {
-        if !stiffness.system.iter().all(|x| x.is_finite()) {
-            return Err(Failure::numerical(
-                "the stiffness overflows; check the units of tensions, stiffness and lengths",
-            ));
-        }
-        (self.status, self.reason) = verdict(model, stiffness, tensions);
-        let compliance = stiffness.compliance();
-        self.matrices = Matrices {
-            stiffness: Some(rows(&stiffness.system)),
-            geometric: Some(rows(&stiffness.geometric)),
-            cable: Some(rows(&stiffness.cable)),
-            gravity: Some(rows(&stiffness.load)),
-            compliance: compliance.as_ref().map(rows),
-            length_to_wrench: Some(rows(&stiffness.by_controlled_length)),
-            eigenvalues: Some(stiffness.eigenvalues()),
-            length_scale_m: self.matrices.length_scale_m,
-            cable_stiffness: Some(stiffness.cable_stiffness.clone()),
-            controlled_lengths_m: Some(stiffness.controlled_lengths.clone()),
-            wrench_residual: Some(residual.to_vec()),
-        };
-        Ok(())
-    }
-
-    /// What makes the matrices other than one might think.
-    fn warn(&mut self, residual: &[f64], tensions: &[f64]) {
-        let slack: Vec<String> =
-            (0..tensions.len()).filter(|&cable| tensions[cable] == 0.0).map(|cable| (cable + 1).to_string()).collect();
-        if !slack.is_empty() {
-            self.warnings.push(format!("without tension, and so taken as slack: cable {}", slack.join(", ")));
-        }
-        let largest = tensions.iter().copied().fold(0.0, f64::max);
-        let scale = |row: usize| if row < self.translations { 1.0 } else { self.matrices.length_scale_m };
-        let missing = residual.iter().enumerate().map(|(row, x)| x.abs() / scale(row)).fold(0.0, f64::max);
-        // sensors are good for about one percent of the largest tension
-        if missing > 0.01 * largest {
-            self.warnings.push(format!(
-                "the tensions do not balance the load, {missing:.1} N are missing: the platform would not stay at this pose (`cdpr load` tells the load that they balance)"
-            ));
-        }
-    }
-
-    fn matrix(&self, title: &str, rows: &Rows, scale: f64) -> String {
-        let mut heading = vec![title.to_owned()];
-        heading.extend(self.degrees_of_freedom.iter().cloned());
-        let mut table = Table::with_heading(heading);
-        for (name, row) in self.degrees_of_freedom.iter().zip(rows) {
-            table.row([vec![name.clone()], row.iter().map(|&x| cell(Some(scale * x), 3)).collect()].concat());
-        }
-        table.text()
-    }
-}
-
-impl Answer for StiffnessAnswer {
-    fn is_negative(&self) -> bool {
-        self.reason.is_some()
-    }
-
-    fn words(&self) -> String {
-        let mut text = format!("{}, model {}, at {}\n{}", self.robot, self.model, self.pose.words(), self.status);
-        self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
-        text.push('\n');
-        self.warnings.iter().for_each(|warning| text.push_str(&format!("warning: {warning}\n")));
-        let Matrices { stiffness: Some(stiffness), geometric: Some(geometric), cable: Some(cable), .. } =
-            &self.matrices
-        else {
-            return text;
-        };
-        let units = "forces N, moments N·m; columns per m, per rad";
-        text.push_str(&format!("\nstiffness K = K_C − K_G − ∂w/∂x ({units})\n{}", self.matrix("K", stiffness, 1.0)));
-        text.push_str(&format!("\nof cable stretch\n{}", self.matrix("K_C", cable, 1.0)));
-        text.push_str(&format!("\nof turning cables\n{}", self.matrix("K_G", geometric, 1.0)));
-        let gravity = self.matrices.gravity.iter().filter(|rows| rows.iter().flatten().any(|&x| x != 0.0));
-        gravity
-            .for_each(|rows| text.push_str(&format!("\nof the turning weight\n{}", self.matrix("∂w/∂x", rows, 1.0))));
-        if let Some(compliance) = &self.matrices.compliance {
-            let units = "µm, µrad; columns per N, per N·m";
-            text.push_str(&format!("\ncompliance ({units})\n{}", self.matrix("1/K", compliance, 1e6)));
-        }
-        let values = self.matrices.eigenvalues.iter().flatten().map(|&value| cell(Some(value), 3));
-        let (values, radius) = (values.collect::<Vec<_>>().join(", "), self.matrices.length_scale_m);
-        text.push_str(&format!("\neigenvalues N/m (turns at a radius of {radius:.3} m): {values}\n\n"));
-        let mut table = Table::new(["cable", "tension N", "stiffness N/m", "controlled length m"]);
-        for (index, name) in self.cable_names.iter().enumerate() {
-            let of = |list: &Option<Vec<f64>>| list.as_ref().map(|list| list[index]);
-            let Matrices { cable_stiffness, controlled_lengths_m, .. } = &self.matrices;
-            let numbers =
-                [cell(of(&self.tensions), 3), cell(of(cable_stiffness), 1), cell(of(controlled_lengths_m), 6)];
-            table.row([vec![name.clone()], numbers.to_vec()].concat());
-        }
-        text + &table.text()
-    }
 }

@@ -4,22 +4,20 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cdpr::geometry::Pose;
-use cdpr::metamodel::field::{Field, Summary, field};
+use cdpr::metamodel::field::{Field, field};
 use cdpr::reading::Size;
 use clap::Args;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
-use crate::table::{Table, cell};
 use cdpr_reports::NamedFile;
-use cdpr_reports::answers::title;
-use cdpr_reports::number_format::significant;
-use cdpr_reports::study_page::{self, ErrorRow, StudyPage, StudyPageError, error_maps, error_rows, errors_table};
+use cdpr_reports::answers::{StudyAnswer, title, unanswered};
+use cdpr_reports::study_page::{self, StudyPage, StudyPageError, error_maps, errors_table};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -47,19 +45,6 @@ pub(crate) struct Arguments {
     seed: u64,
 }
 
-#[derive(Serialize)]
-struct Studied {
-    status: &'static str,
-    reason: Option<String>,
-    control: String,
-    machine: String,
-    #[serde(flatten)]
-    summary: Summary,
-    winch_offsets_m: Vec<f64>,
-    seed: u64,
-    files: Vec<String>,
-}
-
 /// What made the folder.
 #[derive(Serialize)]
 struct Run<'a> {
@@ -85,8 +70,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
     found.remark(&study_file.machine).iter().for_each(|remark| output.remark(remark));
-    let reason = reason(&found);
-    let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason.clone()).collect())?;
+    let reason = unanswered(&found);
+    let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason).collect())?;
     drop(progress);
     let mut made = error_maps(&found, &study_file.machine);
     made.insert(0, NamedFile::new("errors.csv", errors_table(&found)));
@@ -102,16 +87,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;
     made.insert(0, NamedFile::new("run.toml", run));
-    let answer = Studied {
-        status: if reason.is_none() { "converged" } else { "not-converged" },
-        reason,
-        control: title(&study_file.control),
-        machine: title(&study_file.machine),
-        summary: found.summary,
-        winch_offsets_m: study_file.offsets.clone(),
-        seed: arguments.seed,
-        files: made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect(),
-    };
+    let names = made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect();
+    let answer = StudyAnswer::new(&study_file, &found, arguments.seed, names);
     made.push(NamedFile::new("result.json", output.file(&answer, "result.json")?));
     write(&arguments.out, &made)?;
     output.answer(&answer)
@@ -147,43 +124,4 @@ fn write(folder: &Path, all: &[NamedFile]) -> Result<(), Failure> {
     let pairs: Vec<(&Path, &[u8])> =
         paths.iter().map(PathBuf::as_path).zip(all.iter().map(|file| &file.content[..])).collect();
     files::write_all(&pairs)
-}
-
-/// Why poses have no answer, by the first of them.
-fn reason(found: &Field) -> Option<String> {
-    let failed = found.summary.samples - found.summary.converged;
-    let (pose, first) = found.samples.iter().enumerate().find(|(_, sample)| sample.exact.is_none())?;
-    let why = first.outcome.reason.as_deref().unwrap_or("no reason is known");
-    Some(format!("{failed} of {} poses have no answer, first pose {}: {why}", found.summary.samples, pose + 1))
-}
-
-impl Answer for Studied {
-    fn is_negative(&self) -> bool {
-        self.reason.is_some()
-    }
-
-    fn words(&self) -> String {
-        let mut text = format!("{} drives {} to {} poses\n", self.control, self.machine, self.summary.samples);
-        if let Some(reason) = &self.reason {
-            text.push_str(&format!("{reason}; the others count\n"));
-        }
-        let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
-        for ErrorRow { name, unit, factor, error } in error_rows(&self.summary) {
-            let numbers = [error.mean, error.rms, error.median, error.p95, error.max];
-            let cells = numbers.map(|number| cell(Some(factor * number), 3));
-            table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
-        }
-        text.push_str(&format!("\n{}", table.text()));
-        if let Some(relative) = self.summary.relative_position_error {
-            let diameter = significant(self.summary.diameter_m, 3);
-            text.push_str(&format!(
-                "\nmean error: {} % of the {diameter} m across the poses\n",
-                significant(100.0 * relative, 3)
-            ));
-        }
-        let share = 100.0 * self.summary.linear_trusted_share;
-        text.push_str(&format!("the linear step is within a tenth of the error at {share:.0} % of the poses\n"));
-        text.push_str(&format!("\nwrote {}\n", self.files.join(", ")));
-        text
-    }
 }

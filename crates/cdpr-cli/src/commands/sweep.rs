@@ -104,7 +104,7 @@ struct Progressed {
 }
 
 impl Answer for Progressed {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         self.words.clone()
     }
 }

@@ -7,17 +7,15 @@ use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::statics::{Load, StaticsError};
-use cdpr::tension::{self, Limits, Method, Solver, Status};
+use cdpr::tension::{Limits, Method, Solver, Status};
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, limits_of, load_of, pose_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
-use crate::table::{Table, cell};
-use crate::tension_method::{MethodArguments, Wishes, is_turn, refused};
-use cdpr_reports::answers::PoseAnswer;
+use crate::tension_method::{MethodArguments, Wishes, refused};
+use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, is_shown};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -63,65 +61,6 @@ pub(crate) struct Arguments {
     choice: MethodArguments,
 }
 
-#[derive(Serialize)]
-struct Tensions {
-    robot: String,
-    model: String,
-    pose: PoseAnswer,
-    method: Method,
-    #[serde(flatten)]
-    found: Found,
-    #[serde(rename = "tension_min_N")]
-    minimum: Vec<f64>,
-    #[serde(rename = "tension_max_N")]
-    maximum: Vec<f64>,
-    #[serde(skip)]
-    cable_names: Vec<String>,
-}
-
-/// What a method says; null where there is nothing.
-#[derive(Default, Serialize)]
-struct Found {
-    status: &'static str,
-    reason: Option<String>,
-    /// False where the method found no tensions though there are some.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    proved: Option<bool>,
-    #[serde(rename = "tensions_N")]
-    tensions: Option<Vec<f64>>,
-    wrench: Option<Vec<f64>>,
-    wrench_residual: Option<Vec<f64>>,
-    #[serde(flatten)]
-    missing: Option<Missing>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    certificate: Option<Certificate>,
-    iterations: Option<u32>,
-}
-
-/// What the nearest wrench lacks to the one asked for.
-#[derive(Serialize)]
-struct Missing {
-    #[serde(rename = "missing_wrench")]
-    wrench: Vec<f64>,
-    #[serde(rename = "missing_force_N")]
-    force: f64,
-    #[serde(rename = "missing_moment_Nm")]
-    moment: f64,
-    #[serde(rename = "moment_length_m")]
-    moment_length: Option<f64>,
-}
-
-/// The proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
-#[derive(Serialize)]
-struct Certificate {
-    direction: Vec<f64>,
-    weights: Vec<f64>,
-    #[serde(rename = "required_N")]
-    required: f64,
-    #[serde(rename = "reachable_N")]
-    reachable: f64,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let robot = model.robot();
@@ -131,16 +70,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let method = arguments.choice.method;
     let wishes = arguments.choice.wishes(&model);
     let (found, limits) = find(&model, &pose, &load, limits, method, &wishes)?;
-    output.answer(&Tensions {
-        robot: robot.name.clone(),
-        model: model.composition().to_string(),
-        pose: PoseAnswer::new(robot, &pose),
-        method,
-        found,
-        minimum: limits.minimum().to_vec(),
-        maximum: limits.maximum().to_vec(),
-        cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-    })
+    output.answer(&TensionAnswer::new(&model, &pose, method, found, &limits))
 }
 
 /// What the method says, and the limits in force.
@@ -155,7 +85,7 @@ fn find(
     if let Err(reason) = model.structure_matrix(pose) {
         return match reason {
             GeometryError::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
-            _ => Ok((Found { status: "infeasible", reason: Some(reason.to_string()), ..Found::default() }, limits)),
+            _ => Ok((Found::nothing("infeasible", reason.to_string(), None), limits)),
         };
     }
     let wrench = load.in_pattern(model, pose).as_slice().to_vec();
@@ -172,98 +102,23 @@ fn find(
         Err(DistributionError::Statics(ref error @ StaticsError::CableState { reason, .. }))
             if !reason.is_overflow() =>
         {
-            let reason = Some(error.to_string());
-            return Ok((Found { status: "no-shape", reason, wrench: Some(wrench), ..Found::default() }, limits));
+            return Ok((Found::nothing("no-shape", error.to_string(), Some(wrench)), limits));
         }
         Err(DistributionError::Tension(error)) => return Err(refused(&error)),
         Err(error) => return Err(Failure::numerical(error.to_string())),
     };
     if let Some(reason) = balance.reason {
-        let (status, reason) = (reason.status(), Some(reason.to_string()));
-        return Ok((Found { status, reason, wrench: Some(wrench), ..Found::default() }, limits));
+        return Ok((Found::nothing(reason.status(), reason.to_string(), Some(wrench)), limits));
     }
     solver.forget();
     let answer = solver.solve(&balance.matrix, &balance.wrench, &limits, &options).map_err(|error| refused(&error))?;
-    let missing = (method == Method::NearestWrench).then(|| missing(model, answer, wishes));
-    Ok((Found { wrench: Some(wrench), missing, ..found_by(answer)? }, answer.limits.clone()))
-}
-
-/// True of tensions that a user may look at: those to be used, those that a closed form always gives, and those that do most
-/// for the load.
-fn is_shown(answer: &tension::Answer) -> bool {
-    match answer.method {
-        Method::ClosedForm => true,
-        Method::NearestWrench => answer.status == Status::Feasible || answer.certificate().is_some(),
-        _ => answer.status == Status::Feasible,
+    if !matches!(answer.status, Status::Feasible | Status::Infeasible | Status::NotFound) {
+        return Err(Failure::numerical(answer.reason().unwrap_or_default()));
     }
-}
-
-fn found_by(answer: &tension::Answer) -> Result<Found, Failure> {
-    let reason = answer.reason();
-    let (status, proved) = match answer.status {
-        Status::Feasible => ("feasible", None),
-        Status::Infeasible => ("infeasible", Some(true)),
-        Status::NotFound => ("infeasible", Some(false)),
-        _ => return Err(Failure::numerical(reason.unwrap_or_default())),
+    let found = Found::of(answer, wrench);
+    let found = match method {
+        Method::NearestWrench => found.lacking(model, answer, wishes.moment_length(model)),
+        _ => found,
     };
-    let certificate = answer.certificate().map(|proof| Certificate {
-        direction: proof.direction.clone(),
-        weights: proof.weights.clone(),
-        required: proof.required,
-        reachable: proof.reachable,
-    });
-    let is_shown = is_shown(answer);
-    Ok(Found {
-        status,
-        reason,
-        proved,
-        tensions: is_shown.then(|| answer.tensions.clone()),
-        wrench_residual: is_shown.then(|| answer.wrench_residual.clone()),
-        certificate,
-        iterations: Some(answer.iterations),
-        ..Found::default()
-    })
-}
-
-fn missing(model: &Model, answer: &tension::Answer, wishes: &Wishes) -> Missing {
-    let wrench = answer.missing_wrench();
-    let norm = |turns: bool| {
-        let rows = model.twist_basis().iter().zip(&wrench).filter(|(twist, _)| is_turn(twist) == turns);
-        rows.map(|(_, rest)| rest * rest).sum::<f64>().sqrt()
-    };
-    let (force, moment) = (norm(false), norm(true));
-    Missing { wrench, force, moment, moment_length: wishes.moment_length(model) }
-}
-
-impl Answer for Tensions {
-    fn is_negative(&self) -> bool {
-        self.found.status != "feasible"
-    }
-
-    fn words(&self) -> String {
-        let Found { status, reason, tensions, proved, missing, .. } = &self.found;
-        let status = match proved {
-            Some(false) => format!("not found by {}", self.method),
-            _ => (*status).to_owned(),
-        };
-        let mut text = format!("{}, model {}, at {}: {status}\n", self.robot, self.model, self.pose.words());
-        if let Some(reason) = reason {
-            text.push_str(&format!("{reason}\n"));
-        }
-        if let (Some(Missing { force, moment, moment_length, .. }), Some(_)) = (missing, reason) {
-            text.push_str(&format!("the nearest wrench lacks {force:.3} N"));
-            if let Some(length) = moment_length {
-                text.push_str(&format!(" and {moment:.3} N·m (moments divided by {length:.3} m)"));
-            }
-            text.push('\n');
-        }
-        let Some(tensions) = tensions else { return text };
-        let mut table = Table::new(["cable", "tension N", "least N", "largest N"]);
-        for (cable, name) in self.cable_names.iter().enumerate() {
-            let limits = [self.minimum[cable], self.maximum[cable]];
-            let numbers = [tensions[cable], limits[0], limits[1]].map(|number| cell(Some(number), 3));
-            table.row([vec![name.clone()], numbers.to_vec()].concat());
-        }
-        format!("{text}\n{}", table.text())
-    }
+    Ok((found, answer.limits.clone()))
 }

@@ -1,6 +1,5 @@
 //! `cdpr workspace`: where the platform can be.
 
-mod answer;
 mod cell_search;
 mod counting;
 mod orientations;
@@ -10,13 +9,11 @@ mod question;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use answer::{WorkspaceAnswer, by_grid, by_hull, by_octree};
 use cdpr::workspace::Region;
 use cdpr::workspace::criterion::registry::{self, CriterionRequest};
-use cdpr::workspace::hull::{Center, Hull};
-use cdpr::workspace::mesh::Mesh;
+use cdpr::workspace::hull::Center;
 use cdpr::workspace::refine::{ByHull, ByOctree, refine};
-use cell_search::CellSearch;
+use cell_search::{CellSearch, Counted};
 use clap::{Args, ValueEnum};
 use orientations::OrientationArguments;
 use question::Question;
@@ -27,6 +24,9 @@ use crate::inputs::ModelArguments;
 use crate::meshes::{check_mesh_file, write_mesh};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::progress::Progress;
+use crate::{command_line, files};
+use cdpr_reports::answers::WorkspaceAnswer;
+use cdpr_reports::workspace_page::{FoundWorkspace, Outline};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -144,33 +144,25 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         && let Some(mesh) = found.mesh(&region)
     {
         write_mesh(path, &mesh)?;
-        answer.set_mesh(path, &mesh);
+        answer.set_mesh(path.display().to_string(), &mesh);
     }
     if let Some(path) = &arguments.page {
         let _progress = Progress::spinner("judging the grid of the page");
-        page::write(path, &question, &region, page::Found { answer: &answer, shape: &found, earlier })?;
-        answer.page = Some(path.display().to_string());
+        let page = FoundWorkspace {
+            asked: question.asked(&region),
+            statics: question.statics(),
+            answer: &answer,
+            outline: &found,
+            earlier,
+            command: &command_line(),
+            version: env!("CARGO_PKG_VERSION"),
+        };
+        let html = page.page().map_err(|error| Failure::unwritable("the page of the workspace", &error))?;
+        files::write(path, html.as_bytes())?;
+        answer.set_page(path.display().to_string());
     }
     answer.remarks().iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)
-}
-
-/// What was found besides numbers.
-enum Found {
-    /// Only its size.
-    Size,
-    Hull(Hull),
-    Surface(Mesh),
-}
-
-impl Found {
-    fn mesh(&self, region: &Region<'_>) -> Option<Mesh> {
-        match self {
-            Self::Size => None,
-            Self::Hull(hull) => Some(hull.mesh(region)),
-            Self::Surface(mesh) => Some(mesh.clone()),
-        }
-    }
 }
 
 /// The workspace, with its surface where a file shall show it.
@@ -178,37 +170,39 @@ fn find(
     arguments: &Arguments,
     question: &Question<'_>,
     region: &Region<'_>,
-) -> Result<(WorkspaceAnswer, Found), Failure> {
+) -> Result<(WorkspaceAnswer, Outline), Failure> {
     // the page shows the part of the box where the surface is, of planar robots too
     let is_shown = arguments.mesh.is_some() || arguments.page.is_some();
     let bounds = &question.bounds;
+    let asked = question.asked(region);
     let (answer, found) = match arguments.method {
         Method::Grid => {
             let mut search = CellSearch::new(question, region, arguments.resume.as_deref(), is_shown);
             let refined = refine(region, bounds, &question.goal, &mut search)?;
             let _progress = Progress::spinner("drawing the surface");
             let cells = refined.found.cells.as_ref();
-            let found = cells.map_or(Found::Size, |cells| Found::Surface(cells.surface(region)));
-            (by_grid(question, region, &refined), found)
+            let found = cells.map_or(Outline::Size, |cells| Outline::Surface(cells.surface(region)));
+            let Counted { grid, count, .. } = &refined.found;
+            (WorkspaceAnswer::by_grid(&asked, (grid, count), &refined.audit), found)
         }
         Method::Octree => {
             let _progress = Progress::spinner("following the boundary");
             let mut search = ByOctree { region, bounds, step: question.step };
             let refined = refine(region, bounds, &question.goal, &mut search)
                 .map_err(|error| Failure::refused("--step", &error))?;
-            let found = if is_shown { Found::Surface(refined.found.surface()) } else { Found::Size };
-            (by_octree(question, region, &refined), found)
+            let found = if is_shown { Outline::Surface(refined.found.surface()) } else { Outline::Size };
+            (WorkspaceAnswer::by_octree(&asked, &refined), found)
         }
         Method::Hull => {
             let _progress = Progress::spinner("following rays");
             match question.center(region)? {
-                Center::Nowhere(audit) => (answer::empty(question, region, &audit), Found::Size),
+                Center::Nowhere(audit) => (WorkspaceAnswer::empty(&asked, &audit), Outline::Size),
                 Center::At(center) => {
                     let mut search = ByHull { region, bounds, center, settings: question.rays(region) };
                     let mut refined = refine(region, bounds, &question.goal, &mut search)
                         .map_err(|error| Failure::refused("--method hull", &error))?;
                     refined.found.doubt(&refined.audit);
-                    (by_hull(question, region, &refined), Found::Hull(refined.found))
+                    (WorkspaceAnswer::by_hull(&asked, &refined), Outline::Hull(refined.found))
                 }
             }
         }

@@ -1,7 +1,6 @@
 //! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
 
 mod folder;
-mod words;
 
 use std::time::Instant;
 

@@ -1,27 +1,13 @@
 //! Sensitivities and tolerances of a study: what `cdpr sensitivity` tells people.
 
 mod names;
-mod words;
 
 use cdpr::metamodel::Experiment;
 use cdpr::metamodel::tolerance::Deviations;
-use cdpr_reports::sensitivity::{self, SensitivityAnswer};
-use serde::Serialize;
+use cdpr_reports::sensitivity;
 
 use crate::failure::Failure;
 pub(crate) use names::place_of;
-
-/// The answer, with what only its words need.
-#[derive(Serialize)]
-#[serde(transparent)]
-pub(crate) struct SensitivityReport {
-    pub(crate) answer: SensitivityAnswer,
-    /// Parameters in the table.
-    #[serde(skip)]
-    pub(crate) top: usize,
-    #[serde(skip)]
-    pub(crate) has_rotation: bool,
-}
 
 /// The picture for the number of this name.
 pub(crate) fn map(found: &Deviations, experiment: &Experiment, name: &str) -> Result<String, Failure> {

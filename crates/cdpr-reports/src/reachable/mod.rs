@@ -3,6 +3,7 @@
 mod answer;
 mod differential;
 mod picture;
+mod words;
 
 pub use answer::{AtBounds, Found, ReachableAnswer};
 pub use differential::{Differential, differential};

@@ -40,6 +40,12 @@ pub struct SensitivityAnswer {
     pub allowed: Option<AllowedAnswer>,
     /// Seed of random poses and robots.
     pub seed: u64,
+    /// Parameters in the words; all of them where nobody chose.
+    #[serde(skip)]
+    pub told: usize,
+    /// True of platforms that turn.
+    #[serde(skip)]
+    pub has_rotation: bool,
 }
 
 /// All parameters of one kind together.
@@ -233,6 +239,8 @@ fn answer(
         tolerance: tolerance(found, tolerances, settings),
         allowed: allowances(found, tolerances, settings),
         seed: settings.seed,
+        told: usize::MAX,
+        has_rotation: experiment.machine.robot().motion_pattern.has_rotation(),
     }
 }
 

@@ -3,6 +3,7 @@
 mod answer;
 mod map;
 pub mod tables;
+mod words;
 
 use cdpr::metamodel::sensitivity::Kind;
 use cdpr::robot::ParameterKind;

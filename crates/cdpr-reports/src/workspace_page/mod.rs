@@ -3,6 +3,7 @@
 //!
 //! Everything the page shows was computed here: its program interpolates between the nodes of the grid and says so.
 
+mod found;
 mod grid;
 mod overlay;
 mod page_data;
@@ -23,6 +24,7 @@ use crate::html_page::{Page, PageError, plain, prose};
 use crate::number_format::significant;
 use grid::Grid;
 
+pub use found::{FoundWorkspace, Outline};
 pub use overlay::{OverlayError, findings_of};
 
 const TEMPLATE: &str = include_str!("workspace.html");

@@ -128,7 +128,7 @@ impl Imported {
 }
 
 impl Answer for Imported {
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         let Taken { link, joint, cable_set, cable_sets, cables, pulleys, elastic_cables } = &self.taken;
         let others = cable_sets.iter().filter(|name| *name != cable_set).cloned().collect::<Vec<_>>();
         let others = if others.is_empty() { String::new() } else { format!(" (others: {})", others.join(", ")) };

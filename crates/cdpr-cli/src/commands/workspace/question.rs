@@ -12,6 +12,7 @@ use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceErro
 use super::{Arguments, Method};
 use crate::failure::Failure;
 use crate::inputs::{pose_of, wrench_of};
+use cdpr_reports::answers::Asked;
 
 /// A hull may take so many times the work of all refinements: fewer rays than usual are for criteria of seconds only.
 const HULL_SHARE: f64 = 8.0;
@@ -28,7 +29,6 @@ pub(super) struct Question<'a> {
     rays: Option<usize>,
     /// Tolerance that `--tolerance` asks for (m).
     tolerance: Option<f64>,
-    pub(super) method: Method,
     setting: Setting<'a>,
     /// The criteria as they were asked for, with their numbers.
     criteria: String,
@@ -59,8 +59,8 @@ impl<'a> Question<'a> {
         let goal = Goal { refines: !is_asked, ..Goal::usual() };
         let (rays, tolerance) = (arguments.rays, arguments.tolerance);
         let setting = Setting { model, load, limits };
-        let (method, criteria) = (arguments.method, arguments.criterion.join(" "));
-        Ok(Self { model, archetype, bounds, step, goal, rays, tolerance, method, setting, criteria, given })
+        let criteria = arguments.criterion.join(" ");
+        Ok(Self { model, archetype, bounds, step, goal, rays, tolerance, setting, criteria, given })
     }
 
     pub(super) fn criterion(&self, wanted: &[CriterionRequest]) -> Result<Box<dyn Criterion + 'a>, Failure> {
@@ -118,6 +118,11 @@ impl<'a> Question<'a> {
     pub(super) fn home(&self, region: &Region<'_>) -> Point {
         let home = region.point(&self.model.robot().home_or_middle().position);
         if self.bounds.contain(&home) { home } else { self.bounds.middle() }
+    }
+
+    /// The question as the answer tells it.
+    pub(super) fn asked<'c>(&'c self, region: &'c Region<'c>) -> Asked<'c> {
+        Asked { model: self.model, region, bounds: &self.bounds, goal: &self.goal, home: self.home(region) }
     }
 
     /// Load and limits, where both are known.

@@ -1,21 +1,21 @@
 //! The answer of a comparison, for people.
 
-use cdpr_reports::answers::{AsGiven, SelectionAnswer};
-use cdpr_reports::report::times;
+use crate::report::times;
 
-use crate::answer::Answer;
-use crate::error_table::convergence_remark;
-use crate::table::{Table, cell};
+use super::error_table::convergence_remark;
+use super::{Answer, AsGiven, SelectionAnswer};
+use crate::number_format::cell;
+use crate::table::Table;
 
 impl Answer for SelectionAnswer {
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut text = format!(
             "{}: {} samples of {}\njudged on {}\n\n{}\n",
             self.robot,
             self.samples,
             self.data,
             self.validation,
-            table(self)
+            table(self, width)
         );
         match &self.recommended {
             Some(name) => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
@@ -45,7 +45,7 @@ impl Answer for SelectionAnswer {
 }
 
 /// Candidates with their errors, and remarks on those that failed.
-fn table(answer: &SelectionAnswer) -> String {
+fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
     let criterion = answer.criterion;
     let unit = criterion.unit();
     let mut table = Table::with_heading(vec![
@@ -78,7 +78,8 @@ fn table(answer: &SelectionAnswer) -> String {
         }
         table.row(cells);
     }
-    let mut text = format!("error: {} on training and validation data\n\n{}", answer.criterion, table.text());
+    let mut text =
+        format!("error: {} on training and validation data\n\n{}", answer.criterion, table.text(width));
     for candidate in &answer.candidates {
         if let Some(failure) = &candidate.failure {
             text.push_str(&format!("{} failed: {failure}\n", candidate.name));

@@ -1,14 +1,13 @@
-//! The answer of `cdpr sensitivity` for people.
+//! Sensitivities and tolerances for people.
 
+use super::{AllowedAnswer, KindAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
 use cdpr::metamodel::sensitivity::Offsets;
 use cdpr::metamodel::study::AccuracyOf;
 use cdpr::metamodel::tolerance::Quantiles;
-use cdpr_reports::sensitivity::{AllowedAnswer, KindAnswer, ParameterAnswer, ToleranceAnswer, step};
 
-use super::SensitivityReport;
-use crate::answer::Answer;
+use crate::answers::Answer;
+use crate::number_format::{NONE, significant};
 use crate::table::Table;
-use cdpr_reports::number_format::{NONE, significant};
 
 /// A deviation in the unit that people think in.
 fn amount(value: f64, unit: &str) -> String {
@@ -23,44 +22,44 @@ fn amount(value: f64, unit: &str) -> String {
     }
 }
 
-impl Answer for SensitivityReport {
+impl Answer for SensitivityAnswer {
     fn is_negative(&self) -> bool {
-        self.answer.reason.is_some()
+        self.reason.is_some()
     }
 
-    fn words(&self) -> String {
-        let offsets = match self.answer.offsets {
+    fn words(&self, width: Option<usize>) -> String {
+        let offsets = match self.offsets {
             Offsets::Kept => "kept",
             Offsets::SetAnew => "set anew",
         };
         let mut text = format!(
             "{} drives {} to {} poses; winch offsets are {offsets} when something deviates\n",
-            self.answer.control, self.answer.machine, self.answer.samples
+            self.control, self.machine, self.samples
         );
-        if let Some(error) = self.answer.difference_error {
+        if let Some(error) = self.difference_error {
             text.push_str(&format!(
                 "the machine remembers: derivatives are central differences along its path, good to {} of the largest\n",
                 significant(error, 1)
             ));
         }
-        if let Some(reason) = &self.answer.reason {
+        if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n"));
         }
-        text.push_str(&format!("\n{}\n{}", self.by_kind(), self.by_parameter()));
-        if let Some(tolerance) = &self.answer.tolerance {
-            text.push_str(&tolerance_words(tolerance));
+        text.push_str(&format!("\n{}\n{}", self.by_kind(width), self.by_parameter(width)));
+        if let Some(tolerance) = &self.tolerance {
+            text.push_str(&tolerance_words(tolerance, width));
         }
-        if let Some(allowed) = &self.answer.allowed {
-            text.push_str(&allowed_words(allowed));
+        if let Some(allowed) = &self.allowed {
+            text.push_str(&allowed_words(allowed, width));
         }
         text
     }
 }
 
-impl SensitivityReport {
+impl SensitivityAnswer {
     /// Kinds, the most influential step first.
-    fn by_kind(&self) -> String {
-        let mut rows: Vec<_> = self.answer.kinds.iter().collect();
+    fn by_kind(&self, width: Option<usize>) -> String {
+        let mut rows: Vec<_> = self.kinds.iter().collect();
         rows.sort_by(|a, b| {
             let moved = |kind: &KindAnswer| step(kind.kind).0 * kind.position_rms_m_per_unit;
             moved(b).total_cmp(&moved(a))
@@ -78,12 +77,12 @@ impl SensitivityReport {
                 moved(kind.position_max_m_per_unit),
             ]);
         }
-        table.text()
+        table.text(width)
     }
 
     /// Single parameters, the most influential step first.
-    fn by_parameter(&self) -> String {
-        let mut rows: Vec<_> = self.answer.parameters.iter().collect();
+    fn by_parameter(&self, width: Option<usize>) -> String {
+        let mut rows: Vec<_> = self.parameters.iter().collect();
         rows.sort_by(|a, b| {
             let moved = |one: &ParameterAnswer| step(one.kind).0 * one.position_mean_m_per_unit;
             moved(b).total_cmp(&moved(a))
@@ -93,7 +92,7 @@ impl SensitivityReport {
         heading.extend(if self.has_rotation { &["turns max °"][..] } else { &[] });
         heading.extend(if has_tensions { &["tension max N"][..] } else { &[] });
         let mut table = Table::with_heading(heading.into_iter().map(str::to_owned).collect()).left_column(1);
-        for one in rows.iter().take(self.top) {
+        for one in rows.iter().take(self.told) {
             let (factor, by) = step(one.kind);
             let told = |value: f64| significant(factor * value, 3);
             let mut row = vec![
@@ -110,11 +109,11 @@ impl SensitivityReport {
             }
             table.row(row);
         }
-        table.text()
+        table.text(width)
     }
 }
 
-fn tolerance_words(tolerance: &ToleranceAnswer) -> String {
+fn tolerance_words(tolerance: &ToleranceAnswer, width: Option<usize>) -> String {
     let mm = |value: f64| significant(1e3 * value, 3);
     let linear = &tolerance.linear;
     let mut text = format!(
@@ -135,14 +134,14 @@ fn tolerance_words(tolerance: &ToleranceAnswer) -> String {
     row("deviation at a pose", &drawn.deviation_m);
     row("mean error of a robot", &drawn.mean_of_robot_m);
     row("largest error of a robot", &drawn.max_of_robot_m);
-    text.push_str(&table.text());
+    text.push_str(&table.text(width));
     if let Some(reason) = &drawn.reason {
         text.push_str(&format!("{} answers are missing and do not count: {reason}\n", drawn.unanswered));
     }
     text
 }
 
-fn allowed_words(allowed: &AllowedAnswer) -> String {
+fn allowed_words(allowed: &AllowedAnswer, width: Option<usize>) -> String {
     if allowed.kinds.is_empty() {
         return String::new();
     }
@@ -167,6 +166,6 @@ fn allowed_words(allowed: &AllowedAnswer) -> String {
             joint(kind.worst_case_joint),
         ]);
     }
-    text.push_str(&table.text());
+    text.push_str(&table.text(width));
     text
 }

@@ -1,13 +1,13 @@
-//! The answer of `cdpr fk`, whichever forward problem gave it.
+//! The pose behind lengths or tensions, whichever forward problem gave it.
 
 use cdpr::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use serde::Serialize;
 
-use crate::answer::Answer;
-use crate::table::{Table, cell};
-use cdpr_reports::answers::PoseAnswer;
+use super::{Answer, PoseAnswer};
+use crate::number_format::cell;
+use crate::table::Table;
 
 /// Nothing for those who know because they said so.
 fn start_words(start: Start) -> &'static str {
@@ -27,9 +27,10 @@ struct AlternativeAnswer {
     residual_rms_m: f64,
 }
 
+/// A pose behind lengths or tensions.
 #[derive(Debug, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the contract, units included")]
-pub(crate) struct ForwardAnswer {
+pub struct ForwardAnswer {
     robot: String,
     model: String,
     status: Status,
@@ -80,7 +81,7 @@ impl ForwardAnswer {
     }
 
     /// The pose that belongs to lengths: the best fit, or pose and tensions in equilibrium.
-    pub(super) fn of_lengths(model: &Model, solution: Solution, problem: ForwardProblem) -> Self {
+    pub fn of_lengths(model: &Model, solution: Solution, problem: ForwardProblem) -> Self {
         let is_fit = problem == ForwardProblem::LeastSquares;
         Self {
             residuals_m: Some(solution.residuals),
@@ -95,7 +96,7 @@ impl ForwardAnswer {
     }
 
     /// The pose at which given tensions balance the load.
-    pub(super) fn of_tensions(model: &Model, tensions: &[f64], solution: forward_statics::Solution) -> Self {
+    pub fn of_tensions(model: &Model, tensions: &[f64], solution: forward_statics::Solution) -> Self {
         Self {
             tensions_N: Some(tensions.to_vec()),
             wrench_residual_N: Some(solution.wrench_residual),
@@ -107,12 +108,12 @@ impl ForwardAnswer {
     }
 
     /// Tells where the search started.
-    pub(super) fn sought_from(self, start: Start) -> Self {
+    pub fn sought_from(self, start: Start) -> Self {
         Self { sought_from: start, ..self }
     }
 
     /// Tells of a better fit elsewhere.
-    pub(super) fn with_alternative(self, model: &Model, alternative: Option<forward_kinematics::Alternative>) -> Self {
+    pub fn with_alternative(self, model: &Model, alternative: Option<forward_kinematics::Alternative>) -> Self {
         let alternative = alternative.map(|found| AlternativeAnswer {
             pose: PoseAnswer::new(model.robot(), &found.pose),
             residual_rms_m: found.residual_rms,
@@ -134,7 +135,7 @@ impl ForwardAnswer {
     }
 
     /// Adds a sentence to the reason.
-    pub(super) fn remark(&mut self, text: &str) {
+    pub fn remark(&mut self, text: &str) {
         self.reason = Some(self.reason.take().map_or_else(|| text.to_owned(), |reason| format!("{reason}; {text}")));
     }
 
@@ -160,7 +161,7 @@ impl Answer for ForwardAnswer {
         self.status != Status::Converged
     }
 
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let Self { iterations, restarts, .. } = self;
         let steps = match restarts {
             0 => format!("{iterations} iterations"),
@@ -180,7 +181,7 @@ impl Answer for ForwardAnswer {
         text.push_str(&self.alternative_words());
         text.push_str(start_words(self.sought_from));
         let best = if self.is_negative() { "best pose found" } else { "pose" };
-        text.push_str(&format!("{best}: {}\n\n{}", self.pose.words(), self.table().text()));
+        text.push_str(&format!("{best}: {}\n\n{}", self.pose.words(), self.table().text(width)));
         if let Some(rms) = self.residual_rms_m {
             text.push_str(&format!("rms residual {} mm\n", cell(Some(1e3 * rms), 6)));
         }

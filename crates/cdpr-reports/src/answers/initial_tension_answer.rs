@@ -1,23 +1,27 @@
-//! What `cdpr initial-tension` answers.
+//! Initial tensions that suit the poses of a study, and the way to them.
 
 use cdpr::metamodel::Experiment;
 use cdpr::metamodel::initial_tension::{Approach, Fit, Optimum};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::answer::Answer;
-use crate::table::{Table, cell};
+use super::Answer;
+use crate::number_format::cell;
+use crate::table::Table;
 
-/// The winches in one state, and what it leads to.
-pub(super) struct State {
-    pub(super) offsets: Vec<f64>,
-    pub(super) fit: Fit,
+/// Winches in one state with its consequences.
+pub struct WinchState {
+    /// Winch offsets (m).
+    pub offsets: Vec<f64>,
+    /// Tensions at the poses.
+    pub fit: Fit,
     /// Reachable area (m²) or volume (m³).
-    pub(super) reached: f64,
+    pub reached: f64,
 }
 
+/// Initial tensions for poses, and the way to them.
 #[derive(Serialize)]
-pub(super) struct InitialTensionAnswer {
+pub struct InitialTensionAnswer {
     status: &'static str,
     reason: Option<String>,
     poses: usize,
@@ -39,7 +43,7 @@ pub(super) struct InitialTensionAnswer {
     after: Value,
     approach: Value,
     #[serde(skip)]
-    states: [State; 2],
+    states: [WinchState; 2],
     #[serde(skip)]
     way: Approach,
     #[serde(skip)]
@@ -49,11 +53,12 @@ pub(super) struct InitialTensionAnswer {
 }
 
 impl InitialTensionAnswer {
-    pub(super) fn new(experiment: &Experiment, states: [State; 2], best: Optimum, way: Approach, poses: usize) -> Self {
+    /// States before and after, the best tensions and the way to them, for so many poses.
+    pub fn new(experiment: &Experiment, states: [WinchState; 2], best: Optimum, way: Approach, poses: usize) -> Self {
         let names: Vec<String> = experiment.machine.robot().cables.iter().map(|cable| cable.name.clone()).collect();
         let is_planar = experiment.machine.axes().len() == 2;
         let size = if is_planar { "reachable_area_m2" } else { "reachable_volume_m3" };
-        let state = |state: &State| {
+        let state = |state: &WinchState| {
             let Fit { rms, largest, poses, outside, without_rest, .. } = &state.fit;
             let rms = rms.is_finite().then_some(rms);
             json!({ "winch_offsets_m": state.offsets, "rms_N": rms, "largest_N": largest, "poses": poses,
@@ -103,14 +108,18 @@ impl InitialTensionAnswer {
     }
 
     /// A row per stage and a column per cable.
-    fn stages(&self, number: impl Fn(&cdpr::metamodel::initial_tension::Stage, usize) -> String) -> String {
+    fn stages(
+        &self,
+        width: Option<usize>,
+        number: impl Fn(&cdpr::metamodel::initial_tension::Stage, usize) -> String,
+    ) -> String {
         let heading = std::iter::once("stage".to_owned()).chain(self.names.iter().map(|name| format!("cable {name}")));
         let mut table = Table::with_heading(heading.collect());
         for (index, stage) in self.way.stages.iter().enumerate() {
             let cells = (0..self.names.len()).map(|cable| number(stage, cable));
             table.row(std::iter::once(index.to_string()).chain(cells).collect());
         }
-        table.text()
+        table.text(width)
     }
 }
 
@@ -155,7 +164,7 @@ impl Answer for InitialTensionAnswer {
         self.reason.is_some()
     }
 
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut text = String::new();
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n\n"));
@@ -176,14 +185,14 @@ impl Answer for InitialTensionAnswer {
         }
         let heading = format!("over {} poses", self.poses);
         let mut table = Table::new([heading.as_str(), "as the study sets them", "best"]);
-        let mut row = |name: &str, of: &dyn Fn(&State) -> String| {
+        let mut row = |name: &str, of: &dyn Fn(&WinchState) -> String| {
             table.row(vec![name.to_owned(), of(&self.states[0]), of(&self.states[1])]);
         };
         row("distance from the target, rms (N)", &|state| cell(Some(state.fit.rms), 1));
         row("distance from the target, largest (N)", &|state| cell(Some(state.fit.largest), 1));
         row("poses with tensions outside the limits", &|state| state.fit.outside.to_string());
         row(&format!("reachable workspace ({})", self.unit), &|state| cell(Some(state.reached), 3));
-        text.push_str(&table.text());
+        text.push_str(&table.text(width));
         text.push_str(&self.search());
         let mut table = Table::new(["cable", "f_ini (N)", "winch offset (mm)", "before (mm)"]);
         for (cable, name) in self.names.iter().enumerate() {
@@ -195,18 +204,18 @@ impl Answer for InitialTensionAnswer {
                 cell(Some(1e3 * self.states[0].offsets[cable]), 3),
             ]);
         }
-        text.push_str(&format!("\n{}", table.text()));
+        text.push_str(&format!("\n{}", table.text(width)));
         text.push_str(&format!(
             "\nTo get there: command the initial pose, stage 0 first; in each stage turn the winches {}, one by one.\n",
             self.order()
         ));
         text.push_str(&format!(
             "\nwinch offsets (mm; below zero: wound in)\n{}",
-            self.stages(|stage, cable| cell(Some(1e3 * stage.offsets[cable]), 3))
+            self.stages(width, |stage, cable| cell(Some(1e3 * stage.offsets[cable]), 3))
         ));
         text.push_str(&format!(
             "\nwhat the force sensors read after each stage (N)\n{}",
-            self.stages(|stage, cable| cell(Some(stage.tensions[cable]), 0))
+            self.stages(width, |stage, cable| cell(Some(stage.tensions[cable]), 0))
         ));
         let [least, most] = self.way.tensions;
         text.push_str(&format!(

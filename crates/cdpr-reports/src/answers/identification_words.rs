@@ -2,11 +2,12 @@
 
 use cdpr::identification::fit::Status;
 
-use super::Identified;
-use crate::error_table::error_table;
-use crate::table::{Table, cell};
+use super::error_table::error_table;
+use super::identification_answer::IdentificationAnswer as Identified;
+use crate::number_format::cell;
+use crate::table::Table;
 
-pub(super) fn of(answer: &Identified) -> String {
+pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
     let status = match answer.status {
         Status::Converged => "converged",
@@ -19,9 +20,9 @@ pub(super) fn of(answer: &Identified) -> String {
          {status} after {iterations} iterations: {reason}\n"
     );
     if !answer.parameters.is_empty() {
-        text.push_str(&format!("\n{}\n{}", parameters(answer), identifiability(answer)));
+        text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
     }
-    text.push_str(&format!("\n{}", errors(answer)));
+    text.push_str(&format!("\n{}", errors(answer, width)));
     if !answer.warnings.is_empty() {
         text.push_str("\nwarnings\n");
         answer.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
@@ -46,7 +47,7 @@ pub(super) fn of(answer: &Identified) -> String {
     text
 }
 
-fn parameters(answer: &Identified) -> String {
+fn parameters(answer: &Identified, width: Option<usize>) -> String {
     let mut table =
         Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
     for estimate in &answer.parameters {
@@ -66,7 +67,7 @@ fn parameters(answer: &Identified) -> String {
             if estimate.at_bound { "at its bound".to_owned() } else { String::new() },
         ]);
     }
-    table.text()
+    table.text(width)
 }
 
 fn identifiability(answer: &Identified) -> String {
@@ -99,11 +100,11 @@ fn condition_number(number: f64) -> String {
     }
 }
 
-fn errors(answer: &Identified) -> String {
+fn errors(answer: &Identified, width: Option<usize>) -> String {
     let mut columns = vec![("train before", &answer.train_before), ("train after", &answer.train)];
     if let (Some(before), Some(after)) = (&answer.validation_before, &answer.validation) {
         columns.extend([("validation before", before), ("validation after", after)]);
     }
     let note = answer.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
-    error_table(answer.pattern, &columns) + &note.collect::<String>()
+    error_table(answer.pattern, &columns, width) + &note.collect::<String>()
 }

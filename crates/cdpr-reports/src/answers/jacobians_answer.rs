@@ -1,14 +1,15 @@
 //! Jacobians of an inverse kinematics problem: of lengths, arcs and contact points by the pose, and of the pose's angles.
 
+use super::{components, degrees_of_freedom};
 use cdpr::cable::CableEnd;
 use cdpr::cable::outlet::Contact;
 use cdpr::geometry::{MotionPattern, Pose, Twist};
 use cdpr::model::Model;
 use cdpr::nalgebra::{Matrix3, Vector3};
-use cdpr_reports::answers::{components, degrees_of_freedom};
 use serde::Serialize;
 
-use crate::table::{Table, cell};
+use crate::number_format::cell;
+use crate::table::Table;
 
 type Rows = Vec<Vec<f64>>;
 
@@ -69,17 +70,22 @@ impl Jacobians {
     }
 
     /// Tables for people.
-    pub(super) fn words(&self, cable_names: &[String], axes: &[String]) -> String {
+    pub(super) fn words(&self, [cable_names, axes]: [&[String]; 2], width: Option<usize>) -> String {
         let mut text = String::new();
         if let Some(angles) = &self.angles {
             text.push_str("\nangular velocity per rate of the angles, J_P\n");
-            text.push_str(&table("J_P", &["rx", "ry", "rz"].map(str::to_owned), &named("ω ", axes, &angles.matrix)));
+            text.push_str(&table(
+                "J_P",
+                &["rx", "ry", "rz"].map(str::to_owned),
+                &named("ω ", axes, &angles.matrix),
+                width,
+            ));
             match (&angles.inverse, angles.reason) {
                 (Some(inverse), _) => {
                     let names = ["rate rx", "rate ry", "rate rz"].map(str::to_owned);
                     text.push_str("\nrates of the angles per angular velocity, its inverse\n");
                     let columns: Vec<String> = axes.iter().map(|axis| format!("ω {axis}")).collect();
-                    text.push_str(&table("1/J_P", &columns, &named("", &names, inverse)));
+                    text.push_str(&table("1/J_P", &columns, &named("", &names, inverse), width));
                 }
                 (None, reason) => text.push_str(&format!("it has no inverse: {}\n", reason.unwrap_or_default())),
             }
@@ -92,7 +98,7 @@ impl Jacobians {
             rows.extend(lines.map(|(line, row)| (format!("{name} {line}"), row.clone())));
             rows.extend(named(&format!("{name} contact "), axes, &cable.contact_point));
         }
-        text.push_str(&table("cable", &self.degrees_of_freedom, &rows));
+        text.push_str(&table("cable", &self.degrees_of_freedom, &rows, width));
         self.note.iter().for_each(|note| text.push_str(&format!("{note}\n")));
         text
     }
@@ -150,10 +156,10 @@ fn named(prefix: &str, names: &[String], rows: &Rows) -> Vec<(String, Vec<f64>)>
     names.iter().zip(rows).map(|(name, row)| (format!("{prefix}{name}"), row.clone())).collect()
 }
 
-fn table(title: &str, columns: &[String], rows: &[(String, Vec<f64>)]) -> String {
+fn table(title: &str, columns: &[String], rows: &[(String, Vec<f64>)], width: Option<usize>) -> String {
     let mut table = Table::with_heading([&[title.to_owned()], columns].concat());
     for (name, row) in rows {
         table.row([vec![name.clone()], row.iter().map(|&entry| cell(Some(entry), 6)).collect()].concat());
     }
-    table.text()
+    table.text(width)
 }

@@ -1,44 +1,38 @@
-//! Tables for people: columns aligned by spaces, fitted to the terminal.
+//! Tables for people: columns aligned by spaces, fitted to a width.
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::console;
-
-pub(crate) use cdpr_reports::number_format::cell;
-
 /// Rows of cells under a heading; the first column is aligned left, the others right unless asked for.
-pub(crate) struct Table {
+pub struct Table {
     heading: Vec<String>,
     rows: Vec<Vec<String>>,
     left: Vec<usize>,
 }
 
 impl Table {
-    pub(crate) fn new<const N: usize>(heading: [&str; N]) -> Self {
+    /// A table without rows.
+    pub fn new<const N: usize>(heading: [&str; N]) -> Self {
         Self::with_heading(heading.into_iter().map(str::to_owned).collect())
     }
 
-    pub(crate) fn with_heading(heading: Vec<String>) -> Self {
+    /// The same with a heading of any length.
+    pub fn with_heading(heading: Vec<String>) -> Self {
         Self { heading, rows: Vec::new(), left: vec![0] }
     }
 
     /// The same table with this column aligned left too.
-    pub(crate) fn left_column(mut self, column: usize) -> Self {
+    pub fn left_column(mut self, column: usize) -> Self {
         self.left.push(column);
         self
     }
 
-    pub(crate) fn row(&mut self, cells: Vec<String>) {
+    /// Adds a row.
+    pub fn row(&mut self, cells: Vec<String>) {
         self.rows.push(cells);
     }
 
-    /// The table as lines that end with a newline; on a terminal headings and the widest columns of words are wrapped
-    /// to fit.
-    pub(crate) fn text(&self) -> String {
-        self.text_within(console::answer_width())
-    }
-
-    fn text_within(&self, limit: Option<usize>) -> String {
+    /// Lines that end with a newline; headings and the widest columns of words are wrapped to fit a limit (columns).
+    pub fn text(&self, limit: Option<usize>) -> String {
         let widths = self.widths(limit);
         let lines = std::iter::once(&self.heading).chain(&self.rows);
         lines.map(|line| self.line_text(line, &widths)).collect()
@@ -155,7 +149,7 @@ mod tests {
         let mut table = Table::new(["name", "σ mm"]);
         table.row(vec!["é".to_owned(), "–".to_owned()]);
         table.row(vec!["long".to_owned(), "12.5".to_owned()]);
-        assert_eq!(table.text(), "name  σ mm\né        –\nlong  12.5\n");
+        assert_eq!(table.text(None), "name  σ mm\né        –\nlong  12.5\n");
     }
 
     /// A terminal draws 机 in two columns, and an accent that joins its letter in none.
@@ -164,7 +158,7 @@ mod tests {
         let mut table = Table::new(["cable", "N"]);
         table.row(vec!["机器人".to_owned(), "1".to_owned()]);
         table.row(vec!["e\u{301}le\u{301}vation".to_owned(), "2".to_owned()]);
-        assert_eq!(table.text(), "cable      N\n机器人     1\ne\u{301}le\u{301}vation  2\n");
+        assert_eq!(table.text(None), "cable      N\n机器人     1\ne\u{301}le\u{301}vation  2\n");
     }
 
     #[test]
@@ -184,8 +178,8 @@ candidate                    mean    σ
   length-offset
   standard                  47.25  1.3
 ";
-        assert_eq!(table.text_within(Some(38)), expected);
-        assert_eq!(table.text_within(Some(200)), table.text_within(None));
+        assert_eq!(table.text(Some(38)), expected);
+        assert_eq!(table.text(Some(200)), table.text(None));
     }
 
     #[test]
@@ -198,7 +192,7 @@ candidate               ± std.
                             mm
 standard:length-offset   0.429
 ";
-        assert_eq!(table.text_within(Some(30)), expected);
+        assert_eq!(table.text(Some(30)), expected);
     }
 
     #[test]
@@ -215,7 +209,7 @@ cablerobot-           8  CableRobot
 simulator-               Simulator,
 nominal                  nominal
 ";
-        assert_eq!(table.text_within(Some(40)), expected);
+        assert_eq!(table.text(Some(40)), expected);
     }
 
     #[test]
@@ -223,10 +217,10 @@ nominal                  nominal
         let mut table = Table::new(["reason", "value"]);
         table.row(vec!["cables 1 and 3 would have to push".to_owned(), "1234567.8901".to_owned()]);
         assert_eq!(
-            table.text_within(Some(28)),
+            table.text(Some(28)),
             "reason                 value\ncables 1 and 3  1234567.8901\nwould have to\npush\n"
         );
         // no room at all: the terminal breaks the lines, the numbers stay whole
-        assert!(table.text_within(Some(5)).contains("1234567.8901"));
+        assert!(table.text(Some(5)).contains("1234567.8901"));
     }
 }

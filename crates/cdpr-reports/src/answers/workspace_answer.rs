@@ -1,22 +1,35 @@
-//! What `cdpr workspace` answers.
+//! Sizes of workspaces with what is known of their errors.
 
-use std::path::Path;
-
+use cdpr::model::Model;
+use cdpr::workspace::grid::{Count, Grid};
 use cdpr::workspace::hull::{Hull, Status};
 use cdpr::workspace::mesh::Mesh;
 use cdpr::workspace::octree::Octree;
-use cdpr::workspace::refine::Refined;
-use cdpr::workspace::{Audit, CONFIDENCE, Point, Region, Side, largest_rank};
+use cdpr::workspace::refine::{Goal, Refined};
+use cdpr::workspace::{Audit, Bounds, CONFIDENCE, Point, Region, Side, largest_rank};
 use serde::Serialize;
 
-use super::Method;
-use super::cell_search::Counted;
-use super::question::Question;
-use crate::answer::Answer;
-use cdpr_reports::number_format::significant;
+use super::Answer;
+use crate::number_format::significant;
 
+/// Question of a search.
+#[derive(Clone, Copy)]
+pub struct Asked<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Criteria and orientations.
+    pub region: &'a Region<'a>,
+    /// Box that was searched.
+    pub bounds: &'a Bounds,
+    /// Bound of the error that is wanted.
+    pub goal: &'a Goal,
+    /// Home position, where it is looked for first.
+    pub home: Point,
+}
+
+/// Area or volume of the poses at which criteria hold, with a bound of its error.
 #[derive(Default, Serialize)]
-pub(super) struct WorkspaceAnswer {
+pub struct WorkspaceAnswer {
     status: &'static str,
     reason: Option<String>,
     robot: String,
@@ -66,9 +79,8 @@ pub(super) struct WorkspaceAnswer {
     surface: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     mesh: Option<String>,
-    /// The page, where one was written.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) page: Option<String>,
+    page: Option<String>,
 }
 
 /// How the size was checked.
@@ -106,21 +118,18 @@ fn components(point: &Point, dimension: usize) -> Option<Vec<f64>> {
     Some(point[..dimension].iter().map(|part| part + 0.0).collect())
 }
 
-fn common(question: &Question<'_>, region: &Region<'_>, size: Option<f64>) -> WorkspaceAnswer {
+fn common(asked: &Asked<'_>, method: &'static str, size: Option<f64>) -> WorkspaceAnswer {
+    let region = asked.region;
     let is_planar = region.dimension() == 2;
     WorkspaceAnswer {
         status: "found",
-        robot: question.model.robot().name.clone(),
-        model: question.model.composition().to_string(),
+        robot: asked.model.robot().name.clone(),
+        model: asked.model.composition().to_string(),
         criterion: region.criterion().name().to_owned(),
         archetype: region.archetype(),
         orientations: region.orientations().len(),
-        method: match question.method {
-            Method::Grid => "grid",
-            Method::Octree => "octree",
-            Method::Hull => "hull",
-        },
-        bounds_m: question.bounds.ends(),
+        method,
+        bounds_m: asked.bounds.ends(),
         size_is: match region.side() {
             Side::Exact => "value",
             Side::AtLeast => "lower bound",
@@ -133,22 +142,23 @@ fn common(question: &Question<'_>, region: &Region<'_>, size: Option<f64>) -> Wo
 }
 
 /// Says how exact the size is, and why nothing was found, if nothing was.
-fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<'_>, audit: &Audit) -> WorkspaceAnswer {
+fn judged(mut answer: WorkspaceAnswer, asked: &Asked<'_>, audit: &Audit) -> WorkspaceAnswer {
+    let region = asked.region;
     let Audit { points, feasible_points, missed, added, .. } = *audit;
     answer.random_points = Some(RandomPoints { points, feasible_points, missed, added });
     if let Some(size) = answer.size() {
         answer.error_bound = Some(audit.error_bound());
         answer.confidence = Some(CONFIDENCE);
-        answer.bound_limited_by = limit(question, audit, size);
+        answer.bound_limited_by = limit(asked, answer.method, audit, size);
     }
-    let dof = question.model.dof();
-    answer.singular = largest_rank(question.model, region, &audit.inside)
+    let dof = asked.model.dof();
+    answer.singular = largest_rank(asked.model, region, &audit.inside)
         .filter(|rank| *rank < dof)
         .map(|rank| Singular { rank, degrees_of_freedom: dof });
     if answer.feasible_points > 0 || feasible_points > 0 {
         return answer;
     }
-    let point = question.home(region);
+    let point = asked.home;
     let place: Vec<String> = point[..region.dimension()].iter().map(|part| significant(*part, 4)).collect();
     let why = region.judge(&point).reason;
     let why = why.map_or_else(String::new, |why| format!("; at ({}) m: {why}", place.join(", ")));
@@ -159,14 +169,11 @@ fn judged(mut answer: WorkspaceAnswer, question: &Question<'_>, region: &Region<
 }
 
 /// Reason why the bound of the error stays above the part of the size that is wanted.
-fn limit(question: &Question<'_>, audit: &Audit, size: f64) -> Option<String> {
-    let wanted = question.goal.share;
+fn limit(asked: &Asked<'_>, method: &str, audit: &Audit, size: f64) -> Option<String> {
+    let wanted = asked.goal.share;
     let is_small = audit.error_bound() <= wanted * size || (size == 0.0 && audit.missed == 0);
-    let finer = match question.method {
-        Method::Hull => "--rays",
-        Method::Grid | Method::Octree => "--step",
-    };
-    (!is_small).then(|| match question.goal.refines {
+    let finer = if method == "hull" { "--rays" } else { "--step" };
+    (!is_small).then(|| match asked.goal.refines {
         true => format!(
             "more poses than a search judges by itself would bring the bound of the error below {} %: give a finer {finer}, \
              or --bounds closer around the workspace",
@@ -176,69 +183,70 @@ fn limit(question: &Question<'_>, audit: &Audit, size: f64) -> Option<String> {
     })
 }
 
-pub(super) fn empty(question: &Question<'_>, region: &Region<'_>, audit: &Audit) -> WorkspaceAnswer {
-    let answer = judged(common(question, region, Some(0.0)), question, region, audit);
-    WorkspaceAnswer { points: audit.points, ..answer }
-}
-
-pub(super) fn by_grid(question: &Question<'_>, region: &Region<'_>, refined: &Refined<Counted>) -> WorkspaceAnswer {
-    let Counted { grid, count, .. } = &refined.found;
-    let (outcome, dimension) = (count.outcome(grid), region.dimension());
-    let cell = [0, 1, 2].map(|axis| question.bounds.extent(axis) / grid.counts()[axis] as f64);
-    let answer = WorkspaceAnswer {
-        points: count.points,
-        feasible_points: count.feasible_points,
-        reaches_bounds: outcome.reaches_bounds,
-        centroid_m: (count.feasible_points > 0).then(|| components(&outcome.centroid, dimension)).flatten(),
-        cell_m: components(&cell, dimension),
-        ..common(question, region, Some(outcome.size))
-    };
-    judged(answer, question, region, &refined.audit)
-}
-
-pub(super) fn by_octree(
-    question: &Question<'_>,
-    region: &Region<'_>,
-    refined: &Refined<Octree<'_>>,
-) -> WorkspaceAnswer {
-    let outcome = refined.found.outcome();
-    let answer = WorkspaceAnswer {
-        points: outcome.points,
-        feasible_points: outcome.feasible_points,
-        reaches_bounds: outcome.reaches_bounds,
-        grid_points: Some(outcome.grid_points),
-        start_cell_m: components(&outcome.start_cell, region.dimension()),
-        ..common(question, region, Some(outcome.size))
-    };
-    judged(answer, question, region, &refined.audit)
-}
-
-pub(super) fn by_hull(question: &Question<'_>, region: &Region<'_>, refined: &Refined<Hull>) -> WorkspaceAnswer {
-    let hull = &refined.found;
-    let (measure, dimension) = (hull.measure(), region.dimension());
-    let surface = measure.map(|measure| measure.surface);
-    let mut answer = WorkspaceAnswer {
-        points: hull.points,
-        feasible_points: hull.feasible_points,
-        reaches_bounds: hull.rays_at_bounds > 0,
-        centroid_m: measure.and_then(|measure| components(&measure.centroid, dimension)),
-        rays: Some(hull.radii.len()),
-        rays_again: Some(hull.rays_again),
-        center_m: components(&hull.center, dimension),
-        outline_m: surface.filter(|_| dimension == 2),
-        surface: surface.filter(|_| dimension == 3),
-        ..common(question, region, measure.map(|measure| measure.size))
-    };
-    answer = judged(answer, question, region, &refined.audit);
-    if let Some(reason) = no_hull(hull, question) {
-        answer.status = "not-star-shaped";
-        answer.reason = Some(reason);
+impl WorkspaceAnswer {
+    /// Nothing was found to start rays from.
+    pub fn empty(asked: &Asked<'_>, audit: &Audit) -> Self {
+        let answer = judged(common(asked, "hull", Some(0.0)), asked, audit);
+        Self { points: audit.points, ..answer }
     }
-    answer
+
+    /// Cells of a grid that hold.
+    pub fn by_grid(asked: &Asked<'_>, (grid, count): (&Grid, &Count), audit: &Audit) -> Self {
+        let (outcome, dimension) = (count.outcome(grid), asked.region.dimension());
+        let cell = [0, 1, 2].map(|axis| asked.bounds.extent(axis) / grid.counts()[axis] as f64);
+        let answer = Self {
+            points: count.points,
+            feasible_points: count.feasible_points,
+            reaches_bounds: outcome.reaches_bounds,
+            centroid_m: (count.feasible_points > 0).then(|| components(&outcome.centroid, dimension)).flatten(),
+            cell_m: components(&cell, dimension),
+            ..common(asked, "grid", Some(outcome.size))
+        };
+        judged(answer, asked, audit)
+    }
+
+    /// Cells refined at the boundary.
+    pub fn by_octree(asked: &Asked<'_>, refined: &Refined<Octree<'_>>) -> Self {
+        let outcome = refined.found.outcome();
+        let answer = Self {
+            points: outcome.points,
+            feasible_points: outcome.feasible_points,
+            reaches_bounds: outcome.reaches_bounds,
+            grid_points: Some(outcome.grid_points),
+            start_cell_m: components(&outcome.start_cell, asked.region.dimension()),
+            ..common(asked, "octree", Some(outcome.size))
+        };
+        judged(answer, asked, &refined.audit)
+    }
+
+    /// Rays from a centre.
+    pub fn by_hull(asked: &Asked<'_>, refined: &Refined<Hull>) -> Self {
+        let hull = &refined.found;
+        let (measure, dimension) = (hull.measure(), asked.region.dimension());
+        let surface = measure.map(|measure| measure.surface);
+        let mut answer = Self {
+            points: hull.points,
+            feasible_points: hull.feasible_points,
+            reaches_bounds: hull.rays_at_bounds > 0,
+            centroid_m: measure.and_then(|measure| components(&measure.centroid, dimension)),
+            rays: Some(hull.radii.len()),
+            rays_again: Some(hull.rays_again),
+            center_m: components(&hull.center, dimension),
+            outline_m: surface.filter(|_| dimension == 2),
+            surface: surface.filter(|_| dimension == 3),
+            ..common(asked, "hull", measure.map(|measure| measure.size))
+        };
+        answer = judged(answer, asked, &refined.audit);
+        if let Some(reason) = no_hull(hull, asked) {
+            answer.status = "not-star-shaped";
+            answer.reason = Some(reason);
+        }
+        answer
+    }
 }
 
 /// Why a hull would give a wrong size.
-fn no_hull(hull: &Hull, question: &Question<'_>) -> Option<String> {
+fn no_hull(hull: &Hull, asked: &Asked<'_>) -> Option<String> {
     let cure = "so that the hull would give a wrong size; use --method octree or grid, or another --center";
     match &hull.status {
         Status::NotStarShaped { rays, direction } => {
@@ -251,7 +259,7 @@ fn no_hull(hull: &Hull, question: &Question<'_>) -> Option<String> {
             ))
         }
         Status::LeavesOut { size } => {
-            let unit = if question.bounds.dimension() == 2 { "m²" } else { "m³" };
+            let unit = if asked.bounds.dimension() == 2 { "m²" } else { "m³" };
             Some(format!(
                 "points drawn at random show that at least {} {unit} of the workspace lie outside what {} rays see from this \
                  center, in parts too thin or too far aside for them, {cure}",
@@ -264,16 +272,21 @@ fn no_hull(hull: &Hull, question: &Question<'_>) -> Option<String> {
 }
 
 impl WorkspaceAnswer {
-    /// The surface was written there. Its area is told where no other is.
-    pub(super) fn set_mesh(&mut self, path: &Path, mesh: &Mesh) {
-        self.mesh = Some(path.display().to_string());
+    /// Tells the file of the page.
+    pub fn set_page(&mut self, path: String) {
+        self.page = Some(path);
+    }
+
+    /// Tells the file of the surface, and its area where no other is told.
+    pub fn set_mesh(&mut self, path: String, mesh: &Mesh) {
+        self.mesh = Some(path);
         if matches!(self.area, Unless::Other) && self.status == "found" {
             self.surface = self.surface.or_else(|| Some(mesh.area()));
         }
     }
 
     /// Area (m²) or volume (m³), where there is one.
-    pub(super) fn size(&self) -> Option<f64> {
+    pub fn size(&self) -> Option<f64> {
         match (&self.area, &self.volume) {
             (Unless::Size(size), _) | (_, Unless::Size(size)) => *size,
             _ => None,
@@ -281,22 +294,22 @@ impl WorkspaceAnswer {
     }
 
     /// The size is known to ± this (m², m³).
-    pub(super) fn error_bound(&self) -> Option<f64> {
+    pub fn error_bound(&self) -> Option<f64> {
         self.error_bound
     }
 
     /// How it was found.
-    pub(super) fn method(&self) -> &'static str {
+    pub fn method(&self) -> &'static str {
         self.method
     }
 
     /// Why the answer is negative, if it is.
-    pub(super) fn reason(&self) -> Option<&str> {
+    pub fn reason(&self) -> Option<&str> {
         self.reason.as_deref()
     }
 
     /// What a careful reader should know.
-    pub(super) fn remarks(&self) -> Vec<String> {
+    pub fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.reaches_bounds {
             remarks.push(
@@ -348,7 +361,7 @@ impl Answer for WorkspaceAnswer {
         self.status != "found"
     }
 
-    fn words(&self) -> String {
+    fn words(&self, _width: Option<usize>) -> String {
         let mut text = format!("{}, model {}: {}, {}", self.robot, self.model, self.criterion, self.archetype);
         if self.orientations > 1 {
             text.push_str(&format!(" ({} orientations)", self.orientations));

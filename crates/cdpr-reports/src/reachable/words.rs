@@ -1,10 +1,11 @@
-//! The answer of `cdpr reachable` in words.
+//! Reachable workspaces in words.
 
-use cdpr_reports::number_format::significant;
-use cdpr_reports::reachable::{AtBounds, Differential, ReachableAnswer};
+use super::{AtBounds, Differential, ReachableAnswer};
+use crate::number_format::significant;
 
-use crate::answer::Answer;
-use crate::table::{Table, cell};
+use crate::answers::Answer;
+use crate::number_format::cell;
+use crate::table::Table;
 
 /// Meaning of the sizes, if any is cut.
 fn cut_words(at_bounds: AtBounds) -> Option<String> {
@@ -26,7 +27,7 @@ impl Answer for ReachableAnswer {
         self.reason.is_some()
     }
 
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let Self { control, machine, found, unit, .. } = self;
         let mut text = format!("{control} drives {machine}\n");
         if let Some(reason) = &self.reason {
@@ -47,7 +48,7 @@ impl Answer for ReachableAnswer {
         for (most, size) in &found.by_accuracy {
             row(format!("reachable to {} mm", significant(1e3 * most, 3)), Some(*size));
         }
-        text.push_str(&format!("\n{}", table.text()));
+        text.push_str(&format!("\n{}", table.text(width)));
         if let Some(remark) = self.remark {
             text.push_str(&format!("\n{remark}\n"));
         }

@@ -3,10 +3,11 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::ErrorBlocks;
 
-use crate::table::{Table, cell};
+use crate::number_format::cell;
+use crate::table::Table;
 
 /// A table with a column for each block and a row for each statistic; rotations only where the platform can turn.
-pub(crate) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks)]) -> String {
+pub(super) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks)], width: Option<usize>) -> String {
     let mut heading = vec!["error".to_owned(), "of".to_owned(), "unit".to_owned()];
     heading.extend(columns.iter().map(|(name, _)| (*name).to_owned()));
     let mut table = Table::with_heading(heading).left_column(1).left_column(2);
@@ -26,11 +27,11 @@ pub(crate) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks
     if columns.iter().any(|(_, blocks)| blocks.tension_error.is_some()) {
         rows("tension", "N", 1.0, 1, &TENSION);
     }
-    table.text()
+    table.text(width)
 }
 
 /// One remark for samples whose forward problem has no answer; empty when all have one.
-pub(crate) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<String> {
+pub(super) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<String> {
     let ErrorBlocks { samples, answered, not_converged, .. } = blocks;
     (*not_converged > 0).then(|| {
         let rest = match answered {

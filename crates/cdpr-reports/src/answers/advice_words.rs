@@ -1,17 +1,17 @@
-//! The answer of `cdpr advise` in words.
+//! Control models for a task, in words.
 
-use cdpr_reports::answers::{AdviceAnswer, EffectAnswer};
-use cdpr_reports::number_format::significant;
+use crate::number_format::significant;
 
-use crate::answer::Answer;
-use crate::table::{Table, cell};
+use super::{AdviceAnswer, Answer, EffectAnswer};
+use crate::number_format::cell;
+use crate::table::Table;
 
 impl Answer for AdviceAnswer {
     fn is_negative(&self) -> bool {
         self.reason.is_some()
     }
 
-    fn words(&self) -> String {
+    fn words(&self, width: Option<usize>) -> String {
         let mut text = format!(
             "{}: control models against the machine {}, {} poses of the task, {} mm required\n\n",
             self.robot,
@@ -40,7 +40,7 @@ impl Answer for AdviceAnswer {
                 cell(finite(*time), 0),
             ]);
         }
-        text.push_str(&table.text());
+        text.push_str(&table.text(width));
         if let Some(comparison) = comparison(self) {
             text.push_str(&format!("\n{comparison}\n"));
         }

@@ -1,0 +1,190 @@
+//! Errors of a control model that drives a machine.
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::ErrorBlocks;
+use cdpr::metamodel::accuracy::{Accuracy, Assessment};
+use cdpr::metamodel::branches::Branches;
+use cdpr::metamodel::study::{History, Reach};
+use cdpr::metamodel::{Experiment, Status};
+use serde::Serialize;
+
+use super::error_table::{convergence_remark, error_table};
+use super::{Answer, title};
+use crate::number_format::cell;
+use crate::table::Table;
+
+/// Errors of a control model on a machine.
+#[derive(Serialize)]
+pub struct AccuracyAnswer {
+    status: &'static str,
+    reason: Option<String>,
+    control: String,
+    machine: String,
+    #[serde(flatten)]
+    accuracy: Accuracy,
+    winch_offsets_m: Vec<f64>,
+    #[serde(rename = "initial_tensions_N")]
+    initial_tensions: Option<Vec<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    prediction: Option<Prediction>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    history: Option<History>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    branches: Option<Branches>,
+    seed: u64,
+    #[serde(skip)]
+    pattern: MotionPattern,
+}
+
+/// How well a model told from the lengths that were sent what emerged.
+#[derive(Serialize)]
+struct Prediction {
+    model: String,
+    #[serde(flatten)]
+    blocks: ErrorBlocks,
+}
+
+/// Why poses have no answer, by the first of them.
+fn reason(assessment: &Assessment) -> Option<String> {
+    let outcomes = &assessment.outcomes;
+    let failed = outcomes.iter().filter(|outcome| outcome.status != Status::Converged).count();
+    let (pose, first) = outcomes.iter().enumerate().find(|(_, outcome)| outcome.status != Status::Converged)?;
+    let why = first.reason.as_deref().unwrap_or("no reason is known");
+    let all = outcomes.len();
+    Some(format!("{failed} of {all} poses have no answer, first pose {} ({}): {why}", pose + 1, first.status.name()))
+}
+
+/// Findings of an experiment.
+pub struct Assessed {
+    /// Errors at its poses.
+    pub assessment: Assessment,
+    /// Errors of a prediction from the lengths sent.
+    pub prediction: Option<ErrorBlocks>,
+    /// Spread of the ways to each pose.
+    pub branches: Option<Branches>,
+    /// Initial tensions of the machine (N).
+    pub initial_tensions: Option<Vec<f64>>,
+    /// Seed of random poses.
+    pub seed: u64,
+}
+
+impl AccuracyAnswer {
+    /// The answer of an experiment.
+    pub fn new(experiment: &Experiment, found: Assessed) -> Self {
+        let Assessed { assessment, prediction, branches, initial_tensions, seed } = found;
+        let reason = reason(&assessment);
+        let prediction = prediction.zip(experiment.prediction.as_ref());
+        Self {
+            status: if reason.is_none() { "converged" } else { "not-converged" },
+            reason,
+            control: title(&experiment.control),
+            machine: title(&experiment.machine),
+            pattern: experiment.machine.robot().motion_pattern,
+            accuracy: assessment.accuracy,
+            prediction: prediction.map(|(blocks, model)| Prediction { model: title(model), blocks }),
+            history: experiment.history(),
+            branches,
+            initial_tensions,
+            winch_offsets_m: experiment.offsets.clone(),
+            seed,
+        }
+    }
+
+    /// Remarks on what the numbers leave out.
+    pub fn remarks(&self) -> Vec<String> {
+        let unsettled = self.prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));
+        self.accuracy.remark().into_iter().chain(unsettled).collect()
+    }
+}
+
+impl Answer for AccuracyAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let Self { control, machine, accuracy, .. } = self;
+        let mut text = format!("{control} drives {machine} to {} poses\n", accuracy.samples);
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{reason}; the others count\n"));
+        }
+        text.push_str(&format!("\n{}", self.errors(width)));
+        text.push_str(&self.tensions());
+        if let Some(Prediction { model, blocks }) = &self.prediction {
+            let table = error_table(self.pattern, &[("value", blocks)], width);
+            text.push_str(&format!("\n{model} predicts from the lengths sent what emerges, with errors of\n\n{table}"));
+        }
+        let offsets: Vec<String> = self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();
+        text.push_str(&format!("\nwinch offsets  {} mm", offsets.join(", ")));
+        if let Some(tensions) = &self.initial_tensions {
+            let tensions: Vec<String> = tensions.iter().map(|tension| format!("{tension:.0}")).collect();
+            text.push_str(&format!(", for initial tensions of {} N", tensions.join(", ")));
+        }
+        text.push('\n');
+        if let Some(history) = self.history {
+            let from = match history.reach {
+                Reach::FromInitial => "the initial pose",
+                Reach::InOrder => "the pose before",
+            };
+            text.push_str(&format!("each pose reached from {from} in {} steps\n", history.sub_steps));
+        }
+        let compared = self.branches.as_ref().filter(|branches| branches.samples > 0);
+        if self.branches.is_some() && compared.is_none() {
+            text.push_str(
+                "\nbranches: no pose is reached on every way, so that there is no spread between them to tell\n",
+            );
+        }
+        if let Some(Branches { stroke_m, samples, ways, position_spread_m, rotation_spread_rad, tension_spread_N }) =
+            compared
+        {
+            text.push_str(&format!(
+                "\nbranches: {ways} ways to each of {samples} poses, straight and from {:.0} mm to either side, end apart by\n{:.3} mm in the mean, \
+                 {:.3} mm at most; {:.4}° in the mean, {:.4}° at most; {:.1} N in the mean, {:.1} N at most\n",
+                1e3 * stroke_m,
+                1e3 * position_spread_m.mean,
+                1e3 * position_spread_m.max,
+                rotation_spread_rad.mean.to_degrees(),
+                rotation_spread_rad.max.to_degrees(),
+                tension_spread_N.mean,
+                tension_spread_N.max
+            ));
+        }
+        text
+    }
+}
+
+impl AccuracyAnswer {
+    fn errors(&self, width: Option<usize>) -> String {
+        let Accuracy { position_error_m, rotation_error_rad, length_error_m, .. } = &self.accuracy;
+        let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
+        let mut row = |name: &str, unit: &str, factor: f64, decimals: usize, numbers: [Option<f64>; 5]| {
+            let cells = numbers.map(|number| cell(number.map(|number| factor * number), decimals));
+            table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
+        };
+        let e = position_error_m;
+        row("position", "mm", 1e3, 3, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
+        if self.pattern.has_rotation() {
+            let e = rotation_error_rad;
+            row("rotation", "°", 1.0_f64.to_degrees(), 4, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
+        }
+        let e = length_error_m;
+        row("length", "mm", 1e3, 3, [Some(e.mean_abs), Some(e.rms), None, Some(e.p95), Some(e.max)]);
+        table.text(width)
+    }
+
+    /// One paragraph; empty for a rigid machine.
+    fn tensions(&self) -> String {
+        let (Some(min), Some(max)) = (self.accuracy.tension_min_N, self.accuracy.tension_max_N) else {
+            return String::new();
+        };
+        let mut text = format!("\ntensions  {min:.0} N to {max:.0} N");
+        if let Some(share) = self.accuracy.outside_limits_share {
+            text.push_str(&format!(", outside the limits at {:.0} % of the poses", 100.0 * share));
+        }
+        if self.accuracy.slack_samples > 0 {
+            text.push_str(&format!(", with slack cables at {} of them", self.accuracy.slack_samples));
+        }
+        text.push('\n');
+        text
+    }
+}

@@ -1,0 +1,104 @@
+//! Errors of a model on measurements.
+
+use std::fmt::Write;
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::{ErrorBlocks, Evaluation};
+use cdpr::model::Model;
+use serde::Serialize;
+
+use super::Answer;
+use super::error_table::error_table;
+
+/// Errors of a model on measurements, in short.
+#[derive(Serialize)]
+pub struct EvaluationAnswer {
+    robot: String,
+    model: String,
+    data: String,
+    status: &'static str,
+    reason: Option<String>,
+    #[serde(flatten)]
+    blocks: ErrorBlocks,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out_errors: Option<String>,
+    #[serde(skip)]
+    pattern: MotionPattern,
+}
+
+/// Why the forward problem failed, by the first sample at which it did.
+fn reason(evaluation: &Evaluation) -> Option<String> {
+    let (sample, why) = evaluation.not_converged.first()?;
+    let (failed, all) = (evaluation.not_converged.len(), evaluation.len());
+    Some(format!(
+        "the forward problem of {failed} of {all} samples has no answer, first at sample {}: {why}",
+        sample + 1
+    ))
+}
+
+/// Errors sample by sample (CSV); a number that does not exist is left empty.
+pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
+    let cables = model.cable_count();
+    let mut text = "sample,position_error_m,error_x_m,error_y_m,error_z_m,rotation_error_rad".to_owned();
+    (1..=cables).for_each(|cable| text.push_str(&format!(",length_error_m_{cable}")));
+    let has_tensions = !evaluation.tension.is_empty();
+    (1..=cables).filter(|_| has_tensions).for_each(|cable| text.push_str(&format!(",tension_error_N_{cable}")));
+    text.push_str(",converged\n");
+    let failed: Vec<usize> = evaluation.not_converged.iter().map(|(sample, _)| *sample).collect();
+    for sample in 0..evaluation.len() {
+        let mut numbers = vec![evaluation.position[sample]];
+        numbers.extend(evaluation.position_vector[sample]);
+        numbers.push(evaluation.rotation[sample]);
+        numbers.extend(&evaluation.length[sample * cables..][..cables]);
+        if has_tensions {
+            numbers.extend(&evaluation.tension[sample * cables..][..cables]);
+        }
+        text.push_str(&(sample + 1).to_string());
+        for number in numbers {
+            // writing to a String cannot fail
+            let _ = if number.is_finite() { write!(text, ",{number}") } else { write!(text, ",") };
+        }
+        text.push_str(if failed.binary_search(&sample).is_ok() { ",false\n" } else { ",true\n" });
+    }
+    text
+}
+
+impl EvaluationAnswer {
+    /// Errors on data of a name, with the name of the file that has them sample by sample.
+    pub fn new(model: &Model, data: String, evaluation: &Evaluation, out_errors: Option<String>) -> Self {
+        let reason = reason(evaluation);
+        Self {
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            data,
+            status: if reason.is_none() { "converged" } else { "not-converged" },
+            reason,
+            blocks: evaluation.blocks(),
+            out_errors,
+            pattern: model.robot().motion_pattern,
+        }
+    }
+}
+
+impl Answer for EvaluationAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let Self { robot, model, data, blocks, .. } = self;
+        let mut text = format!("{robot}, model {model}, on {data} ({} samples)\n", blocks.samples);
+        if let Some(reason) = &self.reason {
+            let answered = match blocks.answered {
+                0 => "there is no error of the pose to tell".to_owned(),
+                count => format!("errors of the pose are those of the other {count}"),
+            };
+            text.push_str(&format!("{reason}; {answered}\n"));
+        }
+        text.push_str(&format!("\n{}", error_table(self.pattern, &[("value", blocks)], width)));
+        if let Some(path) = &self.out_errors {
+            text.push_str(&format!("\nerrors of every sample written to {path}\n"));
+        }
+        text
+    }
+}

@@ -1,0 +1,118 @@
+//! Parameters identified from measurements, and what they are worth.
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::fit::{Estimate, Fit, Status};
+use cdpr::identification::{Analysis, Basin, ErrorBlocks};
+use cdpr::model::Model;
+use serde::Serialize;
+
+use super::Answer;
+use super::error_table::convergence_remark;
+use super::identification_words as words;
+
+/// Parameters of a model with errors before and after.
+#[derive(Serialize)]
+pub struct IdentificationAnswer {
+    pub(super) robot: String,
+    pub(super) model: String,
+    pub(super) free: String,
+    pub(super) data: String,
+    pub(super) samples: usize,
+    pub(super) status: Status,
+    pub(super) reason: String,
+    pub(super) iterations: u32,
+    pub(super) parameter_count: usize,
+    #[serde(flatten)]
+    pub(super) analysis: Analysis,
+    pub(super) parameters: Vec<Estimate>,
+    pub(super) noise_factor: f64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) basins: Vec<Basin>,
+    pub(super) history: Vec<f64>,
+    pub(super) train: ErrorBlocks,
+    pub(super) train_before: ErrorBlocks,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) validation_data: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) validation: Option<ErrorBlocks>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) validation_before: Option<ErrorBlocks>,
+    pub(super) warnings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) out: Option<String>,
+    #[serde(skip)]
+    pub(super) pattern: MotionPattern,
+}
+
+/// An identification with the errors that judge it.
+pub struct Identification<'a> {
+    /// The model as given.
+    pub model: &'a Model,
+    /// Free parameters.
+    pub free: String,
+    /// Name of the data.
+    pub data: String,
+    /// Samples that were fitted to.
+    pub samples: usize,
+    /// The fit.
+    pub fit: Fit,
+    /// Errors on the samples of the fit, after and before.
+    pub train: [ErrorBlocks; 2],
+    /// Name of the data that were not fitted to.
+    pub validation_data: Option<String>,
+    /// Errors on these, after and before.
+    pub validation: Option<[ErrorBlocks; 2]>,
+    /// Name of the calibrated robot's file.
+    pub out: Option<String>,
+}
+
+impl IdentificationAnswer {
+    /// The answer with its warnings.
+    pub fn new(found: Identification<'_>) -> Self {
+        let Identification { model, free, data, samples, fit, validation_data, out, .. } = found;
+        let ([train, train_before], validation) = (found.train, found.validation);
+        let (validation, validation_before) = validation.map(|[after, before]| (after, before)).unzip();
+        let mut warnings = fit.warnings;
+        warnings.extend(convergence_remark(&train, "training samples"));
+        warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
+        Self {
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            free,
+            data,
+            samples,
+            status: fit.status,
+            reason: fit.reason,
+            iterations: fit.iterations,
+            parameter_count: fit.parameters.len(),
+            analysis: fit.analysis,
+            parameters: fit.parameters,
+            noise_factor: fit.noise_factor,
+            basins: fit.basins,
+            history: fit.history,
+            train,
+            train_before,
+            validation_data,
+            validation,
+            validation_before,
+            warnings,
+            out,
+            pattern: model.robot().motion_pattern,
+        }
+    }
+
+    /// Reason of the status.
+    pub fn reason(&self) -> &str {
+        &self.reason
+    }
+}
+
+impl Answer for IdentificationAnswer {
+    fn is_negative(&self) -> bool {
+        self.status != Status::Converged
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        words::of(self, width)
+    }
+}

@@ -1,0 +1,143 @@
+//! Cable lengths and directions at a pose, and the lengths that winches must pay out.
+
+use cdpr::equilibrium::{CableCommand, InverseSolution};
+use cdpr::model::Model;
+use cdpr::nalgebra::Vector3;
+use cdpr::robot::Cable;
+use cdpr::statics::StaticsError;
+use serde::Serialize;
+
+use super::jacobians_answer::Jacobians;
+use super::{Answer, PoseAnswer, axis_names, components};
+use crate::number_format::cell;
+use crate::table::Table;
+
+/// Lengths and directions of all cables. Entries are null where a cable has no unique path, controlled lengths also where no tensions balance the load.
+#[derive(Serialize)]
+pub struct InverseAnswer {
+    robot: String,
+    model: String,
+    status: &'static str,
+    reason: Option<String>,
+    pose: PoseAnswer,
+    cable_lengths_m: Vec<Option<f64>>,
+    controlled_lengths_m: Vec<Option<f64>>,
+    directions: Vec<Option<Vec<f64>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrap_angles_rad: Option<Vec<Option<f64>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recorded_lengths_m: Option<Vec<Option<f64>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motor_angles_rad: Option<Vec<Option<f64>>>,
+    /// Null where the file does not say how its encoder counts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    encoder_counts: Option<Vec<Option<f64>>>,
+    #[serde(rename = "tensions_N", skip_serializing_if = "Option::is_none")]
+    tensions: Option<Vec<f64>>,
+    /// At the platform anchors, where they differ from those at the outlets.
+    #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
+    platform_tensions: Option<Vec<f64>>,
+    jacobians: Jacobians,
+    #[serde(skip)]
+    shows_jacobians: bool,
+    #[serde(skip)]
+    cable_names: Vec<String>,
+    #[serde(skip)]
+    axes: Vec<String>,
+}
+
+impl InverseAnswer {
+    /// The answer in its units; cables without a unique path make it negative.
+    pub fn new(model: &Model, solution: &InverseSolution) -> Self {
+        let course = |failure: &StaticsError| match failure {
+            StaticsError::CablePath(reason) => reason.to_string(),
+            other => other.to_string(),
+        };
+        let reasons: Vec<String> = solution.failures.iter().map(course).collect();
+        let robot = model.robot();
+        let known = |of: fn(&CableCommand) -> f64| -> Vec<Option<f64>> {
+            solution.cables.iter().map(of).map(|number| number.is_finite().then_some(number)).collect()
+        };
+        let lengths = known(|cable| cable.length);
+        let direction = |cable: &CableCommand| components(robot, &Vector3::from(cable.direction));
+        let directions = solution.cables.iter().zip(&lengths).map(|(cable, length)| length.map(|_| direction(cable)));
+        let is_calibrated = |cable: &Cable| cable.length_scale.is_some() || cable.length_offset.is_some();
+        let counts: Vec<_> = solution.cables.iter().map(|cable| cable.encoder_counts).collect();
+        let platform_tensions: Option<Vec<f64>> = solution.cables.iter().map(|cable| cable.platform_tension).collect();
+        Self {
+            robot: robot.name.clone(),
+            model: model.composition().to_string(),
+            status: if reasons.is_empty() { "solved" } else { "singular" },
+            reason: (!reasons.is_empty()).then(|| reasons.join("; ")),
+            pose: PoseAnswer::new(robot, &solution.pose),
+            recorded_lengths_m: robot.cables.iter().any(is_calibrated).then(|| known(|cable| cable.recorded_length)),
+            motor_angles_rad: (model.composition().drum)
+                .then(|| solution.cables.iter().map(|cable| cable.motor_angle).collect()),
+            encoder_counts: counts.iter().any(Option::is_some).then_some(counts),
+            controlled_lengths_m: known(|cable| cable.controlled_length),
+            directions: directions.collect(),
+            wrap_angles_rad: (model.composition().pulley).then(|| known(|cable| cable.wrap_angle)),
+            cable_lengths_m: lengths,
+            tensions: None,
+            platform_tensions,
+            jacobians: Jacobians::at(model, &solution.pose),
+            shows_jacobians: false,
+            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
+            axes: axis_names(robot),
+        }
+    }
+
+    /// The same with Jacobians in its words too, where they are wanted.
+    pub fn showing_jacobians(self, shows_jacobians: bool) -> Self {
+        Self { shows_jacobians, ..self }
+    }
+
+    /// The same with the tensions that stretch the cables (N).
+    pub fn with_tensions(self, tensions: Vec<f64>) -> Self {
+        Self { tensions: Some(tensions), ..self }
+    }
+
+    /// The same without tensions: the status in a word, and the reason.
+    pub fn without_tensions(self, status: &'static str, reason: String) -> Self {
+        Self { status, reason: Some(reason), ..self }
+    }
+}
+
+impl Answer for InverseAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let mut text = format!("{}, model {}, at {}\n", self.robot, self.model, self.pose.words());
+        if let Some(reason) = &self.reason {
+            text.push_str(&format!("{}: {reason}\n", self.status));
+        }
+        let mut heading = vec!["cable".to_owned(), "length m".to_owned()];
+        let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
+        heading.extend(is_elastic.then(|| "controlled m".to_owned()));
+        heading.extend(self.recorded_lengths_m.iter().map(|_| "recorded m".to_owned()));
+        heading.extend(self.motor_angles_rad.iter().map(|_| "motor rad".to_owned()));
+        heading.extend(self.encoder_counts.iter().map(|_| "counts".to_owned()));
+        heading.extend(self.tensions.iter().map(|_| "tension N".to_owned()));
+        heading.extend(self.platform_tensions.iter().map(|_| "at platform N".to_owned()));
+        heading.extend(self.axes.iter().map(|axis| format!("pull {axis}")));
+        heading.extend(self.wrap_angles_rad.iter().map(|_| "wrap °".to_owned()));
+        let mut table = Table::with_heading(heading);
+        for (cable, name) in self.cable_names.iter().enumerate() {
+            let mut cells = vec![name.clone(), cell(self.cable_lengths_m[cable], 6)];
+            cells.extend(is_elastic.then(|| cell(self.controlled_lengths_m[cable], 6)));
+            cells.extend(self.recorded_lengths_m.iter().map(|recorded| cell(recorded[cable], 6)));
+            cells.extend(self.motor_angles_rad.iter().map(|angles| cell(angles[cable], 6)));
+            cells.extend(self.encoder_counts.iter().map(|counts| cell(counts[cable], 0)));
+            cells.extend(self.tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
+            cells.extend(self.platform_tensions.iter().map(|tensions| cell(Some(tensions[cable]), 3)));
+            let direction = self.directions[cable].as_ref();
+            cells.extend((0..self.axes.len()).map(|axis| cell(direction.map(|u| u[axis]), 6)));
+            cells.extend(self.wrap_angles_rad.iter().map(|angles| cell(angles[cable].map(f64::to_degrees), 3)));
+            table.row(cells);
+        }
+        let jacobians = self.shows_jacobians.then(|| self.jacobians.words([&self.cable_names, &self.axes], width));
+        format!("{text}\n{}{}", table.text(width), jacobians.unwrap_or_default())
+    }
+}

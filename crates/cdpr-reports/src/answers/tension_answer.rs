@@ -1,0 +1,180 @@
+//! Tensions that balance a load within limits, or a proof that none do.
+
+use cdpr::geometry::{Pose, Twist};
+use cdpr::model::Model;
+use cdpr::tension::{self, Limits, Method, Status};
+use serde::Serialize;
+
+use super::{Answer, PoseAnswer};
+use crate::number_format::cell;
+use crate::table::Table;
+
+/// Tensions at a pose, or the reason why there are none.
+#[derive(Serialize)]
+pub struct TensionAnswer {
+    robot: String,
+    model: String,
+    pose: PoseAnswer,
+    method: Method,
+    #[serde(flatten)]
+    found: Found,
+    #[serde(rename = "tension_min_N")]
+    minimum: Vec<f64>,
+    #[serde(rename = "tension_max_N")]
+    maximum: Vec<f64>,
+    #[serde(skip)]
+    cable_names: Vec<String>,
+}
+
+/// Finding of a method; null where there is nothing.
+#[derive(Default, Serialize)]
+pub struct Found {
+    status: &'static str,
+    reason: Option<String>,
+    /// False where the method found no tensions though there are some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    proved: Option<bool>,
+    #[serde(rename = "tensions_N")]
+    tensions: Option<Vec<f64>>,
+    wrench: Option<Vec<f64>>,
+    wrench_residual: Option<Vec<f64>>,
+    #[serde(flatten)]
+    missing: Option<Missing>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certificate: Option<Certificate>,
+    iterations: Option<u32>,
+}
+
+/// What the nearest wrench lacks to the one asked for.
+#[derive(Serialize)]
+struct Missing {
+    #[serde(rename = "missing_wrench")]
+    wrench: Vec<f64>,
+    #[serde(rename = "missing_force_N")]
+    force: f64,
+    #[serde(rename = "missing_moment_Nm")]
+    moment: f64,
+    #[serde(rename = "moment_length_m")]
+    moment_length: Option<f64>,
+}
+
+/// The proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
+#[derive(Serialize)]
+struct Certificate {
+    direction: Vec<f64>,
+    weights: Vec<f64>,
+    #[serde(rename = "required_N")]
+    required: f64,
+    #[serde(rename = "reachable_N")]
+    reachable: f64,
+}
+
+/// True of tensions that a user may look at: those to be used, those that a closed form always gives, and those that do most
+/// for the load.
+pub fn is_shown(answer: &tension::Answer) -> bool {
+    match answer.method {
+        Method::ClosedForm => true,
+        Method::NearestWrench => answer.status == Status::Feasible || answer.certificate().is_some(),
+        _ => answer.status == Status::Feasible,
+    }
+}
+
+impl TensionAnswer {
+    /// Finding of a method at a pose within the limits in force.
+    pub fn new(model: &Model, pose: &Pose, method: Method, found: Found, limits: &Limits) -> Self {
+        let robot = model.robot();
+        Self {
+            robot: robot.name.clone(),
+            model: model.composition().to_string(),
+            pose: PoseAnswer::new(robot, pose),
+            method,
+            found,
+            minimum: limits.minimum().to_vec(),
+            maximum: limits.maximum().to_vec(),
+            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
+        }
+    }
+}
+
+impl Found {
+    /// Nothing, not even a method's answer: the status in a word, the reason, and the wrench to balance, where one is known.
+    pub fn nothing(status: &'static str, reason: String, wrench: Option<Vec<f64>>) -> Self {
+        Self { status, reason: Some(reason), wrench, ..Self::default() }
+    }
+
+    /// Finding of a method that was asked for tensions that balance a wrench.
+    pub fn of(answer: &tension::Answer, wrench: Vec<f64>) -> Self {
+        let (status, proved) = match answer.status {
+            Status::Feasible => ("feasible", None),
+            Status::Infeasible => ("infeasible", Some(true)),
+            _ => ("infeasible", Some(false)),
+        };
+        let certificate = answer.certificate().map(|proof| Certificate {
+            direction: proof.direction.clone(),
+            weights: proof.weights.clone(),
+            required: proof.required,
+            reachable: proof.reachable,
+        });
+        let is_shown = is_shown(answer);
+        Self {
+            status,
+            reason: answer.reason(),
+            proved,
+            tensions: is_shown.then(|| answer.tensions.clone()),
+            wrench: Some(wrench),
+            wrench_residual: is_shown.then(|| answer.wrench_residual.clone()),
+            missing: None,
+            certificate,
+            iterations: Some(answer.iterations),
+        }
+    }
+
+    /// The same with what the nearest wrench lacks, its moments weighed by a length (m).
+    pub fn lacking(self, model: &Model, answer: &tension::Answer, moment_length: Option<f64>) -> Self {
+        let wrench = answer.missing_wrench();
+        let norm = |turns: bool| {
+            let rows = model.twist_basis().iter().zip(&wrench).filter(|(twist, _)| is_turn(twist) == turns);
+            rows.map(|(_, rest)| rest * rest).sum::<f64>().sqrt()
+        };
+        let (force, moment) = (norm(false), norm(true));
+        Self { missing: Some(Missing { wrench, force, moment, moment_length }), ..self }
+    }
+}
+
+/// True of a direction that turns the platform, whose wrench component is a moment.
+pub fn is_turn(twist: &Twist) -> bool {
+    twist.fixed_rows::<3>(3).norm() > 0.0
+}
+
+impl Answer for TensionAnswer {
+    fn is_negative(&self) -> bool {
+        self.found.status != "feasible"
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let Found { status, reason, tensions, proved, missing, .. } = &self.found;
+        let status = match proved {
+            Some(false) => format!("not found by {}", self.method),
+            _ => (*status).to_owned(),
+        };
+        let mut text = format!("{}, model {}, at {}: {status}\n", self.robot, self.model, self.pose.words());
+        if let Some(reason) = reason {
+            text.push_str(&format!("{reason}\n"));
+        }
+        if let (Some(Missing { force, moment, moment_length, .. }), Some(_)) = (missing, reason) {
+            text.push_str(&format!("the nearest wrench lacks {force:.3} N"));
+            if let Some(length) = moment_length {
+                text.push_str(&format!(" and {moment:.3} N·m (moments divided by {length:.3} m)"));
+            }
+            text.push('\n');
+        }
+        let Some(tensions) = tensions else { return text };
+        let mut table = Table::new(["cable", "tension N", "least N", "largest N"]);
+        for (cable, name) in self.cable_names.iter().enumerate() {
+            let limits = [self.minimum[cable], self.maximum[cable]];
+            let numbers = [tensions[cable], limits[0], limits[1]].map(|number| cell(Some(number), 3));
+            table.row([vec![name.clone()], numbers.to_vec()].concat());
+        }
+        format!("{text}\n{}", table.text(width))
+    }
+}
