@@ -38,9 +38,9 @@ struct EffectAnswer {
     length_change_m: Option<LengthChange>,
     #[serde(rename = "tension_change_N")]
     tension_change: Option<f64>,
-    platform: Option<PlatformChange>,
+    platform: Option<Displacement>,
     length_change_beyond_home_m: Option<LengthChange>,
-    platform_beyond_home: Option<PlatformChange>,
+    platform_beyond_home: Option<Displacement>,
     parameter_count: usize,
     cost: &'static str,
     reasons: Vec<String>,
@@ -51,18 +51,6 @@ struct LengthChange {
     max: f64,
     rms: f64,
     cables: Vec<f64>,
-}
-
-#[derive(Serialize)]
-struct PlatformChange {
-    translation_m: f64,
-    rotation_rad: f64,
-    /// Largest change of a tension that goes with it; null for rigid straight cables.
-    #[serde(rename = "tension_change_N")]
-    tension_change: Option<f64>,
-    slack_cables: usize,
-    /// `exact` or `first-order`.
-    method: &'static str,
 }
 
 impl EffectsAnswer {
@@ -120,9 +108,9 @@ impl EffectAnswer {
             control_model: contribution.control.to_string(),
             length_change_m: lengths.as_deref().ok().map(LengthChange::new),
             tension_change: distribution.as_ref().ok().copied(),
-            platform: platform.as_ref().ok().map(PlatformChange::new),
+            platform: platform.as_ref().ok().copied(),
             length_change_beyond_home_m: lengths_beyond_home.as_deref().ok().map(LengthChange::new),
-            platform_beyond_home: platform_beyond_home.as_ref().ok().map(PlatformChange::new),
+            platform_beyond_home: platform_beyond_home.as_ref().ok().copied(),
             parameter_count: parameter_count(effect, robot),
             cost: cost(effect),
             reasons: told,
@@ -136,10 +124,11 @@ impl EffectAnswer {
 
     fn cells(&self) -> Vec<String> {
         let millimetres = |length: Option<f64>| cell(length.map(|metres| 1e3 * metres), 3);
-        let of_platform = |platform: &Option<PlatformChange>| {
-            let first_order = platform.as_ref().is_some_and(|platform| platform.method == "first-order");
-            let distance = millimetres(platform.as_ref().map(|platform| platform.translation_m));
-            let angle = cell(platform.as_ref().map(|platform| platform.rotation_rad.to_degrees()), 3);
+        let of_platform = |platform: &Option<Displacement>| {
+            let first_order =
+                platform.as_ref().is_some_and(|platform| platform.method == DisplacementMethod::FirstOrder);
+            let distance = millimetres(platform.as_ref().map(|platform| platform.translation));
+            let angle = cell(platform.as_ref().map(|platform| platform.rotation.to_degrees()), 3);
             [if first_order { format!("≈{distance}") } else { distance }, angle]
         };
         let lengths = self.length_change_m.as_ref();
@@ -157,21 +146,6 @@ impl LengthChange {
     fn new(cables: &[f64]) -> Self {
         let rms = (cables.iter().map(|x| x * x).sum::<f64>() / cables.len().max(1) as f64).sqrt();
         Self { max: largest(cables.iter().copied()), rms, cables: cables.iter().map(|x| x + 0.0).collect() }
-    }
-}
-
-impl PlatformChange {
-    fn new(displacement: &Displacement) -> Self {
-        Self {
-            translation_m: displacement.translation,
-            rotation_rad: displacement.rotation,
-            tension_change: displacement.tension,
-            slack_cables: displacement.slack,
-            method: match displacement.method {
-                DisplacementMethod::Exact => "exact",
-                DisplacementMethod::FirstOrder => "first-order",
-            },
-        }
     }
 }
 
@@ -223,8 +197,7 @@ impl EffectsAnswer {
             for (platform, when) in
                 [(&effect.platform, ""), (&effect.platform_beyond_home, ", with offsets set at home")]
             {
-                if let Some(count) = platform.as_ref().map(|platform| platform.slack_cables).filter(|&count| count > 0)
-                {
+                if let Some(count) = platform.as_ref().map(|platform| platform.slack).filter(|&count| count > 0) {
                     let cables = if count == 1 { "cable goes" } else { "cables go" };
                     text.push_str(&format!("without {}{when}, {count} {cables} slack\n", effect.title()));
                 }

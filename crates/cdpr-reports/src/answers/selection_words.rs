@@ -78,8 +78,7 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
         }
         table.row(cells);
     }
-    let mut text =
-        format!("error: {} on training and validation data\n\n{}", answer.criterion, table.text(width));
+    let mut text = format!("error: {} on training and validation data\n\n{}", answer.criterion, table.text(width));
     for candidate in &answer.candidates {
         if let Some(failure) = &candidate.failure {
             text.push_str(&format!("{} failed: {failure}\n", candidate.name));

@@ -2,6 +2,7 @@
 
 use cdpr::geometry::{Pose, Twist};
 use cdpr::model::Model;
+use cdpr::tension::quadratic::Certificate;
 use cdpr::tension::{self, Limits, Method, Status};
 use serde::Serialize;
 
@@ -40,6 +41,7 @@ pub struct Found {
     wrench_residual: Option<Vec<f64>>,
     #[serde(flatten)]
     missing: Option<Missing>,
+    /// Proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
     #[serde(skip_serializing_if = "Option::is_none")]
     certificate: Option<Certificate>,
     iterations: Option<u32>,
@@ -56,17 +58,6 @@ struct Missing {
     moment: f64,
     #[serde(rename = "moment_length_m")]
     moment_length: Option<f64>,
-}
-
-/// The proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
-#[derive(Serialize)]
-struct Certificate {
-    direction: Vec<f64>,
-    weights: Vec<f64>,
-    #[serde(rename = "required_N")]
-    required: f64,
-    #[serde(rename = "reachable_N")]
-    reachable: f64,
 }
 
 /// True of tensions that a user may look at: those to be used, those that a closed form always gives, and those that do most
@@ -109,12 +100,6 @@ impl Found {
             Status::Infeasible => ("infeasible", Some(true)),
             _ => ("infeasible", Some(false)),
         };
-        let certificate = answer.certificate().map(|proof| Certificate {
-            direction: proof.direction.clone(),
-            weights: proof.weights.clone(),
-            required: proof.required,
-            reachable: proof.reachable,
-        });
         let is_shown = is_shown(answer);
         Self {
             status,
@@ -124,7 +109,7 @@ impl Found {
             wrench: Some(wrench),
             wrench_residual: is_shown.then(|| answer.wrench_residual.clone()),
             missing: None,
-            certificate,
+            certificate: answer.certificate().cloned(),
             iterations: Some(answer.iterations),
         }
     }

@@ -54,7 +54,7 @@ pub struct WorkspaceAnswer {
     points: u64,
     feasible_points: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    random_points: Option<RandomPoints>,
+    random_points: Option<Audit>,
     reaches_bounds: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     singular: Option<Singular>,
@@ -81,15 +81,6 @@ pub struct WorkspaceAnswer {
     mesh: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     page: Option<String>,
-}
-
-/// How the size was checked.
-#[derive(Clone, Copy, Serialize)]
-struct RandomPoints {
-    points: u64,
-    feasible_points: u64,
-    missed: u64,
-    added: u64,
 }
 
 /// A structure matrix of less than full rank wherever the criteria hold.
@@ -144,8 +135,8 @@ fn common(asked: &Asked<'_>, method: &'static str, size: Option<f64>) -> Workspa
 /// Says how exact the size is, and why nothing was found, if nothing was.
 fn judged(mut answer: WorkspaceAnswer, asked: &Asked<'_>, audit: &Audit) -> WorkspaceAnswer {
     let region = asked.region;
-    let Audit { points, feasible_points, missed, added, .. } = *audit;
-    answer.random_points = Some(RandomPoints { points, feasible_points, missed, added });
+    let Audit { points, feasible_points, .. } = *audit;
+    answer.random_points = Some(audit.clone());
     if let Some(size) = answer.size() {
         answer.error_bound = Some(audit.error_bound());
         answer.confidence = Some(CONFIDENCE);
@@ -383,8 +374,8 @@ impl Answer for WorkspaceAnswer {
             "{}: {} points judged{rays}, {} of them hold\n",
             self.method, self.points, self.feasible_points
         ));
-        if let Some(RandomPoints { points, missed, added, .. }) =
-            self.random_points.filter(|_| self.error_bound.is_some())
+        if let Some(Audit { points, missed, added, .. }) =
+            self.random_points.as_ref().filter(|_| self.error_bound.is_some())
         {
             text.push_str(&format!(
                 "bound of the error: at {points} points drawn at random, {missed} of the workspace are missed and {added} counted that are \

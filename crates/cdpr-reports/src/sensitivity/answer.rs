@@ -1,9 +1,9 @@
 //! Influences, tolerances and allowances as one answer.
 
 use cdpr::metamodel::Experiment;
-use cdpr::metamodel::sensitivity::{Kind, Offsets, Side, rank, rank_kinds};
+use cdpr::metamodel::sensitivity::{Kind, KindInfluence, Offsets, Side, rank, rank_kinds};
 use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
-use cdpr::metamodel::tolerance::{DeviationSettings, Deviations, Engine, Quantiles};
+use cdpr::metamodel::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
 use serde::Serialize;
 
 use crate::answers::title;
@@ -31,7 +31,7 @@ pub struct SensitivityAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference_error: Option<f64>,
     /// Kinds of parameters.
-    pub kinds: Vec<KindAnswer>,
+    pub kinds: Vec<KindInfluence>,
     /// Parameters, the most influential first.
     pub parameters: Vec<ParameterAnswer>,
     /// Effects of the tolerances, where the study has any.
@@ -46,23 +46,6 @@ pub struct SensitivityAnswer {
     /// True of platforms that turn.
     #[serde(skip)]
     pub has_rotation: bool,
-}
-
-/// All parameters of one kind together.
-#[derive(Serialize)]
-pub struct KindAnswer {
-    /// Control model, machine or winches.
-    pub side: Side,
-    /// Kind of parameter.
-    pub kind: Kind,
-    /// Number of parameters.
-    pub count: usize,
-    /// Unit of the parameter.
-    pub unit: &'static str,
-    /// Root mean square over the poses.
-    pub position_rms_m_per_unit: f64,
-    /// Largest over the poses.
-    pub position_max_m_per_unit: f64,
 }
 
 /// One parameter.
@@ -101,7 +84,7 @@ pub struct ToleranceAnswer {
     /// Spread to first order.
     pub linear: Linear,
     /// Spread of drawn robots.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<MonteCarlo>,
 }
 
 /// To first order.
@@ -115,29 +98,6 @@ pub struct Linear {
     pub worst_case_max_m: f64,
     /// Error with its deviations, over the poses.
     pub position_error_rms_m: f64,
-}
-
-/// Of drawn robots.
-#[derive(Serialize)]
-pub struct Drawn {
-    /// Answers of the drawn robots.
-    pub engine: Engine,
-    /// Robots drawn.
-    pub robots: usize,
-    /// Answers that are missing.
-    pub unanswered: usize,
-    /// Reason why the answer is negative.
-    pub reason: Option<String>,
-    /// Position error at a pose.
-    pub position_error_m: Quantiles,
-    /// Rotation error at a pose.
-    pub rotation_error_rad: Quantiles,
-    /// Deviation at a pose.
-    pub deviation_m: Quantiles,
-    /// Mean error of a robot.
-    pub mean_of_robot_m: Quantiles,
-    /// Largest error of a robot.
-    pub max_of_robot_m: Quantiles,
 }
 
 /// What an accuracy allows.
@@ -154,26 +114,7 @@ pub struct AllowedAnswer {
     /// The pose with the least room, from 1.
     pub worst_pose: usize,
     /// Kinds of parameters.
-    pub kinds: Vec<AllowanceAnswer>,
-}
-
-/// Of one kind, in its unit.
-#[derive(Serialize)]
-pub struct AllowanceAnswer {
-    /// Control model, machine or winches.
-    pub side: Side,
-    /// Kind of parameter.
-    pub kind: Kind,
-    /// Unit of the parameter.
-    pub unit: &'static str,
-    /// Standard deviation, where nothing else deviates.
-    pub sigma_alone: f64,
-    /// Largest deviation, where nothing else deviates.
-    pub worst_case_alone: f64,
-    /// Standard deviation, where all kinds deviate.
-    pub sigma_joint: Option<f64>,
-    /// Largest deviation, where all kinds deviate.
-    pub worst_case_joint: Option<f64>,
+    pub kinds: Vec<Allowance>,
 }
 
 impl SensitivityAnswer {
@@ -210,17 +151,7 @@ fn answer(
         offsets: settings.offsets,
         derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
         difference_error,
-        kinds: rank_kinds(&found.causes, &known, pattern.translations())
-            .into_iter()
-            .map(|kind| KindAnswer {
-                side: kind.side,
-                kind: kind.kind,
-                count: kind.count,
-                unit: kind.kind.unit(),
-                position_rms_m_per_unit: kind.position_rms,
-                position_max_m_per_unit: kind.position_max,
-            })
-            .collect(),
+        kinds: rank_kinds(&found.causes, &known, pattern.translations()),
         parameters: parameters
             .into_iter()
             .map(|influence| ParameterAnswer {
@@ -236,7 +167,7 @@ fn answer(
                 tension_max_N_per_unit: influence.tension_max,
             })
             .collect(),
-        tolerance: tolerance(found, tolerances, settings),
+        tolerance: tolerance(found, tolerances),
         allowed: allowances(found, tolerances, settings),
         seed: settings.seed,
         told: usize::MAX,
@@ -269,24 +200,13 @@ fn status(found: &Deviations, settings: &DeviationSettings) -> (&'static str, Op
     }
 }
 
-fn tolerance(found: &Deviations, tolerances: &Tolerances, settings: &DeviationSettings) -> Option<ToleranceAnswer> {
+fn tolerance(found: &Deviations, tolerances: &Tolerances) -> Option<ToleranceAnswer> {
     let spread = found.spread.as_ref()?;
     let rms = |values: &[f64]| {
         let finite: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
         (finite.iter().map(|value| value * value).sum::<f64>() / finite.len() as f64).sqrt()
     };
     let largest = |values: &[f64]| values.iter().copied().fold(f64::NAN, f64::max);
-    let drawn = found.drawn.as_ref().map(|drawn| Drawn {
-        engine: settings.engine,
-        robots: drawn.robots,
-        unanswered: drawn.unanswered,
-        reason: drawn.reason.clone(),
-        position_error_m: drawn.error,
-        rotation_error_rad: drawn.rotation_error,
-        deviation_m: drawn.deviation,
-        mean_of_robot_m: drawn.mean_of_robot,
-        max_of_robot_m: drawn.max_of_robot,
-    });
     Some(ToleranceAnswer {
         distribution: tolerances.distribution,
         sigmas: tolerances.sigmas,
@@ -296,27 +216,18 @@ fn tolerance(found: &Deviations, tolerances: &Tolerances, settings: &DeviationSe
             worst_case_max_m: largest(&spread.worst_case),
             position_error_rms_m: rms(&spread.error),
         },
-        drawn,
+        drawn: found.drawn.clone(),
     })
 }
 
 fn allowances(found: &Deviations, tolerances: &Tolerances, settings: &DeviationSettings) -> Option<AllowedAnswer> {
     let (allowed, accuracy) = (found.allowed.as_ref()?, settings.accuracy?);
-    let kinds = allowed.kinds.iter().map(|allowance| AllowanceAnswer {
-        side: allowance.side,
-        kind: allowance.kind,
-        unit: allowance.kind.unit(),
-        sigma_alone: allowance.alone,
-        worst_case_alone: allowance.alone_worst_case,
-        sigma_joint: allowance.joint,
-        worst_case_joint: allowance.joint_worst_case,
-    });
     Some(AllowedAnswer {
         accuracy_m: accuracy,
         accuracy_of: tolerances.accuracy_of,
         sigmas: tolerances.sigmas,
         least_budget_m: allowed.budget,
         worst_pose: allowed.worst_pose + 1,
-        kinds: kinds.collect(),
+        kinds: allowed.kinds.clone(),
     })
 }

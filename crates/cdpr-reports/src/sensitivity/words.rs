@@ -1,7 +1,7 @@
 //! Sensitivities and tolerances for people.
 
-use super::{AllowedAnswer, KindAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
-use cdpr::metamodel::sensitivity::Offsets;
+use super::{AllowedAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
+use cdpr::metamodel::sensitivity::{KindInfluence, Offsets};
 use cdpr::metamodel::study::AccuracyOf;
 use cdpr::metamodel::tolerance::Quantiles;
 
@@ -61,7 +61,7 @@ impl SensitivityAnswer {
     fn by_kind(&self, width: Option<usize>) -> String {
         let mut rows: Vec<_> = self.kinds.iter().collect();
         rows.sort_by(|a, b| {
-            let moved = |kind: &KindAnswer| step(kind.kind).0 * kind.position_rms_m_per_unit;
+            let moved = |kind: &KindInfluence| step(kind.kind).0 * kind.position_rms;
             moved(b).total_cmp(&moved(a))
         });
         let mut table = Table::new(["all of a kind deviate", "count", "each by (σ)", "moves rms mm", "worst pose mm"])
@@ -73,8 +73,8 @@ impl SensitivityAnswer {
                 format!("{} {}", kind.side.name(), kind.kind),
                 kind.count.to_string(),
                 each.to_owned(),
-                moved(kind.position_rms_m_per_unit),
-                moved(kind.position_max_m_per_unit),
+                moved(kind.position_rms),
+                moved(kind.position_max),
             ]);
         }
         table.text(width)
@@ -130,10 +130,10 @@ fn tolerance_words(tolerance: &ToleranceAnswer, width: Option<usize>) -> String 
         let cells = [q.mean, q.median, q.p95, q.p99, q.max].map(mm);
         table.row([vec![name.to_owned()], cells.to_vec()].concat());
     };
-    row("error at a pose", &drawn.position_error_m);
-    row("deviation at a pose", &drawn.deviation_m);
-    row("mean error of a robot", &drawn.mean_of_robot_m);
-    row("largest error of a robot", &drawn.max_of_robot_m);
+    row("error at a pose", &drawn.error);
+    row("deviation at a pose", &drawn.deviation);
+    row("mean error of a robot", &drawn.mean_of_robot);
+    row("largest error of a robot", &drawn.max_of_robot);
     text.push_str(&table.text(width));
     if let Some(reason) = &drawn.reason {
         text.push_str(&format!("{} answers are missing and do not count: {reason}\n", drawn.unanswered));
@@ -160,10 +160,10 @@ fn allowed_words(allowed: &AllowedAnswer, width: Option<usize>) -> String {
         let joint = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| amount(value, kind.unit));
         table.row(vec![
             format!("{} {}", kind.side.name(), kind.kind),
-            amount(kind.sigma_alone, kind.unit),
-            amount(kind.worst_case_alone, kind.unit),
-            joint(kind.sigma_joint),
-            joint(kind.worst_case_joint),
+            amount(kind.alone, kind.unit),
+            amount(kind.alone_worst_case, kind.unit),
+            joint(kind.joint),
+            joint(kind.joint_worst_case),
         ]);
     }
     text.push_str(&table.text(width));

@@ -7,6 +7,7 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use serde::Serialize;
 
 use super::{Bounds, Point, Region};
 
@@ -23,7 +24,7 @@ const KEPT: usize = 64;
 const BLOCK: usize = 1 << 15;
 
 /// How often, at points drawn at random, a region differs from what a method found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Audit {
     /// Points drawn.
     pub points: u64,
@@ -34,8 +35,10 @@ pub struct Audit {
     /// Those that belong to what was found, but not to the region.
     pub added: u64,
     /// Some of the points that belong to the region (m).
+    #[serde(skip)]
     pub inside: Vec<Point>,
     /// Size of the box (m², m³).
+    #[serde(skip)]
     size: f64,
 }
 

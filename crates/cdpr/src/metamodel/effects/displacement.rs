@@ -1,6 +1,7 @@
 //! What the platform does when the controlled lengths are other than the machine's own.
 
 use nalgebra::{DVector, Vector3};
+use serde::Serialize;
 
 use super::error::EffectError;
 use super::{EffectState, largest};
@@ -14,7 +15,8 @@ use crate::statics::{StaticsError, Stiffness, cable_state};
 const WAY_BACK: f64 = 1e-6;
 
 /// How a displacement was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum DisplacementMethod {
     /// By the forward problem.
     Exact,
@@ -23,15 +25,19 @@ pub enum DisplacementMethod {
 }
 
 /// Displacement of the platform and change of the tensions.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Displacement {
     /// Distance (m).
+    #[serde(rename = "translation_m")]
     pub translation: f64,
     /// Angle (rad).
+    #[serde(rename = "rotation_rad")]
     pub rotation: f64,
     /// Largest change of a tension at the outlets (N); `None` for rigid straight cables, whose tensions lengths do not tell.
+    #[serde(rename = "tension_change_N")]
     pub tension: Option<f64>,
     /// Number of cables that lose their tension.
+    #[serde(rename = "slack_cables")]
     pub slack: usize,
     /// How it was found.
     pub method: DisplacementMethod,

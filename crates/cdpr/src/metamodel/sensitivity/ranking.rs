@@ -33,9 +33,13 @@ pub struct KindInfluence {
     pub kind: Kind,
     /// Number of causes.
     pub count: usize,
+    /// Unit of the kind.
+    pub unit: &'static str,
     /// Root mean square over the poses (m per unit).
+    #[serde(rename = "position_rms_m_per_unit")]
     pub position_rms: f64,
     /// At the worst pose.
+    #[serde(rename = "position_max_m_per_unit")]
     pub position_max: f64,
 }
 
@@ -80,6 +84,7 @@ pub fn rank_kinds(
             side,
             kind,
             count: columns.len(),
+            unit: kind.unit(),
             position_rms: spread.mean.sqrt(),
             position_max: spread.max.sqrt(),
         }

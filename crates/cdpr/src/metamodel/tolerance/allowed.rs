@@ -1,5 +1,7 @@
 //! The tolerances that a required accuracy allows.
 
+use serde::Serialize;
+
 use crate::metamodel::sensitivity::{Kind, ParameterDeviation, PoseSensitivity, Side};
 
 /// What a required accuracy allows.
@@ -14,19 +16,25 @@ pub struct Allowed {
 }
 
 /// Tolerances of one kind, each in the unit of the kind.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Allowance {
     /// Whose.
     pub side: Side,
     /// What.
     pub kind: Kind,
+    /// Unit of the kind.
+    pub unit: &'static str,
     /// Standard deviation of each, all else being exact; infinite for what moves nothing.
+    #[serde(rename = "sigma_alone")]
     pub alone: f64,
     /// Largest deviation of each in the worst case, all else being exact.
+    #[serde(rename = "worst_case_alone")]
     pub alone_worst_case: f64,
     /// Standard deviation of each when all kinds named deviate, each for the same share; `None` for kinds that are not named.
+    #[serde(rename = "sigma_joint")]
     pub joint: Option<f64>,
     /// Largest deviation of each in the worst case, likewise.
+    #[serde(rename = "worst_case_joint")]
     pub joint_worst_case: Option<f64>,
 }
 
@@ -76,7 +84,15 @@ pub fn allowed(
     let allowance = |(place, &(side, kind)): (usize, &(Side, Kind))| {
         let joint = |of: usize| named.contains(&place).then(|| shares[of] * singles[place][of]);
         let [alone, alone_worst_case] = singles[place];
-        Allowance { side, kind, alone, alone_worst_case, joint: joint(0), joint_worst_case: joint(1) }
+        Allowance {
+            side,
+            kind,
+            unit: kind.unit(),
+            alone,
+            alone_worst_case,
+            joint: joint(0),
+            joint_worst_case: joint(1),
+        }
     };
     Allowed { budget, worst_pose, kinds: kinds.iter().enumerate().map(allowance).collect() }
 }

@@ -62,8 +62,10 @@ pub struct Quantiles {
 }
 
 /// What the drawn robots do.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MonteCarlo {
+    /// How they answer.
+    pub engine: Engine,
     /// Robots drawn.
     pub robots: usize,
     /// Robots and poses without an answer, which do not count.
@@ -71,18 +73,25 @@ pub struct MonteCarlo {
     /// Why the first of them has none.
     pub reason: Option<String>,
     /// Distance from the commanded position over all robots and poses (m).
+    #[serde(rename = "position_error_m")]
     pub error: Quantiles,
-    /// Distance from where the robot without deviations goes (m).
-    pub deviation: Quantiles,
     /// Angle from the commanded orientation (rad).
+    #[serde(rename = "rotation_error_rad")]
     pub rotation_error: Quantiles,
+    /// Distance from where the robot without deviations goes (m).
+    #[serde(rename = "deviation_m")]
+    pub deviation: Quantiles,
     /// The mean error of a robot over the poses, over the robots (m).
+    #[serde(rename = "mean_of_robot_m")]
     pub mean_of_robot: Quantiles,
     /// The largest error of a robot (m).
+    #[serde(rename = "max_of_robot_m")]
     pub max_of_robot: Quantiles,
     /// Error pose by pose, over the robots (m).
+    #[serde(skip)]
     pub errors: Vec<Quantiles>,
     /// Deviation pose by pose (m).
+    #[serde(skip)]
     pub deviations: Vec<Quantiles>,
 }
 
@@ -120,7 +129,7 @@ pub fn monte_carlo<'a>(
         sigmas: &sigmas,
         settings,
     };
-    Ok(summarize(&run.all(), poses.len()))
+    Ok(summarize(&run.all(), poses.len(), settings.engine))
 }
 
 /// Everything that the robots share.
@@ -230,7 +239,7 @@ impl Run<'_> {
     }
 }
 
-fn summarize(rows: &[Row], poses: usize) -> MonteCarlo {
+fn summarize(rows: &[Row], poses: usize, engine: Engine) -> MonteCarlo {
     let all = |of: usize| rows.iter().flat_map(move |(answers, _)| answers.iter().map(move |answer| answer[of]));
     let at = |of: usize| (0..poses).map(move |place| rows.iter().map(move |(answers, _)| answers[place][of]));
     let of_robot = |of: &dyn Fn(&[f64]) -> f64| {
@@ -241,6 +250,7 @@ fn summarize(rows: &[Row], poses: usize) -> MonteCarlo {
         Quantiles::of(rows.iter().map(values))
     };
     MonteCarlo {
+        engine,
         robots: rows.len(),
         unanswered: all(0).filter(|error| error.is_nan()).count(),
         reason: rows

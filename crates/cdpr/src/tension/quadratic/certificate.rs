@@ -1,6 +1,7 @@
 //! The proof that no tensions within limits balance a load.
 
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 use crate::tension::Limits;
 
@@ -8,7 +9,7 @@ use crate::tension::Limits;
 ///
 /// In equilibrium Σ cᵢ fᵢ = −yᵀ w with c = A y, whatever the distribution. Within limits the sum is at most
 /// Σ max(cᵢ f_min,i, cᵢ f_max,i), and this is less.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Certificate {
     /// y, one entry per row of the structure matrix.
     pub direction: Vec<f64>,
@@ -16,12 +17,16 @@ pub struct Certificate {
     /// the direction at all (lost rank); then the largest entry of y is 1.
     pub weights: Vec<f64>,
     /// −yᵀ w: what equilibrium asks of Σ cᵢ fᵢ (N).
+    #[serde(rename = "required_N")]
     pub required: f64,
     /// The largest Σ cᵢ fᵢ within limits (N), less than required.
+    #[serde(rename = "reachable_N")]
     pub reachable: f64,
     /// The limit at which each cable gives most (N).
+    #[serde(skip)]
     pub(super) best: Vec<f64>,
     /// True when no cable acts in the direction.
+    #[serde(skip)]
     pub(super) is_unresisted: bool,
 }
 
