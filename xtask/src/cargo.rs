@@ -57,13 +57,38 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
 
 /// Builds for release what needs no dependency of tests: the command as users get it with its library, the program whose instructions are
 /// counted, and the examples. Together with the tests of the library their dependencies would have features that users do not get.
-pub(crate) const RELEASE: &[&str] =
-    &["build", "--quiet", "--release", "-p", "cdpr", "-p", "cdpr-cli", "-p", "instructions", "-p", "examples"];
+pub(crate) const RELEASE: &[&str] = &[
+    "build",
+    "--quiet",
+    "--release",
+    "-p",
+    "cdpr-core",
+    "-p",
+    "cdpr",
+    "-p",
+    "cdpr-cli",
+    "-p",
+    "instructions",
+    "-p",
+    "examples",
+];
 
 /// The tests of the library, from inside and from outside in one program, and those of the tasks. Without the wide vectors, which give the
 /// same bits (`xtask/instructions/tests`).
-pub(crate) const PORTABLE_TESTS: &[&str] =
-    &["test", "-p", "cdpr", "-p", "xtask", "--lib", "--bins", "--no-default-features", "--features", "cdpr/parallel"];
+pub(crate) const PORTABLE_TESTS: &[&str] = &[
+    "test",
+    "-p",
+    "cdpr-core",
+    "-p",
+    "cdpr",
+    "-p",
+    "xtask",
+    "--lib",
+    "--bins",
+    "--no-default-features",
+    "--features",
+    "cdpr/parallel,cdpr-core/std",
+];
 
 /// Builds the command for release and tells where it is.
 pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {

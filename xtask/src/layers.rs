@@ -4,8 +4,14 @@ use std::path::{Path, PathBuf};
 
 use crate::outcome::Outcome;
 
-/// The rooms of `crates/cdpr/src`, left to right; rooms in one entry do not use each other.
-const ROOMS: &[&[&str]] = &[
+/// Rooms of a library, left to right; rooms in one entry do not use each other.
+type Rooms = &'static [&'static [&'static str]];
+
+/// The rooms of `crates/cdpr-core/src`.
+const CORE_ROOMS: Rooms = &[&["scalar"], &["geometry", "solve"], &["cable"], &["structure"]];
+
+/// The rooms of `crates/cdpr/src`.
+const ROOMS: Rooms = &[
     &["notation", "scalar", "reading"],
     &["geometry", "solve"],
     &["robot"],
@@ -23,65 +29,83 @@ const ROOMS: &[&[&str]] = &[
     &["error_code"],
 ];
 
+/// A library whose rooms have an order.
+struct Library {
+    folder: &'static str,
+    rooms: Rooms,
+}
+
+const CORE: Library = Library { folder: "crates/cdpr-core/src", rooms: CORE_ROOMS };
+const CDPR: Library = Library { folder: "crates/cdpr/src", rooms: ROOMS };
+const LIBRARIES: [&Library; 2] = [&CORE, &CDPR];
+
 /// Each crate of the workspace and the workspace crates that it may depend on.
-const CRATES: &[(&str, &[&str])] =
-    &[("cdpr", &[]), ("cdpr-reports", &["cdpr"]), ("cdpr-cli", &["cdpr", "cdpr-reports"])];
+const CRATES: &[(&str, &[&str])] = &[
+    ("cdpr-core", &[]),
+    ("cdpr", &["cdpr-core"]),
+    ("cdpr-reports", &["cdpr"]),
+    ("cdpr-cli", &["cdpr", "cdpr-reports"]),
+];
 
 /// Complains of every use to the right, of rooms that are not listed, and of crates that depend the wrong way.
 pub(crate) fn check(root: &Path) -> Outcome {
-    let source = root.join("crates/cdpr/src");
     let mut complaints = Vec::new();
-    for path in rust_files(&source) {
-        let Ok(inside) = path.strip_prefix(&source) else { continue };
-        match std::fs::read_to_string(&path) {
-            Ok(text) => {
-                complaints.extend(uses_to_the_right(inside, &text));
-                complaints.extend(text_as_errors(inside, &text));
+    for library in LIBRARIES {
+        let source = root.join(library.folder);
+        for path in rust_files(&source) {
+            let Ok(inside) = path.strip_prefix(&source) else { continue };
+            match std::fs::read_to_string(&path) {
+                Ok(text) => {
+                    complaints.extend(library.uses_to_the_right(inside, &text));
+                    complaints.extend(library.text_as_errors(inside, &text));
+                }
+                Err(error) => complaints.push(format!("{}: {error}", path.display())),
             }
-            Err(error) => complaints.push(format!("{}: {error}", path.display())),
         }
     }
     complaints.extend(crate_complaints(&root.join("crates")));
     Outcome::of(complaints)
 }
 
-/// `inside` is the file's path in `crates/cdpr/src`. The front page lib.rs may use everything.
-fn uses_to_the_right(inside: &Path, text: &str) -> Vec<String> {
-    let Some(room) = room_of(inside) else { return Vec::new() };
-    let file = format!("crates/cdpr/src/{}", inside.display());
-    let Some(place) = place(&room) else {
-        return vec![format!("{file}: the room `{room}` is not listed in xtask/src/layers.rs and ARCHITECTURE.md")];
-    };
-    let mut complaints = Vec::new();
-    for used in used_rooms(text) {
-        let (line, name) = (used.line, used.name);
-        match self::place(&name) {
-            // tests draw their random cases by `property`, wherever they stand
-            _ if name == room || name == "nalgebra" || name == "property" => {}
-            Some(other) if other < place => {}
-            Some(_) => {
-                complaints.push(format!("{file}:{line}: `{room}` uses `{name}`, which does not stand left of it"))
-            }
-            None => {
-                complaints.push(format!("{file}:{line}: `crate::{name}` is no room; name the room that defines it"))
+impl Library {
+    /// `inside` is the file's path in the library. The front page lib.rs may use everything.
+    fn uses_to_the_right(&self, inside: &Path, text: &str) -> Vec<String> {
+        let Some(room) = room_of(inside) else { return Vec::new() };
+        let file = format!("{}/{}", self.folder, inside.display());
+        let Some(place) = self.place(&room) else {
+            return vec![format!("{file}: the room `{room}` is not listed in xtask/src/layers.rs and ARCHITECTURE.md")];
+        };
+        let mut complaints = Vec::new();
+        for used in used_rooms(text) {
+            let (line, name) = (used.line, used.name);
+            match self.place(&name) {
+                // tests draw their random cases by `property`, wherever they stand
+                _ if name == room || name == "nalgebra" || name == "property" => {}
+                Some(other) if other < place => {}
+                Some(_) => {
+                    complaints.push(format!("{file}:{line}: `{room}` uses `{name}`, which does not stand left of it"))
+                }
+                None => {
+                    complaints.push(format!("{file}:{line}: `crate::{name}` is no room; name the room that defines it"))
+                }
             }
         }
+        complaints
     }
-    complaints
-}
 
-/// Results of the library whose error is text: callers could not tell one from another.
-fn text_as_errors(inside: &Path, text: &str) -> Vec<String> {
-    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default()).enumerate();
-    let is_text = |code: &str| code.contains("Result<") && code.contains(", String>");
-    let told = |(line, _)| {
-        format!("crates/cdpr/src/{}:{}: text as an error; give it a type of its own", inside.display(), line + 1)
-    };
-    code.filter(|(_, code)| is_text(code)).map(told).collect()
-}
+    /// Results of the library whose error is text: callers could not tell one from another.
+    fn text_as_errors(&self, inside: &Path, text: &str) -> Vec<String> {
+        let code = text.lines().map(|line| line.split("//").next().unwrap_or_default()).enumerate();
+        let is_text = |code: &str| code.contains("Result<") && code.contains(", String>");
+        let told = |(line, _)| {
+            format!("{}/{}:{}: text as an error; give it a type of its own", self.folder, inside.display(), line + 1)
+        };
+        code.filter(|(_, code)| is_text(code)).map(told).collect()
+    }
 
-fn place(room: &str) -> Option<usize> {
-    ROOMS.iter().position(|rooms| rooms.contains(&room))
+    fn place(&self, room: &str) -> Option<usize> {
+        self.rooms.iter().position(|rooms| rooms.contains(&room))
+    }
 }
 
 /// `robot/description.rs` and `robot.rs` belong to the room `robot`; lib.rs belongs to none.
@@ -192,7 +216,7 @@ mod tests {
     use super::*;
 
     fn complaints(file: &str, text: &str) -> Vec<String> {
-        uses_to_the_right(Path::new(file), text)
+        CDPR.uses_to_the_right(Path::new(file), text)
     }
 
     #[test]
@@ -215,7 +239,7 @@ mod tests {
 
     #[test]
     fn text_is_no_error_of_the_library() {
-        let refused = |text: &str| text_as_errors(Path::new("robot.rs"), text);
+        let refused = |text: &str| CDPR.text_as_errors(Path::new("robot.rs"), text);
         assert!(refused("fn f() -> Result<String, Error> {\n/// Result<f64, String>\n").is_empty());
         assert_eq!(
             refused("\nfn f() -> Result<Vec<f64>, String> {\n"),

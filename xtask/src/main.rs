@@ -10,6 +10,7 @@ mod documents;
 mod examples;
 mod format;
 mod generated;
+mod ground;
 mod instruction_counts;
 mod instructions;
 mod judge;

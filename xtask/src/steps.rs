@@ -5,7 +5,9 @@ use std::time::{Duration, Instant};
 
 use crate::ahead::Ahead;
 use crate::outcome::Outcome;
-use crate::{book, browser, cargo, command, documents, examples, format, generated, instructions, judge, layers};
+use crate::{
+    book, browser, cargo, command, documents, examples, format, generated, ground, instructions, judge, layers,
+};
 
 /// One step of the entrance.
 struct Step {
@@ -68,13 +70,18 @@ const STEPS: &[Step] = &[
     Step {
         name: "docs",
         // with the dependencies as the doc tests have them checked
-        action: Action::Cargo(&["doc", "-p", "cdpr", "--lib", "--no-deps"]),
+        action: Action::Cargo(&["doc", "-p", "cdpr-core", "-p", "cdpr", "--lib", "--no-deps"]),
         remedy: "mend the doc comment that rustdoc names",
     },
     Step {
         name: "no-default-features",
         action: Action::Cargo(&["check", "-p", "cdpr", "--no-default-features"]),
         remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
+    },
+    Step {
+        name: "ground",
+        action: Action::Own(ground::check),
+        remedy: "cdpr-core takes nothing from std and claims no memory: put what does behind its feature `std`, or to the right",
     },
     Step {
         name: "generated",
@@ -109,9 +116,15 @@ fn documentation_tests(root: &Path) -> Outcome {
     if let Err(complaint) = cargo::succeed(root, cargo::RELEASE).into_result() {
         return Outcome::of(vec![complaint]);
     }
-    let library = format!("cdpr={}", cargo::built(root, "release", "libcdpr").with_extension("rlib").display());
     let folder = format!("dependency={}", cargo::built(root, "release", "deps").display());
-    cargo::count_tests(root, &["rustdoc", "-p", "cdpr", "--lib", "--", "--test", "--extern", &library, "-L", &folder])
+    let mut sum = Outcome::default();
+    for (package, name) in [("cdpr-core", "cdpr_core"), ("cdpr", "cdpr")] {
+        let file = cargo::built(root, "release", &format!("lib{name}")).with_extension("rlib");
+        let library = format!("{name}={}", file.display());
+        let tested = ["rustdoc", "-p", package, "--lib", "--", "--test", "--extern", &library, "-L", &folder];
+        sum.add(cargo::count_tests(root, &tested));
+    }
+    sum
 }
 
 /// Steps that need what is fetched ahead.

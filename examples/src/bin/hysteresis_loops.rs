@@ -4,7 +4,10 @@
 
 use std::fmt::Write;
 
-use cdpr::cable::stretch::hysteresis::{Hysteresis, Memory};
+use cdpr::cable::stretch::{
+    hysteresis::{Hysteresis, Memory},
+    hysteresis_law,
+};
 use cdpr::robot::HysteresisTable;
 
 /// Size of the drawing and of its margin.
@@ -18,7 +21,7 @@ const TENSION: f64 = 8000.0;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // ANCHOR: loops
-    let law = Hysteresis::new(&HysteresisTable {
+    let law = hysteresis_law(&HysteresisTable {
         strain: vec![0.0, 0.004, 0.008, 0.012],
         loading_N: vec![0.0, 1200.0, 3600.0, 8000.0],
         unloading_N: vec![0.0, 700.0, 2500.0, 6800.0],

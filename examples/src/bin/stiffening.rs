@@ -3,7 +3,7 @@
 //! `cargo run -p examples --bin stiffening docs/book/src/figures/elasticity.svg` writes the drawing.
 #![expect(clippy::print_stdout, reason = "a program that shows its figures")]
 
-use cdpr::cable::stretch::polynomial::Polynomial;
+use cdpr::cable::stretch::polynomial_law;
 use examples::drawing::{Panel, Picture};
 
 /// Largest strain drawn.
@@ -13,7 +13,7 @@ const POINTS: u32 = 121;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // ANCHOR: polynomial
     // f = c₁ ε + c₂ ε² + c₃ ε³ up to 4.5 kN
-    let rope = Polynomial::new(&[2e5, 1e7, 4e8], Some(4500.0))?;
+    let rope = polynomial_law(&[2e5, 1e7, 4e8], Some(4500.0))?;
     let (tension, slope) = rope.tension(0.006);
     // EA at this tension, and back from tension to strain
     assert!((tension - 1646.4).abs() < 1e-9 && (slope - 363_200.0).abs() < 1e-6);

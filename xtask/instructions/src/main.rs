@@ -26,7 +26,7 @@ fn main() {
     if std::env::args().nth(1).as_deref() == Some("--portable") {
         Unit::limit(Unit::Portable);
     }
-    let unit = Unit::available().pop().expect("every machine has the portable one");
+    let unit = Unit::available().last().expect("every machine has the portable one");
     println!("unit {unit:?}");
     inverse_kinematics();
     forward();

@@ -228,7 +228,7 @@ fn all_bits(problems: &[Problems]) -> Vec<(String, Bits)> {
 #[test]
 fn every_unit_gives_the_bits_of_the_portable_one() {
     let problems = problems(45);
-    let units = Unit::available();
+    let units: Vec<Unit> = Unit::available().collect();
     Unit::limit(Unit::Portable);
     let expected = all_bits(&problems);
     let count: usize = expected.iter().map(|(_, bits)| bits.0.len()).sum();

@@ -1,15 +1,10 @@
-//! What one cable does, one file per effect, written once over [`crate::scalar::Real`].
+//! One cable: the laws of [`cdpr_core::cable`], made of what a robot file says of it, and its winch.
 
 pub mod elasticity;
-pub mod law;
-pub mod outlet;
-mod path;
-pub mod span;
-mod state;
 pub mod stretch;
 pub mod winch;
-pub(crate) mod wrench;
 
-pub use path::{CablePath, GeometryError};
-pub use state::{CableInput, CableState, CableStateError, Recording};
-pub use wrench::CableEnd;
+pub(crate) use cdpr_core::cable::wrench;
+pub use cdpr_core::cable::{
+    CableEnd, CableInput, CablePath, CableState, CableStateError, GeometryError, Recording, law, outlet, span,
+};

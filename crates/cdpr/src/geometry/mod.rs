@@ -1,17 +1,9 @@
 //! Poses, twists, wrenches and motion patterns; nothing here knows of a robot.
 
-mod angle_rates;
 mod pattern;
-mod pose;
 mod pose_batch;
 
+pub use cdpr_core::geometry::{Pose, Twist, Wrench};
 pub use pattern::{MotionPattern, PatternError, Plane};
-pub use pose::Pose;
 pub use pose_batch::PoseBatch;
 pub(crate) use pose_batch::{POSE_ROWS, in_lanes, transpose};
-
-/// Six numbers [v; ω] (m/s, rad/s) or a small displacement [δr; δφ] (m, rad): world axes, rotation acting from the left.
-pub type Twist = nalgebra::Vector6<f64>;
-
-/// Force and moment about the platform origin, world axes (N, N·m); acts *on* the platform: Aᵀ f + w = 0.
-pub type Wrench = nalgebra::Vector6<f64>;

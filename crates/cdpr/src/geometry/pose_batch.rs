@@ -1,12 +1,9 @@
 //! Many poses, eight side by side.
 
-use nalgebra::{Quaternion, Unit, Vector3};
-
 use super::Pose;
 use crate::scalar::{LANES, LaneTable, Lanes, Line, Real};
 
-/// Position x, y, z, then the quaternion x, y, z, w.
-pub(crate) const POSE_ROWS: usize = 7;
+pub(crate) use cdpr_core::geometry::POSE_ROWS;
 
 /// Many poses, stored so that a vector register takes one number of eight poses at once.
 ///
@@ -83,19 +80,6 @@ impl PoseBatch {
     }
 }
 
-impl Pose {
-    /// Position x, y, z, then the quaternion x, y, z, w.
-    pub(crate) fn numbers(&self) -> [f64; POSE_ROWS] {
-        let (r, q) = (&self.position, &self.rotation.coords);
-        [r.x, r.y, r.z, q.x, q.y, q.z, q.w]
-    }
-
-    /// The inverse of [`Pose::numbers`].
-    pub(crate) fn from_numbers([x, y, z, i, j, k, w]: [f64; POSE_ROWS]) -> Self {
-        Self { position: Vector3::new(x, y, z), rotation: Unit::new_unchecked(Quaternion::new(w, i, j, k)) }
-    }
-}
-
 /// Up to eight poses side by side; places without one get copies of the last.
 #[inline(always)]
 pub(crate) fn transpose(poses: &[Pose], rows: &mut [Line]) {
@@ -134,6 +118,8 @@ pub(crate) fn rotation_rows<T: Real>([i, j, k, w]: [T; 4]) -> [[T; 3]; 3] {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
 
     #[test]

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use crate::cable::elasticity::Elasticity;
+use crate::cable::elasticity::linear_elasticity;
 use crate::model::{Composition, CompositionError, FreeParameters, ParameterError, SpanEffect};
 use crate::robot::{ParameterKind, Robot};
 
@@ -98,7 +98,7 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
     let has_pulleys =
         robot.cables.iter().all(|cable| cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_some());
-    let is_elastic = robot.cables.iter().all(|cable| Elasticity::of(cable).is_some_and(|law| !law.is_rigid()));
+    let is_elastic = robot.cables.iter().all(|cable| linear_elasticity(cable).is_some_and(|law| !law.is_rigid()));
     let has_weight = robot.gravity.is_some() && robot.cables.iter().all(|cable| cable.linear_density.is_some());
     let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
         (&[], &[&[], &[PulleyRadius]]),

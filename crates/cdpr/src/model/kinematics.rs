@@ -7,7 +7,7 @@ use super::composition::{Cables, Composition, StretchEffect};
 use super::error::{ModelError, require};
 use super::laws;
 use super::winching::winches_of;
-use crate::cable::elasticity::Elasticity;
+use crate::cable::elasticity::{Elasticity, linear_elasticity};
 use crate::cable::law::CableLaw;
 use crate::cable::outlet::{self, Contact, Outlet};
 use crate::cable::winch::Winch;
@@ -293,7 +293,7 @@ fn check_wrap_sides(robot: &Robot) -> Result<(), ModelError> {
 fn elasticity_of(robot: &Robot) -> Result<Vec<Elasticity<f64>>, ModelError> {
     let hint = " (or axial_compliance_per_N, or spring_constant_N_per_m)";
     let law = |(index, cable): (usize, &Cable)| {
-        let law = Elasticity::of(cable);
+        let law = linear_elasticity(cable);
         require(law.is_some(), ("elastic", "axial_stiffness_EA_N", hint), index, cable)?;
         Ok(law.unwrap_or(Elasticity::RIGID))
     };

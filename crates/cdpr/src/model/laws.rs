@@ -1,7 +1,5 @@
 //! The laws of a robot's cables under a composition of effects.
 
-use std::sync::Arc;
-
 use nalgebra::Vector3;
 
 use super::error::require;
@@ -11,9 +9,8 @@ use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Kind};
 use crate::cable::outlet::Outlet;
 use crate::cable::span::Shape;
-use crate::cable::stretch::Stretch;
-use crate::cable::stretch::hysteresis::{Hysteresis, Memory};
-use crate::cable::stretch::polynomial::Polynomial;
+use crate::cable::stretch::hysteresis::Memory;
+use crate::cable::stretch::{Stretch, hysteresis_law, polynomial_law};
 use crate::robot::{Cable, Robot, StiffnessBasis};
 
 /// Elements of a cable whose file does not say how many.
@@ -97,14 +94,14 @@ fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stre
             let key = ("polynomial", "tension_of_strain_N", "");
             require(cable.tension_of_strain.is_some(), key, index, cable)?;
             let coefficients = cable.tension_of_strain.as_deref().unwrap_or_default();
-            Stretch::Polynomial(Arc::new(Polynomial::new(coefficients, cable.tension_max).map_err(refused)?))
+            Stretch::Polynomial(polynomial_law(coefficients, cable.tension_max).map_err(refused)?)
         }
         StretchEffect::Hysteresis => {
             let Some(table) = &cable.hysteresis else {
                 require(false, ("hysteresis", "hysteresis", " as a table, e.g. from `cdpr test-bench`"), index, cable)?;
                 return Ok(Stretch::Rigid);
             };
-            Stretch::Hysteresis(Arc::new(Hysteresis::new(table).map_err(refused)?), Memory::virgin())
+            Stretch::Hysteresis(hysteresis_law(table).map_err(refused)?, Memory::virgin())
         }
     })
 }

@@ -2,14 +2,13 @@
 //!
 //! The bits are those of [`Model::path`] cable by cable, which is asked where a cable may have no path: it says why.
 
+use cdpr_core::structure::{Lengths, StructureColumns};
 use nalgebra::DMatrix;
 
-use super::{Model, in_pattern};
+use super::Model;
 use crate::cable::GeometryError;
-use crate::cable::wrench::wrench;
-use crate::geometry::{Pose, Twist};
-use crate::model::CableGroup;
-use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow};
+use crate::geometry::Pose;
+use crate::scalar::dispatch_narrow;
 
 impl Model {
     /// Geometric cable lengths q at a pose (m).
@@ -50,7 +49,7 @@ impl Model {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         let basis = self.twist_basis();
         let columns = matrix.as_mut_slice();
-        if dispatch_narrow(Columns { groups: self.groups(), basis, position, rotation: &rotation, columns }) {
+        if dispatch_narrow(StructureColumns { groups: self.groups(), basis, position, rotation: &rotation, columns }) {
             return Ok(());
         }
         for cable in 0..self.cable_count() {
@@ -63,79 +62,12 @@ impl Model {
     }
 }
 
-/// [`Model::write_cable_lengths`]; false where a cable may have no path.
-struct Lengths<'a> {
-    groups: &'a [CableGroup],
-    position: [f64; 3],
-    rotation: &'a [[f64; 3]; 3],
-    lengths: &'a mut [f64],
-}
-
-impl Kernel for Lengths<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> bool {
-        let zero = lanes.constant(0.0);
-        let mut needs_scalar = zero;
-        for (group, target) in self.groups.iter().zip(self.lengths.chunks_mut(LANES)) {
-            let cables = group.checked_paths(lanes, self.position, self.rotation);
-            needs_scalar = needs_scalar + cables.needs_scalar;
-            write(&cables.path.length.to_array(), target);
-        }
-        !lanes.any(zero.is_less(needs_scalar))
-    }
-}
-
-/// [`Model::write_structure_matrix`], column by column; false where a cable may have no path.
-struct Columns<'a> {
-    groups: &'a [CableGroup],
-    basis: &'a [Twist],
-    position: [f64; 3],
-    rotation: &'a [[f64; 3]; 3],
-    columns: &'a mut [f64],
-}
-
-impl Kernel for Columns<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> bool {
-        let zero = lanes.constant(0.0);
-        let mut needs_scalar = zero;
-        let n = self.basis.len();
-        for (group, target) in self.groups.iter().zip(self.columns.chunks_mut(LANES * n)) {
-            let cables = group.checked_paths(lanes, self.position, self.rotation);
-            needs_scalar = needs_scalar + cables.needs_scalar;
-            let rows = in_pattern(self.basis, wrench(cables.moment_arm, cables.path.direction));
-            let mut numbers = [[0.0; LANES]; 6];
-            for row in 0..6 {
-                numbers[row] = rows[row].to_array();
-            }
-            for (lane, column) in target.chunks_exact_mut(n).enumerate() {
-                for (row, entry) in column.iter_mut().enumerate() {
-                    *entry = numbers[row][lane];
-                }
-            }
-        }
-        !lanes.any(zero.is_less(needs_scalar))
-    }
-}
-
-/// The first of eight numbers, as many as there is room for.
-#[inline(always)]
-fn write(numbers: &[f64; LANES], target: &mut [f64]) {
-    match <&mut [f64; LANES]>::try_from(&mut *target) {
-        Ok(all) => *all = *numbers,
-        Err(_) => target.copy_from_slice(&numbers[..target.len()]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::geometry::Twist;
     use crate::model::{Composition, place_pulleys};
     use crate::robot::{Robot, builtin};
     use crate::scalar::{Unit, dispatch_on};
@@ -186,7 +118,8 @@ mod tests {
                 for unit in Unit::available() {
                     let (mut other, basis) = (matrix.clone(), model.twist_basis());
                     let columns = other.as_mut_slice();
-                    let kernel = Columns { groups: model.groups(), basis, position, rotation: &rotation, columns };
+                    let kernel =
+                        StructureColumns { groups: model.groups(), basis, position, rotation: &rotation, columns };
                     let _ = dispatch_on(unit, kernel);
                     assert_eq!(other, matrix, "{} on {unit:?}", model.robot().name);
                 }

@@ -1,5 +1,6 @@
 //! The description of a robot, in SI units and spatial vectors whatever its motion pattern.
 
+use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -196,16 +197,6 @@ pub enum WrapSide {
     Left,
     /// The cable turns right around it.
     Right,
-}
-
-/// Which length divides the specific stiffness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum StiffnessBasis {
-    /// k = EA/q, the dissertation's law.
-    Actual,
-    /// k = EA/q_θ.
-    Unstrained,
 }
 
 /// At which end of its free part a cable's tension is meant.

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::surroundings::ObstacleSection;
-use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, StiffnessBasis, TensionPlace, WrapSide};
+use cdpr_core::cable::elasticity::StiffnessBasis;
+
+use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.

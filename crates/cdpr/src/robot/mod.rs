@@ -14,9 +14,9 @@ mod surroundings;
 mod winch_reading;
 mod writing;
 
+pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
-    Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, StiffnessBasis, TensionPlace, TravelBox,
-    WrapSide,
+    Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
 };
 pub(crate) use parameter::{Head, axis_name};
 pub use parameter::{Parameter, ParameterKind};

@@ -1,8 +1,8 @@
 //! Ways to the least squares of parameters within bounds: what their steps are.
 
+use cdpr_core::solve::bounded::{Room, bounded_step, clamped, stopped};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::bounded::{Room, bounded_step, clamped, stopped};
 use super::{Control, OF_SINGULAR, StepRule};
 
 /// Method that finds the least squares of parameters. All end at the same optimum; they differ in the way there.

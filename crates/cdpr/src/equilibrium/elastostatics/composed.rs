@@ -16,7 +16,7 @@ use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::{CableInput, CableState, CableStateError};
 use crate::geometry::{Pose, Twist};
 use crate::model::{Cables, Composition, SpanEffect, StretchEffect};
-use crate::scalar::decomposition::smallest_eigenvalue_of;
+use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.

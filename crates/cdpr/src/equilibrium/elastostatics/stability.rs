@@ -8,7 +8,8 @@ use super::search::Attempt;
 use super::{Problem, Settings};
 use crate::geometry::{Pose, Twist};
 use crate::scalar::LANES;
-use crate::scalar::decomposition::{smallest_eigenvalue, smallest_eigenvalue_of, svd, symmetric_eigen};
+use crate::scalar::decomposition::{smallest_eigenvalue, svd, symmetric_eigen};
+use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::tension::{Limits, quadratic};
 
 /// How far from an unstable equilibrium to start again, relative to the mean length.

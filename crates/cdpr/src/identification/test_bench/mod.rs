@@ -13,6 +13,7 @@ use nalgebra::DMatrix;
 use thiserror::Error;
 
 use crate::cable::stretch::hysteresis::Hysteresis;
+use crate::cable::stretch::hysteresis_law;
 use crate::robot::{HysteresisTable, StretchError};
 
 pub use plain::{LinearFit, PolynomialFit};
@@ -181,7 +182,7 @@ pub fn identify(record: &Record, settings: &Settings) -> Result<Solution, InputE
     let smooth = strokes::smoothed(record, &strokes);
     let fit = branches::fit(&smooth, &record.tensions, pieces);
     let (table, zero) = fit.table(elongations, settings.length);
-    let law = Hysteresis::new(&table)?;
+    let law = hysteresis_law(&table)?;
     let strain = |elongation: f64| (elongation - zero) / settings.length;
     let residuals = residuals(&law, fit.start(strain(smooth[0])), &smooth, &record.tensions, strain);
     let on = |is_loading: bool| {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{Misfit, Record};
-use crate::cable::stretch::polynomial::Polynomial;
+use crate::cable::stretch::polynomial_law;
 
 /// Highest degree that is tried.
 const DEGREE: usize = 4;
@@ -65,7 +65,7 @@ fn of_degree(record: &Record, [lower, upper]: [f64; 2], length: f64, degree: usi
     let per_strain = length / width;
     let coefficients: Vec<f64> = (1..=degree).map(|k| shifted[k] * per_strain.powi(k as i32)).collect();
     let largest = record.tensions.iter().copied().fold(0.0, f64::max);
-    let law = Polynomial::new(&coefficients, Some(largest)).ok()?;
+    let law = polynomial_law(&coefficients, Some(largest)).ok()?;
     let strain = |elongation: f64| ((elongation - lower) / width - zero) / per_strain;
     let rows = record.elongations.iter().zip(&record.tensions);
     let misfit = Misfit::of(rows.map(|(&elongation, tension)| law.tension(strain(elongation)).0 - tension));

@@ -1,7 +1,7 @@
 //! Records of a cable whose law is none of ours come back within what the bench's noise leaves.
 
 use super::*;
-use crate::cable::stretch::polynomial::Polynomial;
+use crate::cable::stretch::polynomial_law;
 
 /// A rope by Bouc's and Wen's equation: stiffening as in Fig. 5.7 (500 N to 12 kN over 45 mm of a sample of 20 m, 38 to
 /// 600 kN/m), with friction that grows with the tension.
@@ -43,7 +43,7 @@ fn both_branches_of_a_foreign_law_come_back_within_half_a_percent_of_the_range()
     assert!(solution.linear.misfit.rms > 0.04 * range && solution.linear.misfit.rms < 0.2 * range);
     let polynomial = solution.polynomial.as_ref().unwrap();
     assert!(polynomial.misfit.rms < solution.linear.misfit.rms && solution.hysteresis.rms < polynomial.misfit.rms);
-    assert!(Polynomial::new(&polynomial.coefficients, Some(solution.tensions[1])).is_ok());
+    assert!(polynomial_law(&polynomial.coefficients, Some(solution.tensions[1])).is_ok());
     // the areas of loop and of record
     assert!(
         (solution.loss / solution.measured_loss - 1.0).abs() < 0.05,
@@ -58,7 +58,7 @@ fn both_branches_of_a_foreign_law_come_back_within_half_a_percent_of_the_range()
 #[test]
 fn small_cycles_inside_a_large_one_are_predicted() {
     let solution = identify(&bouc_wen(&cycles(2), 0.0), &settings()).unwrap();
-    let law = Hysteresis::new(&solution.table).unwrap();
+    let law = hysteresis_law(&solution.table).unwrap();
     let small = (0..=100).map(|k| 0.03 - 4e-5 * f64::from(k)).chain((0..=100).map(|k| 0.026 + 4e-5 * f64::from(k)));
     let path: Vec<f64> = cycles(1).into_iter().take(301).chain(small).collect();
     let record = bouc_wen(&path, 0.0);

@@ -4,16 +4,13 @@
 //! [`Model::structure_matrix`] are the same formulas for one number instead of eight. Where a cable has no path its numbers
 //! are NaN; [`Model::path`] says why.
 
-mod path;
 #[cfg(test)]
 mod tests;
 
-pub(super) use path::CablePathInLanes;
-
-use super::Model;
+use super::{Model, in_pattern};
 use crate::cable::wrench::wrench;
-use crate::geometry::{PoseBatch, Twist};
-use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Real, Unit, dispatch_on, over_parts};
+use crate::geometry::PoseBatch;
+use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, over_parts};
 
 impl Model {
     /// Geometric cable lengths q (m) of many poses, a row per cable: [`Model::cable_lengths`] for each.
@@ -150,25 +147,6 @@ impl Kernel for StructureMatrices<'_> {
             }
         }
     }
-}
-
-/// A wrench in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that start at zero.
-#[inline(always)]
-pub(crate) fn in_pattern<T: Real>(basis: &[Twist], wrench: [T; 6]) -> [T; 6] {
-    let zero = wrench[0].constant(0.0);
-    let mut column = [zero; 6];
-    if basis.len() == 6 {
-        for row in 0..6 {
-            column[row] = zero + wrench[row];
-        }
-        return column;
-    }
-    for (sum, twist) in column.iter_mut().zip(basis) {
-        for row in 0..6 {
-            *sum = *sum + zero.constant(twist[row]) * wrench[row];
-        }
-    }
-    column
 }
 
 /// The structure matrices of one group as the single pose gives them.

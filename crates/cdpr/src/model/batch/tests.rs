@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::geometry::Pose;
+use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, place_pulleys};
 use crate::robot::{Robot, builtin};
 

@@ -12,8 +12,7 @@ use thiserror::Error;
 use cubic::Cubic;
 pub use polynomial::rising_range;
 
-/// Most entries of `transition_strain`: each is one number of the cable's memory.
-pub const TRANSITION_LIMIT: usize = 8;
+pub use cdpr_core::cable::stretch::hysteresis::TRANSITION_LIMIT;
 
 /// How far the branches may cross by rounding of their printed digits, as a share of the largest tension.
 const CROSSING_TOLERANCE: f64 = 1e-9;

@@ -1,0 +1,106 @@
+//! How a cable at given tension changes with its own parameters.
+
+use super::matrix4::Matrix4;
+use super::{CableLaw, Kind};
+use crate::cable::elasticity::StiffnessBasis;
+use crate::cable::state::CableState;
+use crate::cable::stretch::Stretch;
+use crate::scalar::{add, scale};
+
+/// A parameter of one cable, beside its anchors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawParameter {
+    /// r_p (m).
+    PulleyRadius,
+    /// κ = 1/EA of a linear law (1/N).
+    Compliance,
+    /// q_h (m).
+    HiddenLength,
+}
+
+/// Change of a cable per unit of a parameter, at fixed platform anchor and tension at the outlet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LawChange {
+    /// Of the pull on the platform (N per unit).
+    pub pull: [f64; 3],
+    /// Of q_θ (m per unit).
+    pub controlled_length: f64,
+}
+
+impl CableLaw {
+    /// Derivative of a cable's state by a parameter; zero for one that the law does not have.
+    pub fn by_parameter(&self, state: &CableState, parameter: LawParameter) -> LawChange {
+        let length_change = |controlled_length| LawChange { pull: [0.0; 3], controlled_length };
+        match (self.kind, parameter) {
+            (Kind::Sagging(shape), _) => {
+                let path = self.path(state.end.anchor);
+                let side = Self::chord(&path).map_or(1.0, |chord| chord.side);
+                let evaluation = self.evaluate(shape, &state.span, side);
+                let (end, length) = self.sagging_change(state, parameter, side);
+                self.held_change(state, &evaluation.by_state, end, length)
+            }
+            (_, LawParameter::PulleyRadius) => match self.outlet.pulley() {
+                Some(_) => {
+                    let path = self.path(state.end.anchor);
+                    let by_length = self.length(path.length, state.outlet_tension).by_length;
+                    LawChange {
+                        pull: scale(state.outlet_tension, path.direction_by_radius),
+                        controlled_length: by_length * path.length_by_radius,
+                    }
+                }
+                None => length_change(0.0),
+            },
+            (Kind::Linear(law, Some(basis)), _) => {
+                let controlled = law.controlled_length_gradient(
+                    state.strained_length,
+                    state.outlet_tension,
+                    self.hidden_length,
+                    law.by_length + law.by_controlled_length,
+                    basis == StiffnessBasis::Unstrained,
+                );
+                length_change(match parameter {
+                    LawParameter::Compliance => controlled.by_compliance,
+                    _ => controlled.by_hidden_length,
+                })
+            }
+            (Kind::Stretching, LawParameter::HiddenLength) => {
+                let (strain, _) = self.stretch.strain(state.outlet_tension);
+                length_change(1.0 / (1.0 + strain) - 1.0)
+            }
+            (Kind::Rigid | Kind::Linear(..) | Kind::Stretching, _) => length_change(0.0),
+        }
+    }
+
+    /// Changes of end and controlled length at a fixed state.
+    fn sagging_change(&self, cable: &CableState, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
+        let state = &cable.span;
+        let frame = self.frame_end(state, side);
+        let ratio = frame.ratio;
+        match (parameter, &frame.outlet) {
+            (LawParameter::PulleyRadius, Some((pulley, outlet))) => {
+                let (contact, wrapped) = outlet.by_radius(pulley);
+                (contact, ratio * wrapped)
+            }
+            (LawParameter::PulleyRadius, None) => ([0.0; 3], 0.0),
+            (LawParameter::Compliance, _) if !matches!(self.stretch, Stretch::Linear(_)) => ([0.0; 3], 0.0),
+            (LawParameter::Compliance, _) => {
+                // ∫ τ ds, of elements too
+                let middle = add(state.force, scale(-0.5 * state.length, self.weight));
+                (scale(state.length, middle), -frame.outside * ratio * ratio * cable.outlet_tension)
+            }
+            (LawParameter::HiddenLength, _) => ([0.0; 3], ratio - 1.0),
+        }
+    }
+
+    /// What the state does so that end and tension stay.
+    fn held_change(&self, cable: &CableState, by_state: &Matrix4, end: [f64; 3], length: f64) -> LawChange {
+        let [x, y, z] = scale(1.0 / cable.outlet_tension, cable.span.force);
+        let mut rows = *by_state;
+        let length_row = rows.0[3];
+        rows.0[3] = [x, y, z, 0.0];
+        let state = rows.solve([[-end[0]], [-end[1]], [-end[2]], [0.0]]).map(|[entry]| entry);
+        let pull = add(scale(-1.0, [state[0], state[1], state[2]]), scale(state[3], self.weight));
+        let by_state: f64 = length_row.iter().zip(state).map(|(by, change)| by * change).sum();
+        LawChange { pull, controlled_length: length + by_state }
+    }
+}

@@ -1,0 +1,132 @@
+//! Eight lanes in one AVX-512 register.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use pulp::x86::V4;
+use pulp::{b8, f64x8};
+
+use super::angle::full_angle;
+use super::avx2::sums_of_halves;
+use super::dispatch::on_avx512;
+use super::{Kernel, LANES, Lanes, Real, Select};
+
+/// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx512 {
+    token: V4,
+    value: f64x8,
+}
+
+impl Avx512 {
+    /// Zeros; the token proves that the machine has the unit.
+    #[inline(always)]
+    pub(super) fn new(token: V4) -> Self {
+        Self { token, value: token.splat_f64x8(0.0) }
+    }
+}
+
+macro_rules! on_register {
+    ($trait:ident, $method:ident, $operation:ident) => {
+        impl $trait for Avx512 {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self { token: self.token, value: self.token.$operation(self.value, other.value) }
+            }
+        }
+    };
+}
+on_register!(Add, add, add_f64x8);
+on_register!(Sub, sub, sub_f64x8);
+on_register!(Mul, mul, mul_f64x8);
+on_register!(Div, div, div_f64x8);
+
+impl Neg for Avx512 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { token: self.token, value: self.token.xor_f64x8(self.value, self.token.splat_f64x8(-0.0)) }
+    }
+}
+
+impl Real for Avx512 {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        Self { token: self.token, value: self.token.splat_f64x8(x) }
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self { token: self.token, value: self.token.sqrt_f64x8(self.value) }
+    }
+
+    #[inline(always)]
+    fn full_angle(self, x: Self) -> Self {
+        full_angle(self, x)
+    }
+}
+
+impl Select for Avx512 {
+    type Mask = b8;
+
+    #[inline(always)]
+    fn is_less(self, other: Self) -> b8 {
+        self.token.cmp_lt_f64x8(self.value, other.value)
+    }
+
+    #[inline(always)]
+    fn select(self, mask: b8, otherwise: Self) -> Self {
+        Self { token: self.token, value: self.token.select_f64x8(mask, self.value, otherwise.value) }
+    }
+
+    #[inline(always)]
+    fn any(self, mask: b8) -> bool {
+        mask.0 != 0
+    }
+
+    #[inline(always)]
+    fn both(self, a: b8, b: b8) -> b8 {
+        b8(a.0 & b.0)
+    }
+
+    #[inline(always)]
+    fn either(self, a: b8, b: b8) -> b8 {
+        b8(a.0 | b.0)
+    }
+
+    #[inline(always)]
+    fn without(self, a: b8, b: b8) -> b8 {
+        b8(a.0 & !b.0)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self { token: self.token, value: self.token.abs_f64x8(self.value) }
+    }
+}
+
+impl Lanes for Avx512 {
+    #[inline(always)]
+    fn apart<K: Kernel>(self, part: K) -> K::Output {
+        on_avx512(self.token, part)
+    }
+
+    #[inline(always)]
+    fn load(self, source: &[f64]) -> Self {
+        let mut lanes = [0.0; LANES];
+        lanes.copy_from_slice(&source[..LANES]);
+        Self { token: self.token, value: pulp::cast(lanes) }
+    }
+
+    #[inline(always)]
+    fn to_array(self) -> [f64; LANES] {
+        pulp::cast(self.value)
+    }
+
+    #[inline(always)]
+    fn sums(four: [Self; 4]) -> [f64; 4] {
+        let [a, b, c, d] = four;
+        let halves = [pulp::cast(a.value), pulp::cast(b.value), pulp::cast(c.value), pulp::cast(d.value)];
+        sums_of_halves(*a.token, halves)
+    }
+}

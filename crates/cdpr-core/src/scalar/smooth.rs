@@ -1,0 +1,27 @@
+//! Numbers through which a smooth function of one variable can be put.
+
+use super::Real;
+
+/// A number with a value and, for dual numbers, derivatives that follow the chain rule.
+///
+/// Functions that are worked out for plain numbers, with their derivative, serve every such type: series, inverses found by
+/// iteration, tables.
+pub trait Smooth: Real {
+    /// The plain number.
+    fn value(self) -> f64;
+
+    /// f(self) for a function that has this value and this derivative there.
+    fn chain(self, value: f64, derivative: f64) -> Self;
+}
+
+impl Smooth for f64 {
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn chain(self, value: f64, _derivative: f64) -> Self {
+        value
+    }
+}

@@ -1,0 +1,177 @@
+//! Damped iterations: the one loop under every search for a pose, a cable's state, tensions or parameters.
+//!
+//! A [`Problem`] knows its residual, its equations and its retraction; [`descend`] knows when a step counts, when it must be
+//! shorter and when it was the last. Numbers are those of one problem (`f64`) or of eight side by side
+//! ([`Lanes`](crate::scalar::Lanes)): the decisions are the same code, lane by lane.
+
+pub mod bounded;
+mod convergence;
+mod damping;
+mod descend;
+#[cfg(test)]
+mod tests;
+
+pub use bounded::Room;
+pub use damping::OF_SINGULAR;
+pub use descend::descend;
+
+use crate::scalar::Select;
+
+/// Smallest pivot of least squares, beside its diagonal entry, that determines a direction: undamped, others would wander on
+/// rounding errors.
+pub const REGULAR: f64 = 1e-11;
+/// Share of a cost that its rounding hides.
+pub const ROUNDING_GAIN: f64 = 1e-13;
+
+/// Equations of a search, with the place where it stands and the place that it tries.
+pub trait Problem {
+    /// `f64` for one problem, lanes for several.
+    type Number: Select;
+
+    /// The step from where the search stands, which the next trials take.
+    fn step(&mut self, control: &Control<Self::Number>) -> Step<Self::Number>;
+
+    /// Residual and equations after this fraction of the step (at the start before the first step). Equations are not needed
+    /// after a trial that is the last.
+    fn evaluate(&mut self, fraction: Self::Number, is_last: bool) -> Trial<Self::Number>;
+
+    /// Moves on to the trial where the mask holds; the step was this much smaller than the one before it.
+    fn accept(&mut self, helps: Mask<Self>, contraction: Self::Number);
+
+    /// Whether a trial that does not help, after a step of this size, leaves nothing but rounding to gain.
+    #[inline(always)]
+    fn rests(&mut self, size: Self::Number, tolerance: Self::Number) -> Mask<Self> {
+        size.without(size.everywhere(true), tolerance.is_less(size))
+    }
+}
+
+/// Lanes of a problem in which a statement holds.
+pub type Mask<P> = <<P as Problem>::Number as Select>::Mask;
+
+/// Limits of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Control<N> {
+    /// Addition to the diagonal of the equations, in units of that diagonal.
+    pub damping: N,
+    /// Longest step, in the unit of [`Step::size`]; infinite unless a trust region limits it.
+    pub radius: N,
+}
+
+impl Control<f64> {
+    /// Control that does not limit a step.
+    pub fn none() -> Self {
+        Self { damping: 0.0, radius: f64::INFINITY }
+    }
+}
+
+/// Step of a search.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<N: Select> {
+    /// Length, in the unit of [`Rules::tolerance`].
+    pub size: N,
+    /// Share of the cost that the equations promise to remove; infinite where nobody asks.
+    pub gain: N,
+    /// Lanes in which a region or a bound cut the step: its size and gain do not tell how far the solution is.
+    pub is_cut: N::Mask,
+    /// Lanes whose equations have a solution.
+    pub is_regular: N::Mask,
+}
+
+impl<N: Select> Step<N> {
+    /// A step that nothing cut, of equations with a solution in these lanes.
+    #[inline(always)]
+    pub fn whole(size: N, is_regular: N::Mask) -> Self {
+        Self { size, gain: size.constant(f64::INFINITY), is_cut: size.everywhere(false), is_regular }
+    }
+}
+
+/// Outcome of an evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<N: Select> {
+    /// Lanes in which the trial is better than the place before.
+    pub helps: N::Mask,
+    /// Share of the cost that the step removed; infinite where nobody asks.
+    pub gain: N,
+}
+
+impl<N: Select> Trial<N> {
+    /// A trial of unknown gain.
+    #[inline(always)]
+    pub fn new(n: N, helps: N::Mask) -> Self {
+        Self { helps, gain: n.constant(f64::INFINITY) }
+    }
+}
+
+/// Way in which a step that does not help is made shorter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepRule {
+    /// Full Gauss–Newton or Newton steps: the first that does not help, or that shrinks to more than this share of the one
+    /// before, ends the search.
+    Plain {
+        /// Largest contraction of quickly converging steps.
+        slowest: f64,
+    },
+    /// Levenberg (1944), Marquardt (1963): more damping.
+    Damping,
+    /// The same direction, half as far; for one problem at a time.
+    Shortening,
+    /// A smaller trust region, whose shape is the problem's: dogleg (Powell 1970) or reflective (Branch, Coleman, Li 1999).
+    TrustRegion,
+}
+
+/// Rules of a search.
+#[derive(Clone, Copy, Debug)]
+pub struct Rules<N> {
+    /// Distance from the solution that ends the search, in the problem's own unit of length.
+    pub tolerance: N,
+    /// Most steps; one that is tried again, but shorter, counts once.
+    pub max_iterations: u32,
+    /// A step that promises to remove less than this share of the cost ends the search untried; 0 where nobody asks.
+    pub least_gain: f64,
+    /// Way in which steps are made shorter.
+    pub rule: StepRule,
+}
+
+/// End of a search.
+#[derive(Clone, Copy, Debug)]
+pub struct End<N> {
+    /// A [`Stop`] as a number.
+    stop: N,
+    /// Steps, those included that did not help; tried again, but shorter, they count once.
+    pub iterations: N,
+    /// Damping of the last step.
+    pub damping: N,
+}
+
+impl<N: Select> End<N> {
+    /// Lanes that ended with this reason.
+    #[inline(always)]
+    pub fn is(&self, stop: Stop) -> N::Mask {
+        let (code, half) = (stop as u8 as f64, 0.5);
+        let n = self.stop;
+        n.both(n.constant(code - half).is_less(n), n.is_less(n.constant(code + half)))
+    }
+}
+
+impl End<f64> {
+    /// Reason of the end.
+    #[inline(always)]
+    pub fn stop(&self) -> Stop {
+        [Stop::IterationLimit, Stop::Stationary, Stop::Stalled, Stop::Singular, Stop::Degenerate][self.stop as usize]
+    }
+}
+
+/// Reason why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// As many steps as allowed.
+    IterationLimit,
+    /// Remaining steps are within the tolerance.
+    Stationary,
+    /// No shorter step helped, though the steps had not become small.
+    Stalled,
+    /// The equations have no solution, however much they are damped.
+    Singular,
+    /// The start itself has no residual.
+    Degenerate,
+}

@@ -1,0 +1,108 @@
+//! Lengths and structure matrix Aᵀ of all cables at one pose, a cable per lane, into memory of the caller.
+
+mod group;
+
+pub use group::{CableGroup, CablePathInLanes};
+
+use crate::cable::wrench::wrench;
+use crate::geometry::Twist;
+use crate::scalar::{Kernel, LANES, Lanes, Real};
+
+/// Kernel of the geometric lengths q of all cables at a pose (m); false where a cable may have no path, and its number means nothing.
+#[derive(Debug)]
+pub struct Lengths<'a> {
+    /// Cables, eight a group.
+    pub groups: &'a [CableGroup],
+    /// r (world, m).
+    pub position: [f64; 3],
+    /// R by rows.
+    pub rotation: &'a [[f64; 3]; 3],
+    /// q of every cable, m numbers.
+    pub lengths: &'a mut [f64],
+}
+
+impl Kernel for Lengths<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> bool {
+        let zero = lanes.constant(0.0);
+        let mut needs_scalar = zero;
+        for (group, target) in self.groups.iter().zip(self.lengths.chunks_mut(LANES)) {
+            let cables = group.checked_paths(lanes, self.position, self.rotation);
+            needs_scalar = needs_scalar + cables.needs_scalar;
+            write(&cables.path.length.to_array(), target);
+        }
+        !lanes.any(zero.is_less(needs_scalar))
+    }
+}
+
+/// Kernel of the structure matrix Aᵀ at a pose, column by column \[u; b × u\] in the degrees of freedom; false where a cable may have no path, and its
+/// numbers mean nothing.
+#[derive(Debug)]
+pub struct StructureColumns<'a> {
+    /// Cables, eight a group.
+    pub groups: &'a [CableGroup],
+    /// Twists of the n degrees of freedom.
+    pub basis: &'a [Twist],
+    /// r (world, m).
+    pub position: [f64; 3],
+    /// R by rows.
+    pub rotation: &'a [[f64; 3]; 3],
+    /// n × m numbers, cable by cable.
+    pub columns: &'a mut [f64],
+}
+
+impl Kernel for StructureColumns<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> bool {
+        let zero = lanes.constant(0.0);
+        let mut needs_scalar = zero;
+        let n = self.basis.len();
+        for (group, target) in self.groups.iter().zip(self.columns.chunks_mut(LANES * n)) {
+            let cables = group.checked_paths(lanes, self.position, self.rotation);
+            needs_scalar = needs_scalar + cables.needs_scalar;
+            let rows = in_pattern(self.basis, wrench(cables.moment_arm, cables.path.direction));
+            let mut numbers = [[0.0; LANES]; 6];
+            for row in 0..6 {
+                numbers[row] = rows[row].to_array();
+            }
+            for (lane, column) in target.chunks_exact_mut(n).enumerate() {
+                for (row, entry) in column.iter_mut().enumerate() {
+                    *entry = numbers[row][lane];
+                }
+            }
+        }
+        !lanes.any(zero.is_less(needs_scalar))
+    }
+}
+
+/// The first of eight numbers, as many as there is room for.
+#[inline(always)]
+fn write(numbers: &[f64; LANES], target: &mut [f64]) {
+    match <&mut [f64; LANES]>::try_from(&mut *target) {
+        Ok(all) => *all = *numbers,
+        Err(_) => target.copy_from_slice(&numbers[..target.len()]),
+    }
+}
+
+/// A wrench in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that start at zero.
+#[inline(always)]
+pub fn in_pattern<T: Real>(basis: &[Twist], wrench: [T; 6]) -> [T; 6] {
+    let zero = wrench[0].constant(0.0);
+    let mut column = [zero; 6];
+    if basis.len() == 6 {
+        for row in 0..6 {
+            column[row] = zero + wrench[row];
+        }
+        return column;
+    }
+    for (sum, twist) in column.iter_mut().zip(basis) {
+        for row in 0..6 {
+            *sum = *sum + zero.constant(twist[row]) * wrench[row];
+        }
+    }
+    column
+}
