@@ -4,7 +4,7 @@ use super::Select;
 
 /// π/4 with its last 13 bits cut off, so that its product with a whole number up to 8 is exact.
 const EIGHTH_TURN_HIGH: f64 = 0.785_398_163_397_076_1;
-/// What [`EIGHTH_TURN_HIGH`] lacks of π/4.
+/// Rest of π/4 beyond [`EIGHTH_TURN_HIGH`].
 const EIGHTH_TURN_LOW: f64 = 3.721_773_740_243_311_6e-13;
 
 /// Polynomial P with atan(t) = t + t³ P(t²) for |t| ≤ 1/2, lowest power first; relative error of atan below 1e-17

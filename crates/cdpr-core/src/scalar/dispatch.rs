@@ -47,7 +47,7 @@ static WIDEST: AtomicU8 = AtomicU8::new(Unit::Avx512 as u8);
 /// assert_eq!(distances, [5.0; 16]);
 /// ```
 pub trait Kernel {
-    /// What the computation returns.
+    /// Type of the result.
     type Output;
 
     /// The computation; `lanes` is the source of further numbers (`constant`, `load`), its value does not matter.

@@ -7,7 +7,7 @@ pub trait Select: Real {
     /// Which lanes a statement holds in.
     type Mask: Copy;
 
-    /// Where `self < other`; nowhere that either is NaN.
+    /// Mask of the lanes with `self < other`; false where either is NaN.
     fn is_less(self, other: Self) -> Self::Mask;
 
     /// `self` where the mask holds, `otherwise` elsewhere.

@@ -146,7 +146,7 @@ pub enum PatternError {
     NotFinite {
         /// Position in the list, from 1.
         index: usize,
-        /// What was given.
+        /// Value given.
         value: f64,
     },
 }

@@ -10,7 +10,7 @@ pub(crate) fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().enumerate().skip(1).map(|(k, c)| c * k as f64).collect()
 }
 
-/// Where in 0..`end` the sign changes, in rising order: between two such places of the derivative there is at most one.
+/// Changes of sign in 0..`end`, in rising order: between two such places of the derivative there is at most one.
 pub(crate) fn sign_changes(coefficients: &[f64], end: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return Vec::new();
@@ -29,7 +29,7 @@ pub(crate) fn sign_changes(coefficients: &[f64], end: f64) -> Vec<f64> {
     found
 }
 
-/// Where a statement that holds at `from` and not at `to` stops to hold.
+/// Number at which a statement that holds at `from` and not at `to` stops to hold, to the last digit.
 pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = 0.5 * (from + to);

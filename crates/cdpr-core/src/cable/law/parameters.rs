@@ -92,7 +92,7 @@ impl CableLaw {
         }
     }
 
-    /// What the state does so that end and tension stay.
+    /// Change of pull and controlled length when the state follows so that the end (`end`, m) and the outlet tension stay.
     fn held_change(&self, cable: &CableState, by_state: &Matrix4, end: [f64; 3], length: f64) -> LawChange {
         let [x, y, z] = scale(1.0 / cable.outlet_tension, cable.span.force);
         let mut rows = *by_state;

@@ -14,7 +14,7 @@ pub struct Pulley<T> {
     pub side: f64,
 }
 
-/// Where a cable of given direction leaves, and how much of it is wrapped.
+/// Contact point and wrap angle of a cable that leaves in a given direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Outlet<T> {
     /// C, from the frame anchor (world, m).

@@ -53,7 +53,7 @@ struct Hanging<'a> {
     parts: Parts<f64>,
     /// ψ and its slope.
     psi: (f64, f64),
-    /// What 2 L/σ multiplies.
+    /// F − ½ p L + ψ (L/σ)² (F (p·p) − p (F·p)) (N): the span without stretch is 2 L/σ times this.
     inner: [f64; 3],
 }
 
@@ -85,7 +85,7 @@ impl Hanging<'_> {
     }
 }
 
-/// What values and derivatives share.
+/// Terms that values and derivatives share, with F the force at the start (N), p the weight (N/m) and L the length (m).
 struct Parts<T> {
     end: [T; 3],
     start_tension: T,

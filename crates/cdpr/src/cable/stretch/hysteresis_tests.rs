@@ -1,4 +1,4 @@
-//! What a rope's memory must do: close its loops, lose energy, rise, and go away with the width of the loop.
+//! Properties of a rope's memory: it closes its loops, loses energy, rises, and goes away with the width of the loop.
 
 use nalgebra::Const;
 use num_dual::{Derivative, DualVec};

@@ -24,7 +24,7 @@ pub struct Parameters {
     pub start_angle: f64,
     /// Controlled length at `start_angle` (m).
     pub start_length: f64,
-    /// Where the drum stands; `None` with a guide that travels with the contact point, for which it does not matter.
+    /// Place and axis of the drum; `None` with a guide that travels with the contact point, for which they do not matter.
     pub mounting: Option<Mounting>,
     /// Length of the groove along the axis (m); `None` is a groove without ends.
     pub groove_length: Option<f64>,
@@ -41,7 +41,7 @@ pub struct Mounting {
     pub axis: Vector3<f64>,
     /// Side on which the cable leaves.
     pub side: DrumSide,
-    /// Where the cable enters the first pulley (world, m).
+    /// Point at which the cable enters the first pulley (world, m).
     pub pulley: Vector3<f64>,
 }
 
@@ -63,7 +63,7 @@ pub struct DrumLength {
 }
 
 impl DrumLength {
-    /// What an angle beyond the groove gives where no error can be handed back.
+    /// Length and derivatives at an angle beyond the groove, where no error can be handed back: all NaN.
     pub(crate) const NAN: Self = Self {
         value: f64::NAN,
         by_angle: f64::NAN,
@@ -77,7 +77,7 @@ impl DrumLength {
 /// The path of a cable between drum and first pulley.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
-    /// Where the cable leaves the drum (world, m).
+    /// Point at which the cable leaves the drum (world, m).
     pub contact: Vector3<f64>,
     /// Length of the free part s (m).
     pub free_length: f64,
@@ -107,7 +107,7 @@ pub enum DrumError {
         key: &'static str,
         /// The value.
         value: f64,
-        /// What it must be.
+        /// Rule that it breaks, in words.
         needed: &'static str,
     },
 }
@@ -183,7 +183,7 @@ impl Drum {
         }
     }
 
-    /// Where the cable leaves the drum at an angle, and how it runs to the first pulley; `None` behind a guide.
+    /// Contact point, free length and fleet angle between drum and first pulley at a drum angle (rad); `None` behind a guide.
     pub fn departure(&self, angle: f64) -> Result<Option<Departure>, GrooveError> {
         let layer = self.layer_of_angle(angle)?;
         let departure = |mounting: Mounting| {

@@ -14,9 +14,9 @@ const LAYER_LIMIT: usize = 16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layer {
     pub(super) turns: Turns<f64>,
-    /// Where φ = 0: the full end of the first layer, the empty end of those above, which is where the layer below is full.
+    /// End at φ = 0: the full end of the first layer, the empty end of those above, at which the layer below is full.
     start: State,
-    /// Where φ is the whole groove: the empty end of the first layer, the full end of those above.
+    /// End at φ = the whole groove: the empty end of the first layer, the full end of those above.
     end: State,
     is_first: bool,
     mounting: Option<Mounting>,
@@ -101,7 +101,7 @@ impl Layer {
         }
     }
 
-    /// Where the layer is full of cable: its least angle and length.
+    /// End at which the layer is full of cable: its least angle and length.
     #[inline]
     pub(super) fn full(&self) -> State {
         match self.is_first && self.end.angle.is_finite() {
@@ -112,7 +112,7 @@ impl Layer {
         }
     }
 
-    /// Where the layer is empty: its largest angle and length.
+    /// End at which the layer is empty: its largest angle and length.
     #[inline]
     pub(super) fn empty(&self) -> State {
         if self.is_first { self.end } else { self.start }

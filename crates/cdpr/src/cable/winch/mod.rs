@@ -66,7 +66,7 @@ impl Winch {
         self.drum.length(motor_angle / self.gear_ratio)
     }
 
-    /// What the motor's encoder counts at a motor angle, from zero at the angle zero; `None` when its counts are unknown.
+    /// Encoder counts at a motor angle (rad), from zero at the angle zero; `None` when the counts per turn are unknown.
     pub fn encoder_counts(&self, motor_angle: f64) -> Option<f64> {
         Some(motor_angle / TAU * self.counts_per_turn?)
     }

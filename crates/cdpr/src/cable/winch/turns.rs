@@ -21,7 +21,7 @@ pub struct Turns<T> {
     pub pulley: Option<FirstPulley<T>>,
 }
 
-/// Where the cable goes from the drum, as the drum sees it.
+/// Place of the first pulley seen from the drum: distance from its axis, and offset along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstPulley<T> {
     /// Square of its distance d from the drum's axis (m²).
