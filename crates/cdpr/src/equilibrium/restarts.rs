@@ -1,4 +1,4 @@
-//! Where to start again when the guess led nowhere.
+//! Further starts of a search when the guess led nowhere.
 
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};

@@ -20,7 +20,7 @@ pub(super) struct Block {
     pub(super) start: CableValues,
     /// Recorded lengths, padded (m).
     recorded: Vec<f64>,
-    /// What makes lengths of motor angles, where a free parameter changes it.
+    /// Law from motor angles (rad) to recorded lengths (m), where a free parameter changes it.
     recorder: Option<Recorder>,
     /// 1/σ of each residual, 0 in the padding (1/m).
     weights: Vec<f64>,

@@ -14,7 +14,7 @@ use crate::robot::{ParameterKind, Robot};
 pub struct Candidate {
     /// The effects.
     pub composition: Composition,
-    /// What is free.
+    /// Free parameters.
     pub free: FreeParameters,
 }
 
@@ -26,7 +26,7 @@ pub enum CandidateError {
     Composition {
         /// The candidate.
         text: String,
-        /// What is wrong.
+        /// Mistake in the effects.
         reason: CompositionError,
     },
     /// The part after the colon.
@@ -34,7 +34,7 @@ pub enum CandidateError {
     Parameters {
         /// The candidate.
         text: String,
-        /// What is wrong.
+        /// Mistake in the parameters.
         reason: ParameterError,
     },
     /// Nothing between separators.
@@ -78,7 +78,7 @@ pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
     items.into_iter().map(str::parse).collect()
 }
 
-/// What decides which rungs the default ladder has.
+/// Conditions that decide which rungs the default ladder has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ladder {
     /// The data have recorded tensions: elastic models join where the robot's file states stiffness.

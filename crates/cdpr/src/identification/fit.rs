@@ -22,7 +22,7 @@ use crate::model::{FreeParameters, Model, identified_kind};
 use crate::robot::{Parameter, ParameterKind};
 pub use crate::solve::Minimizer;
 
-/// What is assumed, and when the fit stops.
+/// Assumptions and stop rules of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Parameters that stay at their value although `free` names them.
@@ -104,7 +104,7 @@ pub struct Estimate {
     pub name: String,
     /// Unit; empty for a ratio.
     pub unit: &'static str,
-    /// What the robot as given says; `None` where it says nothing, so that the start is a neutral value or a guess.
+    /// Value of the robot as given; `None` where its file states none, so that the start is a neutral value or a guess.
     pub nominal: Option<f64>,
     /// Value before the fit.
     pub start: f64,
@@ -149,7 +149,7 @@ pub struct Fit {
     /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
     /// start: the best optimum may then be one that no start led all cables to.
     pub basins: Vec<Basin>,
-    /// What a careful reader should know.
+    /// Warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What the data determine: rank, condition, standard deviations, weak directions, correlations.
+//! Identifiability of parameters from data: rank, condition, standard deviations, weak directions, correlations.
 
 use std::ops::Range;
 

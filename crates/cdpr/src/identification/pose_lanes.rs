@@ -52,7 +52,7 @@ impl PoseLanes {
     }
 }
 
-/// What the lengths of one cable are made of; anchors in world and platform components.
+/// Parameters of the lengths of one cable: outlet and anchors (world and platform components, m), offset (m), scale, drum.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CableValues {
     pub(super) outlet: Outlet<f64>,

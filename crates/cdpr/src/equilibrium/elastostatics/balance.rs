@@ -165,7 +165,7 @@ fn share_of_small<L: Select>(lanes: L, strain: L) -> L {
         / (number(1.0) + strain * (number(4.0 / 3.0) + strain * number(0.4)))
 }
 
-/// What eight cables do at their lengths.
+/// Tension (N), stiffness (N/m) and energy (J) of eight cables at their lengths.
 pub(super) struct Pull<L> {
     pub(super) tension: L,
     /// ∂f/∂q; 0 where slack.

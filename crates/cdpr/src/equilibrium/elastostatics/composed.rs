@@ -39,7 +39,7 @@ pub(super) struct Composed {
     is_rigid: bool,
 }
 
-/// Where a search stands.
+/// State of a search: pose with its residual wrench.
 #[derive(Clone, Copy)]
 struct Point {
     pose: Pose,
@@ -60,7 +60,7 @@ enum Failure {
     Iterations,
 }
 
-/// What a search needs to know.
+/// Forward problem of one search: lengths (m), load, and scales of the residual (m).
 struct Problem<'a> {
     model: &'a Model,
     load: &'a Load,
@@ -375,8 +375,8 @@ fn smallest(symmetric: &Matrix6<f64>, dof: usize) -> f64 {
     }
 }
 
-/// Where the platform comes to rest when its cables are straight and stretch linearly, as these do at half their largest
-/// tension; the guess when nothing is found.
+/// Pose of rest when cables are straight and stretch linearly, as these do at half their largest tension; the guess when none
+/// is found.
 fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError> {
     let mut robot = problem.model.robot().clone();
     for (cable, data) in robot.cables.iter_mut().enumerate() {

@@ -18,7 +18,7 @@ pub(super) struct Tensions {
     pub(super) trial_lengths: Vec<[f64; LANES]>,
 }
 
-/// Where one descent ended.
+/// End of one descent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct End {
     pub(super) pose: Pose,
@@ -205,7 +205,7 @@ impl<L: Lanes, const N: usize> Descent<'_, L, N> {
         }
     }
 
-    /// What makes an entry a translation, or a rotation times the platform radius.
+    /// Factor that makes an entry a length: 1 for translations, the platform radius (m) for rotations.
     #[inline(always)]
     fn radius(&self, entry: usize) -> f64 {
         if entry < self.problem.model.axes().len() { 1.0 } else { self.problem.platform_radius }

@@ -11,7 +11,7 @@ use crate::scalar::LANES;
 /// Relative error of a length, a few roundings, in [`Problem::undecided`].
 pub(super) const ROUNDING: f64 = 1e-14;
 
-/// What one start led to.
+/// Result of one start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
     pub(super) end: End,

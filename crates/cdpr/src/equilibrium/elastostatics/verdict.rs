@@ -1,4 +1,4 @@
-//! What to make of the best attempt: status and reason in words.
+//! Verdict on the best attempt: status and reason in words.
 
 use super::descent::Stop;
 use super::multipliers::Rigid;

@@ -29,7 +29,7 @@ struct Reflections<'a, L> {
     factors: [L; 6],
     /// The rows' lengths, squared.
     squares: [L; 6],
-    /// What rows not yet reached leave of the load.
+    /// Components of the load that rows not yet reached have to balance (N, N·m).
     residual: [L; 6],
     /// Rᵀ y = −residual, zeros behind.
     solution: [L; LANES],

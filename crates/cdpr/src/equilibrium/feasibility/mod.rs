@@ -130,7 +130,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// What lanes know of a pose.
+/// Verdict of the lanes on a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Verdict {
     Feasible,

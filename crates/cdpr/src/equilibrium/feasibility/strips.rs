@@ -25,7 +25,7 @@ pub(super) struct Strips {
     scale: f64,
 }
 
-/// What the tests found so far.
+/// Largest excesses that the tests found so far.
 struct Margins<L> {
     /// Largest excess less the band: above rounding, no tensions exist.
     outside: L,

@@ -37,7 +37,7 @@ impl Residuals {
 /// Steps that shrink less than this fraction make the descent use second derivatives.
 pub(super) const SLOW_CONTRACTION: f64 = 0.1;
 
-/// Where one descent ended.
+/// End of one descent.
 pub(super) struct End {
     pub(super) pose: Pose,
     pub(super) rms: f64,

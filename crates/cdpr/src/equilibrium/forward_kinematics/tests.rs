@@ -1,4 +1,4 @@
-//! What the descent promises on every machine.
+//! Promises of the descent on every machine.
 
 use nalgebra::Vector3;
 

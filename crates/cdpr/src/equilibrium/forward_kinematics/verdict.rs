@@ -1,4 +1,4 @@
-//! What to make of the best end of a search: status and reason in words.
+//! Verdict on the best end of a search: status and reason in words.
 
 use super::Status;
 use super::descent::{End, Problem, Stop};

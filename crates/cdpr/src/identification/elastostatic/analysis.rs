@@ -1,4 +1,4 @@
-//! What the data determine of an elastic model, and the report of its fit.
+//! Identifiability of an elastic model's parameters, and the report of its fit.
 
 use nalgebra::{DMatrix, DVector};
 

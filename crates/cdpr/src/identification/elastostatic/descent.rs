@@ -30,7 +30,7 @@ pub(super) struct Problem<'a> {
     scale: Vec<f64>,
 }
 
-/// Where a descent ended.
+/// End of a descent.
 #[derive(Clone, Debug)]
 pub(super) struct End {
     pub(super) values: Vec<f64>,
@@ -42,9 +42,9 @@ pub(super) struct End {
 
 /// An undamped Gauss–Newton step.
 pub(super) struct PlainStep {
-    /// Where it leads.
+    /// Parameter values after the step.
     pub(super) values: Vec<f64>,
-    /// What it promises to gain (twice that of the quadratic model).
+    /// Predicted reduction of the cost (twice that of the quadratic model).
     pub(super) predicted_reduction: f64,
     /// Cost where it started.
     pub(super) cost: f64,

@@ -1,4 +1,4 @@
-//! Where the rows are linearised: at the poses and tensions that the model and the measurements agree on best.
+//! Points of linearisation of the rows: the poses and tensions that the model and the measurements agree on best.
 //!
 //! Derivatives at the measured values are themselves noisy, and their noise is that of the residuals: taken there, they pull
 //! parameters towards wrong values however many samples there are. So poses and tensions are corrected along with the

@@ -5,7 +5,7 @@ use crate::identification::fit::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE};
 use crate::measurement::Samples;
 use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 
-/// What the weights take for the sensors' accuracies, and whether any of it was stated.
+/// Standard deviations of the sensors for the weights (m, rad, N), and whether any of them was stated.
 ///
 /// An accuracy that is not stated counts as exact beside a stated one of the same kind of row; floors far below any
 /// sensor keep the covariances regular.

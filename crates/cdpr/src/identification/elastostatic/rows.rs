@@ -12,7 +12,7 @@ use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::LANES;
 use crate::statics::Load;
 
-/// Where the rows of one sample are written: n + m rows of the padded Jacobian, its last used column the residual.
+/// Rows of one sample: n + m rows of the padded Jacobian, its last used column the residual.
 #[derive(Clone, Debug)]
 pub(super) struct SampleRows {
     /// Wrench rows, then length rows.
@@ -41,7 +41,7 @@ pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usiz
     (0..=model.cable_count()).map(before).collect()
 }
 
-/// What one sample records of its cables.
+/// Recorded lengths of one sample's cables, with their motor angles.
 #[derive(Clone, Copy)]
 pub(super) struct Recorded<'a> {
     /// Lengths (m).

@@ -12,10 +12,10 @@ use crate::solve::{
 /// Steps that are recorded without allocating again; few descents take more.
 const HISTORY_CAPACITY: usize = 16;
 
-/// Where the descent of one block ended.
+/// End of the descent of one block.
 pub(super) struct End {
     pub(super) values: CableValues,
-    /// What the parameters moved by.
+    /// Change of the parameters from the block's start values.
     pub(super) change: Vec<f64>,
     pub(super) cost: f64,
     pub(super) iterations: u32,

@@ -26,7 +26,7 @@ pub enum InputError {
         sample: usize,
         /// Number of the cable, from 1.
         cable: usize,
-        /// What is wrong.
+        /// Reason why the cable has no state.
         reason: crate::cable::CableStateError,
     },
     /// No samples.
@@ -70,7 +70,7 @@ pub enum InputError {
     Degenerate {
         /// Number of the sample, from 1.
         sample: usize,
-        /// What is wrong there.
+        /// Reason why the cable has no path there.
         reason: GeometryError,
     },
     /// A prior that cannot be read.

@@ -1,4 +1,4 @@
-//! What the block solver promises on every machine.
+//! Promises of the block solver on every machine.
 
 use nalgebra::Vector3;
 

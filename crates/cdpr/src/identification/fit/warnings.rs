@@ -1,4 +1,4 @@
-//! What a careful reader of a fit should know, in words.
+//! Warnings about a fit, in words: doubts about noise, bounds and rank.
 
 use super::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, Estimate};
 use crate::identification::weights::Weights;
@@ -29,7 +29,7 @@ pub(in crate::identification) fn suspicious_units(model: &Model, samples: &Sampl
     warnings
 }
 
-/// What the noise and the bounds of a kinematic fit give reason to say.
+/// Warnings about noise and bounds of a kinematic fit.
 pub(super) fn of_fit(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {
     let mut warnings = Vec::new();
     if weights.absolute {

@@ -66,7 +66,7 @@ impl Misfit {
     }
 }
 
-/// What a record says of a cable.
+/// Laws fitted to a record of a cable, with their misfits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// The table for the robot file.
@@ -116,7 +116,7 @@ pub enum InputError {
         loading: usize,
         /// Full strokes with shrinking elongation.
         unloading: usize,
-        /// What counts as full (%).
+        /// Least share of all elongations of a full stroke (%).
         percent: u32,
     },
     /// Fewer rows than unknowns.
@@ -138,7 +138,7 @@ pub enum InputError {
     NotRising {
         /// `loading` or `unloading`.
         branch: &'static str,
-        /// Where (m).
+        /// Elongation from which on the tension falls (m).
         elongation: f64,
         /// By how much (N).
         drop: f64,
@@ -148,7 +148,7 @@ pub enum InputError {
         "at the elongation {elongation:.5} m the tension while unloading is {above:.1} N above that while loading: the cable would give energy. Is the order of rows, or the sign of `elongation` or `direction`, reversed?"
     )]
     BranchesCross {
-        /// Where (m).
+        /// Elongation at which the branches cross (m).
         elongation: f64,
         /// By how much (N).
         above: f64,

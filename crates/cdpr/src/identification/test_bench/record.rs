@@ -26,7 +26,7 @@ pub struct RecordReading {
     pub notices: Vec<String>,
 }
 
-/// What columns may be named, and their factor to SI.
+/// Names of columns, their quantity and factor to SI.
 const COLUMNS: &[(&str, Quantity, f64)] = &[
     ("elongation_m", Quantity::Elongation, 1.0),
     ("elongation_mm", Quantity::Elongation, 1e-3),

@@ -1,4 +1,4 @@
-//! Where the motion of a test bench turns, and the elongations without the noise between the turns.
+//! Turning points of a test bench's motion, and the elongations without the noise between them.
 
 use std::ops::Range;
 

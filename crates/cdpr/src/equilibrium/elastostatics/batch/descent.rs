@@ -46,7 +46,7 @@ impl Descents<'_> {
     }
 }
 
-/// What became of one of the eight.
+/// Ending of a plain descent for one of eight platforms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
     /// It takes more than a plain descent.

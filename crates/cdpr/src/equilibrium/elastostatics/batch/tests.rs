@@ -84,7 +84,7 @@ fn a_batch_has_the_bits_of_single_problems_for_every_robot() {
     assert!(converged > 300, "{converged}");
 }
 
-/// What hangs slack is found by many more steps; whoever asks for taut cables does not wait for it, lanes or not.
+/// Equilibria with slack cables take many more steps; a batch asked for taut cables does not wait for them, lanes or not.
 #[test]
 fn asked_for_taut_cables_a_batch_ends_with_the_bars() {
     let settings = Settings { max_restarts: 0, ..Settings::default() };
