@@ -3,7 +3,7 @@
 use crate::reading::did_you_mean;
 use crate::robot::Robot;
 
-/// What a column holds.
+/// Quantity of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Quantity {
     /// Component of the position, from 0: of the world in a name, of the robot's plane once the header is read.

@@ -1,4 +1,4 @@
-//! What was probably meant by a first line that does not name the columns as they are read.
+//! Guesses at the meaning of a first line that does not name the columns as they are read.
 
 use crate::reading::did_you_mean;
 
@@ -31,7 +31,7 @@ const SYNONYMS: &[(&str, &[&str])] = &[
 /// Units that stand in names, whether they are read or not.
 const UNITS: &[&str] = &["", "m", "mm", "cm", "rad", "deg", "n", "kn"];
 
-/// What keeps the first line from being read at all: a comment, or another separator than the comma.
+/// Mistake that keeps the first line from being read at all: a comment, or another separator than the comma.
 pub(super) fn of_first_line(line: &str) -> Option<HeaderMistake> {
     if line.trim_start().starts_with('#') {
         return Some(HeaderMistake {

@@ -22,7 +22,7 @@ const LOOKED_AT: usize = 200;
 /// No length and no position is farther than this many times the distance of the frame anchors.
 const FARTHEST: f64 = 50.0;
 
-/// What the numbers say about their units.
+/// Verdict of the numbers on their units.
 #[derive(Debug, PartialEq)]
 pub(super) enum Finding {
     /// Nothing.

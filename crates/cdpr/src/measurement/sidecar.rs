@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::SensorSigmas;
 use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
 
-/// What is known about a data set besides its samples.
+/// Metadata of a data set: sensors, frames and provenance of its samples.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sidecar {
@@ -17,7 +17,7 @@ pub struct Sidecar {
     /// The frames that poses refer to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<Frames>,
-    /// Where the data come from.
+    /// Provenance of the data.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub provenance: Option<Provenance>,
 }
@@ -30,7 +30,7 @@ pub struct Frames {
     pub description: String,
 }
 
-/// Where data come from.
+/// Provenance of data.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Provenance {

@@ -31,7 +31,7 @@ pub enum ModelError {
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// What is wrong.
+        /// Reason why the stretch of the cable is no law.
         reason: StretchError,
     },
     /// Cables with weight where no gravity is known.
@@ -49,7 +49,7 @@ pub enum ModelError {
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// What is wrong.
+        /// Reason why the drum has no law.
         reason: DrumError,
     },
     /// A pulley that does not swivel, on a robot that leaves its plane.

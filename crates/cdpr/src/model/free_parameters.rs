@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::{Model, StretchEffect};
 use crate::robot::{Head, Parameter, ParameterKind};
 
-/// What `--free` or `--hold` names: kinds of parameters, each for all cables or for some.
+/// Selection of parameters, free or held: kinds, each for all cables or for some.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FreeParameters {
     /// Kind and 0-based cables; `None` means every cable.

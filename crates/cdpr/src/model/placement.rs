@@ -15,7 +15,7 @@ pub enum PlacePulleysError {
     Cable {
         /// Number of the cable, from 1.
         cable: usize,
-        /// What is wrong.
+        /// Reason why the pulley has no unique place.
         reason: PlacementError,
     },
     /// A radius or axis that no pulley has.

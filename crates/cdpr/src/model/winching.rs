@@ -30,7 +30,7 @@ pub enum WinchError {
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// What it holds.
+        /// Length or angle beyond the groove, with the range that it holds.
         reason: GrooveError,
     },
     /// Not one angle per cable.

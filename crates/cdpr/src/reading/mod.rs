@@ -1,4 +1,4 @@
-//! What is wrong in a file that a user wrote: place, reason and how to mend it.
+//! Mistakes in a file that a user wrote: place, reason and how to mend it.
 //!
 //! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
 
@@ -58,9 +58,9 @@ const SHOWN_WIDTH: usize = 160;
 pub struct ReadError {
     /// The file as the caller named it.
     pub file_name: String,
-    /// Where in the file; `None` when the file as a whole is meant.
+    /// Place in the file; `None` when the file as a whole is meant.
     pub place: Option<Place>,
-    /// What is wrong and why.
+    /// Mistake with its reason, in words.
     pub message: String,
     /// How to mend it.
     pub help: Option<String>,

@@ -66,7 +66,7 @@ impl<'a> TomlDocument<'a> {
         ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, self.span(path)))
     }
 
-    /// Where the innermost existing part of a path stands; the value of a key, the header of a table.
+    /// Bytes of the innermost existing part of a path: the value of a key, the header of a table.
     fn span(&self, path: &[Step<'_>]) -> Range<usize> {
         let mut steps = path.iter();
         let Some(Step::Key(name)) = steps.next() else { return 0..0 };
@@ -138,7 +138,7 @@ impl<'a> TomlDocument<'a> {
     }
 }
 
-/// What a step leads to.
+/// Value that a step leads to.
 fn child<'t, 'a>(value: &'t Spanned<DeValue<'a>>, step: &Step<'_>) -> Option<&'t Spanned<DeValue<'a>>> {
     match (step, value.get_ref()) {
         (Step::Key(name), DeValue::Table(table)) => table.get(*name),

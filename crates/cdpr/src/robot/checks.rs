@@ -1,4 +1,4 @@
-//! What is odd about a robot without being wrong.
+//! Oddities of a robot that are no mistakes.
 
 use nalgebra::{DMatrix, Vector3};
 

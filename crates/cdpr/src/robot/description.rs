@@ -24,17 +24,17 @@ pub struct Robot {
     pub gravity: Option<Vector3<f64>>,
     /// Remarks, one paragraph each.
     pub notes: Vec<String>,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: Option<Source>,
     /// Mass properties.
     pub platform: Platform,
     /// A pose inside the workspace to start from.
     pub home: Option<Pose>,
-    /// What acts on the platform besides the cables.
+    /// External wrench on the platform, besides the cables.
     pub external_wrench: Option<ExternalWrench>,
     /// Box of platform positions for plotting and sampling; not a proven workspace.
     pub travel: Option<TravelBox>,
-    /// What stands in the way of cables.
+    /// Obstacles in the way of cables (world).
     pub obstacles: Vec<Obstacle>,
     /// The cables, in the order of every per-cable list.
     pub cables: Vec<Cable>,
@@ -42,7 +42,7 @@ pub struct Robot {
     pub reference_checks: Vec<ReferenceCheck>,
 }
 
-/// Where a robot's numbers come from.
+/// Source of a robot's numbers.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
@@ -86,7 +86,7 @@ pub struct ExternalWrench {
     pub wrench: Wrench,
     /// True when the weight is part of it and must not be added again.
     pub includes_gravity: bool,
-    /// Where it comes from.
+    /// Origin of the wrench.
     pub note: Option<String>,
 }
 
@@ -97,7 +97,7 @@ pub struct TravelBox {
     pub min: Vector3<f64>,
     /// Upper corner (world, m).
     pub max: Vector3<f64>,
-    /// Where the box comes from.
+    /// Origin of the box.
     pub note: Option<String>,
 }
 
@@ -158,7 +158,7 @@ pub struct Cable {
     pub drum_side: Option<DrumSide>,
     /// True when a guide travels with the contact point, so that the free length stays the same.
     pub drum_guided: Option<bool>,
-    /// Where the cable from the drum enters its first pulley (world, m); the frame anchor when unknown.
+    /// Point at which the cable from the drum enters its first pulley (world, m); the frame anchor when unknown.
     pub drum_pulley: Option<Vector3<f64>>,
     /// Drum angle at which the controlled length is `drum_start_length` (rad); 0 when unknown.
     pub drum_start_angle: Option<f64>,
@@ -180,7 +180,7 @@ pub struct Cable {
     pub tension_scale: Option<f64>,
     /// See `tension_scale` (N); 0 when unknown.
     pub tension_offset: Option<f64>,
-    /// Where recorded and given tensions act; at the outlet when unknown. Matters with sag.
+    /// Place at which recorded and given tensions act; the outlet when unknown. Matters with sag.
     pub tension_at: Option<TensionPlace>,
     /// Mass per length of the unstrained cable (kg/m).
     pub linear_density: Option<f64>,
@@ -237,7 +237,7 @@ impl DrumSide {
 #[serde(deny_unknown_fields)]
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
 pub struct ReferenceCheck {
-    /// What is compared.
+    /// Quantity compared, in words.
     pub what: String,
     /// Platform position (m).
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -35,18 +35,18 @@ pub(super) struct RobotFile {
     /// Remarks, one paragraph each.
     #[serde(default)]
     pub(super) notes: Vec<String>,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub(super) source: Option<Source>,
     /// Mass properties of the platform.
     #[serde(default)]
     pub(super) platform: PlatformSection,
     /// A pose inside the workspace to start from.
     pub(super) home_pose: Option<HomeSection>,
-    /// What acts on the platform besides the cables.
+    /// External wrench on the platform, besides the cables.
     pub(super) external_wrench: Option<WrenchSection>,
     /// Box of platform positions for plotting and sampling; not a proven workspace.
     pub(super) workspace: Option<WorkspaceSection>,
-    /// What stands in the way of cables.
+    /// Obstacles in the way of cables (world).
     #[serde(default)]
     pub(super) obstacle: Vec<ObstacleSection>,
     /// The cables, in the order of every per-cable list.
@@ -108,7 +108,7 @@ pub(super) struct WrenchSection {
     /// True when the weight is part of it and must not be added again.
     #[serde(default)]
     pub(super) includes_gravity: bool,
-    /// Where it comes from.
+    /// Origin of the wrench.
     pub(super) note: Option<String>,
 }
 
@@ -130,7 +130,7 @@ pub(super) struct WorkspaceSection {
     pub(super) position_min_m: Vec<f64>,
     /// Upper corner (world, m).
     pub(super) position_max_m: Vec<f64>,
-    /// Where the box comes from.
+    /// Origin of the box.
     pub(super) note: Option<String>,
 }
 
@@ -205,7 +205,7 @@ pub(super) struct CableSection {
     pub(super) drum_side: Option<DrumSide>,
     /// True when a guide travels with the contact point, so that the free length behind the drum stays the same.
     pub(super) drum_guided: Option<bool>,
-    /// Where the cable from the drum enters its first pulley (world, m); `frame_anchor_m` when missing.
+    /// Point at which the cable from the drum enters its first pulley (world, m); `frame_anchor_m` when missing.
     pub(super) drum_pulley_m: Option<Vec<f64>>,
     /// Drum angle at which the controlled length is `drum_start_length_m` (rad, paying out is positive); 0 when missing.
     pub(super) drum_start_angle_rad: Option<f64>,
@@ -227,7 +227,7 @@ pub(super) struct CableSection {
     pub(super) tension_scale: Option<f64>,
     /// See `tension_scale` (N).
     pub(super) tension_offset_N: Option<f64>,
-    /// Where recorded and given tensions act: `outlet` (the default) or `platform`. Matters with sag.
+    /// Place at which recorded and given tensions act: `outlet` (the default) or `platform`. Matters with sag.
     pub(super) tension_at: Option<TensionPlace>,
     /// Mass per length of the unstrained cable (kg/m), for the effects `catenary` and `finite-element`.
     #[schemars(range(min = 0))]

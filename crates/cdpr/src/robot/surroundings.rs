@@ -1,4 +1,4 @@
-//! What a cable can touch: obstacles in the world, and the body of the platform.
+//! Bodies that a cable can touch: obstacles in the world, and the body of the platform.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -11,12 +11,12 @@ use crate::reading::{ReadError, Step};
 /// Most points of a platform's body, and most obstacles: criteria look at every pair.
 const LIMIT: usize = 256;
 
-/// Something that stands in the world and that cables shall not touch.
+/// Body in the world that cables shall not touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle {
     /// Name for people.
     pub name: String,
-    /// Where it is.
+    /// Shape and place (world, m).
     pub shape: ObstacleShape,
 }
 
@@ -41,7 +41,7 @@ pub enum ObstacleShape {
     },
 }
 
-/// Something that cables shall not touch: a box along the world's axes (`position_min_m`, `position_max_m`) or a round strut of the frame (`from_m`, `to_m`, `radius_m`).
+/// Body that cables shall not touch: a box along the world's axes (`position_min_m`, `position_max_m`) or a round strut of the frame (`from_m`, `to_m`, `radius_m`).
 #[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ObstacleSection {

@@ -29,7 +29,7 @@ pub fn balanced_wrench(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<W
     Ok(-section_wrench(model, pose, tensions, &all)?)
 }
 
-/// What is missing to equilibrium, Aᵀ f + w, in the n degrees of freedom of the model (N, N·m): zero when the tensions
+/// Wrench missing to equilibrium, Aᵀ f + w, in the n degrees of freedom of the model (N, N·m): zero when the tensions
 /// balance the load. The platform starts to move in its direction.
 pub fn wrench_residual(
     model: &Model,

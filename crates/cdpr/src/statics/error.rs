@@ -22,7 +22,7 @@ pub enum StaticsError {
     NotFinite {
         /// Number of the cable, from 1.
         cable: usize,
-        /// What was given.
+        /// Value given (N).
         value: f64,
     },
     /// A tension with which the cable would push.
@@ -30,7 +30,7 @@ pub enum StaticsError {
     Negative {
         /// Number of the cable, from 1.
         cable: usize,
-        /// What was given (N).
+        /// Value given (N).
         value: f64,
     },
     /// A tension that leaves no unstretched cable.
@@ -58,7 +58,7 @@ pub enum StaticsError {
     CableState {
         /// Number of the cable, from 1.
         cable: usize,
-        /// What is wrong.
+        /// Reason why the cable has no state.
         reason: CableStateError,
     },
     /// A cable group names a cable that the robot does not have.

@@ -1,4 +1,4 @@
-//! What acts on the platform besides the cables.
+//! Load on the platform besides the cables: constant wrench and weight, w of Aᵀ f + w = 0 (N, N·m; world axes).
 
 use nalgebra::{DVector, Matrix3, Matrix6, Vector3};
 use thiserror::Error;

@@ -38,7 +38,7 @@ pub struct Stiffness {
     scaling: DVector<f64>,
 }
 
-/// What small displacements do to an equilibrium.
+/// Stability of an equilibrium under small displacements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {
     /// The platform is driven back in all directions.

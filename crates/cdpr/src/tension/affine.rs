@@ -18,7 +18,7 @@ pub(super) struct Affine {
     columns: Vec<Block>,
     /// Columns of H that are still free.
     dimension: usize,
-    /// What `fix` turns into one entry.
+    /// Row of H that `fix` turns into one entry.
     row: Vec<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! What a method says of one problem.
+//! Answer of a method to one problem.
 
 use serde::Serialize;
 
@@ -43,7 +43,7 @@ pub struct Answer {
     pub(super) certificate: Certificate,
 }
 
-/// What a reason starts from.
+/// Origin of a reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cause {
     /// The certificate, or nothing.

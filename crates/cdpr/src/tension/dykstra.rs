@@ -19,7 +19,7 @@ pub(super) const MAX_ROUNDS: u32 = 10_000;
 /// Rounds before it is asked whether there are tensions at all.
 pub(super) const FIRST_ROUNDS: u32 = 200;
 
-/// Where the search stands: x are the tensions of the caller.
+/// State of the search: y, q and the rounds so far; x are the tensions of the caller.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     cut: Vec<f64>,

@@ -64,7 +64,7 @@ pub enum InputError {
     /// An option that is a list has another length than asked for.
     #[error("expected {expected} {what}, found {found}")]
     OptionCount {
-        /// What is listed.
+        /// Entries of the list, in words.
         what: &'static str,
         /// Entries asked for.
         expected: usize,

@@ -1,4 +1,4 @@
-//! What each method remembers from one problem to the next, and when it has its turn.
+//! Memory of each method from one problem to the next, and the order of search and exact verdict.
 
 use super::affine::Affine;
 use super::answer::{Answer, Cause, Status};
@@ -66,7 +66,7 @@ impl Memory {
         }
     }
 
-    /// What is done before the exact verdict is asked for: true when it found tensions and needs none.
+    /// Searches before the exact verdict is asked for: true when it found tensions and needs none.
     pub(super) fn search(
         &mut self,
         problem: &Problem<'_>,
@@ -101,7 +101,7 @@ impl Memory {
         })
     }
 
-    /// What follows the exact verdict: the choice among allowed tensions, which `answer` has some of.
+    /// Chooses among allowed tensions after the exact verdict; `answer` begins with some.
     pub(super) fn search_on(
         &mut self,
         problem: &Problem<'_>,

@@ -19,7 +19,7 @@ use super::solver::Problem;
 /// Releases before giving up, per cable.
 const MAX_RELEASES: usize = 30;
 
-/// Where a cable stands.
+/// Place of a cable's tension within its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place {
     Least,

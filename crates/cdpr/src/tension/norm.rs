@@ -72,7 +72,7 @@ impl Search {
         self.qp.forget();
     }
 
-    /// Where the norm is zero.
+    /// Tension of a cable at which the norm is zero (N).
     fn target(&self, limits: &Limits, cable: usize) -> f64 {
         match self.end {
             End::Zero => 0.0,

@@ -1,4 +1,4 @@
-//! What a distribution may be asked for beside balance and limits.
+//! Wishes of a distribution beside balance and limits.
 
 use super::limits::can_be_calculated_with;
 use super::{InputError, Limits};
@@ -18,8 +18,8 @@ pub enum Reference<'a> {
 /// Wishes; `Options::default()` has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options<'a> {
-    /// What `qp`, `closed-form`, `improved-closed-form`, `dykstra` and `nearest-wrench` stay near to. The other methods have
-    /// an aim of their own.
+    /// Tensions that `qp`, `closed-form`, `improved-closed-form`, `dykstra` and `nearest-wrench` stay near to. The other methods
+    /// have an aim of their own.
     pub reference: Reference<'a>,
     /// Tensions of the step before, one per cable (N).
     pub previous: Option<&'a [f64]>,
@@ -31,8 +31,8 @@ pub struct Options<'a> {
     /// The p of `minimum` and `maximum`, from 1 to 8. The default 2 gives one answer that follows the load continuously;
     /// 1 sums the tensions up and jumps between corners of what is allowed.
     pub p: f64,
-    /// What the rows of the wrench are divided by where forces are weighed against moments (`nearest-wrench`): 1 for
-    /// forces and a length for moments (m). By default 1 for all: 1 N·m then counts as much as 1 N.
+    /// Divisors of the rows of the wrench where forces are weighed against moments (`nearest-wrench`): 1 for forces and a
+    /// length for moments (m). By default 1 for all: 1 N·m then counts as much as 1 N.
     pub lengths: Option<&'a [f64]>,
 }
 

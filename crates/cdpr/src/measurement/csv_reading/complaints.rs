@@ -1,4 +1,4 @@
-//! What is wrong with a measurement file, where, and how to mend it.
+//! Complaints about a measurement file: mistake, place, and how to mend it.
 
 use super::{Columns, CsvFile, Row};
 use crate::geometry::MotionPattern;

@@ -76,7 +76,7 @@ fn body(link: &Element<'_, '_>, findings: &mut Findings) -> Result<Body, ReadErr
     })
 }
 
-/// Where the joint stands in the world (m).
+/// Origin of the joint (world, m).
 fn origin(parent: &Element<'_, '_>) -> Result<Vector3<f64>, ReadError> {
     let number = parent.required("num")?;
     if number.index()? != 0 {

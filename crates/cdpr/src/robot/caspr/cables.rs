@@ -15,7 +15,7 @@ const TAKEN: &[&str] = &["cable_ideal", "cable_linear_spring"];
 /// Cables with devices of a stiffness that the file format has no law for; the device is left out.
 const TAKEN_WITHOUT_DEVICE: &[&str] = &["cable_vsd_torsion_spring", "cable_vsd_flexure_linear", "cable_vsd_polynomial"];
 
-/// What pulls without a winch.
+/// Cables that pull without a winch; the library has none.
 const PASSIVE: &[&str] = &["cable_passive_linear_spring"];
 
 /// How far from a plane an anchor may be by rounding of its digits (m).

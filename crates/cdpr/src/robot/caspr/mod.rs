@@ -74,7 +74,7 @@ pub struct Import {
     pub cable_set: String,
     /// All cable sets of the file.
     pub cable_sets: Vec<String>,
-    /// What the robot does not hold, in the order of the files.
+    /// Elements that the robot lacks, in the order of the files.
     pub findings: Vec<Finding>,
 }
 
@@ -104,7 +104,7 @@ pub struct Finding {
     pub file: String,
     /// Line in the file, from 1.
     pub line: usize,
-    /// What was not taken, and why.
+    /// Part that was not taken, with the reason.
     pub why: String,
 }
 
@@ -169,7 +169,7 @@ fn checked(robot: &Robot, set: &Element<'_, '_>) -> Result<Robot, ReadError> {
     })
 }
 
-/// What a reader of the robot file should know about its origin.
+/// Notes for the robot file on its origin.
 fn notes(joint: &joint::Joint, set: &cables::CableSet<'_, '_>, findings: &[Finding]) -> Vec<String> {
     let mut notes = vec![format!("CASPR joint {}, cable set {} of [{}].", joint.name, set.name, set.all.join(", "))];
     let acts = |finding: &&Finding| finding.loss != Loss::Ignored;

@@ -127,7 +127,7 @@ fn names_and_keys_are_those_that_files_and_results_use() {
     }
 }
 
-/// What a robot states may be written to its file, and is read from there: ranges of files and of parameters are the same.
+/// Numbers that a robot may have can be written to its file and read from there: ranges of files and of parameters are the same.
 #[test]
 fn values_out_of_range_are_those_that_robot_files_refuse() {
     let robot = Robot::builtin("cucablerobot").unwrap();

@@ -37,13 +37,13 @@ impl Cubic {
         c1 + x * (2.0 * c2 + x * 3.0 * c3)
     }
 
-    /// Where in 0..width the slope is least, and that slope; NaN counts as least.
+    /// Place in 0..width of the least slope, and that slope; NaN counts as least.
     pub(crate) fn least_slope(&self, width: f64) -> (f64, f64) {
         let [_, _, c2, c3] = self.0;
         least(&[0.0, width, -c2 / (3.0 * c3)], width, |x| self.slope(x))
     }
 
-    /// Where in 0..width the value is least, and that value.
+    /// Place in 0..width of the least value, and that value.
     pub(crate) fn least_value(&self, width: f64) -> (f64, f64) {
         let [_, c1, c2, c3] = self.0;
         // roots of the slope c₁ + 2 c₂ x + 3 c₃ x²

@@ -1,4 +1,4 @@
-//! What a robot file says of cables that do not stretch in proportion, and when it is a law at all.
+//! Tables of a robot file for cables that do not stretch in proportion, and the conditions under which they are a law.
 //!
 //! A law is refused unless tension rises with strain: otherwise one tension would belong to several lengths. The laws
 //! themselves are in [`crate::cable::stretch`].
@@ -69,7 +69,7 @@ pub enum StretchError {
         .largest.map_or(String::new(), |largest| format!(", below tension_max_N = {largest}"))
     )]
     Turns {
-        /// Where the slope is no longer positive.
+        /// Strain from which on the slope is no longer positive.
         strain: f64,
         /// The tension there (N).
         tension: f64,
@@ -117,7 +117,7 @@ pub enum StretchError {
     NotRising {
         /// The key.
         key: &'static str,
-        /// Where.
+        /// Strain at which the branch does not rise.
         strain: f64,
         /// The slope there (N; of strains: the step).
         slope: f64,
@@ -127,7 +127,7 @@ pub enum StretchError {
         "at strain {strain:.4e} the unloading branch is {above:.3} N above the loading branch: the cable would give energy"
     )]
     Crossing {
-        /// Where.
+        /// Strain at which the branches cross.
         strain: f64,
         /// By how much (N).
         above: f64,
@@ -139,7 +139,7 @@ pub enum StretchError {
         key: &'static str,
         /// The entry, or the sum of all.
         found: f64,
-        /// What holds.
+        /// Rule that it breaks, in words.
         rule: &'static str,
     },
 }

@@ -1,4 +1,4 @@
-//! What every stiffness obeys, and cases that can be done by hand.
+//! Laws that every stiffness obeys, and cases that can be done by hand.
 
 use nalgebra::{Matrix3, Vector3};
 

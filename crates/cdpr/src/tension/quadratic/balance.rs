@@ -23,7 +23,7 @@ pub(in crate::tension) struct Balance {
     cable_count: usize,
     dof: usize,
     blocks: usize,
-    /// What a row is multiplied by to have length 1: forces and moments have different units.
+    /// Factors that give each row the length 1: forces and moments have different units.
     row_scales: Vec<f64>,
     /// The rows, then the reflectors.
     columns: Vec<Block>,
@@ -40,12 +40,12 @@ pub(in crate::tension) struct Balance {
     coordinates: Vec<f64>,
 }
 
-/// What is left of a load that no tensions balance.
+/// Rest of a load that no tensions balance.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tension) struct Unreachable {
     /// Place (in the order of the factors) of the row that stays unbalanced.
     place: usize,
-    /// What is missing there.
+    /// Component missing there (of the row scaled to length 1).
     residual: f64,
 }
 

@@ -11,7 +11,7 @@ impl fmt::Display for Certificate {
 }
 
 impl Certificate {
-    /// What balance asks of which cables, and what their limits allow; a sentence part without a full stop.
+    /// Tensions that balance asks of cables against those that their limits allow (N); a sentence part without a full stop.
     ///
     /// In Σ cᵢ fᵢ = required the cables with c < 0 stand at their least tension, so that the others have least to do.
     fn sentence(&self) -> String {

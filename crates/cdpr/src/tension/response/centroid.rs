@@ -29,7 +29,7 @@ pub(super) struct Centroid {
     unit: f64,
 }
 
-/// Where a cable is on a limit.
+/// Facet of the allowed set on which a cable is at a limit.
 #[derive(Clone, Debug)]
 struct Facet {
     cable: usize,

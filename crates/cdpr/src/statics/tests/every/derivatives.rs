@@ -1,4 +1,4 @@
-//! What every composition says of a cable at rest, differentiated by dual numbers of its equations.
+//! Answers of every composition for a cable at rest, differentiated by dual numbers of its equations.
 
 use nalgebra::{Const, DMatrix, SVector, Vector3};
 use num_dual::DualVec;
@@ -42,7 +42,7 @@ fn gradient(dual: &Dual) -> SVector<f64, COUNT> {
 
 /// The equations of one cable at the state that the library found, and what follows from the state.
 struct Twin {
-    /// What vanishes beside the known quantity: three rows of a span, none of a straight cable.
+    /// Equations that vanish beside the known quantity: three rows of a span, none of a straight cable.
     equations: Vec<Dual>,
     pull: [Dual; 3],
     moment_arm: [Dual; 3],

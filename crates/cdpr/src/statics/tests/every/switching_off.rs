@@ -3,7 +3,7 @@
 use super::*;
 use crate::model::{SpanEffect, StretchEffect};
 
-/// What a model says of its cables at these tensions: lengths, wrenches in the pattern's degrees of freedom, and their
+/// Answers of a model for its cables at these tensions (N): lengths, wrenches in the pattern's degrees of freedom, and their
 /// derivatives.
 fn answers(model: &Model, pose: &Pose, tensions: &[f64]) -> Vec<f64> {
     let basis = model.twist_basis();
