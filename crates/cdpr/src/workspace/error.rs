@@ -50,9 +50,9 @@ pub enum WorkspaceError {
         criterion: &'static str,
         /// Name of the number.
         setting: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
-        /// What is allowed.
+        /// Values allowed, in words.
         wanted: &'static str,
     },
     /// Another number of ends than the box has.
@@ -78,13 +78,13 @@ pub enum WorkspaceError {
     /// Cells without a size.
     #[error("the step is {step} m; cells need a finite size above zero")]
     Step {
-        /// What was given (m).
+        /// Step given (m).
         step: f64,
     },
     /// More cells than can be counted.
     #[error("a step of {step} m cuts {extent} m into more cells than can be judged; take a larger one")]
     StepTooFine {
-        /// What was given (m).
+        /// Step given (m).
         step: f64,
         /// A side of the box (m).
         extent: f64,
@@ -106,7 +106,7 @@ pub enum WorkspaceError {
     /// Too few rays for a face, or more than memory.
     #[error("{rays} rays do not make a hull; between {least} and {most} do")]
     Rays {
-        /// What was given.
+        /// Rays given.
         rays: usize,
         /// Fewest.
         least: usize,
@@ -116,7 +116,7 @@ pub enum WorkspaceError {
     /// A bisection that would not end, or not begin.
     #[error("the tolerance is {tolerance} m; it must be finite and above zero")]
     Tolerance {
-        /// What was given (m).
+        /// Tolerance given (m).
         tolerance: f64,
     },
     /// A centre outside the box.

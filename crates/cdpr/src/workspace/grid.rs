@@ -127,7 +127,7 @@ pub struct Count {
     last: [Vec<u32>; 2],
 }
 
-/// What a grid says of a region.
+/// Outcome of counting the cells of a grid: size of a region and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Area (m²) or volume (m³): that of the cells at whose middle the criterion holds.
@@ -230,7 +230,7 @@ impl Count {
         }
     }
 
-    /// What the cells judged so far say.
+    /// Outcome of the cells judged so far.
     pub fn outcome(&self, grid: &Grid) -> Outcome {
         let cell = grid.cell_size();
         let centroid = match self.feasible_points {
@@ -272,7 +272,7 @@ fn expanded(lengths: &[u32]) -> Vec<bool> {
     runs.flat_map(|(index, &length)| std::iter::repeat_n(index % 2 == 1, length as usize)).collect()
 }
 
-/// What the answers for all cells say, slab after slab; panics when there is not one per cell.
+/// Outcome of the answers for all cells, slab after slab; panics when there is not one per cell.
 pub fn outcome(grid: &Grid, answers: &[bool]) -> Outcome {
     assert_eq!(answers.len() as u64, grid.points(), "one answer per cell");
     let mut count = Count::new();

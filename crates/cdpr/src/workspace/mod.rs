@@ -1,4 +1,4 @@
-//! Where a platform can be: criteria that judge one pose, and methods that find the set of poses at which they hold.
+//! Workspaces: criteria that judge one pose, and methods that find the set of poses at which they hold.
 //!
 //! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, where it fails, the first reason in words. A
 //! [`Region`] asks it about positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines them at

@@ -170,7 +170,7 @@ impl<'a> Region<'a> {
         if self.needs_every { answers.all(|holds| holds) } else { answers.any(|holds| holds) }
     }
 
-    /// Where along a ray from a point, in a direction of length 1 and so far (m), points belong to the region, in closed form;
+    /// Spans (m) of a ray from a point, in a direction of length 1 and so far (m), that belong to the region, in closed form;
     /// `None` where the criterion has none, or where several orientations count.
     pub fn holds_along(&self, from: &Point, direction: &Point, length: f64) -> Option<Spans> {
         let [rotation] = self.orientations[..] else { return None };

@@ -1,6 +1,6 @@
 //! The answer of a criterion.
 
-/// What a criterion says of one pose.
+/// Verdict of a criterion on one pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
     /// Signed margin in the criterion's unit: at least 0 where it holds, below 0 where it fails, −∞ where no amount would

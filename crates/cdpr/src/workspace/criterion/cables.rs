@@ -1,4 +1,4 @@
-//! What criteria ask of every cable: keys of the file, paths at a pose, and names.
+//! Data that criteria ask of every cable: keys of the file, paths at a pose, and names.
 
 use nalgebra::Vector3;
 

@@ -72,7 +72,7 @@ impl Criterion for LengthLimits<'_> {
     }
 }
 
-/// Where `way` + ρ `direction` is no longer than a radius: |way|² + 2 ρ way · direction + ρ² ≤ radius²; `None` where nowhere.
+/// Interval of ρ (m) with |way + ρ direction| ≤ radius: |way|² + 2 ρ way · direction + ρ² ≤ radius²; `None` where it is empty.
 fn in_sphere(way: &Vector3<f64>, direction: &Vector3<f64>, radius: f64) -> Option<[f64; 2]> {
     let nearest = -way.dot(direction);
     // the distance of the line, without the difference of large squares

@@ -1,4 +1,4 @@
-//! Where the minors of the structure matrix change their sign along a straight way.
+//! Changes of sign of the structure matrix' minors along a straight way.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -14,7 +14,7 @@ use crate::scalar::polynomial::sign_changes;
 pub(super) struct Minors {
     /// At t = 0.
     start: DMatrix<f64>,
-    /// What t = 1 adds.
+    /// Difference between t = 1 and t = 0.
     change: DMatrix<f64>,
     /// Length of the way (m).
     length: f64,

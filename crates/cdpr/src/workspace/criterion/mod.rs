@@ -50,7 +50,7 @@ use nalgebra::Vector3;
 use super::Verdict;
 use crate::geometry::Pose;
 
-/// Something that holds at some poses and fails at others.
+/// Property of poses: it holds at some and fails at others.
 ///
 /// A criterion holds what it needs (model, load, limits) and answers the same for the same pose, whatever was asked
 /// before: threads share it.
@@ -75,8 +75,8 @@ pub trait Criterion: Sync {
         30.0
     }
 
-    /// Where it holds along a straight way, in closed form: from `start` on with its rotation, along a direction of length 1, so
-    /// far (m). `None` where it has no closed form, as most criteria: then poses are judged.
+    /// Spans (m) of a straight way along which it holds, in closed form: from `start` on with its rotation, along a direction of
+    /// length 1, so far (m). `None` where it has no closed form, as most criteria: then poses are judged.
     ///
     /// A criterion answers all ways of one model alike, with intervals or with `None`.
     fn holds_along(&self, _start: &Pose, _direction: &Vector3<f64>, _length: f64) -> Option<Spans> {

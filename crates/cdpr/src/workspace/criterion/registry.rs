@@ -12,12 +12,12 @@ use crate::statics::{Load, LoadError};
 use crate::tension::{Limits, LimitsError};
 use crate::workspace::WorkspaceError;
 
-/// What criteria are made of. Load and limits may be unknown: only criteria that need them refuse then.
+/// Ingredients of criteria. Load and limits may be unknown: only criteria that need them refuse then.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
     /// Robot and effects.
     pub model: &'a Model,
-    /// What acts on the platform.
+    /// Load on the platform besides the cables.
     pub load: Result<Load, LoadError>,
     /// Least and largest tensions.
     pub limits: Result<Limits, LimitsError>,
@@ -27,7 +27,7 @@ pub struct Setting<'a> {
 pub struct Entry {
     /// The name.
     pub name: &'static str,
-    /// What it asks, in one line.
+    /// Question that it asks of a pose, in one line.
     pub summary: &'static str,
     /// The numbers that it takes, with their unit.
     pub numbers: &'static [Number],
@@ -61,7 +61,7 @@ pub enum WantedError {
     /// No criterion has the name.
     #[error("there is no criterion `{name}`; {cure}")]
     Unknown {
-        /// What was given.
+        /// Name given.
         name: String,
         /// The one that was meant, or all there are.
         cure: String,
@@ -69,7 +69,7 @@ pub enum WantedError {
     /// A number that is none, or that the criterion does not take.
     #[error("`{part}` is no number of the criterion `{name}`; {cure}")]
     Number {
-        /// What was given.
+        /// Part given.
         part: String,
         /// Name of the criterion.
         name: &'static str,

@@ -12,7 +12,7 @@ impl Spans {
         Self { parts: vec![[0.0, length]] }
     }
 
-    /// What lies in one of these intervals.
+    /// Union of these intervals (m).
     pub fn of(parts: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let mut all: Vec<[f64; 2]> = parts.into_iter().collect();
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -31,13 +31,13 @@ impl Spans {
         &self.parts
     }
 
-    /// What lies in the interval too.
+    /// Intersection with the interval.
     #[must_use]
     pub fn within(&self, [from, to]: [f64; 2]) -> Self {
         self.and(&Self { parts: vec![[from, to]] })
     }
 
-    /// What lies outside the interval; its ends stay. NaN takes nothing away.
+    /// Difference: the parts outside the interval; its ends stay. NaN takes nothing away.
     #[must_use]
     pub fn without(&self, [from, to]: [f64; 2]) -> Self {
         if !(from < to) {
@@ -46,14 +46,14 @@ impl Spans {
         self.and(&Self { parts: vec![[f64::NEG_INFINITY, from], [to, f64::INFINITY]] })
     }
 
-    /// What lies in both.
+    /// Intersection of both.
     #[must_use]
     pub fn and(&self, other: &Self) -> Self {
         let pairs = self.parts.iter().flat_map(|a| other.parts.iter().map(move |b| [a[0].max(b[0]), a[1].min(b[1])]));
         Self { parts: pairs.filter(|[from, to]| from <= to).collect() }
     }
 
-    /// What lies in one of them.
+    /// Union of both.
     #[must_use]
     pub fn or(&self, other: &Self) -> Self {
         Self::of(self.parts.iter().chain(&other.parts).copied())

@@ -100,7 +100,7 @@ fn a_suspended_robot_has_no_wrench_closure_and_a_constrained_one_has_it_at_home(
     assert!(held.holds() && held.margin <= 1.0, "{held:?}");
 }
 
-/// Where a cable has no path there is a verdict with its number, not a panic.
+/// A cable without a path gives a verdict with its number, not a panic.
 #[test]
 fn a_platform_on_an_anchor_fails_with_the_cable_that_has_no_path() {
     let model = standard("planar-example");

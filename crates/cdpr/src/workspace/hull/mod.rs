@@ -81,7 +81,7 @@ pub enum Status {
 #[must_use = "check `status` before using the size"]
 #[derive(Clone, Debug)]
 pub struct Hull {
-    /// Where the rays start (m).
+    /// Centre at which the rays start (m).
     pub center: Point,
     /// Direction of each ray, of length 1.
     pub directions: Vec<Point>,

@@ -1,4 +1,4 @@
-//! Where rays leave a region.
+//! Search for the points at which rays leave a region.
 
 use super::Settings;
 use crate::workspace::criterion::Spans;
@@ -21,7 +21,7 @@ pub(super) struct Found {
     pub(super) reentry: Reentry,
 }
 
-/// What rays saw of the region after they had left it.
+/// Parts of the region that rays met after they had left it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reentry {
     /// Number of rays that entered it again.
@@ -44,7 +44,7 @@ impl Rays<'_> {
         }
     }
 
-    /// What the spans of all rays say. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
+    /// Reads the spans of all rays. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
     fn read(&self, spans: &[Spans], tolerance: f64) -> Found {
         let (mut radii, mut rays_at_bounds, mut reentry, mut longest) = (Vec::new(), 0, Reentry::default(), 0.0);
         for (ray, spans) in spans.iter().enumerate() {

@@ -26,14 +26,14 @@ pub struct Mesh {
     pub vertices: Vec<[f64; 3]>,
     /// Vertices of each triangle by their index, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// What is known at the vertices.
+    /// Quantities known at the vertices.
     pub fields: Vec<Field>,
 }
 
 /// A quantity with a value at every vertex, such as the margin of a criterion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Field {
-    /// What it is, in words: "margin", "limiting cable".
+    /// Name in words: "margin", "limiting cable".
     pub name: String,
     /// Its unit; empty for a number such as that of a cable, `1` for a ratio.
     pub unit: String,

@@ -1,4 +1,4 @@
-//! What is known of the corners of the smallest cells.
+//! Answers known at the corners of the smallest cells.
 
 /// A corner of the smallest cells, counted along each axis.
 pub(super) type Node = [usize; 3];

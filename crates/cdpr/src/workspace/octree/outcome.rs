@@ -1,9 +1,9 @@
-//! What the cells at the boundary add up to.
+//! Sums over the cells of an octree.
 
 use super::Octree;
 use crate::workspace::Point;
 
-/// What an octree says of a region.
+/// Outcome of an octree: size of a region and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Area (m²) or volume (m³): cells at whose corners the criterion holds, and of those cut by the boundary the share of

@@ -1,4 +1,4 @@
-//! Where the boundary crosses edges.
+//! Crossings of the boundary with edges of the lattice.
 
 use super::Place;
 use crate::workspace::{Point, Region};

@@ -25,7 +25,7 @@ pub(super) struct Lattice<'a> {
     pub(super) bounds: &'a Bounds,
     /// Nodes along each axis; 1 across a plane.
     pub(super) counts: [usize; 3],
-    /// Where the first node lies, in steps from the lower face of the box: half a step for middles of cells, none for corners.
+    /// Distance of the first node from the lower face of the box, in steps: half a step for middles of cells, none for corners.
     pub(super) inset: f64,
     /// Whether a node belongs to the region.
     pub(super) holds: &'a dyn Fn(Node) -> bool,
@@ -44,7 +44,7 @@ impl Lattice<'_> {
         (self.holds)(place)
     }
 
-    /// Where a node lies (m), those of the layer on the faces of the box.
+    /// Position of a node (m), for those of the layer on the faces of the box.
     fn point(&self, node: Node) -> Point {
         let mut point = [0.0; 3];
         for axis in 0..self.bounds.dimension() {

@@ -38,7 +38,7 @@ pub(super) fn moved(mut a: Rows, factor: f64, b: &Rows) -> Rows {
     a
 }
 
-/// What orthonormal vectors leave of a vector; twice, so that rounding does not add up.
+/// Component of a vector orthogonal to orthonormal ones; taken twice, so that rounding does not add up.
 pub(super) fn remainder(vector: &Rows, basis: &[Rows]) -> Rows {
     let mut rest = *vector;
     for _ in 0..2 {
@@ -97,7 +97,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the basis leaves of the axis that it covers least.
+    /// Unit normal to the basis: the component orthogonal to it of the axis that it covers least.
     fn normal(&self, depth: usize) -> Option<Rows> {
         let basis = &self.basis[..depth];
         let covered = |axis: usize| basis.iter().map(|unit| unit[axis] * unit[axis]).sum::<f64>();

@@ -30,7 +30,7 @@ pub struct Margin {
     pub distance: f64,
     /// The wrench of the required set nearest to that facet, or furthest beyond it (N, N·m).
     pub wrench: Vec<f64>,
-    /// That facet.
+    /// Half-space of that facet.
     pub half_space: HalfSpace,
     /// The cable (from 0) that pulls most along the facet's normal, by range: the first to change for more margin. None where no
     /// cable acts along it.

@@ -8,7 +8,7 @@ use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 use crate::robot::Robot;
 
-/// What hangs on the cables and how it is to be accelerated.
+/// Payload of the cables: masses, and the accelerations that they are to take.
 ///
 /// Of a mass m with the acceleration a of its centre of mass and the angular acceleration α the cables feel the external wrench
 /// \[m (g − a); R c × m (g − a) − R I Rᵀ α\] (Newton and Euler at rest: no velocity, so no gyroscopic moment). It is linear in m, a
@@ -42,7 +42,7 @@ pub enum PayloadError {
         robot: String,
         /// The key with its table.
         key: &'static str,
-        /// What stands for it.
+        /// Other input that stands for it, in words.
         hint: &'static str,
     },
     /// Masses that are not a range.
@@ -58,7 +58,7 @@ pub enum PayloadError {
     Acceleration {
         /// Which acceleration.
         what: &'static str,
-        /// What was given.
+        /// Value given, in `unit`.
         value: f64,
         /// Its unit.
         unit: &'static str,

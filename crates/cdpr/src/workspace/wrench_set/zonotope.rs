@@ -66,7 +66,7 @@ pub enum WrenchSetError {
     /// Numbers that do not go together.
     #[error("expected {expected} {what}, found {found}")]
     Count {
-        /// What is counted.
+        /// Quantity counted, in words.
         what: &'static str,
         /// How many there should be.
         expected: usize,
@@ -78,9 +78,9 @@ pub enum WrenchSetError {
     Number {
         /// Which number.
         what: &'static str,
-        /// What was given.
+        /// Value given.
         value: f64,
-        /// What it has to be.
+        /// Rule that it breaks, in words.
         rule: &'static str,
     },
 }

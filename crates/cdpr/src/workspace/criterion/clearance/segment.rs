@@ -43,7 +43,7 @@ impl Segment {
         mine.min(other.distance_to_point(&self.from)).min(other.distance_to_point(&self.to))
     }
 
-    /// Where on this segment (0 to 1) the common perpendicular stands, and its length; `None` where it does not meet both.
+    /// Foot of the common perpendicular on this segment (0 to 1), and its length (m); `None` where it does not meet both.
     fn perpendicular(&self, other: &Self) -> Option<(f64, f64)> {
         let (u, v, between) = (self.to - self.from, other.to - other.from, other.from - self.from);
         let normal = u.cross(&v);

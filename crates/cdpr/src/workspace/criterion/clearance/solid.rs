@@ -19,7 +19,7 @@ pub(crate) struct Solid {
     plane_normal: Option<Vector3<f64>>,
 }
 
-/// What a body keeps away from.
+/// Obstacle that a body keeps away from.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Other {
     Box(AxisBox),
@@ -101,8 +101,8 @@ impl Solid {
         [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// Where the body overlaps with a box on its way along a direction of length 1: wherever all normals say so, and along each
-    /// the overlap is linear.
+    /// Interval (m) of the body's way along a direction of length 1 on which it overlaps with a box: overlap along every normal,
+    /// each of them linear.
     pub(crate) fn overlap_along(&self, other: &Other, direction: &Vector3<f64>) -> [f64; 2] {
         let mut overlap = [f64::NEG_INFINITY, f64::INFINITY];
         self.visit_normals(other, |normal| {

@@ -25,7 +25,7 @@ fn a_set_of_one_wrench_is_feasible_where_the_wrench_is() {
     }
 }
 
-/// Where the set holds, every wrench sampled from it does; where it fails, the one named by the margin does not.
+/// A set that holds means that every wrench sampled from it does; of one that fails, the wrench named by the margin does not.
 #[test]
 fn a_set_is_feasible_where_all_its_wrenches_are() {
     let mut rng = ChaCha8Rng::seed_from_u64(102);
