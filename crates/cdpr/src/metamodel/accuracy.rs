@@ -21,7 +21,7 @@ pub struct Accuracy {
     pub position_error_m: PoseErrorStatistics,
     /// Geodesic angle between commanded and emerging orientation (rad).
     pub rotation_error_rad: PoseErrorStatistics,
-    /// What the control model sends for the emerging pose, minus what it sent for the commanded one (eq. 6.6; m).
+    /// Lengths that the control model sends for the emerging pose, minus those it sent for the commanded one (eq. 6.6; m).
     pub length_error_m: LengthErrorStatistics,
     /// Smallest tension that emerges (N); `None` for a rigid machine.
     pub tension_min_N: Option<f64>,
@@ -37,14 +37,14 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// What is odd about the numbers: the poses lie outside what the machine reaches.
+    /// Remark on odd numbers: the poses lie outside the machine's reach.
     pub fn remark(&self) -> Option<String> {
         let settled = self.statuses.get(Status::Converged.name()).copied().unwrap_or(0);
         (settled > 0 && self.outside_limits_share == Some(1.0)).then(|| outside_reach(settled))
     }
 }
 
-/// What to say where tensions break their limits at every pose.
+/// Words for tensions that break their limits at every pose.
 pub(super) fn outside_reach(poses: usize) -> String {
     format!(
         "the tensions break their limits at each of the {poses} poses that the machine comes to rest at: they lie outside its reach, \
@@ -52,7 +52,7 @@ pub(super) fn outside_reach(poses: usize) -> String {
     )
 }
 
-/// What emerges at every pose, with the errors.
+/// Outcomes at every pose, with the errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
     /// Pose by pose.

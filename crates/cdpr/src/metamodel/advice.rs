@@ -16,7 +16,7 @@ use crate::geometry::Pose;
 use crate::model::{Composition, Model, ModelError, StretchEffect, Supported};
 use crate::tension::Limits;
 
-/// What a control model does on the machine over the poses of a task.
+/// Control model judged on the machine over the poses of a task.
 ///
 /// Errors are those at the poses that are compared: where every candidate has an answer ([`Advice::compared`]), so that they are of
 /// the same poses.
@@ -76,7 +76,7 @@ impl Advice {
     }
 }
 
-/// What cannot be advised on.
+/// Reason why no advice can be given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AdviceError {
     /// A model that cannot be built.
@@ -94,7 +94,7 @@ pub enum AdviceError {
     /// Only one model can be built of the file.
     #[error("the robot file supports no effect beyond `standard`, so that there is nothing to choose: {missing}")]
     NothingToChoose {
-        /// What the effects lack.
+        /// Keys that the effects lack.
         missing: String,
     },
 }
@@ -159,13 +159,13 @@ fn compositions(full: Composition, supported: &Supported) -> impl Iterator<Item 
 /// A control model with what emerges under it, pose by pose.
 type Run = (Composition, Vec<Outcome>);
 
-/// What all candidates are judged by.
+/// Task by which all candidates are judged.
 struct Task<'a> {
     machine: &'a Model,
     poses: &'a [Pose],
     accuracy: f64,
     limits: Option<Limits>,
-    /// What emerges under a control model like the machine.
+    /// Outcomes under a control model like the machine.
     reference: &'a [Outcome],
     /// Poses at which all have an answer.
     compared: Vec<usize>,

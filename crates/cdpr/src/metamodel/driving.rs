@@ -57,7 +57,7 @@ impl<'a> Driving<'a> {
         self.operation.machine()
     }
 
-    /// What is added to the control model's lengths (m).
+    /// Winch offsets, added to the control model's lengths (m).
     pub fn offsets(&self) -> &[f64] {
         &self.offsets
     }
@@ -72,12 +72,12 @@ impl<'a> Driving<'a> {
         self.operation.clone()
     }
 
-    /// What emerges when a pose is commanded.
+    /// Outcome of one commanded pose.
     pub fn outcome(&self, pose: &Pose) -> Outcome {
         self.operation().answer(&CommandedPose::at(*pose))
     }
 
-    /// What emerges for each of many poses; threads share them with the feature `parallel`, with the same answers.
+    /// Outcome of each of many commanded poses; threads share them with the feature `parallel`, with the same answers.
     pub fn outcomes(&self, poses: &[Pose]) -> Vec<Outcome> {
         self.each_share(poses, |poses| {
             let mut operation = self.operation();
@@ -85,7 +85,7 @@ impl<'a> Driving<'a> {
         })
     }
 
-    /// Something of each of many items, which threads take in shares of their own.
+    /// Applies `of` to shares of many items, which threads take in turn; answers in the order of the items.
     pub(super) fn each_share<I: Sync, T: Send>(
         &self,
         items: &[I],

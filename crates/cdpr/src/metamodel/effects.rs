@@ -1,4 +1,4 @@
-//! What each effect changes at a pose: the machine has all effects that its file supports, the control model lacks one.
+//! Contribution of each effect at a pose: the machine has all effects that its file supports, the control model lacks one.
 //!
 //! The control model computes the controlled lengths for the pose and its tensions; the machine answers with another pose and
 //! other tensions. The difference of the lengths δq_θ is what the effect amounts to in the cable. Winch offsets that are set
@@ -28,7 +28,7 @@ pub struct EffectState {
     pub tensions: Option<Vec<f64>>,
 }
 
-/// What one effect changes. A quantity that cannot be told comes with the reason.
+/// Contribution of one effect. A quantity that cannot be told comes with the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
     /// The effect.
@@ -41,16 +41,16 @@ pub struct Contribution {
     pub lengths: Result<Vec<f64>, EffectError>,
     /// Largest change of the tensions that balance the load and are nearest to the middle of the limits (N).
     pub distribution: Result<f64, EffectError>,
-    /// What the platform of the machine does with the control model's lengths.
+    /// Displacement of the machine's platform under the control model's lengths.
     pub platform: Result<Displacement, EffectError>,
     /// The lengths minus those at the home pose: what winch offsets set there do not take up (m).
     pub lengths_beyond_home: Result<Vec<f64>, EffectError>,
-    /// What the platform does with these.
+    /// Displacement of the platform under these.
     pub platform_beyond_home: Result<Displacement, EffectError>,
 }
 
-/// What the effects of a machine with the richest composition that its robot supports change, each on its own, and what
-/// alternatives change.
+/// Contributions of the effects of a machine with the richest composition that its robot supports, each on its own, and of
+/// alternatives.
 pub fn contributions(
     machine: &Model,
     supported: &Supported,

@@ -15,12 +15,12 @@ use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 use crate::tension::Limits;
 
-/// What a control model and a machine make of one commanded pose.
+/// Pose error at one commanded pose, exact and by one linear step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// The commanded pose.
     pub commanded: Pose,
-    /// What emerges.
+    /// Outcome on the machine.
     pub outcome: Outcome,
     /// Displacement from the commanded to the emerging pose (m, rad; world axes); nothing where no answer was found.
     pub exact: Option<Twist>,
@@ -82,7 +82,7 @@ fn sample(operation: &mut Operation<'_>, commanded: &Pose) -> Sample {
 }
 
 impl Field {
-    /// What is odd about the samples: they lie outside what the machine reaches.
+    /// Remark on odd samples: they lie outside the machine's reach.
     pub fn remark(&self, machine: &Model) -> Option<String> {
         let limits = Limits::of(machine.robot(), None, None).ok()?;
         let settled = || self.samples.iter().filter(|sample| sample.exact.is_some());

@@ -27,15 +27,15 @@ use crate::tension::Limits;
 /// Winches to be set.
 #[derive(Clone, Debug)]
 pub struct Task<'a> {
-    /// What sends the lengths.
+    /// Control model, which sends the lengths.
     pub control: Control<'a>,
-    /// What answers; its cables are elastic.
+    /// Machine, which answers; its cables are elastic.
     pub machine: &'a Model,
     /// The model in use when the winches are set: the control model, unless it is calibrated afterwards.
     pub set_with: &'a Model,
-    /// Where the winches are set, x_ini.
+    /// Pose at which the winches are set, x_ini.
     pub pose: Pose,
-    /// What f_ini keeps (N).
+    /// Limits of f_ini (N).
     pub limits: &'a Limits,
     /// How a machine with history comes to the poses.
     pub history: Option<History>,
@@ -88,7 +88,7 @@ pub struct Outside {
 pub struct Optimum {
     /// f_ini (N).
     pub tensions: Vec<f64>,
-    /// What the winches add to the control model's lengths (m).
+    /// Winch offsets q_off, added to the control model's lengths (m).
     pub offsets: Vec<f64>,
     /// The fit with them.
     pub fit: Fit,

@@ -9,7 +9,7 @@ use crate::model::{CompositionError, Model, ModelError, WinchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
-/// What no control model can do on a machine.
+/// Mistake in a pair of control model and machine, or in how its winches are to be set.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
     /// Control model and machine are different robots.

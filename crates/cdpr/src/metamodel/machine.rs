@@ -41,8 +41,8 @@ impl<'a> Machine<'a> {
         self
     }
 
-    /// What emerges for many controlled lengths at once (m; a row per cable), sought from these poses; with `only_taut` where
-    /// every cable pulls. Nothing where the machine fits lengths, and where the lengths are no numbers.
+    /// Emerging poses and tensions for many controlled lengths at once (m; a row per cable), sought from these poses; with
+    /// `only_taut` those with every cable taut. Nothing where the machine fits lengths, and where the lengths are no numbers.
     pub(super) fn answer_all(
         &self,
         lengths: &LaneTable,
@@ -56,7 +56,7 @@ impl<'a> Machine<'a> {
         (answered && self.knows_tensions()).then_some(solutions)
     }
 
-    /// What emerges when the winches are told these lengths (m, in the units of the encoders), sought from a pose.
+    /// Outcome of lengths sent to the winches (m, in the units of the encoders), sought from a pose.
     pub(super) fn answer(&self, sent: Vec<f64>, guess: &Pose, state: &mut State) -> Outcome {
         let controlled: Vec<f64> =
             sent.iter().enumerate().map(|(cable, &length)| self.model.controlled_length(cable, length)).collect();

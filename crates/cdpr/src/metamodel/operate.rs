@@ -1,4 +1,4 @@
-//! What emerges when a control model drives a machine: (x̂, f̂) = υ̂(φ(x) + q_off).
+//! Operation of a machine by a control model: (x̂, f̂) = υ̂(φ(x) + q_off).
 
 use super::control::{Control, Controller};
 use super::input_error::{InputError, check_same_robot};
@@ -11,17 +11,17 @@ use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, WinchError};
 use crate::scalar::LaneTable;
 
-/// What a machine answers to one command.
+/// Answer of a machine to one command.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// The pose that emerges: the best one found where the status is not [`Status::Converged`], the commanded one where
     /// nothing was sent.
     pub pose: Pose,
-    /// What the winches are told: the control model's lengths with the offsets, as its own encoders count them (m); empty where
-    /// the control model has none.
+    /// Lengths sent to the winches: the control model's with the offsets, as its own encoders count them (m); empty where the
+    /// control model has none.
     pub sent: Vec<f64>,
-    /// What the encoders read once the platform has come to rest (m): what the control model asked for, or, for a rigid
-    /// machine, whose winches take up what is slack, the lengths it has. Offsets sit in the winch's zero and are not read.
+    /// Lengths that the encoders read once the platform has come to rest (m): those the control model asked for, or, for a rigid
+    /// machine, whose winches take up slack, the lengths it has. Offsets sit in the winch's zero and are not read.
     pub recorded: Vec<f64>,
     /// Tensions that emerge (N); `None` for a rigid machine that fits its lengths.
     pub tensions: Option<Vec<f64>>,
@@ -41,11 +41,11 @@ impl Outcome {
     }
 }
 
-/// What emerges for many commands.
+/// Emerging poses and tensions of many commands.
 pub(super) struct Emerged {
     /// Which of the commands have been sent.
     pub(super) commanded: Vec<usize>,
-    /// What each of those led to.
+    /// Solution of each of those.
     pub(super) solutions: Solutions,
 }
 
@@ -146,7 +146,7 @@ impl<'a> Operation<'a> {
         Ok(Self { control, machine, winding, offsets: offsets.to_vec(), states, way: None })
     }
 
-    /// What answers.
+    /// Machine that answers.
     pub fn machine(&self) -> &'a Model {
         self.machine.model()
     }
@@ -185,7 +185,7 @@ impl<'a> Operation<'a> {
         self
     }
 
-    /// What the control model sends for a pose, without the winch offsets (m), or why it has nothing to send.
+    /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.
     pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
         self.control.lengths(pose, &mut self.states.control)
     }
@@ -220,8 +220,8 @@ impl<'a> Operation<'a> {
         (0..cables).all(|cable| lengths.row(cable).all(f64::is_finite)).then_some(lengths)
     }
 
-    /// What emerges for many commands at once, of those for which the control model has lengths; with `only_taut` where every
-    /// cable pulls. `None` for rigid machines, and for those that remember.
+    /// Emerging poses and tensions for many commands at once, of those for which the control model has lengths; with `only_taut`
+    /// those with every cable taut. `None` for rigid machines, and for those that remember.
     pub(super) fn answer_all(&mut self, poses: &[Pose], only_taut: bool) -> Option<Emerged> {
         if self.way.is_some() || !self.machine.knows_tensions() {
             return None;
@@ -246,7 +246,7 @@ impl<'a> Operation<'a> {
         Some(Emerged { commanded, solutions })
     }
 
-    /// What emerges for one command.
+    /// Outcome of one command.
     pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
         let Some(mut way) = self.way.take() else { return self.reach(command) };
         let outcome = self.go(&mut way, command);
@@ -280,7 +280,7 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// What the winches are told (m).
+    /// Lengths sent to the winches (m): φ(x) + q_off, a cable of a tension test shortened.
     fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, OperationError> {
         let mut sent = self.control.lengths(&command.pose, &mut self.states.control)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
@@ -290,7 +290,7 @@ impl<'a> Operation<'a> {
         Ok(sent)
     }
 
-    /// What emerges at once.
+    /// Outcome of a command without sub-steps.
     fn reach(&mut self, command: &CommandedPose) -> Outcome {
         let sent = match self.sent(command) {
             Ok(lengths) => lengths,

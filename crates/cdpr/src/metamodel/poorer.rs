@@ -26,7 +26,7 @@ pub(super) fn richness(stretch: StretchEffect) -> u8 {
     }
 }
 
-/// What to say about a machine that is poorer than its control model; nothing about one that is not.
+/// Remark on a machine that is poorer than its control model; nothing on one that is not.
 pub fn remark_on_poorer(control: Composition, machine: Composition) -> Option<String> {
     let missing = missing_effects(control, machine);
     let effects: Vec<String> = missing.iter().map(|effect| format!("`{effect}`")).collect();

@@ -24,7 +24,7 @@ use crate::tension::Limits;
 use crate::workspace::criterion::Criterion;
 use crate::workspace::{Point, Region, Verdict};
 
-/// What a commanded pose has to keep to count as reached.
+/// Requirements that a commanded pose keeps to count as reached.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Requirements {
     /// Limits of the tensions that emerge (N); a rigid machine has none to judge.
@@ -66,7 +66,7 @@ impl<'a> Reachable<'a> {
         &self.driving
     }
 
-    /// What a pose has to keep.
+    /// Requirements on a pose.
     pub fn requirements(&self) -> &Requirements {
         &self.requirements
     }
@@ -179,7 +179,7 @@ fn tension_margin(limits: &Limits, tensions: &[f64]) -> (f64, usize) {
     if is_rounding { (0.0, least.1) } else { least }
 }
 
-/// What the forward problem leaves of a tension's range: far more than it rounds by, far less than any load cell tells.
+/// Tolerance of the forward problem, as a share of a tension's range: far above its rounding, far below any load cell.
 const ROUNDING: f64 = 1e-8;
 
 impl Criterion for Reachable<'_> {
@@ -223,9 +223,9 @@ impl Reachable<'_> {
         self.requirements.tensions.as_ref().is_some_and(|limits| limits.minimum().iter().all(|&least| least > 0.0))
     }
 
-    /// Something of what emerges – the pose and its tensions – for each of many commands, in batches where the machine has them;
-    /// nothing where the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as long, may
-    /// be left out.
+    /// Applies `of` to commanded pose, emerging pose and tensions (N) of each of many commands, in batches where the machine has
+    /// them; nothing where the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as
+    /// long, may be left out.
     fn of_emerging<T>(
         &self,
         poses: &[Pose],
@@ -255,7 +255,7 @@ impl Reachable<'_> {
         found
     }
 
-    /// Where the platform comes to rest, as points of a region; nothing where the machine has no answer.
+    /// Positions at which the platform comes to rest, as points of a region; nothing where the machine has no answer.
     pub fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
         self.of_emerging(commanded, false, |_, emerging, _| region.point(&emerging.position))
     }

@@ -16,9 +16,9 @@ use crate::model::Model;
 /// Virtual measurements.
 #[derive(Clone, Debug)]
 pub struct Simulation {
-    /// What the sensors record.
+    /// Records of the sensors.
     pub samples: Samples,
-    /// What really emerged, sample by sample.
+    /// True outcomes, sample by sample.
     pub outcomes: Vec<Outcome>,
     /// Commanded poses that gave no sample, from 0, with the reason.
     pub left_out: Vec<(usize, String)>,

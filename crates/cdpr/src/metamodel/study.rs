@@ -26,12 +26,12 @@ use crate::workspace::criterion::{Criterion, WrenchFeasible};
 pub struct Study {
     /// The model that computes the controlled lengths.
     pub control: ControlModel,
-    /// What answers: same or higher complexity, own parameters.
+    /// The model that answers: same or higher complexity, own parameters.
     pub machine: RobotModel,
     /// A model that is asked what emerges: it predicts pose and tensions from the lengths that were sent, as `cdpr evaluate` does
     /// from measurements. `cdpr accuracy` only.
     pub prediction: Option<RobotModel>,
-    /// Where the winches are set.
+    /// Pose and tensions at which the winches are set.
     pub initial: Initial,
     /// Tension limits and the largest position error; the robot files' limits apply without.
     pub limits: Option<StudyLimits>,
@@ -49,7 +49,7 @@ pub struct Study {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct History {
-    /// Where each pose is reached from.
+    /// Pose that each pose is reached from.
     pub reach: Reach,
     /// Steps of the way to each pose, straight and evenly turning; 10 when missing.
     #[schemars(range(min = 1, max = 1000))]
@@ -62,7 +62,7 @@ impl Default for History {
     }
 }
 
-/// Where each pose is reached from.
+/// Pose that each pose is reached from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reach {
@@ -254,7 +254,7 @@ impl Study {
         [&self.control.robot_model(), &self.machine].iter().any(|side| side.needs_tensions())
     }
 
-    /// What is odd about the study: a machine poorer than its control model, and what it states without effect.
+    /// Remarks on oddities of the study: a machine poorer than its control model, and keys without effect.
     pub fn remarks(&self) -> Vec<String> {
         let poorer = self.control.robot_model().composition().zip(self.machine.composition());
         poorer
@@ -273,7 +273,7 @@ impl Study {
             .then(|| format!("a `{model}` control model commands no tensions: [control] tension_method without effect"))
     }
 
-    /// What the study states without effect.
+    /// Remarks on keys of the study without effect.
     fn idle(&self) -> Vec<String> {
         let initial = &self.initial;
         let tensions = [

@@ -33,7 +33,7 @@ pub struct Sweep {
     /// How a control model that commands tensions chooses them, in place of `[control] tension_method` of the study.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension_method: Option<TensionMethod>,
-    /// What changes: one table a parameter; every value meets every value of the others.
+    /// Parameters that change: one table each; every value meets every value of the others.
     pub parameter: Vec<Parameter>,
 }
 

@@ -118,7 +118,7 @@ pub(super) fn tensions_within(
     chosen_by((TensionMethod::Qp, &options), limits, model, pose, wrench.as_slice())
 }
 
-/// What the initial tensions shall lie between: what the study says, or the limits of the robot's file.
+/// Limits of the initial tensions (N): those of the study, or else of the robot's file.
 pub(super) fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
     Ok(match initial.tension_limits_N {
         Some([low, high]) => Limits::uniform(model.cable_count(), low, high)?,

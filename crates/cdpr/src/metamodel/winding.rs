@@ -1,4 +1,4 @@
-//! What a machine's winches make of a control model's lengths: between the two stand motor angles.
+//! Winches between a control model's lengths and a machine's: lengths sent, motor angles, lengths paid out.
 
 use super::input_error::InputError;
 use crate::cable::winch::{DrumLength, GrooveError, Winch};
@@ -43,7 +43,7 @@ impl<'a> Winding<'a> {
         Ok(Self { control, winches })
     }
 
-    /// True where lengths are lengths.
+    /// True without the effect `drum` on either side: lengths sent are lengths paid out.
     pub(super) fn is_none(&self) -> bool {
         self.winches.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What the platform does when the controlled lengths are other than the machine's own.
+//! Displacement of the platform under controlled lengths other than the machine's own.
 
 use nalgebra::{DVector, Vector3};
 use serde::Serialize;
@@ -43,7 +43,7 @@ pub struct Displacement {
     pub method: DisplacementMethod,
 }
 
-/// What the platform of a machine at rest in a state does when its controlled lengths change by `change` (m), one per cable.
+/// Displacement of the platform at rest in a state when the controlled lengths change by `change` (m), one per cable.
 pub fn displacement(machine: &Model, state: &EffectState, change: &[f64]) -> Result<Displacement, EffectError> {
     let tensions = match (&state.tensions, ForwardProblem::of(machine, state.load.is_ok())) {
         (Some(tensions), ForwardProblem::Equilibrium) => tensions,

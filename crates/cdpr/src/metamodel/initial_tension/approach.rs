@@ -7,7 +7,7 @@ use crate::metamodel::operate::Status;
 /// The way from one set of initial tensions to another, the control model commanding x_ini all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// What has to be set first, then a stage after the other.
+    /// State to be set first, then the stages in their order.
     pub stages: Vec<Stage>,
     /// Cables (0-based) in the order in which a stage moves them: those that pay out first, so that no tension rises before it has
     /// to.
@@ -23,9 +23,9 @@ pub struct Approach {
 /// A stage of the way. After each the platform rests at x_ini: tensions between two that balance the load balance it too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
-    /// What the winches add to the control model's lengths (m).
+    /// Winch offsets q_off, added to the control model's lengths (m).
     pub offsets: Vec<f64>,
-    /// What the force sensors read at rest (N).
+    /// Readings of the force sensors at rest (N).
     pub tensions: Vec<f64>,
     /// Winch by winch what leads here; none at the start.
     pub moves: Vec<Move>,

@@ -1,11 +1,11 @@
-//! What a grid of commanded positions says, once for any threshold of the error.
+//! Census of a grid of commanded positions, taken once for any threshold of the error.
 
 use super::{Reachable, tension_margin};
 use crate::geometry::Pose;
 use crate::workspace::grid::Grid;
 use crate::workspace::{Point, Region};
 
-/// What emerged at the middle of one cell.
+/// Errors and tension margin that emerge when the middle of one cell is commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Distance between commanded and emerging position (m); infinite where the platform comes to no rest, and where one in which a
@@ -56,7 +56,7 @@ impl Census {
 }
 
 impl Cell {
-    /// Where the platform comes to no rest that could count.
+    /// Cell in which the platform comes to no rest that could count.
     const NOWHERE: Self =
         Self { position_error: f64::INFINITY, rotation_error: f64::INFINITY, tension_margin: f64::INFINITY };
 

@@ -1,4 +1,4 @@
-//! What a region of commanded positions becomes where the platform comes to rest.
+//! Image of a region of commanded positions: the positions at which the platform comes to rest.
 
 use super::Reachable;
 use crate::geometry::Pose;
@@ -47,7 +47,7 @@ fn stretches(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid, points
     found.chunks(2 * dimension).map(determinant).collect()
 }
 
-/// Where the platform comes to rest when these positions are commanded, in the first orientation of the region.
+/// Positions at which the platform comes to rest when these are commanded, in the first orientation of the region.
 fn emerging(reachable: &Reachable<'_>, region: &Region<'_>, points: &[Point]) -> Vec<Option<Point>> {
     let Some(&rotation) = region.orientations().first() else { return vec![None; points.len()] };
     let poses: Vec<Pose> = points.iter().map(|point| Pose { position: region.position(point), rotation }).collect();

@@ -1,4 +1,4 @@
-//! What may deviate on a control model, on a machine and on how its winches were set.
+//! Deviations of parameters of a control model, of a machine and of how its winches were set.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::model::{Model, StretchEffect};
 use crate::robot::{Parameter, ParameterKind, Robot};
 
-/// Whose parameter it is.
+/// Owner of a parameter: control model, machine or winches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
@@ -101,9 +101,9 @@ impl Side {
 /// One number that may deviate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterDeviation {
-    /// Whose.
+    /// Side of the deviation: control model, machine or winches.
     pub side: Side,
-    /// What.
+    /// Kind of the parameter.
     pub kind: Kind,
     /// Cable it belongs to, from 0; 0 for what the platform has.
     pub cable: usize,
@@ -161,7 +161,7 @@ impl ParameterDeviation {
     }
 }
 
-/// All that may deviate on one side, ordered by cable, kind and axis; what acts on the platform last.
+/// Deviations possible on one side, ordered by cable, kind and axis; those of the load on the platform last.
 pub fn causes_of(side: Side, model: &Model) -> Vec<ParameterDeviation> {
     let mut causes = Vec::new();
     let has_tensions = model.needs_tensions();

@@ -106,12 +106,12 @@ impl<'a> Equilibrium<'a> {
         Some(Self { model, pose: *pose, cables, is_slack, inverse, scale, has_load: load.is_some() })
     }
 
-    /// What follows from a change of the lengths that are sent, in the units of the machine's encoders (m).
+    /// Change of pose and tensions by a change of the lengths that are sent, in the units of the machine's encoders (m).
     pub(super) fn by_sent(&self, sent: &DVector<f64>) -> Answer {
         self.answer(&self.right_side(sent, None))
     }
 
-    /// What follows from one unit of a deviation of this machine and the change of the lengths that goes with it (m).
+    /// Change of pose and tensions by one unit of a deviation of this machine and the change of the lengths that goes with it (m).
     pub(super) fn by_cause(&self, cause: &ParameterDeviation, sent: &DVector<f64>) -> Answer {
         self.answer(&self.right_side(sent, Some(cause)))
     }

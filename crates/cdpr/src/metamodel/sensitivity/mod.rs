@@ -37,7 +37,7 @@ use windings::Windings;
 /// How pose and tensions follow deviations at one commanded pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseSensitivity {
-    /// What emerges without deviations.
+    /// Outcome without deviations.
     pub outcome: Outcome,
     /// The derivatives, or why there are none.
     pub derivatives: Result<Derivatives, OperationError>,
@@ -178,7 +178,7 @@ impl<'a> Sensitivity<'a> {
     }
 }
 
-/// All that may deviate: control model, machine, winches.
+/// Deviations possible on control model, machine and winches, in that order.
 pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<ParameterDeviation> {
     let elastic = tension_model(setting.set_with(control), machine);
     let mut causes = causes_of(Side::Control, control);

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{Derivatives, Kind, ParameterDeviation, Side};
 
-/// What one unit of a cause does over the poses.
+/// Influence of one unit of a cause over the poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Influence {
     /// The cause.
@@ -23,13 +23,13 @@ pub struct Influence {
     pub tension_max: Option<f64>,
 }
 
-/// What a kind of deviation does over the poses: the root of the sum of squares over its causes, so that independent deviations of
-/// one standard deviation each move the platform by as much.
+/// Influence of a kind of deviation over the poses: the root of the sum of squares over its causes, so that independent
+/// deviations of one standard deviation each move the platform by as much.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct KindInfluence {
-    /// Whose.
+    /// Side of the deviation: control model, machine or winches.
     pub side: Side,
-    /// What.
+    /// Kind of the deviation.
     pub kind: Kind,
     /// Number of causes.
     pub count: usize,

@@ -16,7 +16,7 @@ use crate::metamodel::winches::{aim, initial_tensions, tension_model, winch_offs
 use crate::model::Model;
 use crate::statics::Load;
 
-/// What deviations do to the winch offsets.
+/// Effect of deviations on the winch offsets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Offsets {
@@ -31,13 +31,13 @@ pub enum Offsets {
 /// How the winches were set.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a> {
-    /// What the study says.
+    /// Table `[initial]` of the study.
     pub initial: &'a Initial,
     /// The initial pose.
     pub pose: Pose,
     /// The model in use when they were set, where it is not the control model.
     pub former: Option<&'a Model>,
-    /// What deviations do to the offsets.
+    /// Effect of deviations on the offsets.
     pub offsets: Offsets,
 }
 

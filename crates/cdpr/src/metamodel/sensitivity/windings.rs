@@ -1,4 +1,4 @@
-//! What winches make of deviations: the length paid out per length sent and per deviation of the drums.
+//! Derivatives of the winches: the length paid out per length sent and per deviation of the drums.
 
 use nalgebra::DVector;
 

@@ -1,4 +1,4 @@
-//! What a study file may not say, with the place where it says it.
+//! Checks of a study file, with the place of each mistake.
 
 use super::{PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
 use crate::model::Composition;

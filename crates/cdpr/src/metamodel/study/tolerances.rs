@@ -15,7 +15,7 @@ pub struct Tolerances {
     pub machine: ModelTolerances,
     /// Of what was set at the initial pose.
     pub winches: WinchTolerances,
-    /// What deviations do to the winch offsets; `kept` when missing.
+    /// Effect of deviations on the winch offsets; `kept` when missing.
     pub offsets: Offsets,
     /// How deviations are spread; `normal` when missing.
     pub distribution: Distribution,
@@ -24,7 +24,7 @@ pub struct Tolerances {
     pub robots: usize,
     /// Required accuracy of the position (m); that of the study's limits counts when missing.
     pub accuracy_m: Option<f64>,
-    /// What has to keep the required accuracy; `error` when missing.
+    /// Distance that has to keep the required accuracy; `error` when missing.
     pub accuracy_of: AccuracyOf,
     /// Standard deviations that count: an allowed tolerance keeps so many times the root mean square within the accuracy, and the worst
     /// case of normal deviations takes so many of each. 2 when missing.
@@ -59,7 +59,7 @@ pub enum Distribution {
     Uniform,
 }
 
-/// What a required accuracy is about.
+/// Distance that a required accuracy is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AccuracyOf {

@@ -9,7 +9,7 @@ use toml::{Table, Value};
 /// The place of a number in robot or study files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Key {
-    /// Where it is.
+    /// Files that hold it.
     pub place: Place,
     steps: Vec<Word>,
 }

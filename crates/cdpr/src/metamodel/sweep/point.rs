@@ -20,18 +20,18 @@ pub struct Subjects {
     pub offset_robot: Option<String>,
 }
 
-/// What a point of a sweep says; sizes in m² or m³, the thresholds in the order of the sweep.
+/// Answer of one point of a sweep; sizes in m² or m³, the thresholds in the order of the sweep.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Number of the point, from 0.
     pub point: usize,
     /// Value of each parameter.
     pub values: Vec<f64>,
-    /// Where the machine is wrench-feasible; nothing without tension limits.
+    /// Size in which the machine is wrench-feasible; nothing without tension limits.
     pub physical: Option<f64>,
-    /// What is reached with tensions within their limits, whatever the error.
+    /// Size reached with tensions within their limits, whatever the error.
     pub reachable: Option<f64>,
-    /// What is reached with each largest position error.
+    /// Sizes reached with each largest position error.
     pub by_accuracy: Vec<f64>,
     /// Cells of the grid.
     pub cells: u64,

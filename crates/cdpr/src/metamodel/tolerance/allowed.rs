@@ -4,12 +4,12 @@ use serde::Serialize;
 
 use crate::metamodel::sensitivity::{Kind, ParameterDeviation, PoseSensitivity, Side};
 
-/// What a required accuracy allows.
+/// Tolerances that a required accuracy allows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Allowed {
-    /// What is left for deviations at the pose with the largest error without them (m); not positive where no tolerance helps.
+    /// Accuracy left for deviations at the pose with the largest error without them (m); not positive where no tolerance helps.
     pub budget: f64,
-    /// That pose, from 0.
+    /// Index of that pose, from 0.
     pub worst_pose: usize,
     /// Kind by kind; empty where no tolerance helps.
     pub kinds: Vec<Allowance>,
@@ -18,9 +18,9 @@ pub struct Allowed {
 /// Tolerances of one kind, each in the unit of the kind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Allowance {
-    /// Whose.
+    /// Side of the deviation: control model, machine or winches.
     pub side: Side,
-    /// What.
+    /// Kind of the deviation.
     pub kind: Kind,
     /// Unit of the kind.
     pub unit: &'static str,
@@ -38,8 +38,8 @@ pub struct Allowance {
     pub joint_worst_case: Option<f64>,
 }
 
-/// What an accuracy (m) allows at all poses: `coverage` times the root mean square of the deviation, or in the worst case the
-/// deviation itself, must fit into what the errors (m) leave of it.
+/// Tolerances that an accuracy (m) allows at all poses: `coverage` times the root mean square of the deviation, or in the
+/// worst case the deviation itself, must fit into the rest that the errors (m) leave of it.
 ///
 /// `errors` are those of the robot without deviations, or zeros where deviations alone are asked for. Jointly allowed tolerances
 /// are those allowed alone, all made smaller by the same factor; they are told for the kinds that `is_named` names.

@@ -11,7 +11,7 @@ use crate::metamodel::study::CommandedPose;
 use crate::model::Model;
 use crate::scalar::{LANES, LaneTable};
 
-/// What all robots share: poses, guesses, and what the control model without deviations sends.
+/// Inputs that all robots share: poses, guesses, and the lengths that the control model without deviations sends.
 pub(super) struct Batch {
     commanded: PoseBatch,
     guesses: PoseBatch,

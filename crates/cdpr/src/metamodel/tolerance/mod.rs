@@ -16,7 +16,7 @@ pub use monte_carlo::{Engine, MonteCarlo, Quantiles, Settings, monte_carlo};
 
 use super::sensitivity::{ParameterDeviation, PoseSensitivity};
 
-/// What deviations do to the position, to first order.
+/// Spread of the position by deviations, to first order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
     /// Root mean square over robots of the distance from where the robot without deviations goes (m), pose by pose; NaN where

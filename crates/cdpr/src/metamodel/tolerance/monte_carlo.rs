@@ -27,7 +27,7 @@ pub enum Engine {
     Linear,
 }
 
-/// What is drawn.
+/// Settings of a draw of robots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<'a> {
     /// Standard deviation of every cause, in its unit.
@@ -61,7 +61,7 @@ pub struct Quantiles {
     pub max: f64,
 }
 
-/// What the drawn robots do.
+/// Statistics of the drawn robots.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MonteCarlo {
     /// How they answer.

@@ -34,7 +34,7 @@ pub(super) struct Makers<'a> {
     pub(super) setting: &'a Setting<'a>,
     /// The offsets in use (m).
     pub(super) offsets: &'a [f64],
-    /// What deviates.
+    /// Deviations in play.
     pub(super) causes: &'a [ParameterDeviation],
     /// Initial tensions (N); empty where they do not matter.
     tensions: Vec<f64>,
