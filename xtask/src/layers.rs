@@ -1,4 +1,4 @@
-//! What each room may use: only what stands left of it; and no text as an error.
+//! Rules of the libraries: each room uses only rooms left of it, errors are no text, and doc lines begin with a noun or a verb.
 
 use std::path::{Path, PathBuf};
 
@@ -47,7 +47,11 @@ const CRATES: &[(&str, &[&str])] = &[
     ("cdpr-cli", &["cdpr", "cdpr-reports"]),
 ];
 
-/// Complains of every use to the right, of rooms that are not listed, and of crates that depend the wrong way.
+/// First words of a doc line that point at its subject instead of naming it.
+const POINTERS: &[&str] = &["What", "Where", "Whose", "That", "Something", "Who", "All that"];
+
+/// Complains of every use to the right, of rooms that are not listed, of text as an error, of doc lines that do not say what a
+/// thing is, and of crates that depend the wrong way.
 pub(crate) fn check(root: &Path) -> Outcome {
     let mut complaints = Vec::new();
     for library in LIBRARIES {
@@ -58,6 +62,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
                 Ok(text) => {
                     complaints.extend(library.uses_to_the_right(inside, &text));
                     complaints.extend(library.text_as_errors(inside, &text));
+                    complaints.extend(library.pointing_doc_lines(inside, &text));
                 }
                 Err(error) => complaints.push(format!("{}: {error}", path.display())),
             }
@@ -103,9 +108,33 @@ impl Library {
         code.filter(|(_, code)| is_text(code)).map(told).collect()
     }
 
+    /// First lines of doc comments that begin with one of [`POINTERS`].
+    fn pointing_doc_lines(&self, inside: &Path, text: &str) -> Vec<String> {
+        let mut complaints = Vec::new();
+        let mut is_first = true;
+        for (line, text) in (1..).zip(text.lines().map(str::trim_start)) {
+            let doc = text.strip_prefix("///").or_else(|| text.strip_prefix("//!"));
+            if let Some(word) = doc.filter(|_| is_first).and_then(pointer) {
+                complaints.push(format!(
+                    "{}/{}:{line}: a doc line begins with `{word}`; say what the thing is: noun or verb first",
+                    self.folder,
+                    inside.display()
+                ));
+            }
+            is_first = doc.is_none();
+        }
+        complaints
+    }
+
     fn place(&self, room: &str) -> Option<usize> {
         self.rooms.iter().position(|rooms| rooms.contains(&room))
     }
+}
+
+/// The pointer that a doc line begins with, as a whole word.
+fn pointer(doc: &str) -> Option<&'static str> {
+    let is_whole = |rest: &str| !rest.starts_with(|letter: char| letter.is_alphanumeric());
+    POINTERS.iter().copied().find(|word| doc.trim_start().strip_prefix(word).is_some_and(is_whole))
 }
 
 /// `robot/description.rs` and `robot.rs` belong to the room `robot`; lib.rs belongs to none.
@@ -245,6 +274,25 @@ mod tests {
             refused("\nfn f() -> Result<Vec<f64>, String> {\n"),
             ["crates/cdpr/src/robot.rs:2: text as an error; give it a type of its own"]
         );
+    }
+
+    #[test]
+    fn a_doc_line_that_points_at_its_subject_is_refused() {
+        let refused = |text: &str| CORE.pointing_doc_lines(Path::new("cable/mod.rs"), text);
+        let named =
+            "//! Laws of one cable.\n\n/// Length (m).\n/// Where it is slack, 0.\nfn f() {}\n// What is left.\n";
+        assert!(refused(named).is_empty());
+        assert!(refused("/// Whatever the unit, a length.\n").is_empty(), "a longer word");
+        assert_eq!(
+            refused("//! What one cable does.\n\n    /// Whose.\n    /// All that is told.\n"),
+            [
+                "crates/cdpr-core/src/cable/mod.rs:1: a doc line begins with `What`; say what the thing is: noun or verb first",
+                "crates/cdpr-core/src/cable/mod.rs:3: a doc line begins with `Whose`; say what the thing is: noun or verb first"
+            ]
+        );
+        for word in POINTERS {
+            assert_eq!(refused(&format!("/// {word} is there.\n")).len(), 1, "{word}");
+        }
     }
 
     #[test]

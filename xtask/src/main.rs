@@ -33,7 +33,7 @@ Tasks:
   test --only STEP     one step of it
   steps                the steps of `test`
   soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
-  layers               what each room of crates/cdpr may use
+  layers               what each room of the libraries may use, and how their doc lines begin
   generate             write the generated files (schemas, THIRD-PARTY.txt)
   notices              write THIRD-PARTY.txt alone
   instructions         count instructions of the library's work with valgrind, compare with the committed counts
