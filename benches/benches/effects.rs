@@ -9,13 +9,13 @@ use cdpr::equilibrium::State;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{HysteresisTable, Robot};
+use cdpr::robot::{HysteresisTable, Pulley, Robot};
 
 /// Everything that an effect asks for: pulleys, cables of 0.8 kg/m, stiffening and hysteresis.
 fn machine() -> Robot {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
     for cable in &mut robot.cables {
-        (cable.pulley_radius, cable.pulley_swivel_axis) = (Some(0.16), Some(Vector3::z()));
+        cable.pulley = Some(Pulley::Whole { radius: 0.16, swivel_axis: Vector3::z() });
         (cable.linear_density, cable.finite_elements) = (Some(0.8), Some(10));
         cable.tension_of_strain = Some(vec![2e6, 2e8]);
         cable.hysteresis = Some(HysteresisTable {

@@ -15,7 +15,7 @@ use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, Vector3};
-use cdpr::robot::{Robot, StiffnessBasis};
+use cdpr::robot::{CableStiffness, Pulley, Robot, StiffnessBasis};
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, quadratic};
@@ -55,9 +55,9 @@ impl Data {
             cable.frame_anchor = Vector3::from_row_slice(&rows[index]);
             cable.platform_anchor = Vector3::from_row_slice(&rows[8 + index]);
             (cable.length_offset, cable.length_scale) = (None, None);
-            (cable.pulley_radius, cable.pulley_swivel_axis) = (Some(0.161), Some(Vector3::z()));
-            (cable.axial_compliance, cable.spring_constant, cable.series_compliance) = (None, None, None);
-            (cable.axial_stiffness, cable.hidden_length) = (Some(2e6), None);
+            cable.pulley = Some(Pulley::Whole { radius: 0.161, swivel_axis: Vector3::z() });
+            (cable.series_compliance, cable.hidden_length) = (None, None);
+            cable.stiffness = Some(CableStiffness::Axial(2e6));
             cable.stiffness_by = Some(StiffnessBasis::Actual);
         }
         Model::new(robot, composition).expect("a model")

@@ -8,7 +8,7 @@ use cdpr::metamodel::study::CommandedPose;
 use cdpr::metamodel::{self, Operation};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{Robot, StiffnessBasis};
+use cdpr::robot::{CableStiffness, Robot, StiffnessBasis};
 use cdpr::statics::{Load, controlled_lengths};
 use cdpr::tension::{Limits, closed_form};
 use rand::{RngExt, SeedableRng};
@@ -46,8 +46,8 @@ fn main() -> Result<(), Failure> {
 fn pulley_robots(rng: &mut ChaCha8Rng) -> Result<Vec<(&'static str, Robot)>, Failure> {
     let mut tilted = builtin("cablerobot-simulator-helicopter")?;
     for cable in &mut tilted.cables {
-        cable.pulley_swivel_axis = Some(direction(rng));
-        cable.pulley_radius = Some(rng.random_range(0.02..0.5));
+        cable.set_pulley_swivel_axis(direction(rng));
+        cable.set_pulley_radius(rng.random_range(0.02..0.5));
     }
     Ok(vec![
         ("caroca-pulleys", builtin("caroca-pulleys")?),
@@ -69,7 +69,7 @@ fn elastic_robots() -> Result<Vec<(&'static str, Robot, &'static str)>, Failure>
             external.wrench = Twist::new(-20.0, 150.0, -300.0, 90.0, -60.0, 40.0);
         }
         for cable in &mut robot.cables {
-            cable.axial_stiffness.get_or_insert(3e5);
+            cable.stiffness.get_or_insert(CableStiffness::Axial(3e5));
             cable.stiffness_by = Some(StiffnessBasis::Unstrained);
         }
     }
@@ -157,9 +157,9 @@ fn cables(robot: &Robot, references: &[Vector3<f64>], over_pulleys: bool) -> Vec
     let cable = |(cable, reference): (&cdpr::robot::Cable, &Vector3<f64>)| {
         json!({
             "frame_anchor": array(cable.frame_anchor), "platform_anchor": array(cable.platform_anchor),
-            "radius": cable.pulley_radius.filter(|_| over_pulleys), "reference": array(*reference),
-            "swivel_axis": cable.pulley_swivel_axis.filter(|_| over_pulleys).map(array),
-            "stiffness": cable.axial_stiffness,
+            "radius": cable.pulley_radius().filter(|_| over_pulleys), "reference": array(*reference),
+            "swivel_axis": cable.pulley_swivel_axis().filter(|_| over_pulleys).map(array),
+            "stiffness": cable.axial_stiffness(),
         })
     };
     robot.cables.iter().zip(references).map(cable).collect()
@@ -181,7 +181,8 @@ fn builtin(name: &str) -> Result<Robot, Failure> {
 
 fn with_upright_pulleys(robot: &Robot) -> Result<Robot, Failure> {
     let home = robot.home_or_middle();
-    let pulleys: Vec<_> = robot.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(0.1), Vector3::z())).collect();
+    let pulleys: Vec<_> =
+        robot.cables.iter().map(|cable| (cable.pulley_radius().unwrap_or(0.1), Vector3::z())).collect();
     Ok(place_pulleys(robot, &pulleys, &home)?)
 }
 

@@ -10,7 +10,7 @@ use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{Robot, builtin};
+use cdpr::robot::{CableStiffness, Robot, builtin};
 use cdpr::scalar::{LaneTable, Unit};
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, quadratic};
@@ -75,9 +75,7 @@ fn problems(count: usize) -> Vec<Problems> {
     for name in builtin::names() {
         let mut robot = Robot::builtin(name).unwrap();
         for cable in &mut robot.cables {
-            if cable.spring_constant.is_none() && cable.axial_compliance.is_none() && cable.axial_stiffness.is_none() {
-                cable.axial_stiffness = Some(4e5);
-            }
+            cable.stiffness.get_or_insert(CableStiffness::Axial(4e5));
         }
         let pulleys = vec![(0.05, Vector3::z()); robot.cables.len()];
         let placed = place_pulleys(&robot, &pulleys, &robot.home_or_middle());

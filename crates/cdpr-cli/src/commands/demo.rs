@@ -98,7 +98,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 fn machine() -> Result<Robot, Failure> {
     let calibrated = read_robot("cablerobot-simulator-helicopter-elastostatic-calibrated")?;
     let pulleys: Vec<(f64, Vector3<f64>)> =
-        calibrated.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(0.0), Vector3::z())).collect();
+        calibrated.cables.iter().map(|cable| (cable.pulley_radius().unwrap_or(0.0), Vector3::z())).collect();
     let mut machine = place_pulleys(&calibrated, &pulleys, &calibrated.home_or_middle())
         .map_err(|error| Failure::refused(&calibrated.name, &error))?;
     machine.name = "demo-machine".to_owned();

@@ -75,7 +75,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let axes = swivel_axes(&robot, &arguments.axes)?;
     let pose = pose_or_home(&robot, "--pose", arguments.pose.as_ref())?;
     let radius = |(index, cable): (usize, &cdpr::robot::Cable)| {
-        arguments.radius.or(cable.pulley_radius).map(|radius| (radius, axes[index])).ok_or_else(|| {
+        arguments.radius.or(cable.pulley_radius()).map(|radius| (radius, axes[index])).ok_or_else(|| {
             let message = format!("cable {} (\"{}\") has no pulley_radius_m", index + 1, cable.name);
             Failure::input(
                 "model::missing-key",
@@ -90,7 +90,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     files::write(&arguments.out, placed.to_toml().as_bytes())?;
     let cables = placed.cables.iter().zip(&robot.cables).map(|(cable, before)| PlacedCable {
         name: cable.name.clone(),
-        pulley_radius_m: cable.pulley_radius,
+        pulley_radius_m: cable.pulley_radius(),
         frame_anchor_m: components(&robot, &cable.frame_anchor),
         moved_m: (cable.frame_anchor - before.frame_anchor).norm(),
     });
@@ -108,8 +108,8 @@ fn swivel_axes(robot: &Robot, given: &[NumberList]) -> Result<Vec<Vector3<f64>>,
     let cables = robot.cable_count();
     let refused = |message: String, help: &str| Err(Failure::input("pulley::radius-or-axis", message, help));
     match given {
-        [] => match robot.cables.iter().position(|cable| cable.pulley_swivel_axis.is_none()) {
-            None => Ok(robot.cables.iter().filter_map(|cable| cable.pulley_swivel_axis).collect()),
+        [] => match robot.cables.iter().position(|cable| cable.pulley_swivel_axis().is_none()) {
+            None => Ok(robot.cables.iter().filter_map(|cable| cable.pulley_swivel_axis()).collect()),
             Some(lacking) => {
                 let (number, name) = (lacking + 1, &robot.cables[lacking].name);
                 let message = format!("cable {number} (\"{name}\") has no pulley_swivel_axis, and no --axis is given");

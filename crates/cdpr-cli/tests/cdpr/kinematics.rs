@@ -19,7 +19,7 @@ fn every_cable_may_have_its_own_swivel_axis() {
         cdpr::robot::Robot::from_toml(&std::fs::read_to_string(folder.path().join("placed.toml")).unwrap(), "p")
             .unwrap();
     let found: Vec<[f64; 2]> =
-        placed.cables.iter().map(|cable| cable.pulley_swivel_axis.unwrap()).map(|axis| [axis.x, axis.y]).collect();
+        placed.cables.iter().map(|cable| cable.pulley_swivel_axis().unwrap()).map(|axis| [axis.x, axis.y]).collect();
     assert_eq!(found, [[0.0, 1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]]);
     let angle = |cable: usize| -> f64 {
         let run = cdpr_in(folder.path(), "ik placed.toml --model pulley --pose 0,5.2 --format json");

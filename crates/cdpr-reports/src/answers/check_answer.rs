@@ -163,9 +163,9 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
     );
     let mass_or_wrench = robot.platform.mass.is_some() || robot.external_wrench.is_some();
     warn(!mass_or_wrench, "neither platform mass_kg nor [external_wrench] is known");
-    let has_radius = some(|cable| cable.pulley_radius.is_some_and(|radius| radius > 0.0));
+    let has_radius = some(|cable| cable.pulley_radius().is_some_and(|radius| radius > 0.0));
     warn(
-        has_radius && !all(|cable| cable.pulley_swivel_axis.is_some()),
+        has_radius && !all(|cable| cable.pulley_swivel_axis().is_some()),
         "pulley radii without pulley_swivel_axis: the model `pulley` needs both, `cdpr place-pulleys` adds the axes",
     );
     warnings

@@ -97,7 +97,7 @@ pub struct Ladder {
 pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
     let has_pulleys =
-        robot.cables.iter().all(|cable| cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_some());
+        robot.cables.iter().all(|cable| cable.pulley_swivel_axis().is_some() && cable.pulley_radius().is_some());
     let is_elastic = robot.cables.iter().all(|cable| linear_elasticity(cable).is_some_and(|law| !law.is_rigid()));
     let has_weight = robot.gravity.is_some() && robot.cables.iter().all(|cable| cable.linear_density.is_some());
     let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [

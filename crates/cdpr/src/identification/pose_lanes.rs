@@ -74,8 +74,8 @@ impl CableValues {
             platform_anchor: cable.platform_anchor.into(),
             offset: cable.length_offset.unwrap_or(0.0),
             scale: cable.length_scale.unwrap_or(1.0),
-            drum_radius: cable.drum_radius.unwrap_or(0.0),
-            start_length: cable.drum_start_length.unwrap_or(0.0),
+            drum_radius: cable.winch.radius.unwrap_or(0.0),
+            start_length: cable.winch.start_length.unwrap_or(0.0),
         }
     }
 

@@ -4,7 +4,7 @@ use super::pose_lanes::CableValues;
 use crate::cable::winch::{DrumLength, Winch};
 use crate::measurement::Samples;
 use crate::model::Model;
-use crate::robot::{Cable, Parameter, ParameterKind};
+use crate::robot::{Cable, CableWinch, Parameter, ParameterKind};
 use crate::scalar::LANES;
 
 /// The recorded angles of one cable and the drum they belong to.
@@ -30,7 +30,7 @@ impl Recorder {
     pub(super) fn of(model: &Model, cable: usize, parameters: &[Parameter], samples: &Samples) -> Option<Self> {
         let data = &model.robot().cables[cable];
         let changes = |parameter: &Parameter| match parameter.kind {
-            ParameterKind::FrameAnchor => data.drum_pulley.is_none() && data.drum_guided != Some(true),
+            ParameterKind::FrameAnchor => data.winch.first_pulley.is_none() && data.winch.guided != Some(true),
             kind => kind.needs_motor_angles(),
         };
         let angles = samples.motor_angles.as_ref()?;
@@ -46,8 +46,11 @@ impl Recorder {
     pub(super) fn at(&self, values: &CableValues) -> Recordings {
         let cable = Cable {
             frame_anchor: (*values.outlet.frame_anchor()).into(),
-            drum_radius: Some(values.drum_radius),
-            drum_start_length: Some(values.start_length),
+            winch: CableWinch {
+                radius: Some(values.drum_radius),
+                start_length: Some(values.start_length),
+                ..self.cable.winch
+            },
             ..self.cable.clone()
         };
         let winch = Winch::of(&cable).and_then(Result::ok);
@@ -57,7 +60,7 @@ impl Recorder {
             .iter()
             .map(|&angle| winch.as_ref().and_then(|winch| length(winch, angle)).unwrap_or(DrumLength::NAN))
             .collect();
-        let follows_anchor = self.cable.drum_pulley.is_none();
+        let follows_anchor = self.cable.winch.first_pulley.is_none();
         let by_anchor =
             |axis: usize| all.iter().map(|length| if follows_anchor { length.by_pulley[axis] } else { 0.0 }).collect();
         Recordings {

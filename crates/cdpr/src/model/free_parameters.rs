@@ -157,7 +157,7 @@ impl FreeParameters {
             return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
         }
         for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
-            let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant.is_some();
+            let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant().is_some();
             if let Some(cable) = (0..model.cable_count()).find(|cable| self.contains(kind, *cable) && is_spring(cable))
             {
                 return Err(ParameterError::ConstantSpring { kind, cable: cable + 1 });

@@ -55,8 +55,8 @@ impl Model {
         if composition.pulley {
             for (index, cable) in robot.cables.iter().enumerate() {
                 let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
-                require(cable.pulley_swivel_axis.is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
-                require(cable.pulley_radius.is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
+                require(cable.pulley_swivel_axis().is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
+                require(cable.pulley_radius().is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
             }
             check_wrap_sides(&robot)?;
         }

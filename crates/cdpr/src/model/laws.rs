@@ -11,7 +11,7 @@ use crate::cable::outlet::Outlet;
 use crate::cable::span::Shape;
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::stretch::{Stretch, hysteresis_law, polynomial_law};
-use crate::robot::{Cable, Robot, StiffnessBasis};
+use crate::robot::{Cable, Pulley, Robot, StiffnessBasis};
 
 /// Elements of a cable whose file does not say how many.
 pub(crate) const FINITE_ELEMENTS: usize = 10;
@@ -35,7 +35,7 @@ pub(super) fn laws(
         Ok(CableLaw {
             outlet: outlet(robot, composition, cable),
             series_compliance: match composition.is_elastic() {
-                true => cable.series_compliance.unwrap_or(0.0) + cable.spring_constant.map_or(0.0, |k| 1.0 / k),
+                true => cable.series_compliance.unwrap_or(0.0) + cable.spring_constant().map_or(0.0, |k| 1.0 / k),
                 false => 0.0,
             },
             stretch,
@@ -58,7 +58,7 @@ pub(super) fn laws(
 
 /// Basis of a cable's stiffness; nothing for a constant spring.
 fn stiffness_basis(cable: &Cable) -> Option<StiffnessBasis> {
-    cable.spring_constant.is_none().then(|| cable.stiffness_by.unwrap_or(StiffnessBasis::Actual))
+    cable.spring_constant().is_none().then(|| cable.stiffness_by.unwrap_or(StiffnessBasis::Actual))
 }
 
 /// Calibration of what a robot records of a cable.
@@ -74,8 +74,8 @@ fn recording(cable: &Cable) -> Recording {
 /// Outlet of a cable: a point, or a pulley where the composition has them.
 fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64> {
     let frame_anchor = cable.frame_anchor.into();
-    match (composition.pulley, cable.pulley_swivel_axis, cable.pulley_radius) {
-        (true, Some(axis), Some(radius)) => match robot.pulley_side(cable) {
+    match (composition.pulley, cable.pulley) {
+        (true, Some(Pulley::Whole { radius, swivel_axis: axis })) => match robot.pulley_side(cable) {
             None => Outlet::Swivel { frame_anchor, swivel_axis: axis.into(), radius },
             Some(side) => Outlet::Sided { frame_anchor, swivel_axis: axis.into(), side: side.into(), radius },
         },
@@ -86,10 +86,9 @@ fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64>
 /// How a cable stretches by its unstrained length.
 fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stretch, ModelError> {
     let refused = |reason| ModelError::Stretch { cable: index + 1, name: cable.name.clone(), reason };
-    let specific = || cable.axial_compliance.or(cable.axial_stiffness.map(|stiffness| 1.0 / stiffness));
     Ok(match composition.stretch {
         StretchEffect::Rigid => Stretch::Rigid,
-        StretchEffect::Linear => specific().map_or(Stretch::Rigid, Stretch::Linear),
+        StretchEffect::Linear => cable.specific_compliance().map_or(Stretch::Rigid, Stretch::Linear),
         StretchEffect::Polynomial => {
             let key = ("polynomial", "tension_of_strain_N", "");
             require(cable.tension_of_strain.is_some(), key, index, cable)?;

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::cable::outlet::pulley::{self, PlacementError};
 use crate::geometry::Pose;
-use crate::robot::Robot;
+use crate::robot::{Pulley, Robot};
 
 /// Why pulleys cannot be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -52,8 +52,7 @@ pub fn place_pulleys(robot: &Robot, pulleys: &[(f64, Vector3<f64>)], pose: &Pose
         };
         let entry = entry.map_err(|reason| PlacePulleysError::Cable { cable: number, reason })?;
         cable.frame_anchor = entry.into();
-        cable.pulley_radius = Some(radius);
-        cable.pulley_swivel_axis = Some(axis);
+        cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis });
     }
     Ok(placed)
 }

@@ -8,7 +8,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::{CablePath, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
-use crate::robot::{Cable, ParameterKind, Platform, Robot, WrapSide};
+use crate::robot::{Cable, ParameterKind, Platform, Pulley, Robot, WrapSide};
 use crate::scalar::{add, rotate};
 use wrap_side::{planar_poses, planar_robot};
 
@@ -29,8 +29,7 @@ fn tilted_pulley_cable() -> Cable {
         name: "1".to_owned(),
         frame_anchor: Vector3::new(-2.0, 1.5, 3.0),
         platform_anchor: Vector3::new(0.3, -0.2, 0.1),
-        pulley_radius: Some(0.12),
-        pulley_swivel_axis: Some(Vector3::new(0.2, -0.3, 0.9).normalize()),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::new(0.2, -0.3, 0.9).normalize() }),
         length_scale: Some(1.03),
         length_offset: Some(-0.2),
         ..Cable::default()
@@ -69,9 +68,9 @@ fn dual_path(robot: &Robot, pose: &Pose, with_pulley: bool) -> CablePath<Dual> {
     let turn = numbers(Vector3::zeros(), 3);
     let anchor = add(numbers(pose.position, 0), add(moment_arm, crate::scalar::cross(turn, moment_arm)));
     let frame_anchor = numbers(cable.frame_anchor, 6);
-    match (with_pulley, cable.pulley_swivel_axis) {
+    match (with_pulley, cable.pulley_swivel_axis()) {
         (true, Some(axis)) => {
-            let radius = variable(cable.pulley_radius.unwrap(), 12);
+            let radius = variable(cable.pulley_radius().unwrap(), 12);
             let constants = |v: Vector3<f64>| [0, 1, 2].map(|k| Dual::from(v[k]));
             match robot.pulley_side(cable) {
                 None => outlet::pulley::path(frame_anchor, constants(axis), radius, anchor),
@@ -120,7 +119,7 @@ fn derivatives_of_both_outlets_agree_with_dual_numbers() {
         check_derivatives(&robot_of(vec![cable.clone()]), &pose, true);
     }
     // nearer to the axis than the radius, below and above: where eq. 2.19 and principal values go wrong
-    cable.pulley_swivel_axis = Some(Vector3::z());
+    cable.set_pulley_swivel_axis(Vector3::z());
     for z in [-1.0, 1.0] {
         let near_axis = Pose { position: Vector3::new(-2.0 + 0.05 - 0.3, 1.5 + 0.2, 3.0 + z), ..Pose::identity() };
         check_derivatives(&robot_of(vec![cable.clone()]), &near_axis, true);
@@ -157,7 +156,7 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
     let cable = Cable {
         frame_anchor: Vector3::zeros(),
         platform_anchor: Vector3::zeros(),
-        pulley_swivel_axis: Some(Vector3::z()),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
         ..tilted_pulley_cable()
     };
     let robot = robot_of(vec![cable]);
@@ -192,7 +191,8 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
 
 #[test]
 fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
-    let cable = Cable { pulley_radius: Some(0.0), ..tilted_pulley_cable() };
+    let mut cable = tilted_pulley_cable();
+    cable.set_pulley_radius(0.0);
     let path = |composition| {
         let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
         model.path(0, &tilted_pose()).unwrap()
@@ -214,8 +214,7 @@ fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
 fn radius_zero_has_no_axis_to_avoid() {
     let cable = Cable {
         frame_anchor: Vector3::new(0.0, 0.0, 3.0),
-        pulley_radius: Some(0.0),
-        pulley_swivel_axis: Some(Vector3::z()),
+        pulley: Some(Pulley::Whole { radius: 0.0, swivel_axis: Vector3::z() }),
         name: "1".to_owned(),
         ..Cable::default()
     };
@@ -274,8 +273,11 @@ fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
 
 #[test]
 fn degenerate_courses_are_named_and_never_nan() {
-    let cable =
-        Cable { pulley_swivel_axis: Some(Vector3::z()), frame_anchor: Vector3::zeros(), ..tilted_pulley_cable() };
+    let cable = Cable {
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
+        frame_anchor: Vector3::zeros(),
+        ..tilted_pulley_cable()
+    };
     let cable = Cable { platform_anchor: Vector3::zeros(), ..cable };
     let at = |x: f64, z: f64, composition| {
         let model = Model::new(robot_of(vec![cable.clone()]), composition).unwrap();
@@ -291,7 +293,7 @@ fn degenerate_courses_are_named_and_never_nan() {
 /// The contact point of a placed pulley is the anchor it was placed for, so the pull is the point model's.
 #[test]
 fn a_placed_pulley_touches_where_the_point_model_has_its_anchor() {
-    let robot = robot_of(vec![Cable { pulley_radius: None, pulley_swivel_axis: None, ..tilted_pulley_cable() }]);
+    let robot = robot_of(vec![Cable { pulley: None, ..tilted_pulley_cable() }]);
     let pose = tilted_pose();
     for axis in [Vector3::z(), -Vector3::z(), Vector3::new(0.6, 0.0, 0.8)] {
         let placed = place_pulleys(&robot, &[(0.161, axis)], &pose).unwrap();

@@ -125,7 +125,7 @@ pub(super) fn winches_of(robot: &Robot, with_drums: bool) -> Result<Vec<Option<W
             return Ok(Winch::ideal(cable).and_then(Result::ok));
         }
         if let Some(key) = missing_key(cable) {
-            let hint = if cable.drum_guided == Some(true) {
+            let hint = if cable.winch.guided == Some(true) {
                 ""
             } else {
                 ", or set drum_guided = true for a drum whose guide travels with the contact point"

@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::Cable;
 use super::file::{CableSection, RobotFile};
 use super::parameter::{ParameterKind as Kind, Range};
 use super::reading::{Reader, key_name};
-use super::{StretchError, rising_range};
+use super::{Cable, CableStiffness, Pulley, StretchError, rising_range};
 use crate::reading::{MAGNITUDE_LIMIT, ReadError, Step};
 
 /// Most cables that are read: no robot comes near, and every matrix stays small.
@@ -108,8 +107,7 @@ impl CableReader<'_> {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
             platform_anchor: self.vector("platform_anchor_m", &section.platform_anchor_m)?,
-            pulley_radius: self.number(Kind::PulleyRadius, section.pulley_radius_m)?,
-            pulley_swivel_axis: section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?,
+            pulley: self.pulley()?,
             pulley_wrap_side: section.pulley_wrap_side,
             pulley_wrap_min: section.pulley_wrap_min_rad,
             pulley_wrap_max: section.pulley_wrap_max_rad,
@@ -118,9 +116,7 @@ impl CableReader<'_> {
             length_max: section.length_max_m,
             tension_min: section.tension_min_N,
             tension_max: section.tension_max_N,
-            axial_stiffness: self.number(Kind::AxialStiffness, section.axial_stiffness_EA_N)?,
-            axial_compliance: self.number(Kind::Compliance, section.axial_compliance_per_N)?,
-            spring_constant: self.number(Kind::SpringConstant, section.spring_constant_N_per_m)?,
+            stiffness: self.stiffness()?,
             stiffness_by: section.stiffness_by,
             hidden_length: self.number(Kind::HiddenLength, section.hidden_length_m)?,
             series_compliance: self.number(Kind::SeriesCompliance, section.series_compliance_m_per_N)?,
@@ -133,8 +129,22 @@ impl CableReader<'_> {
             tension_at: section.tension_at,
             linear_density: self.number(Kind::LinearDensity, section.linear_density_kg_per_m)?,
             finite_elements: self.finite_elements(section.finite_elements)?,
-            ..self.winch()?
+            winch: self.winch()?,
         })
+    }
+
+    fn pulley(&self) -> Result<Option<Pulley>, ReadError> {
+        let radius = self.number(Kind::PulleyRadius, self.section.pulley_radius_m)?;
+        let axis = self.section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?;
+        Ok(Pulley::of(radius, axis))
+    }
+
+    /// The one of three ways in which the file states a stiffness.
+    fn stiffness(&self) -> Result<Option<CableStiffness>, ReadError> {
+        let axial = self.number(Kind::AxialStiffness, self.section.axial_stiffness_EA_N)?.map(CableStiffness::Axial);
+        let compliance = self.number(Kind::Compliance, self.section.axial_compliance_per_N)?;
+        let spring = self.number(Kind::SpringConstant, self.section.spring_constant_N_per_m)?;
+        Ok(axial.or(compliance.map(CableStiffness::Compliance)).or(spring.map(CableStiffness::Spring)))
     }
 
     fn path<'k>(&self, key: &'k str) -> [Step<'k>; 3] {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
-use super::{Cable, Robot};
+use super::{Cable, Pulley, Robot};
 use crate::scalar::decomposition::symmetric_eigen;
 
 /// Anchors count as collinear or coplanar when they leave the line or plane by less than this share of their extent.
@@ -55,13 +55,13 @@ impl Robot {
             cable.tension_min.is_none() || cable.tension_max.is_none()
         });
         without("pulley_radius_m without pulley_swivel_axis, so the effect `pulley` cannot be used", &|cable| {
-            cable.pulley_radius.is_some() && cable.pulley_swivel_axis.is_none()
+            matches!(cable.pulley, Some(Pulley::Radius(_)))
         });
         without("pulley_swivel_axis without pulley_radius_m, so the effect `pulley` cannot be used", &|cable| {
-            cable.pulley_swivel_axis.is_some() && cable.pulley_radius.is_none()
+            matches!(cable.pulley, Some(Pulley::SwivelAxis(_)))
         });
         without("pulley_wrap_side without pulley_swivel_axis, so it has no effect", &|cable| {
-            cable.pulley_wrap_side.is_some() && cable.pulley_swivel_axis.is_none()
+            cable.pulley_wrap_side.is_some() && cable.pulley_swivel_axis().is_none()
         });
         without(
             "the cable leaves its drum at more than 0.1 rad against the groove at the start: are drum_axis and drum_position_m right?",
@@ -103,8 +103,8 @@ impl Robot {
 
 /// Tangent of the angle between the cable from a drum at its start and the plane across the drum's axis; `None` behind a guide.
 fn fleet_tangent(cable: &Cable) -> Option<f64> {
-    let (axis, position) = (cable.drum_axis?, cable.drum_position.filter(|_| cable.drum_guided != Some(true))?);
-    let way = cable.drum_pulley.unwrap_or(cable.frame_anchor) - position;
+    let (axis, position) = (cable.winch.axis?, cable.winch.position.filter(|_| cable.winch.guided != Some(true))?);
+    let way = cable.winch.first_pulley.unwrap_or(cable.frame_anchor) - position;
     let along = axis.dot(&way);
     Some(along / (way - axis * along).norm())
 }
@@ -132,7 +132,7 @@ mod tests {
     fn what_is_missing_or_flat_is_said() {
         let mut robot = Robot::builtin("cucablerobot").unwrap();
         robot.cables[1].frame_anchor = robot.cables[0].frame_anchor;
-        robot.cables[2].pulley_swivel_axis = None;
+        robot.cables[2].pulley = robot.cables[2].pulley_radius().map(Pulley::Radius);
         robot.cables[3].tension_max = None;
         robot.cables.iter_mut().for_each(|cable| cable.platform_anchor.z = 0.0);
         robot.home = None;
@@ -147,10 +147,10 @@ mod tests {
     fn a_drum_that_stands_askew_is_noticed() {
         let mut robot = Robot::builtin("cucablerobot").unwrap();
         let cable = &mut robot.cables[0];
-        cable.drum_axis = Some(Vector3::x());
-        cable.drum_position = Some(cable.frame_anchor - Vector3::new(0.1, 0.0, 2.0));
+        cable.winch.axis = Some(Vector3::x());
+        cable.winch.position = Some(cable.frame_anchor - Vector3::new(0.1, 0.0, 2.0));
         assert_eq!(robot.warnings(), Vec::<String>::new());
-        robot.cables[0].drum_axis = Some(Vector3::z());
+        robot.cables[0].winch.axis = Some(Vector3::z());
         assert!(robot.warnings().join("\n").contains("drum_position_m"));
     }
 

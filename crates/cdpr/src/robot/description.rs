@@ -4,7 +4,7 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{HysteresisTable, Obstacle};
+use super::{CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
@@ -110,10 +110,8 @@ pub struct Cable {
     pub frame_anchor: Vector3<f64>,
     /// Platform anchor b (platform frame, m).
     pub platform_anchor: Vector3<f64>,
-    /// Pulley radius r_p (m).
-    pub pulley_radius: Option<f64>,
-    /// Unit vector along the swivel axis, from the winch into the pulley (world).
-    pub pulley_swivel_axis: Option<Vector3<f64>>,
+    /// Pulley at the frame.
+    pub pulley: Option<Pulley>,
     /// Side of a pulley that does not swivel (planar robots); `None` where it swivels.
     pub pulley_wrap_side: Option<WrapSide>,
     /// Least wrap angle on the pulley (rad).
@@ -130,12 +128,8 @@ pub struct Cable {
     pub tension_min: Option<f64>,
     /// Largest tension allowed (N).
     pub tension_max: Option<f64>,
-    /// Specific stiffness k_F = E·A (N).
-    pub axial_stiffness: Option<f64>,
-    /// 1/(E·A) (1/N); 0 is a rigid cable.
-    pub axial_compliance: Option<f64>,
-    /// Length-independent spring constant (N/m).
-    pub spring_constant: Option<f64>,
+    /// Stiffness, by E·A or as a constant spring.
+    pub stiffness: Option<CableStiffness>,
     /// Which length the specific stiffness is divided by.
     pub stiffness_by: Option<StiffnessBasis>,
     /// Strained length between winch and outlet that the geometry does not see (m).
@@ -146,32 +140,8 @@ pub struct Cable {
     pub tension_of_strain: Option<Vec<f64>>,
     /// Loading and unloading branch of the tension over the strain.
     pub hysteresis: Option<HysteresisTable>,
-    /// Radius r of the winch's drum, to the cable's centre line (m).
-    pub drum_radius: Option<f64>,
-    /// Pitch of the drum's groove (m per turn).
-    pub drum_pitch: Option<f64>,
-    /// Unit vector along the drum's axis, the way the contact point travels while cable is paid out (world).
-    pub drum_axis: Option<Vector3<f64>>,
-    /// Point of the drum's axis level with the contact point at the start angle (world, m).
-    pub drum_position: Option<Vector3<f64>>,
-    /// Side on which the cable leaves the drum; left when unknown.
-    pub drum_side: Option<DrumSide>,
-    /// True when a guide travels with the contact point, so that the free length stays the same.
-    pub drum_guided: Option<bool>,
-    /// Point at which the cable from the drum enters its first pulley (world, m); the frame anchor when unknown.
-    pub drum_pulley: Option<Vector3<f64>>,
-    /// Drum angle at which the controlled length is `drum_start_length` (rad); 0 when unknown.
-    pub drum_start_angle: Option<f64>,
-    /// Controlled length at `drum_start_angle` (m); 0 when unknown.
-    pub drum_start_length: Option<f64>,
-    /// Length of the groove along the axis (m); without ends when unknown.
-    pub drum_groove_length: Option<f64>,
-    /// Radius that each further layer of cable adds (m); one layer when unknown.
-    pub drum_layer_height: Option<f64>,
-    /// Motor angle = gear_ratio · drum angle; 1 when unknown.
-    pub gear_ratio: Option<f64>,
-    /// Counts of the motor's encoder in one turn of the motor.
-    pub encoder_counts_per_turn: Option<f64>,
+    /// Winch, as far as the file states it.
+    pub winch: CableWinch,
     /// q_recorded = length_scale · q_θ + length_offset; 1 when unknown.
     pub length_scale: Option<f64>,
     /// See `length_scale` (m); 0 when unknown.
@@ -207,29 +177,6 @@ pub enum TensionPlace {
     Outlet,
     /// At the platform anchor.
     Platform,
-}
-
-/// Side on which a cable leaves its drum, seen along `axis` with the first pulley above.
-///
-/// By symmetry the length does not depend on it; contact point, direction of rotation and the room that the cable needs do.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum DrumSide {
-    /// On the left: the drum turns positively (right-handed) about its axis when it pays out.
-    #[default]
-    Left,
-    /// On the right: the drum turns negatively about its axis when it pays out.
-    Right,
-}
-
-impl DrumSide {
-    /// Sense in which the drum turns about its axis when it pays out: +1 where the cable leaves on the left.
-    pub fn sign(self) -> f64 {
-        match self {
-            Self::Left => 1.0,
-            Self::Right => -1.0,
-        }
-    }
 }
 
 /// A published number with the pose and load it belongs to, as the file states it (numbers in the file's components).
@@ -297,7 +244,7 @@ impl Robot {
     /// x_A of a pulley that does not swivel, from D to its centre (unit, world); `None` for one that does, or without an axis.
     pub fn pulley_side(&self, cable: &Cable) -> Option<Vector3<f64>> {
         let side = cable.pulley_wrap_side?;
-        Some(self.side_of(&cable.pulley_swivel_axis?, side))
+        Some(self.side_of(&cable.pulley_swivel_axis()?, side))
     }
 
     /// The side of a direction in the plane (unit, world).

@@ -8,20 +8,24 @@ mod description;
 mod file;
 mod home_reading;
 mod parameter;
+mod parts;
 mod reading;
 pub(crate) mod stretch;
 mod surroundings;
+mod winch;
 mod winch_reading;
 mod writing;
 
 pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
-    Cable, DrumSide, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
+    Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
 };
 pub(crate) use parameter::{Head, axis_name};
 pub use parameter::{Parameter, ParameterKind};
+pub use parts::{CableStiffness, Pulley};
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
 pub use surroundings::{Obstacle, ObstacleShape};
+pub use winch::{CableWinch, DrumSide, Groove, GrooveEnds};
 
 /// JSON Schema of the robot file, for editors and for other programs.
 pub fn schema() -> schemars::Schema {

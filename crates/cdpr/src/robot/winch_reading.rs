@@ -2,41 +2,43 @@
 
 use nalgebra::Vector3;
 
-use super::Cable;
 use super::cable_reading::CableReader;
 use super::parameter::ParameterKind as Kind;
+use super::winch::{CableWinch, Groove, GrooveEnds};
 use crate::geometry::MotionPattern;
 use crate::reading::ReadError;
 
 impl CableReader<'_> {
-    /// A cable with nothing but its winch.
-    pub(super) fn winch(&self) -> Result<Cable, ReadError> {
+    pub(super) fn winch(&self) -> Result<CableWinch, ReadError> {
         let section = self.section;
-        let cable = Cable {
-            drum_radius: self.number(Kind::DrumRadius, section.drum_radius_m)?,
-            drum_pitch: self.number(Kind::DrumPitch, section.drum_pitch_m)?,
-            drum_axis: self.spatial_direction("drum_axis", section.drum_axis.as_deref())?,
-            drum_position: self.spatial("drum_position_m", section.drum_position_m.as_deref())?,
-            drum_side: section.drum_side,
-            drum_guided: section.drum_guided,
-            drum_pulley: self.spatial("drum_pulley_m", section.drum_pulley_m.as_deref())?,
-            drum_start_angle: section.drum_start_angle_rad,
-            drum_start_length: section.drum_start_length_m,
-            drum_groove_length: self.number(Kind::GrooveLength, section.drum_groove_length_m)?,
-            drum_layer_height: self.number(Kind::LayerHeight, section.drum_layer_height_m)?,
+        let radius = self.number(Kind::DrumRadius, section.drum_radius_m)?;
+        let pitch = self.number(Kind::DrumPitch, section.drum_pitch_m)?;
+        let axis = self.spatial_direction("drum_axis", section.drum_axis.as_deref())?;
+        let position = self.spatial("drum_position_m", section.drum_position_m.as_deref())?;
+        let first_pulley = self.spatial("drum_pulley_m", section.drum_pulley_m.as_deref())?;
+        let length = self.number(Kind::GrooveLength, section.drum_groove_length_m)?;
+        let layer_height = self.number(Kind::LayerHeight, section.drum_layer_height_m)?;
+        let encoder_counts_per_turn = self.number(Kind::EncoderCounts, section.encoder_counts_per_turn)?;
+        let winch = CableWinch {
+            radius,
+            groove: self.groove(pitch, length, layer_height)?,
+            axis,
+            position,
+            side: section.drum_side,
+            guided: section.drum_guided,
+            first_pulley,
+            start_angle: section.drum_start_angle_rad,
+            start_length: section.drum_start_length_m,
             gear_ratio: section.gear_ratio,
-            encoder_counts_per_turn: self.number(Kind::EncoderCounts, section.encoder_counts_per_turn)?,
-            frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
-            ..Cable::default()
+            encoder_counts_per_turn,
         };
-        self.check_groove(&cable)?;
-        self.check_first_pulley(&cable)?;
-        if cable.gear_ratio == Some(0.0) {
+        self.check_first_pulley(&winch)?;
+        if winch.gear_ratio == Some(0.0) {
             return Err(self
                 .error("gear_ratio", "robot::gear-ratio", "gear_ratio is 0, so its motor could not move the drum")
                 .with_help("motor angle = gear_ratio · drum angle; it is negative where the motor turns backwards"));
         }
-        Ok(cable)
+        Ok(winch)
     }
 
     /// The axis of a drum need not lie in the plane of a planar robot: three components are accepted there too.
@@ -53,15 +55,20 @@ impl CableReader<'_> {
         self.spatial(key, values)?.map(|axis| self.unit(key, axis, "robot::drum-axis", hint)).transpose()
     }
 
-    fn check_groove(&self, cable: &Cable) -> Result<(), ReadError> {
+    fn groove(
+        &self,
+        pitch: Option<f64>,
+        length: Option<f64>,
+        layer_height: Option<f64>,
+    ) -> Result<Option<Groove>, ReadError> {
         let refuse = |key: &str, message: &str, help: &str| {
             Err(self.error(key, "robot::groove", message).with_help(help.to_owned()))
         };
-        if cable.drum_groove_length.is_some() && !cable.drum_pitch.is_some_and(|pitch| pitch > 0.0) {
+        if length.is_some() && !pitch.is_some_and(|pitch| pitch > 0.0) {
             let message = "drum_groove_length_m is given, but there is no drum_pitch_m above zero";
             return refuse("drum_groove_length_m", message, "its turns are groove length over pitch: add drum_pitch_m");
         }
-        if cable.drum_layer_height.is_some() && cable.drum_groove_length.is_none() {
+        if layer_height.is_some() && length.is_none() {
             let message = "drum_layer_height_m is given, but no drum_groove_length_m";
             return refuse(
                 "drum_layer_height_m",
@@ -69,19 +76,20 @@ impl CableReader<'_> {
                 "a further layer begins where the groove is full: add its length",
             );
         }
-        Ok(())
+        let ends = length.map(|length| GrooveEnds { length, layer_height });
+        Ok(pitch.map(|pitch| Groove { pitch, ends }))
     }
 
-    fn check_first_pulley(&self, cable: &Cable) -> Result<(), ReadError> {
-        let (Some(axis), Some(position), Some(radius)) = (cable.drum_axis, cable.drum_position, cable.drum_radius)
-        else {
+    fn check_first_pulley(&self, winch: &CableWinch) -> Result<(), ReadError> {
+        let frame_anchor = self.vector("frame_anchor_m", &self.section.frame_anchor_m)?;
+        let (Some(axis), Some(position), Some(radius)) = (winch.axis, winch.position, winch.radius) else {
             return Ok(());
         };
-        let distance = axis.cross(&(cable.drum_pulley.unwrap_or(cable.frame_anchor) - position)).norm();
-        if cable.drum_guided == Some(true) || distance > radius {
+        let distance = axis.cross(&(winch.first_pulley.unwrap_or(frame_anchor) - position)).norm();
+        if winch.guided == Some(true) || distance > radius {
             return Ok(());
         }
-        let point = if cable.drum_pulley.is_some() { "drum_pulley_m" } else { "frame_anchor_m" };
+        let point = if winch.first_pulley.is_some() { "drum_pulley_m" } else { "frame_anchor_m" };
         let message = format!(
             "{point}, where the cable from the drum enters its first pulley, is {distance:.4} m from the drum's axis, inside the drum of radius {radius} m"
         );

@@ -53,10 +53,10 @@ fn numbers(robot: &Robot, with_home: bool) -> Vec<(String, Option<f64>)> {
     for cable in &robot.cables {
         add(&cable.name, cable.frame_anchor.as_slice());
         add(&cable.name, cable.platform_anchor.as_slice());
-        add(&cable.name, cable.pulley_swivel_axis.unwrap_or_default().as_slice());
+        add(&cable.name, cable.pulley_swivel_axis().unwrap_or_default().as_slice());
     }
     for cable in &robot.cables {
-        let scalars = [cable.tension_min, cable.tension_max, cable.pulley_radius, cable.axial_stiffness];
+        let scalars = [cable.tension_min, cable.tension_max, cable.pulley_radius(), cable.axial_stiffness()];
         all.extend(scalars.map(|scalar| (cable.name.clone(), scalar)));
     }
     all

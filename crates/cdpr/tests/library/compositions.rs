@@ -21,8 +21,8 @@ fn machine() -> Robot {
     let middle = robot.home_or_middle().position;
     for cable in &mut robot.cables {
         let upright = if cable.frame_anchor.z > middle.z { 1.0 } else { -1.0 };
-        cable.pulley_radius = Some(0.16);
-        cable.pulley_swivel_axis = Some(cdpr::nalgebra::Vector3::new(0.0, 0.0, upright));
+        cable.set_pulley_radius(0.16);
+        cable.set_pulley_swivel_axis(cdpr::nalgebra::Vector3::new(0.0, 0.0, upright));
         cable.linear_density = Some(0.8);
         cable.finite_elements = Some(8);
         cable.tension_of_strain = Some(vec![2e6, 2e8]);

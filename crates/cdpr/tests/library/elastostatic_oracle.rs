@@ -6,7 +6,7 @@ use cdpr::identification::fit::{Prior, Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{Vector3, Vector6};
-use cdpr::robot::{ParameterKind, Robot};
+use cdpr::robot::{CableStiffness, ParameterKind, Robot};
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, closed_form};
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
@@ -155,7 +155,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Whole<'_> {
 fn start(robot: &Robot, samples: &Samples) -> DVector<f64> {
     let mut values: Vec<f64> = robot.cables.iter().flat_map(|cable| cable.frame_anchor.iter().copied()).collect();
     values.extend(robot.cables.iter().flat_map(|cable| cable.platform_anchor.iter().copied()));
-    values.extend(robot.cables.iter().map(|cable| 1.0 / cable.axial_stiffness.unwrap()));
+    values.extend(robot.cables.iter().map(|cable| 1.0 / cable.axial_stiffness().unwrap()));
     values.extend(Load::of(robot).unwrap().constant_part().iter());
     for sample in 0..SAMPLES {
         values.extend([0.0; 6]);
@@ -175,7 +175,8 @@ fn the_inverse_form_finds_the_optimum_of_the_whole_problem() {
         let k = k as f64;
         cable.frame_anchor += Vector3::new(0.02 * k.sin(), 0.03 * k.cos(), -0.01 * (2.0 * k).sin());
         cable.platform_anchor += Vector3::new(0.01 * (3.0 * k).cos(), -0.01, 0.012 * k.cos());
-        cable.axial_stiffness = cable.axial_stiffness.map(|stiffness| stiffness * (1.0 + 0.05 * k.sin()));
+        cable.stiffness =
+            cable.axial_stiffness().map(|stiffness| CableStiffness::Axial(stiffness * (1.0 + 0.05 * k.sin())));
     }
     let samples = measured(&Model::new(machine, Composition::ELASTIC).unwrap());
 

@@ -5,7 +5,7 @@ use cdpr::equilibrium::elastostatics::{InputError, Settings, Solution, Solver, S
 use cdpr::geometry::{MotionPattern, Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, DVector, Vector3};
-use cdpr::robot::{Cable, Robot};
+use cdpr::robot::{Cable, CableStiffness, Robot};
 use cdpr::statics::{Load, Stiffness, wrench_residual};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -109,7 +109,7 @@ impl Tally {
 fn stretchable(robot: &Robot, stiffness: f64) -> Robot {
     let mut robot = robot.clone();
     for cable in &mut robot.cables {
-        *cable = Cable { axial_stiffness: cable.axial_stiffness.or(Some(stiffness)), ..cable.clone() };
+        cable.stiffness.get_or_insert(CableStiffness::Axial(stiffness));
     }
     robot
 }
@@ -420,7 +420,7 @@ fn imbalance(model: &Model, lengths: &[f64], load: &Load, pose: &Pose) -> f64 {
 }
 
 fn stiffness(cable: &mut Cable, axial_stiffness: f64) {
-    cable.axial_stiffness = Some(axial_stiffness);
+    cable.stiffness = Some(CableStiffness::Axial(axial_stiffness));
 }
 
 /// Cables of a hundredth of their length, cables a hundred million times as strong as the load, and cables a million times as
@@ -432,7 +432,8 @@ fn extreme_cables_come_to_rest_in_balance() {
     let soft: Law = |cable, rng| stiffness(cable, LOAD * 10_f64.powf(rng.random_range(1.0..4.0)));
     let hard: Law = |cable, _| stiffness(cable, 1e8 * LOAD);
     let mixed: Law = |cable, rng| stiffness(cable, 1e3 * LOAD * if rng.random_bool(0.5) { 1e6 } else { 1.0 });
-    let spring: Law = |cable, rng| cable.spring_constant = Some(LOAD * 10_f64.powf(rng.random_range(-1.0..2.0)));
+    let spring: Law =
+        |cable, rng| cable.stiffness = Some(CableStiffness::Spring(LOAD * 10_f64.powf(rng.random_range(-1.0..2.0))));
     for (index, pattern) in PATTERNS.into_iter().enumerate() {
         for (name, law, shares) in [
             ("long stretch", soft, 0.01..0.3),

@@ -12,7 +12,7 @@ use cdpr::metamodel::sweep::{PreparedSweep, Subjects, Sweep};
 use cdpr::metamodel::{self, Experiment, Operation, Outcome, Robots, Study};
 use cdpr::model::{Cables, Composition, Model, SpanEffect, StretchEffect};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{HysteresisTable, Robot};
+use cdpr::robot::{CableStiffness, HysteresisTable, Pulley, Robot};
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::workspace::grid::{self, Grid};
@@ -27,10 +27,9 @@ fn equipped(name: &str, cables: &[usize]) -> Robot {
     robot.platform.mass.get_or_insert(120.0);
     robot.platform.center_of_mass.get_or_insert_with(Vector3::zeros);
     for cable in &mut robot.cables {
-        cable.axial_compliance = None;
-        cable.axial_stiffness = Some(1e6);
-        cable.pulley_radius = Some(0.05);
-        cable.pulley_swivel_axis = Some(if robot.motion_pattern.is_planar() { Vector3::y() } else { Vector3::z() });
+        cable.stiffness = Some(CableStiffness::Axial(1e6));
+        let swivel_axis = if robot.motion_pattern.is_planar() { Vector3::y() } else { Vector3::z() };
+        cable.pulley = Some(Pulley::Whole { radius: 0.05, swivel_axis });
         cable.pulley_wrap_side = None;
         cable.linear_density = Some(0.1);
         cable.finite_elements = Some(4);
@@ -45,8 +44,9 @@ fn equipped(name: &str, cables: &[usize]) -> Robot {
             transition_share: None,
         });
         (cable.length_scale, cable.length_offset) = (Some(1.002), Some(0.03));
-        (cable.drum_radius, cable.drum_pitch, cable.drum_guided) = (Some(0.1), Some(0.01), Some(true));
-        cable.drum_start_length = Some(8.0);
+        (cable.winch.radius, cable.winch.guided) = (Some(0.1), Some(true));
+        cable.winch.set_pitch(0.01);
+        cable.winch.start_length = Some(8.0);
         cable.tension_min = Some(100.0);
         cable.tension_max = Some(9000.0);
     }

@@ -15,7 +15,7 @@ use cdpr::metamodel::study::CommandedPose;
 use cdpr::metamodel::{accuracy::assess, operate};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{ParameterKind, Robot};
+use cdpr::robot::{CableStiffness, ParameterKind, Robot};
 use cdpr::statics::{Load, Stiffness, balanced_wrench, controlled_lengths, section_wrench, split, wrench_residual};
 use cdpr::tension::{Limits, Method, Options, Reference, closed_form, quadratic, solve};
 use proptest::prelude::*;
@@ -37,7 +37,7 @@ fn vector() -> impl Strategy<Value = Vector3<f64>> {
 
 fn robots() -> Vec<Robot> {
     let mut turning = builtin("kntu-planar");
-    turning.cables.iter_mut().for_each(|cable| cable.spring_constant = Some(1e4));
+    turning.cables.iter_mut().for_each(|cable| cable.stiffness = Some(CableStiffness::Spring(1e4)));
     let calibrated = builtin("cablerobot-simulator-helicopter-elastostatic-calibrated");
     vec![
         builtin("planar-example"),
@@ -86,15 +86,20 @@ fn apply(mut robot: Robot, fault: &Fault) -> Robot {
             cables.iter_mut().skip(cable % count).take(1).for_each(|c| c.platform_anchor = v);
         }
         Fault::Axis(cable, v) => {
-            cables.iter_mut().skip(cable % count).take(1).for_each(|c| c.pulley_swivel_axis = Some(v));
+            cables.iter_mut().skip(cable % count).take(1).for_each(|c| c.set_pulley_swivel_axis(v));
         }
         Fault::Scalar(cable, field, number) => {
             for cable in cables.iter_mut().skip(cable % count).take(1) {
                 let target = match field {
-                    0 => &mut cable.pulley_radius,
-                    1 => &mut cable.axial_stiffness,
-                    2 => &mut cable.axial_compliance,
-                    3 => &mut cable.spring_constant,
+                    0 => {
+                        cable.set_pulley_radius(number);
+                        continue;
+                    }
+                    1..=3 => {
+                        let ways = [CableStiffness::Axial, CableStiffness::Compliance, CableStiffness::Spring];
+                        cable.stiffness = Some(ways[field - 1](number));
+                        continue;
+                    }
                     4 => &mut cable.hidden_length,
                     5 => &mut cable.series_compliance,
                     6 => &mut cable.length_scale,

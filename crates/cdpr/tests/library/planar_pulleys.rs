@@ -89,7 +89,7 @@ fn the_radius_of_a_pulley_that_does_not_swivel_is_identified() {
         samples.poses.push(pose);
     }
     let mut nominal = machine.robot().clone();
-    nominal.cables.iter_mut().for_each(|cable| cable.pulley_radius = Some(0.1));
+    nominal.cables.iter_mut().for_each(|cable| cable.set_pulley_radius(0.1));
     let nominal = Model::new(nominal, Composition::PULLEY).unwrap();
     let found = fit::fit(&nominal, &samples, &"pulley-radius".parse().unwrap(), &fit::Settings::default()).unwrap();
     for estimate in &found.parameters {

@@ -81,7 +81,7 @@ fn a_machine_with_an_unknown_pulley_radius_is_recognised() {
     let good = successes("pulley:pulley-radius", &start, Composition::PULLEY, |rng| {
         let mut robot = start.clone();
         for cable in &mut robot.cables {
-            cable.pulley_radius = Some(rng.random_range(0.1..0.14));
+            cable.set_pulley_radius(rng.random_range(0.1..0.14));
         }
         robot
     });

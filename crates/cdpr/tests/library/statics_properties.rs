@@ -5,7 +5,7 @@ use cdpr::equilibrium::elastostatics::{self, Settings, Status};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr::robot::{CableStiffness, Robot};
 use cdpr::statics::{Load, Stability, Stiffness, balanced_wrench, controlled_lengths, section_wrench, split};
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
@@ -66,7 +66,7 @@ fn number() -> impl Strategy<Value = f64> {
 fn robots() -> [Robot; 3] {
     let planar = Robot::builtin("planar-example").expect("is built in");
     let mut turning = Robot::builtin("kntu-planar").expect("is built in");
-    turning.cables.iter_mut().for_each(|cable| cable.spring_constant = Some(1e4));
+    turning.cables.iter_mut().for_each(|cable| cable.stiffness = Some(CableStiffness::Spring(1e4)));
     [planar, turning, with_pulleys(&simulator(), 0.161)]
 }
 
@@ -82,7 +82,7 @@ proptest! {
         cables in prop::collection::vec(0_usize..10, 0..5),
     ) {
         for robot in robots() {
-            let composition = if robot.cables[0].pulley_swivel_axis.is_some() {
+            let composition = if robot.cables[0].pulley_swivel_axis().is_some() {
                 Composition::PULLEY_ELASTIC
             } else {
                 Composition::ELASTIC

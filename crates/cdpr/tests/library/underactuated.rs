@@ -7,7 +7,7 @@ use cdpr::equilibrium::elastostatics::{Settings, Solution, Solver, Status};
 use cdpr::geometry::Twist;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::DMatrix;
-use cdpr::robot::{Cable, Robot};
+use cdpr::robot::{CableStiffness, Robot};
 use cdpr::statics::{Load, geometric_stiffness, wrench_residual};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -152,7 +152,7 @@ fn elastic_cables_tend_to_rigid_ones() {
     for stiffness in [1e4, 1e5, 1e6, 1e7] {
         let mut robot = robot.clone();
         for cable in &mut robot.cables {
-            *cable = Cable { axial_stiffness: Some(stiffness), ..cable.clone() };
+            cable.stiffness = Some(CableStiffness::Axial(stiffness));
         }
         let elastic = Model::new(robot, Composition::PULLEY_ELASTIC).unwrap();
         let found = Solver::new(&elastic, &load, &settings).unwrap().solve(&lengths, &home).unwrap().clone();

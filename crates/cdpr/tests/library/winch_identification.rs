@@ -17,8 +17,8 @@ fn as_built(drawn: &Robot) -> Robot {
     let mut built = drawn.clone();
     for (index, cable) in built.cables.iter_mut().enumerate() {
         let k = index as f64 - 3.5;
-        cable.drum_radius = Some(0.1 + 1e-4 * k);
-        cable.drum_start_length = Some(4.0 - 0.01 * k);
+        cable.winch.radius = Some(0.1 + 1e-4 * k);
+        cable.winch.start_length = Some(4.0 - 0.01 * k);
     }
     built
 }

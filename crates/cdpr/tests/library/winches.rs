@@ -53,7 +53,7 @@ fn a_control_model_without_the_machines_drums_misses_by_millimetres() {
 #[test]
 fn a_groove_that_is_too_short_commands_nothing() {
     let mut robot = with_drums();
-    robot.cables[2].drum_groove_length = Some(0.008);
+    robot.cables[2].winch.set_groove_length(0.008);
     let (control, machine) = (model(&robot, Composition::STANDARD), model(&robot, DRUM));
     let outcomes = operate(&control, &machine, &[0.0; 8], &random_poses(&robot, 5, 0.0, 3)).unwrap();
     for outcome in outcomes {

@@ -57,9 +57,9 @@ fn numbers(robot: &Robot) -> Vec<f64> {
     let mut numbers = Vec::new();
     for cable in &robot.cables {
         numbers.extend(cable.frame_anchor.iter().chain(cable.platform_anchor.iter()));
-        numbers.extend(cable.pulley_swivel_axis.iter().flat_map(|axis| axis.iter().copied().collect::<Vec<_>>()));
-        numbers.extend([cable.pulley_radius, cable.tension_min, cable.tension_max].iter().flatten());
-        numbers.extend([cable.axial_stiffness, cable.axial_compliance, cable.spring_constant].iter().flatten());
+        numbers.extend(cable.pulley_swivel_axis().iter().flat_map(|axis| axis.iter().copied().collect::<Vec<_>>()));
+        numbers.extend([cable.pulley_radius(), cable.tension_min, cable.tension_max].iter().flatten());
+        numbers.extend([cable.axial_stiffness(), cable.axial_compliance(), cable.spring_constant()].iter().flatten());
         numbers.extend([cable.hidden_length, cable.series_compliance].iter().flatten());
         numbers.extend([cable.length_scale, cable.length_offset].iter().flatten());
         numbers.extend([cable.tension_scale, cable.tension_offset].iter().flatten());

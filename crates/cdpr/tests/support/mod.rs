@@ -30,7 +30,7 @@ pub(crate) fn simulator() -> Robot {
 /// Pulleys with +z axes whose contact points at the home pose are the published anchors.
 pub(crate) fn with_pulleys(robot: &Robot, default_radius: f64) -> Robot {
     let pulleys: Vec<_> =
-        robot.cables.iter().map(|cable| (cable.pulley_radius.unwrap_or(default_radius), Vector3::z())).collect();
+        robot.cables.iter().map(|cable| (cable.pulley_radius().unwrap_or(default_radius), Vector3::z())).collect();
     place_pulleys(robot, &pulleys, &robot.home.expect("has a home pose")).expect("pulleys fit")
 }
 
@@ -39,11 +39,12 @@ pub(crate) fn with_drums(robot: &Robot) -> Robot {
     let mut robot = robot.clone();
     for (index, cable) in robot.cables.iter_mut().enumerate() {
         let is_even = index % 2 == 0;
-        (cable.drum_radius, cable.drum_pitch) = (Some(0.1), Some(0.008));
-        cable.drum_axis = Some(if is_even { Vector3::x() } else { -Vector3::y() });
-        cable.drum_position = Some(cable.frame_anchor + Vector3::new(-0.1, 0.05, -2.0));
-        cable.drum_side = Some(if is_even { DrumSide::Left } else { DrumSide::Right });
-        (cable.drum_start_length, cable.gear_ratio) = (Some(4.0), Some(10.0));
+        cable.winch.radius = Some(0.1);
+        cable.winch.set_pitch(0.008);
+        cable.winch.axis = Some(if is_even { Vector3::x() } else { -Vector3::y() });
+        cable.winch.position = Some(cable.frame_anchor + Vector3::new(-0.1, 0.05, -2.0));
+        cable.winch.side = Some(if is_even { DrumSide::Left } else { DrumSide::Right });
+        (cable.winch.start_length, cable.winch.gear_ratio) = (Some(4.0), Some(10.0));
     }
     robot
 }

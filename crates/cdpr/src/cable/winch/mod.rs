@@ -8,7 +8,7 @@ pub mod turns;
 
 use std::f64::consts::TAU;
 
-use crate::robot::Cable;
+use crate::robot::{Cable, GrooveEnds};
 pub use drum::{Departure, Drum, DrumError, DrumLength, GrooveError, Mounting, Parameters};
 
 /// A drum with what drives it.
@@ -28,31 +28,32 @@ impl Winch {
     ///
     /// It is what a controller assumes that knows a radius only, and the limit of a drum without pitch.
     pub fn ideal(cable: &Cable) -> Option<Result<Self, DrumError>> {
-        let radius = cable.drum_radius?;
+        let radius = cable.winch.radius?;
         Some(Self::with(cable, Parameters { radius, ..parameters(cable, radius, 0.0, None, None) }))
     }
 
     /// The winch of a robot's cable; `None` when its file lacks what [`missing_key`] names.
     pub fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
-        let (radius, pitch) = (cable.drum_radius?, cable.drum_pitch?);
-        let mounting = match cable.drum_guided {
+        let winch = &cable.winch;
+        let (radius, groove) = (winch.radius?, winch.groove?);
+        let mounting = match winch.guided {
             Some(true) => None,
             _ => Some(Mounting {
-                position: cable.drum_position?,
-                axis: cable.drum_axis?,
-                side: cable.drum_side.unwrap_or_default(),
+                position: winch.position?,
+                axis: winch.axis?,
+                side: winch.side.unwrap_or_default(),
                 // the pulley's entry D, unless the cable runs over others before
-                pulley: cable.drum_pulley.unwrap_or(cable.frame_anchor),
+                pulley: winch.first_pulley.unwrap_or(cable.frame_anchor),
             }),
         };
-        Some(Self::with(cable, parameters(cable, radius, pitch, mounting, cable.drum_groove_length)))
+        Some(Self::with(cable, parameters(cable, radius, groove.pitch, mounting, groove.ends)))
     }
 
     fn with(cable: &Cable, parameters: Parameters) -> Result<Self, DrumError> {
         Ok(Self {
             drum: Drum::new(parameters)?,
-            gear_ratio: cable.gear_ratio.unwrap_or(1.0),
-            counts_per_turn: cable.encoder_counts_per_turn,
+            gear_ratio: cable.winch.gear_ratio.unwrap_or(1.0),
+            counts_per_turn: cable.winch.encoder_counts_per_turn,
         })
     }
 
@@ -82,27 +83,28 @@ fn parameters(
     radius: f64,
     pitch: f64,
     mounting: Option<Mounting>,
-    groove_length: Option<f64>,
+    ends: Option<GrooveEnds>,
 ) -> Parameters {
     Parameters {
         radius,
         pitch,
-        start_angle: cable.drum_start_angle.unwrap_or(0.0),
-        start_length: cable.drum_start_length.unwrap_or(0.0),
+        start_angle: cable.winch.start_angle.unwrap_or(0.0),
+        start_length: cable.winch.start_length.unwrap_or(0.0),
         mounting,
-        groove_length,
-        layer_height: cable.drum_layer_height.filter(|_| groove_length.is_some()),
+        groove_length: ends.map(|ends| ends.length),
+        layer_height: ends.and_then(|ends| ends.layer_height),
     }
 }
 
 /// The robot-file key that a cable lacks for the effect `drum`; `None` when it has all.
 pub fn missing_key(cable: &Cable) -> Option<&'static str> {
-    let guided = cable.drum_guided == Some(true);
+    let winch = &cable.winch;
+    let guided = winch.guided == Some(true);
     [
-        ("drum_radius_m", cable.drum_radius.is_some()),
-        ("drum_pitch_m", cable.drum_pitch.is_some()),
-        ("drum_axis", guided || cable.drum_axis.is_some()),
-        ("drum_position_m", guided || cable.drum_position.is_some()),
+        ("drum_radius_m", winch.radius.is_some()),
+        ("drum_pitch_m", winch.groove.is_some()),
+        ("drum_axis", guided || winch.axis.is_some()),
+        ("drum_position_m", guided || winch.position.is_some()),
     ]
     .into_iter()
     .find_map(|(key, present)| (!present).then_some(key))

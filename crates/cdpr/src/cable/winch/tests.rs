@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::*;
-use crate::robot::{Cable, DrumSide};
+use crate::robot::{Cable, CableWinch, DrumSide, Groove};
 
 /// A drum with its axis askew, four metres from its pulley.
 fn drum(groove_length: Option<f64>, layer_height: Option<f64>) -> Parameters {
@@ -202,11 +202,14 @@ fn drums_that_cannot_be_are_refused_by_key() {
 #[test]
 fn gear_and_encoder_stand_between_drum_and_control() {
     let cable = Cable {
-        drum_radius: Some(0.1),
-        drum_pitch: Some(0.008),
-        drum_guided: Some(true),
-        gear_ratio: Some(-12.0),
-        encoder_counts_per_turn: Some(4096.0),
+        winch: CableWinch {
+            radius: Some(0.1),
+            groove: Some(Groove { pitch: 0.008, ends: None }),
+            guided: Some(true),
+            gear_ratio: Some(-12.0),
+            encoder_counts_per_turn: Some(4096.0),
+            ..CableWinch::default()
+        },
         ..Cable::default()
     };
     let winch = Winch::of(&cable).unwrap().unwrap();
@@ -222,10 +225,11 @@ fn gear_and_encoder_stand_between_drum_and_control() {
 
 #[test]
 fn a_missing_key_is_named() {
-    let mut cable = Cable { drum_radius: Some(0.1), ..Cable::default() };
+    let mut cable = Cable::default();
+    cable.winch.radius = Some(0.1);
     assert_eq!(missing_key(&cable), Some("drum_pitch_m"));
-    cable.drum_pitch = Some(0.0);
+    cable.winch.set_pitch(0.0);
     assert_eq!(missing_key(&cable), Some("drum_axis"));
-    cable.drum_guided = Some(true);
+    cable.winch.guided = Some(true);
     assert_eq!(missing_key(&cable), None);
 }

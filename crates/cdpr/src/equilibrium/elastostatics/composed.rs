@@ -16,6 +16,7 @@ use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::{CableInput, CableState, CableStateError};
 use crate::geometry::{Pose, Twist};
 use crate::model::{Cables, Composition, SpanEffect, StretchEffect};
+use crate::robot::CableStiffness;
 use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
@@ -386,7 +387,7 @@ fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError
             Stretch::Rigid if law.series_compliance == 0.0 => FIRST_COMPLIANCE,
             stretch => stretch.secant_compliance(tension).0,
         };
-        (data.axial_compliance, data.axial_stiffness, data.spring_constant) = (Some(compliance), None, None);
+        data.stiffness = Some(CableStiffness::Compliance(compliance));
         data.series_compliance = Some(law.series_compliance);
     }
     let composition = Composition {

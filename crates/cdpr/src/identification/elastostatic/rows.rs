@@ -77,7 +77,9 @@ fn by_winch(wound: &DrumLength, parameter: &Parameter, model: &Model) -> f64 {
         ParameterKind::DrumRadius => wound.by_radius,
         ParameterKind::StartLength => wound.by_start_length,
         // the first pulley moves with the anchor
-        ParameterKind::FrameAnchor if cable.drum_pulley.is_none() => wound.by_pulley.dot(&model.axes()[parameter.axis]),
+        ParameterKind::FrameAnchor if cable.winch.first_pulley.is_none() => {
+            wound.by_pulley.dot(&model.axes()[parameter.axis])
+        }
         _ => 0.0,
     }
 }

@@ -11,7 +11,7 @@ use crate::geometry::Pose;
 use crate::identification::fit::{Minimizer, Prior, Settings, Status, fit};
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model};
-use crate::robot::{Parameter, ParameterKind, Robot, StiffnessBasis};
+use crate::robot::{CableStiffness, Parameter, ParameterKind, Robot, StiffnessBasis};
 use crate::scalar::{add, cross, rotate};
 use crate::statics::Load;
 
@@ -27,7 +27,7 @@ fn variable(value: f64, index: usize) -> Dual {
 fn odd_robot(basis: StiffnessBasis) -> Robot {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
     for cable in &mut robot.cables {
-        cable.pulley_swivel_axis = Some(Vector3::new(0.1, -0.2, 0.9).normalize());
+        cable.set_pulley_swivel_axis(Vector3::new(0.1, -0.2, 0.9).normalize());
         cable.stiffness_by = Some(basis);
         cable.hidden_length = Some(3.0);
         cable.series_compliance = Some(1e-7);
@@ -47,13 +47,13 @@ fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
     let moment_arm = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 3));
     let anchor = add([0, 1, 2].map(|k| Dual::from(pose.position[k])), moment_arm);
-    let axis = cable.pulley_swivel_axis.unwrap();
-    let radius = variable(cable.pulley_radius.unwrap(), 8);
+    let axis = cable.pulley_swivel_axis().unwrap();
+    let radius = variable(cable.pulley_radius().unwrap(), 8);
     let path =
         outlet::pulley::path(numbers(cable.frame_anchor, 0), [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor);
     let tension = (Dual::from(recorded_tension) - variable(cable.tension_offset.unwrap(), 12))
         / variable(cable.tension_scale.unwrap(), 11);
-    let specific = variable(1.0 / cable.axial_stiffness.unwrap(), 9);
+    let specific = variable(1.0 / cable.axial_stiffness().unwrap(), 9);
     let constant = specific * variable(cable.hidden_length.unwrap(), 10) + cable.series_compliance.unwrap();
     let zero = Dual::from(0.0);
     let law = match cable.stiffness_by {
@@ -150,7 +150,7 @@ fn exact_data_give_the_true_parameters_back_from_every_start() {
     let samples = exact_samples(&machine, 60);
     let mut start = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
     start.cables.iter_mut().zip(&truth.cables).for_each(|(cable, true_cable)| {
-        cable.axial_stiffness = Some(2e6);
+        cable.stiffness = Some(CableStiffness::Axial(2e6));
         // the anchors' common shift is weak: only a prior at the true place makes the truth the optimum
         cable.platform_anchor = true_cable.platform_anchor;
     });
@@ -167,7 +167,7 @@ fn exact_data_give_the_true_parameters_back_from_every_start() {
     for (cable, true_cable) in found.model.robot().cables.iter().zip(&truth.cables) {
         // the data are exact: only the tolerance of the fit is left
         assert!((cable.frame_anchor - true_cable.frame_anchor).norm() < 1e-6, "{}", cable.name);
-        let ratio = cable.axial_compliance.unwrap() * true_cable.axial_stiffness.unwrap();
+        let ratio = cable.axial_compliance().unwrap() * true_cable.axial_stiffness().unwrap();
         assert!((ratio - 1.0).abs() < 1e-4, "cable {}: {ratio}", cable.name);
     }
     let wrench = found.model.robot().external_wrench.as_ref().unwrap().wrench;
@@ -193,7 +193,7 @@ fn the_rows_of_any_composition_are_the_differences_of_changed_robots() {
     let mut robot = odd_robot(StiffnessBasis::Unstrained);
     for cable in &mut robot.cables {
         cable.linear_density = Some(0.8);
-        cable.axial_compliance = Some(1.0 / cable.axial_stiffness.take().expect("built in"));
+        cable.stiffness = cable.specific_compliance().map(CableStiffness::Compliance);
         cable.tension_of_strain = Some(vec![2e6, 2e8]);
     }
     let kinds =
@@ -332,7 +332,7 @@ fn every_minimizer_ends_at_the_same_cost() {
     let mut samples = exact_samples(&machine, 40);
     samples.lengths.iter_mut().enumerate().for_each(|(index, length)| *length += 2e-4 * (1.3 * index as f64).sin());
     let mut start = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
-    start.cables.iter_mut().for_each(|cable| cable.axial_stiffness = Some(2e6));
+    start.cables.iter_mut().for_each(|cable| cable.stiffness = Some(CableStiffness::Axial(2e6)));
     let model = Model::new(start, Composition::ELASTIC).unwrap();
     let free: FreeParameters = "frame-anchor,compliance".parse().unwrap();
     let cost = |minimizer| {

@@ -227,7 +227,7 @@ fn weighs(model: &Model) -> bool {
 /// True for a number that a cable of a model has.
 fn belongs(kind: ParameterKind, model: &Model, cable: usize) -> bool {
     let composition = model.composition();
-    let is_spring = model.robot().cables[cable].spring_constant.is_some();
+    let is_spring = model.robot().cables[cable].spring_constant().is_some();
     match kind {
         // a point platform has no anchors to measure
         ParameterKind::PlatformAnchor => !is_point(model),

@@ -45,7 +45,7 @@ impl<'a> Windings<'a> {
         match cause.side {
             // a larger believed length at the same angle is a smaller angle for the same length
             Side::Control => {
-                let counted = match self.machine.robot().cables[cause.cable].drum_radius {
+                let counted = match self.machine.robot().cables[cause.cable].winch.radius {
                     None => by_ideal(&gradient.machine, cause),
                     Some(_) => 0.0,
                 };
@@ -53,7 +53,7 @@ impl<'a> Windings<'a> {
             }
             // a control model whose file has no drum counts turns with the machine's
             Side::Machine => {
-                let counted = match self.control.robot().cables[cause.cable].drum_radius {
+                let counted = match self.control.robot().cables[cause.cable].winch.radius {
                     None => by_ideal(&gradient.control, cause),
                     Some(_) => 0.0,
                 };
@@ -82,7 +82,9 @@ fn by_drum(drum: &DrumLength, cause: &ParameterDeviation, model: &Model) -> f64 
         Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
         Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
         // the first pulley moves with the anchor
-        Kind::Parameter(ParameterKind::FrameAnchor) if model.robot().cables[cause.cable].drum_pulley.is_none() => {
+        Kind::Parameter(ParameterKind::FrameAnchor)
+            if model.robot().cables[cause.cable].winch.first_pulley.is_none() =>
+        {
             drum.by_pulley.dot(&model.axes()[cause.axis])
         }
         _ => 0.0,

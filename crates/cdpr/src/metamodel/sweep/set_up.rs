@@ -135,7 +135,7 @@ pub(super) fn with_pulleys(
         Some(_) => return Err(PointError::SwivelAxis),
     };
     let pulley = |cable: &Cable| -> Result<(f64, Vector3<f64>), PointError> {
-        let axis = common.or(cable.pulley_swivel_axis);
+        let axis = common.or(cable.pulley_swivel_axis());
         let axis = axis.ok_or_else(|| PointError::NoSwivelAxis { cable: cable.name.clone() })?;
         Ok((radius, axis.try_normalize(0.0).ok_or(PointError::NoDirection)?))
     };

@@ -36,7 +36,7 @@ fn poses(model: &Model, count: usize) -> Vec<Pose> {
         .collect();
     for (place, cable) in model.robot().cables.iter().enumerate() {
         let onto = cable.frame_anchor - home.rotation * cable.platform_anchor;
-        let axis = cable.pulley_swivel_axis.unwrap_or_else(Vector3::z);
+        let axis = cable.pulley_swivel_axis().unwrap_or_else(Vector3::z);
         poses[7 * place + 3].position = onto;
         poses[7 * place + 3].rotation = home.rotation;
         poses[7 * place + 4].position = onto - axis * 2.0;

@@ -7,7 +7,7 @@ pub(super) fn planar_robot(side: WrapSide) -> Robot {
     let cable = Cable {
         frame_anchor: Vector3::new(-2.0, 0.0, 3.0),
         platform_anchor: Vector3::new(0.3, 0.0, 0.1),
-        pulley_swivel_axis: Some(Vector3::z()),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
         pulley_wrap_side: Some(side),
         ..tilted_pulley_cable()
     };
@@ -76,7 +76,7 @@ fn the_open_side_of_a_pulley_and_spatial_wrap_sides_are_refused() {
 #[test]
 fn radius_zero_is_a_point_also_without_a_swivel() {
     let mut robot = planar_robot(WrapSide::Right);
-    robot.cables[0].pulley_radius = Some(0.0);
+    robot.cables[0].set_pulley_radius(0.0);
     let [pulley, point] = [Composition::PULLEY, Composition::STANDARD].map(|effects| {
         let model = Model::new(robot.clone(), effects).unwrap();
         planar_poses().iter().map(|pose| model.path(0, pose).unwrap().0).collect::<Vec<_>>()

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::bodies::{Body, quoted_name};
 use super::{Findings, Loss};
 use crate::reading::{Element, ReadError, help_for_unknown};
-use crate::robot::Cable;
+use crate::robot::{Cable, CableStiffness, Pulley};
 
 /// CASPR's cable that the library knows wholly, and the linear spring (k = K/length, our `axial_stiffness`).
 const TAKEN: &[&str] = &["cable_ideal", "cable_linear_spring"];
@@ -137,8 +137,8 @@ fn properties(element: &Element<'_, '_>, cable: &mut Cable, findings: &mut Findi
     if element.name() == "cable_linear_spring" {
         known.push("K");
         let stiffness = properties.required("K")?;
-        cable.axial_stiffness = match stiffness.number()? {
-            number if number > 0.0 => Some(number),
+        cable.stiffness = match stiffness.number()? {
+            number if number > 0.0 => Some(CableStiffness::Axial(number)),
             number => {
                 let message = format!("K of cable `{}` is {number}; it must be above zero", cable.name);
                 return Err(stiffness.content_error("robot::not-positive", message));
@@ -204,12 +204,12 @@ fn link_of(attachment: &Element<'_, '_>) -> Result<Option<usize>, ReadError> {
 fn pulley(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(), ReadError> {
     cable.frame_anchor = Vector3::from(element.required("fixed_location")?.vector()?);
     let radius = element.required("pulley_radius")?;
-    cable.pulley_radius = match radius.number()? {
+    let radius = match radius.number()? {
         below if below < 0.0 => {
             let message = format!("the pulley radius of cable `{}` is {below}; it cannot be negative", cable.name);
             return Err(radius.content_error("robot::negative", message));
         }
-        fine => Some(fine),
+        fine => fine,
     };
     let entry = element.required("cable_entry_vector")?;
     // CASPR takes an entry vector of any length
@@ -220,7 +220,7 @@ fn pulley(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(
         let message = format!("the pulley of cable `{}` does not stand in the plane of the robot", cable.name);
         return Err(entry.content_error("caspr::out-of-plane", message));
     }
-    cable.pulley_swivel_axis = Some(axis);
+    cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis });
     Ok(())
 }
 
@@ -241,6 +241,8 @@ fn flatten(base: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(),
     }
     cable.frame_anchor = joint.in_plane(&cable.frame_anchor);
     cable.platform_anchor = joint.in_plane(&cable.platform_anchor);
-    cable.pulley_swivel_axis = cable.pulley_swivel_axis.map(|axis| joint.in_plane(&axis));
+    if let Some(axis) = cable.pulley_swivel_axis() {
+        cable.set_pulley_swivel_axis(joint.in_plane(&axis));
+    }
     Ok(())
 }

@@ -105,12 +105,12 @@ fn every_number_arrives_in_its_place() {
     assert_eq!(robot.travel.as_ref().unwrap().max, Vector3::new(4.0, 4.0, 4.5));
     assert_eq!(robot.platform.inertia.unwrap()[(2, 1)], 0.3);
     let [a, b] = &robot.cables[..] else { panic!("two cables") };
-    assert_eq!((a.tension_min, a.tension_max, a.axial_stiffness), (Some(1.0), Some(10.0), None));
+    assert_eq!((a.tension_min, a.tension_max, a.axial_stiffness()), (Some(1.0), Some(10.0), None));
     assert_eq!(a.platform_anchor, Vector3::new(0.1, 0.2, 0.3));
     // `com` counts from the centre of mass; the entry vector becomes a direction
     assert_eq!(b.platform_anchor, Vector3::new(0.1, 0.0, 0.0));
-    assert_eq!((b.pulley_radius, b.pulley_swivel_axis), (Some(0.05), Some(Vector3::z())));
-    assert_eq!((b.axial_stiffness, b.tension_max), (Some(1300.0), None));
+    assert_eq!((b.pulley_radius(), b.pulley_swivel_axis()), (Some(0.05), Some(Vector3::z())));
+    assert_eq!((b.axial_stiffness(), b.tension_max), (Some(1300.0), None));
     assert_eq!((import.cable_set.as_str(), import.cable_sets), ("plain", vec!["plain".to_owned(), "other".to_owned()]));
     assert_eq!(import.findings, []);
 }

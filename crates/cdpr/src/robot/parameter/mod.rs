@@ -9,7 +9,7 @@ mod tests;
 
 use nalgebra::Vector3;
 
-use super::{Cable, ExternalWrench, Robot};
+use super::{Cable, CableStiffness, ExternalWrench, Robot};
 use crate::geometry::Wrench;
 pub use kind::ParameterKind;
 pub(crate) use kind::{Owner, Range};
@@ -70,8 +70,8 @@ impl Parameter {
         }
     }
 
-    /// Writes a value into a robot; nothing else of it changes, but that a stiffness takes the place of a compliance and the other way
-    /// round, and that a wrench includes the weight from then on.
+    /// Writes a value into a robot; nothing else of it changes, but that stiffness, compliance and spring constant take each other's
+    /// place, and that a wrench includes the weight from then on. A groove without pitch gets no length, one without length no layers.
     pub fn set(&self, robot: &mut Robot, value: f64) {
         use ParameterKind as Kind;
         let index = axis_index(robot, self.axis);
@@ -92,19 +92,18 @@ impl Parameter {
         let is_alone = match self.kind {
             _ if !self.kind.range().contains(value) => false,
             ParameterKind::AxialStiffness | ParameterKind::Compliance | ParameterKind::SpringConstant => {
-                let cable = &robot.cables[self.cable];
-                let stated = [
-                    (ParameterKind::AxialStiffness, cable.axial_stiffness),
-                    (ParameterKind::Compliance, cable.axial_compliance),
-                    (ParameterKind::SpringConstant, cable.spring_constant),
-                ];
-                stated.iter().all(|(kind, number)| *kind == self.kind || number.is_none())
+                let stated = robot.cables[self.cable].stiffness.map(|stiffness| match stiffness {
+                    CableStiffness::Axial(_) => ParameterKind::AxialStiffness,
+                    CableStiffness::Compliance(_) => ParameterKind::Compliance,
+                    CableStiffness::Spring(_) => ParameterKind::SpringConstant,
+                });
+                stated.is_none_or(|stated| stated == self.kind)
             }
             ParameterKind::CenterOfMass | ParameterKind::Gravity | ParameterKind::Force | ParameterKind::Moment => {
                 self.get(robot).is_some()
             }
             // a drum stands outside its first pulley
-            ParameterKind::FrameAnchor => robot.cables[self.cable].drum_position.is_none(),
+            ParameterKind::FrameAnchor => robot.cables[self.cable].winch.position.is_none(),
             ParameterKind::TensionMin | ParameterKind::TensionMax | ParameterKind::LengthMin => false,
             ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
             ParameterKind::DrumRadius | ParameterKind::DrumPitch => false,
@@ -188,28 +187,23 @@ fn wrench_row(robot: &Robot, degree_of_freedom: usize) -> (usize, f64) {
     }
 }
 
-/// Specific compliance 1/EA of a cable by what its file states (1/N).
-fn specific_compliance(cable: &Cable) -> Option<f64> {
-    cable.axial_compliance.or_else(|| cable.axial_stiffness.map(|stiffness| 1.0 / stiffness))
-}
-
 /// Number of a cable that is no vector.
 fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
     use ParameterKind as Kind;
     match kind {
-        Kind::PulleyRadius => cable.pulley_radius,
+        Kind::PulleyRadius => cable.pulley_radius(),
         Kind::LengthOffset => cable.length_offset,
         Kind::LengthScale => cable.length_scale,
-        Kind::DrumRadius => cable.drum_radius,
-        Kind::StartLength => cable.drum_start_length,
+        Kind::DrumRadius => cable.winch.radius,
+        Kind::StartLength => cable.winch.start_length,
         Kind::AxialStiffness => {
-            cable.axial_stiffness.or_else(|| cable.axial_compliance.map(|compliance| 1.0 / compliance))
+            cable.axial_stiffness().or_else(|| cable.axial_compliance().map(|compliance| 1.0 / compliance))
         }
         Kind::HiddenLength => cable.hidden_length,
-        Kind::Compliance => specific_compliance(cable),
+        Kind::Compliance => cable.specific_compliance(),
         Kind::TensionScale => cable.tension_scale,
         Kind::TensionOffset => cable.tension_offset,
-        Kind::SpringConstant => cable.spring_constant,
+        Kind::SpringConstant => cable.spring_constant(),
         Kind::SeriesCompliance => cable.series_compliance,
         Kind::LinearDensity => cable.linear_density,
         Kind::Diameter => cable.diameter,
@@ -219,12 +213,12 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::LengthMax => cable.length_max,
         Kind::WrapMin => cable.pulley_wrap_min,
         Kind::WrapMax => cable.pulley_wrap_max,
-        Kind::DrumPitch => cable.drum_pitch,
-        Kind::StartAngle => cable.drum_start_angle,
-        Kind::GrooveLength => cable.drum_groove_length,
-        Kind::LayerHeight => cable.drum_layer_height,
-        Kind::GearRatio => cable.gear_ratio,
-        Kind::EncoderCounts => cable.encoder_counts_per_turn,
+        Kind::DrumPitch => cable.winch.pitch(),
+        Kind::StartAngle => cable.winch.start_angle,
+        Kind::GrooveLength => cable.winch.groove_length(),
+        Kind::LayerHeight => cable.winch.layer_height(),
+        Kind::GearRatio => cable.winch.gear_ratio,
+        Kind::EncoderCounts => cable.winch.encoder_counts_per_turn,
         Kind::FrameAnchor | Kind::PlatformAnchor => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
     }
@@ -233,23 +227,17 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
 fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
     use ParameterKind as Kind;
     let number = match kind {
-        Kind::PulleyRadius => &mut cable.pulley_radius,
+        Kind::PulleyRadius => return cable.set_pulley_radius(value),
+        Kind::AxialStiffness => return cable.stiffness = Some(CableStiffness::Axial(value)),
+        Kind::Compliance => return cable.stiffness = Some(CableStiffness::Compliance(value)),
+        Kind::SpringConstant => return cable.stiffness = Some(CableStiffness::Spring(value)),
         Kind::LengthOffset => &mut cable.length_offset,
         Kind::LengthScale => &mut cable.length_scale,
-        Kind::DrumRadius => &mut cable.drum_radius,
-        Kind::StartLength => &mut cable.drum_start_length,
-        Kind::AxialStiffness => {
-            cable.axial_compliance = None;
-            &mut cable.axial_stiffness
-        }
-        Kind::Compliance => {
-            cable.axial_stiffness = None;
-            &mut cable.axial_compliance
-        }
+        Kind::DrumRadius => &mut cable.winch.radius,
+        Kind::StartLength => &mut cable.winch.start_length,
         Kind::HiddenLength => &mut cable.hidden_length,
         Kind::TensionScale => &mut cable.tension_scale,
         Kind::TensionOffset => &mut cable.tension_offset,
-        Kind::SpringConstant => &mut cable.spring_constant,
         Kind::SeriesCompliance => &mut cable.series_compliance,
         Kind::LinearDensity => &mut cable.linear_density,
         Kind::Diameter => &mut cable.diameter,
@@ -259,12 +247,12 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::LengthMax => &mut cable.length_max,
         Kind::WrapMin => &mut cable.pulley_wrap_min,
         Kind::WrapMax => &mut cable.pulley_wrap_max,
-        Kind::DrumPitch => &mut cable.drum_pitch,
-        Kind::StartAngle => &mut cable.drum_start_angle,
-        Kind::GrooveLength => &mut cable.drum_groove_length,
-        Kind::LayerHeight => &mut cable.drum_layer_height,
-        Kind::GearRatio => &mut cable.gear_ratio,
-        Kind::EncoderCounts => &mut cable.encoder_counts_per_turn,
+        Kind::DrumPitch => return cable.winch.set_pitch(value),
+        Kind::StartAngle => &mut cable.winch.start_angle,
+        Kind::GrooveLength => return cable.winch.set_groove_length(value),
+        Kind::LayerHeight => return cable.winch.set_layer_height(value),
+        Kind::GearRatio => &mut cable.winch.gear_ratio,
+        Kind::EncoderCounts => &mut cable.winch.encoder_counts_per_turn,
         Kind::FrameAnchor | Kind::PlatformAnchor => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
     };

@@ -1,6 +1,6 @@
 use super::*;
 use crate::geometry::{MotionPattern, Plane};
-use crate::robot::Platform;
+use crate::robot::{Groove, GrooveEnds, Platform};
 
 /// A robot of each pattern with every number stated, the planar ones in planes whose normals are negative axes too.
 fn robots() -> Vec<Robot> {
@@ -36,8 +36,8 @@ fn to_set_the_value_that_a_robot_has_changes_nothing() {
     for robot in built_in.chain(robots()) {
         for parameter in robot.parameters() {
             let is_inverse = |cable: &Cable| match parameter.kind {
-                ParameterKind::Compliance => cable.axial_compliance.is_none(),
-                ParameterKind::AxialStiffness => cable.axial_stiffness.is_none(),
+                ParameterKind::Compliance => cable.axial_compliance().is_none(),
+                ParameterKind::AxialStiffness => cable.axial_stiffness().is_none(),
                 _ => false,
             };
             let Some(value) = parameter.get(&robot).filter(|_| !is_inverse(&robot.cables[parameter.cable])) else {
@@ -54,8 +54,10 @@ fn to_set_the_value_that_a_robot_has_changes_nothing() {
 fn one_parameter_moves_no_other() {
     let same_number = |a: ParameterKind, b: ParameterKind| {
         use ParameterKind as Kind;
-        let groups: [&[Kind]; 2] =
-            [&[Kind::AxialStiffness, Kind::Compliance], &[Kind::Force, Kind::Moment, Kind::Wrench]];
+        let groups: [&[Kind]; 2] = [
+            &[Kind::AxialStiffness, Kind::Compliance, Kind::SpringConstant],
+            &[Kind::Force, Kind::Moment, Kind::Wrench],
+        ];
         groups.iter().any(|group| group.contains(&a) && group.contains(&b))
     };
     for robot in robots() {
@@ -135,7 +137,8 @@ fn values_out_of_range_are_those_that_robot_files_refuse() {
         for value in [-1.0, 0.0, 1e-31] {
             let mut changed = robot.clone();
             let cable = &mut changed.cables[parameter.cable];
-            (cable.axial_stiffness, cable.axial_compliance, cable.spring_constant) = (None, None, None);
+            let ends = Some(GrooveEnds { length: 0.5, layer_height: None });
+            (cable.stiffness, cable.winch.groove) = (None, Some(Groove { pitch: 0.01, ends }));
             parameter.set(&mut changed, value);
             let is_refused = Robot::from_toml(&changed.to_toml(), "changed.toml").is_err_and(|error| {
                 ["robot::negative", "robot::not-positive", "robot::gear-ratio"].contains(&error.code)

@@ -4,7 +4,7 @@ use nalgebra::{DVector, Vector3};
 
 use super::*;
 use crate::geometry::{Plane, Wrench};
-use crate::robot::{Cable, ExternalWrench};
+use crate::robot::{Cable, CableStiffness, ExternalWrench};
 
 #[test]
 fn a_wrench_that_includes_gravity_is_the_whole_load() {
@@ -123,7 +123,7 @@ fn a_rigid_cable_has_no_stiffness_but_a_controlled_length() {
     let refused = Stiffness::at(&rigid, &pose, &f, &load).unwrap_err().to_string();
     assert!(refused.contains("`--model pulley+elastic`"), "{refused}");
     let mut robot = elastic.robot().clone();
-    robot.cables[1] = Cable { axial_compliance: Some(0.0), ..Cable::default() };
+    robot.cables[1] = Cable { stiffness: Some(CableStiffness::Compliance(0.0)), ..Cable::default() };
     robot.cables[1].name = "stiff one".to_owned();
     let refused = Stiffness::at(&Model::new(robot, Composition::ELASTIC).unwrap(), &pose, &f, &load).unwrap_err();
     assert!(refused.to_string().contains("\"stiff one\""), "{refused}");

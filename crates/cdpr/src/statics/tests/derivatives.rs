@@ -28,8 +28,8 @@ fn dual_force(model: &Model, index: usize, pose: &Pose, controlled: f64) -> [Dua
     let path: CablePath<Dual> = match model.composition().pulley {
         true => outlet::pulley::path(
             constants(cable.frame_anchor),
-            constants(cable.pulley_swivel_axis.expect("has a pulley")),
-            Dual::from(cable.pulley_radius.expect("has a pulley")),
+            constants(cable.pulley_swivel_axis().expect("has a pulley")),
+            Dual::from(cable.pulley_radius().expect("has a pulley")),
             anchor,
         ),
         false => outlet::point::path(constants(cable.frame_anchor), anchor),

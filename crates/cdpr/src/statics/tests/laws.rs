@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::*;
 use crate::geometry::{MotionPattern, Plane, Wrench};
-use crate::robot::Cable;
+use crate::robot::{Cable, CableStiffness};
 
 /// At an equilibrium of springs and weight the potential energy has a Hessian, which is symmetric.
 #[test]
@@ -75,7 +75,7 @@ fn the_tangent_of_a_pull_is_symmetric() {
 #[test]
 fn pulleys_of_radius_zero_have_the_stiffness_of_point_outlets() {
     let mut robot = elastic_robot();
-    robot.cables.iter_mut().for_each(|cable| cable.pulley_radius = Some(0.0));
+    robot.cables.iter_mut().for_each(|cable| cable.set_pulley_radius(0.0));
     let (pose, load) = (turned(&robot), Load::of(&robot).unwrap());
     let at = |composition| {
         let model = Model::new(robot.clone(), composition).unwrap();
@@ -110,7 +110,7 @@ fn stiffness_by_length_and_by_controlled_length_differ_by_the_strain() {
 fn at_vanishing_tension_equal_springs_are_forward_kinematics() {
     let mut robot = elastic_robot();
     for cable in &mut robot.cables {
-        *cable = Cable { spring_constant: Some(1.0), axial_stiffness: None, stiffness_by: None, ..cable.clone() };
+        (cable.stiffness, cable.stiffness_by) = (Some(CableStiffness::Spring(1.0)), None);
         (cable.hidden_length, cable.series_compliance) = (None, None);
     }
     let pose = turned(&robot);
@@ -130,7 +130,7 @@ fn a_hanging_point_has_the_stiffness_of_a_pendulum() {
     robot.cables = vec![Cable {
         name: "1".to_owned(),
         frame_anchor: Vector3::new(0.0, 0.0, 5.0),
-        axial_stiffness: Some(1e5),
+        stiffness: Some(CableStiffness::Axial(1e5)),
         ..Cable::default()
     }];
     robot.external_wrench = None;
@@ -155,7 +155,7 @@ fn the_gravity_term_decides_whether_a_weight_tips() {
         name: format!("{x}"),
         frame_anchor: Vector3::new(x, 0.0, 5.0),
         platform_anchor: Vector3::new(x, 0.0, 0.0),
-        axial_stiffness: Some(1e6),
+        stiffness: Some(CableStiffness::Axial(1e6)),
         ..Cable::default()
     };
     let judged = |height: f64| {

@@ -10,7 +10,7 @@ use nalgebra::{DVector, Vector3};
 use super::*;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, Model, place_pulleys};
-use crate::robot::{Robot, StiffnessBasis};
+use crate::robot::{CableStiffness, Robot, StiffnessBasis};
 
 /// Eight cables with pulleys at odd angles, the three laws of elasticity among them, and a weight off the origin.
 fn elastic_robot() -> Robot {
@@ -22,9 +22,14 @@ fn elastic_robot() -> Robot {
     robot.platform.center_of_mass = Some(Vector3::new(0.1, -0.05, 0.2));
     for (index, cable) in robot.cables.iter_mut().enumerate() {
         match index % 3 {
-            0 => (cable.axial_stiffness, cable.stiffness_by) = (Some(4e4), Some(StiffnessBasis::Actual)),
-            1 => (cable.axial_stiffness, cable.stiffness_by) = (Some(6e4), Some(StiffnessBasis::Unstrained)),
-            _ => cable.spring_constant = Some(1e4),
+            0 => {
+                (cable.stiffness, cable.stiffness_by) = (Some(CableStiffness::Axial(4e4)), Some(StiffnessBasis::Actual))
+            }
+            1 => {
+                (cable.stiffness, cable.stiffness_by) =
+                    (Some(CableStiffness::Axial(6e4)), Some(StiffnessBasis::Unstrained));
+            }
+            _ => cable.stiffness = Some(CableStiffness::Spring(1e4)),
         }
         cable.hidden_length = (index % 3 != 2).then_some(1.5);
         cable.series_compliance = Some(1e-6);

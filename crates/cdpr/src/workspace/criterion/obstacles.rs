@@ -54,7 +54,7 @@ impl<'a> CableObstacles<'a> {
         for (cable, diameter) in diameters.into_iter().enumerate() {
             let radius = 0.5 * not_negative(NAME, "diameter", diameter, "it is a finite length of 0 or more (m)")?;
             let anchor = robot.cables[cable].frame_anchor;
-            let pulley = if model.composition().pulley { robot.cables[cable].pulley_radius } else { None };
+            let pulley = if model.composition().pulley { robot.cables[cable].pulley_radius() } else { None };
             let seat = clearance + radius + 2.0 * pulley.unwrap_or_default();
             for (obstacle, data) in robot.obstacles.iter().enumerate() {
                 let body = Body::of(robot, data);

@@ -129,7 +129,7 @@ fn every_calibrated_key_is_read_and_written() {
     let robot = Robot::from_toml(PLANAR, "frame.toml").unwrap();
     let cable = &robot.cables[1];
     assert_eq!(robot.motion_pattern, MotionPattern::Planar);
-    assert_eq!((cable.axial_compliance, cable.hidden_length), (Some(0.0), Some(1.5)));
+    assert_eq!((cable.axial_compliance(), cable.hidden_length), (Some(0.0), Some(1.5)));
     assert_eq!((cable.series_compliance, cable.stiffness_by), (Some(1e-7), Some(StiffnessBasis::Unstrained)));
     assert_eq!((cable.length_scale, cable.length_offset), (Some(1.001), Some(-0.02)));
     assert_eq!((cable.tension_scale, cable.tension_offset), (Some(0.98), Some(3.0)));
@@ -194,14 +194,14 @@ fn with_drum() -> String {
 fn every_winch_key_is_read_and_written() {
     let robot = Robot::from_toml(&with_drum(), "frame.toml").unwrap();
     let cable = &robot.cables[0];
-    assert_eq!((cable.drum_radius, cable.drum_pitch, cable.drum_guided), (Some(0.1), Some(0.008), Some(false)));
-    assert_eq!(cable.drum_axis.unwrap().as_slice(), [0.0, 1.0, 0.0]);
-    assert_eq!(cable.drum_position.unwrap().as_slice(), [-1.0, -0.5, 0.2]);
-    assert_eq!(cable.drum_pulley.unwrap().as_slice(), [-1.0, 0.0, 2.5]);
-    assert_eq!((cable.drum_side, cable.gear_ratio), (Some(DrumSide::Right), Some(-12.0)));
-    assert_eq!((cable.drum_start_angle, cable.drum_start_length), (Some(0.3), Some(1.5)));
-    assert_eq!((cable.drum_groove_length, cable.drum_layer_height), (Some(0.2), Some(0.007)));
-    assert_eq!(cable.encoder_counts_per_turn, Some(4096.0));
+    assert_eq!((cable.winch.radius, cable.winch.pitch(), cable.winch.guided), (Some(0.1), Some(0.008), Some(false)));
+    assert_eq!(cable.winch.axis.unwrap().as_slice(), [0.0, 1.0, 0.0]);
+    assert_eq!(cable.winch.position.unwrap().as_slice(), [-1.0, -0.5, 0.2]);
+    assert_eq!(cable.winch.first_pulley.unwrap().as_slice(), [-1.0, 0.0, 2.5]);
+    assert_eq!((cable.winch.side, cable.winch.gear_ratio), (Some(DrumSide::Right), Some(-12.0)));
+    assert_eq!((cable.winch.start_angle, cable.winch.start_length), (Some(0.3), Some(1.5)));
+    assert_eq!((cable.winch.groove_length(), cable.winch.layer_height()), (Some(0.2), Some(0.007)));
+    assert_eq!(cable.winch.encoder_counts_per_turn, Some(4096.0));
     assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
 }
 

@@ -8,7 +8,7 @@ use super::*;
 use crate::equilibrium::elastostatics::Settings;
 use crate::geometry::{Twist, Wrench};
 use crate::model::{Composition, Model, place_pulleys};
-use crate::robot::{Robot, builtin};
+use crate::robot::{CableStiffness, Robot, builtin};
 use crate::statics::Load;
 
 /// Every built-in robot, with springs where its file has no stiffness, over points and over pulleys.
@@ -17,9 +17,7 @@ fn models() -> Vec<Model> {
     for name in builtin::names() {
         let mut robot = Robot::builtin(name).unwrap();
         for cable in &mut robot.cables {
-            if cable.spring_constant.is_none() && cable.axial_compliance.is_none() && cable.axial_stiffness.is_none() {
-                cable.axial_stiffness = Some(4e5);
-            }
+            cable.stiffness.get_or_insert(CableStiffness::Axial(4e5));
         }
         let pulleys = vec![(0.05, Vector3::z()); robot.cables.len()];
         let placed = place_pulleys(&robot, &pulleys, &robot.home_or_middle());

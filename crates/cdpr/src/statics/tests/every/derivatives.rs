@@ -309,7 +309,7 @@ fn check_drum(model: &Model, index: usize, length: f64) {
     let back = model.controlled_length_of_motor_angle(index, angle).unwrap();
     // rounding of angles of 1e3 rad
     assert!((back - length).abs() < 1e-11, "{length} {back}");
-    let gear_ratio = model.robot().cables[index].gear_ratio.expect("has a gear");
+    let gear_ratio = model.robot().cables[index].winch.gear_ratio.expect("has a gear");
     let by_angle = model.motor_angle_gradient(index, angle).unwrap().by_angle / gear_ratio;
     let h = 1e-5;
     let slope =

@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::robot::{HysteresisTable, TensionPlace, WrapSide};
+use crate::robot::{CableStiffness, HysteresisTable, TensionPlace, WrapSide};
 
 /// A number between −1 and 1 times this.
 fn within(rng: &mut ChaCha8Rng, extent: f64) -> f64 {
@@ -33,20 +33,19 @@ fn random_robot(seed: u64) -> Robot {
             cable.frame_anchor = Vector3::new(6.0 * angle.cos(), 6.0 * angle.sin(), 4.0 + within(&mut rng, 3.5));
             cable.platform_anchor = Vector3::from_fn(|_, _| within(&mut rng, 0.5));
             let tilt = Vector3::new(within(&mut rng, 0.3), within(&mut rng, 0.3), 1.0);
-            cable.pulley_swivel_axis = Some(tilt.normalize());
+            cable.set_pulley_swivel_axis(tilt.normalize());
         } else {
-            cable.pulley_swivel_axis = Some(Vector3::new(0.0, 1.0, 0.0));
+            cable.set_pulley_swivel_axis(Vector3::new(0.0, 1.0, 0.0));
             let is_left = cable.frame_anchor.x < 0.0;
             cable.pulley_wrap_side = Some(if is_left { WrapSide::Right } else { WrapSide::Left });
         }
-        cable.pulley_radius = Some(0.15 + within(&mut rng, 0.1));
+        cable.set_pulley_radius(0.15 + within(&mut rng, 0.1));
         let specific = 1e6 * (1.5 + within(&mut rng, 1.0));
-        (cable.axial_stiffness, cable.axial_compliance, cable.spring_constant) = (None, None, None);
-        match index % 3 {
-            0 => cable.axial_stiffness = Some(specific),
-            1 => cable.axial_compliance = Some(1.0 / specific),
-            _ => cable.spring_constant = Some(specific / 8.0),
-        }
+        cable.stiffness = Some(match index % 3 {
+            0 => CableStiffness::Axial(specific),
+            1 => CableStiffness::Compliance(1.0 / specific),
+            _ => CableStiffness::Spring(specific / 8.0),
+        });
         cable.stiffness_by = Some(if index % 2 == 0 { StiffnessBasis::Actual } else { StiffnessBasis::Unstrained });
         cable.hidden_length = (index % 3 != 2).then_some(1.0 + within(&mut rng, 1.0));
         cable.series_compliance = Some(1e-7 * (1.0 + within(&mut rng, 1.0)));
@@ -56,11 +55,11 @@ fn random_robot(seed: u64) -> Robot {
         cable.hysteresis = Some(loop_of(specific, 0.2));
         cable.tension_at = Some(if index % 2 == 0 { TensionPlace::Outlet } else { TensionPlace::Platform });
         cable.tension_max = Some(2e4);
-        cable.drum_radius = Some(0.1 + within(&mut rng, 0.03));
-        cable.drum_pitch = Some(0.012);
-        cable.drum_axis = Some(Vector3::x());
-        cable.drum_position = Some(cable.frame_anchor + Vector3::new(0.1, 1.5, -2.0));
-        cable.gear_ratio = Some(5.0);
+        cable.winch.radius = Some(0.1 + within(&mut rng, 0.03));
+        cable.winch.set_pitch(0.012);
+        cable.winch.axis = Some(Vector3::x());
+        cable.winch.position = Some(cable.frame_anchor + Vector3::new(0.1, 1.5, -2.0));
+        cable.winch.gear_ratio = Some(5.0);
     }
     robot
 }

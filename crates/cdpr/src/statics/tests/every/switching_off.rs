@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::{SpanEffect, StretchEffect};
+use crate::robot::CableStiffness;
 
 /// Answers of a model for its cables at these tensions (N): lengths, wrenches in the pattern's degrees of freedom, and their
 /// derivatives.
@@ -30,17 +31,17 @@ const EFFECTS: [Effect; 4] = [
     Effect {
         word: "pulley",
         scale: |robot, share| {
-            each(robot, |cable| cable.pulley_radius = cable.pulley_radius.map(|radius| radius * share))
+            each(robot, |cable| {
+                cable.pulley_radius().into_iter().for_each(|radius| cable.set_pulley_radius(radius * share))
+            })
         },
     },
     Effect {
         word: "elastic",
         scale: |robot, share| {
             each(robot, |cable| {
-                let stiffness = cable.axial_stiffness.take();
-                let compliance = cable.axial_compliance.or(stiffness.map(|k| 1.0 / k)).unwrap_or(1e-6);
-                cable.axial_compliance = Some(compliance * share);
-                cable.spring_constant = None;
+                let compliance = cable.specific_compliance().unwrap_or(1e-6);
+                cable.stiffness = Some(CableStiffness::Compliance(compliance * share));
                 cable.series_compliance = cable.series_compliance.map(|series| series * share);
             });
         },
@@ -67,9 +68,8 @@ fn gap(found: &[f64], expected: &[f64]) -> f64 {
 fn by_unstrained_length(seed: u64) -> Robot {
     let mut robot = random_robot(seed);
     each(&mut robot, |cable| {
-        let spring = cable.spring_constant.take();
-        if spring.is_some() {
-            cable.axial_stiffness = Some(2e6);
+        if cable.spring_constant().is_some() {
+            cable.stiffness = Some(CableStiffness::Axial(2e6));
         }
         cable.stiffness_by = Some(StiffnessBasis::Unstrained);
         cable.tension_at = None;

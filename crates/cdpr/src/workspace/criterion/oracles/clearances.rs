@@ -1,7 +1,7 @@
 //! Lengths, wraps and distances against points sampled along the cables.
 
 use super::*;
-use crate::robot::WrapSide;
+use crate::robot::{Pulley, WrapSide};
 
 /// Points of every cable's free part, 0 at the outlet and `count` at the platform.
 fn sampled(model: &Model, pose: &Pose, count: usize) -> Vec<Vec<Vector3<f64>>> {
@@ -174,7 +174,7 @@ fn validity_ends_where_courses_end() {
     let mut planar = complete("planar-example");
     let axis = planar.plane.second_axis();
     for cable in &mut planar.cables {
-        (cable.pulley_radius, cable.pulley_swivel_axis) = (Some(0.2), Some(axis));
+        cable.pulley = Some(Pulley::Whole { radius: 0.2, swivel_axis: axis });
         cable.pulley_wrap_side = Some(WrapSide::Right);
     }
     let models = [
@@ -190,7 +190,7 @@ fn validity_ends_where_courses_end() {
             // a platform anchor near an outlet
             let cable = case % model.cable_count();
             let data = &model.robot().cables[cable];
-            let near = 2.5 * data.pulley_radius.unwrap_or(0.2);
+            let near = 2.5 * data.pulley_radius().unwrap_or(0.2);
             let around: Vector3<f64> = model.axes().iter().map(|axis| axis * rng.random_range(-near..near)).sum();
             let pose = Pose { position: data.frame_anchor + around - data.platform_anchor, ..Pose::identity() };
             let verdict = criterion.judge(&pose);

@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::geometry::Twist;
 use crate::model::{Composition, Model};
-use crate::robot::{Obstacle, ObstacleShape, Robot};
+use crate::robot::{CableStiffness, Obstacle, ObstacleShape, Robot};
 use crate::statics::Load;
 use crate::tension::Limits;
 use crate::workspace::WorkspaceError;
@@ -27,7 +27,7 @@ fn complete(name: &str) -> Robot {
     robot.platform.center_of_mass = Some(Vector3::zeros());
     robot.platform.inertia = Some(nalgebra::Matrix3::from_diagonal(&Vector3::new(20.0, 25.0, 30.0)));
     for cable in &mut robot.cables {
-        cable.axial_stiffness = Some(2e5);
+        cable.stiffness = Some(CableStiffness::Axial(2e5));
         (cable.tension_min, cable.tension_max) = (Some(10.0), Some(9e3));
         cable.diameter = Some(0.006);
         (cable.length_min, cable.length_max) = (Some(0.5), Some(12.0));
@@ -172,13 +172,12 @@ fn what_a_criterion_needs_and_the_file_lacks_is_named() {
     let planar = Model::new(point.clone(), Composition::STANDARD).unwrap();
     says(PlatformInterference::new(&planar, 0.0).map(drop), "hull_m");
     point.platform.mass = None;
-    point.cables.iter_mut().for_each(|cable| cable.axial_stiffness = Some(1e5));
+    point.cables.iter_mut().for_each(|cable| cable.stiffness = Some(CableStiffness::Axial(1e5)));
     let elastic = Model::new(point, Composition::ELASTIC).unwrap();
     says(NaturalFrequency::new(&elastic, &load, &Limits::uniform(4, 1.0, 1e4).unwrap(), 1.0).map(drop), "mass_kg");
     let mut half = complete("cogiro");
     half.cables[3].length_max = None;
-    half.cables[2].axial_stiffness = None;
-    half.cables[2].axial_compliance = Some(0.0);
+    half.cables[2].stiffness = Some(CableStiffness::Compliance(0.0));
     let half = Model::new(half, Composition::ELASTIC).unwrap();
     says(LengthLimits::new(&half, None, None).map(drop), "cable 4");
     says(MinimumStiffness::new(&half, &load, &limits, 0.0, None).map(drop), "axial_stiffness_EA_N");

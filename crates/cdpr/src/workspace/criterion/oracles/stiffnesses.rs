@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, Matrix3};
 
 use super::*;
 use crate::equilibrium::distribution;
+use crate::robot::CableStiffness;
 use crate::statics::{controlled_lengths, wrench_residual};
 
 /// −∂(Aᵀ f + w)/∂x at fixed controlled lengths by central differences, \[δr; δφ\].
@@ -92,7 +93,7 @@ fn the_frequency_of_a_point_on_springs_is_that_done_by_hand() {
     for (cable, corner) in robot.cables.iter_mut().zip([[-3.0, 4.0], [3.0, 4.0], [-3.0, -4.0], [3.0, -4.0]]) {
         cable.frame_anchor = plane.embed(corner);
         cable.platform_anchor = Vector3::zeros();
-        (cable.axial_stiffness, cable.spring_constant) = (None, Some(1e4));
+        cable.stiffness = Some(CableStiffness::Spring(1e4));
     }
     robot.gravity = Some(Vector3::zeros());
     let model = Model::new(robot, Composition::ELASTIC).unwrap();
