@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-/// Dark blue for small, yellow for large (cividis), so that bands stay apart in grey and for the colour-blind.
-const BANDS: [&str; 8] = ["#00204c", "#2b446e", "#4b596d", "#666970", "#7c7b78", "#a59b73", "#d1be60", "#ffe945"];
+use cdpr_reports::figures::colour;
 
 /// Parts into which a cell of a map is cut, so that bands are smooth.
 const FINENESS: usize = 4;
@@ -184,7 +183,7 @@ impl Picture {
         for (level, segments) in levels.iter().zip(contours) {
             let path: String =
                 segments.iter().map(|[a, b]| format!("M{:.1} {:.1}L{:.1} {:.1}", a.0, a.1, b.0, b.1)).collect();
-            self.push(&format!(r##"<path d="{path}" stroke="#ffffff" stroke-width="1.2" fill="none"/>"##));
+            self.push(&format!(r##"<path d="{path}" stroke="#57606a" stroke-width="0.8" fill="none"/>"##));
             // where there is room: far from the edge and from other labels
             let room = |at: (f64, f64)| labels.iter().map(|other| apart(*other, at)).fold(2.0 * inside(at), f64::min);
             let best = segments.iter().map(|segment| segment[0]).max_by(|a, b| room(*a).total_cmp(&room(*b)));
@@ -228,9 +227,9 @@ impl Picture {
     }
 }
 
-/// The colour of a band of so many.
-fn color(band: usize, count: usize) -> &'static str {
-    BANDS[band * (BANDS.len() - 1) / count.saturating_sub(1).max(1)]
+/// Colour of a band of so many: light for small and dark for large, as in the figures of reports.
+fn color(band: usize, count: usize) -> String {
+    colour::at(band as f64 / count.saturating_sub(1).max(1) as f64)
 }
 
 /// A place in a cell of a grid, by shares.

@@ -36,9 +36,6 @@ export interface Candidate {
   standard_error?: number | null;
   parameter_count?: number;
   parameters?: Estimate[];
-  rank?: number;
-  singular_values?: number[];
-  history?: number[];
   train?: ErrorBlocks;
   validation?: ErrorBlocks;
 }

@@ -1,15 +1,13 @@
 // The pages of the command: fills the figures of the frame that it wrote, from the data in the page.
 import "./style.css";
-import { correlation } from "./charts/correlation";
 import { coverage } from "./charts/coverage";
 import { distribution } from "./charts/distribution";
-import { ladder } from "./charts/ladder";
 import { map } from "./charts/map";
 import { residuals } from "./charts/residuals";
-import { convergence, spectrum } from "./charts/spectrum";
 import { type PageData, readData } from "./data";
 import { offerDefinitions } from "./definitions";
 import { fill } from "./figure";
+import { offerFigureTips } from "./figure-tips";
 import { offerPrinting } from "./printing";
 import { showScene } from "./scene/scene";
 import { showStudy } from "./study/page";
@@ -17,17 +15,13 @@ import { offerTheme } from "./theme";
 import { showWorkspace } from "./workspace/page";
 
 function drawAll(data: PageData): void {
-  const shown = data.result.candidates[data.shown];
-  if (!shown) return;
-  fill("ladder", () => ladder(data));
-  fill("spectrum", () => spectrum(shown));
-  fill("correlation", () => correlation(data));
+  if (!data.result.candidates[data.shown]) return;
   fill("residuals", (figure) => residuals(data, figure));
   fill("distribution", (figure) => distribution(data, figure));
   fill("map", (figure) => map(data, figure));
-  fill("convergence", () => convergence(shown));
   fill("coverage", () => coverage(data));
   showScene(data);
+  offerFigureTips(data);
 }
 
 const data = readData();

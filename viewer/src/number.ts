@@ -25,11 +25,6 @@ export function tick(value: number): string {
   return String(Number(value.toPrecision(10))).replace("-", "−");
 }
 
-/** 10 to a whole power, e.g. 10⁻³. */
-export function powerOfTen(exponent: number): string {
-  return Math.abs(exponent) <= 3 ? String(Number(10 ** exponent)) : `10${superscript(exponent)}`;
-}
-
 function superscript(value: number): string {
   const digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
   return String(value).replace(/-/, "⁻").replace(/\d/g, (digit) => digits[Number(digit)] ?? digit);

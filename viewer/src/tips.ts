@@ -32,7 +32,8 @@ function marksOf(drawing: SVGSVGElement): Element[] {
   return [];
 }
 
-function nextMark(key: string, at: number, count: number): number | null {
+/** The mark that a key leads to. */
+export function nextMark(key: string, at: number, count: number): number | null {
   if (count === 0) return null;
   switch (key) {
     case "ArrowRight":

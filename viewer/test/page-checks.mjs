@@ -30,7 +30,15 @@ async function tips(page) {
     text = await chart.locator('[aria-label="tip"]').textContent();
   }
   await page.evaluate(() => document.activeElement?.blur());
-  return text.trim() ? [] : ["an arrow key opens no tip in the map of errors"];
+  const found = text.trim() ? [] : ["an arrow key opens no tip in the map of errors"];
+  for (const figure of await page.locator("svg.figure").all()) {
+    await figure.focus();
+    await page.keyboard.press("ArrowRight");
+    if (!(await page.locator(".tip").innerText()).trim()) found.push(`an arrow key opens no tip in "${await figure.getAttribute("aria-label")}"`);
+    await page.evaluate(() => document.activeElement?.blur());
+    if (await page.locator(".tip").isVisible()) found.push("a tip stays when its figure is left");
+  }
+  return found;
 }
 
 /** The block of the page is result.json but for wall times and the marks of a JSON answer, which the page says in words. */
@@ -116,22 +124,37 @@ async function marks(page, name) {
     }, 0));
 }
 
+/** Marks of a figure that comes drawn in the page: circles, and cells that stand side by side in one rectangle. */
+async function drawnMarks(page, name) {
+  return page.locator(`figure[data-figure="${name}"] svg`).evaluateAll((figures) =>
+    figures.reduce((sum, figure) => {
+      const side = Number((figure.dataset.cells ?? "").split(" ")[2]);
+      const widths = [...figure.querySelectorAll("path.cell")].flatMap((path) => [...path.getAttribute("d").matchAll(/h([\d.]+)v/g)].map((match) => Number(match[1])));
+      return sum + figure.querySelectorAll("circle").length + widths.reduce((cells, width) => cells + Math.round(width / side), 0);
+    }, 0));
+}
+
 async function charts(page, data) {
   const found = [];
   const samples = data.samples.number.length;
   const cables = data.robot.cables.length;
   const shown = data.result.candidates[data.shown];
   const least = { residuals: samples * cables, distribution: 20, map: samples, coverage: data.result.coverage.ranges.length };
-  if (shown.parameter_count > 0) least.spectrum = shown.singular_values.length;
-  if (shown.history.length > 1) least.convergence = shown.history.length;
-  if (data.correlation) least.correlation = (data.correlation.names.length * (data.correlation.names.length + 1)) / 2;
-  if (data.result.candidates.length > 1) least.ladder = data.result.candidates.filter((candidate) => !candidate.failure).length;
+  const figures = {};
+  if (shown.parameter_count > 0) figures.spectrum = shown.singular_values.filter((value) => value > 0).length;
+  if (shown.history.length > 1) figures.convergence = Math.min(200, shown.history.length);
+  if (data.correlation?.names.length > 1) figures.correlation = (data.correlation.names.length * (data.correlation.names.length + 1)) / 2;
+  if (data.result.candidates.length > 1) figures.ladder = data.result.candidates.filter((candidate) => !candidate.failure).length;
+  for (const [name, count] of Object.entries(figures)) {
+    const drawn = await drawnMarks(page, name);
+    if (drawn < 0.95 * count) found.push(`the figure ${name} has ${drawn} marks, not ${count}`);
+  }
   for (const name of CHARTS_OF_EVERY_PAGE) if (!(name in least)) found.push(`nothing is known of the chart ${name}`);
   for (const [name, count] of Object.entries(least)) {
     const drawn = await marks(page, name);
     if (drawn < 0.95 * count) found.push(`the chart ${name} has ${drawn} marks, not ${count}`);
   }
-  const broken = await page.locator("figure[data-chart] svg").evaluateAll((all) => all.filter((svg) => /NaN|undefined/.test(svg.outerHTML)).length);
+  const broken = await page.locator("figure:is([data-chart], [data-figure]) svg").evaluateAll((all) => all.filter((svg) => /NaN|undefined/.test(svg.outerHTML)).length);
   if (broken > 0) found.push(`${broken} charts contain NaN or undefined`);
   return found;
 }

@@ -106,7 +106,7 @@ impl SweepResult {
             curves
                 .push(ShareCurve { name, points: points(&|row| row.share_by_accuracy.get(index).copied().flatten()) });
         }
-        Shares { parameter: axis_label(key), curves }.svg()
+        Shares { parameter: axis_label(key), curves }.svg().map(|figure| figure.file())
     }
 }
 

@@ -225,7 +225,7 @@ fn map_figure(map: &Map) -> String {
         let ticks: (&[f64], &[f64]) = (&[-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0], &[-4.0, -2.0, 0.0, 2.0, 4.0]);
         picture.axes(&panel, ticks, ("x in m", "y in m"));
         picture.map(&panel, &Grid { x: map.x.clone(), y: map.y.clone(), values }, LEVELS[index]);
-        let dashed = r##"stroke="#ffffff" stroke-dasharray="5 4""##;
+        let dashed = r##"stroke="#1b1f24" stroke-dasharray="5 4""##;
         picture.curve(&panel, dashed, &[(-1.5, -1.5), (1.5, -1.5), (1.5, 1.5), (-1.5, 1.5), (-1.5, -1.5)]);
         if index < 3 {
             let (x, y) = panel.place((0.0, 0.0));

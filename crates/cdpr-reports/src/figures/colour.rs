@@ -7,11 +7,55 @@ const STEPS: [&str; 6] = ["#d3e3f0", "#8fc0dd", "#4a98c4", "#2a6ca3", "#4b3f8f",
 pub(super) const COUNT: usize = STEPS.len();
 
 /// Colours from −1 to 1: orange over nearly white to blue.
-const DIVERGING: [&str; 9] =
+pub(super) const DIVERGING: [&str; 9] =
     ["#8c3100", "#c2702f", "#e3ae7d", "#f4ddc8", "#f1f3f5", "#cfe2f1", "#8dbadc", "#3f86bd", "#00477d"];
 
 /// Values between the colours of the diverging scale.
 const LIMITS: [f64; 8] = [-0.95, -0.7, -0.4, -0.1, 0.1, 0.4, 0.7, 0.95];
+
+/// Colours of lines and letters, and their names in pages.
+const INKS: [(&str, &str); 8] = [
+    ("#1b1f24", "ink"),
+    ("#57606a", "muted"),
+    ("#d0d7de", "line"),
+    ("#ffffff", "paper"),
+    ("#005a9c", "accent"),
+    ("#e3f0fb", "accent-shade"),
+    ("#a83c00", "bad"),
+    ("#8c8c8c", "muted"),
+];
+
+/// Name of a place in the diverging scale, from 0, as pages call it.
+fn diverging_name(place: usize) -> String {
+    if place < 4 { format!("diverging-n{}", 4 - place) } else { format!("diverging-{}", place - 4) }
+}
+
+/// True of a correlation of the darkest colours.
+pub(super) fn is_strong(value: f64) -> bool {
+    value.abs() >= LIMITS[LIMITS.len() - 1]
+}
+
+/// The text of a drawing or a style with the variables of a page in place of colours.
+pub(super) fn of_page(text: &str) -> String {
+    let steps = STEPS.iter().enumerate().map(|(step, colour)| (*colour, format!("step-{}", step + 1)));
+    let diverging = DIVERGING.iter().enumerate().map(|(place, colour)| (*colour, diverging_name(place)));
+    let inks = INKS.iter().map(|(colour, name)| (*colour, (*name).to_owned()));
+    let all = inks.chain(steps).chain(diverging);
+    all.fold(text.to_owned(), |text, (colour, name)| text.replace(colour, &format!("var(--{name})")))
+}
+
+/// Colour of a share of the whole, from 0 to 1, between those of the steps, as `#rrggbb`.
+pub fn at(share: f64) -> String {
+    let place = share.clamp(0.0, 1.0) * (COUNT - 1) as f64;
+    let below = (place as usize).min(COUNT - 2);
+    let channel =
+        |colour: &str, which: usize| u8::from_str_radix(&colour[1 + 2 * which..3 + 2 * which], 16).unwrap_or(0);
+    let mixed = |which: usize| {
+        let [from, to] = [STEPS[below], STEPS[below + 1]].map(|colour| f64::from(channel(colour, which)));
+        (from + (place - below as f64) * (to - from)).round() as u8
+    };
+    format!("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2))
+}
 
 /// Colour of a step as `#rrggbb`.
 pub(super) fn of_step(step: usize) -> &'static str {
@@ -44,12 +88,18 @@ mod tests {
             assert_eq!(colour(&format!("step-{}", step + 1)), *own);
         }
         for (place, own) in DIVERGING.iter().enumerate() {
-            let name = if place < 4 { format!("n{}", 4 - place) } else { (place - 4).to_string() };
-            assert_eq!(colour(&format!("diverging-{name}")), *own);
+            assert_eq!(colour(&diverging_name(place)), *own);
         }
-        let chart = std::fs::read_to_string(viewer.join("charts/correlation.ts")).unwrap();
-        let limits = LIMITS.map(|limit| limit.to_string()).join(", ");
-        assert!(chart.contains(&format!("const LIMITS = [{limits}];")), "{limits}");
+        for (own, name) in &INKS[..7] {
+            assert_eq!(colour(name), *own);
+        }
+    }
+
+    #[test]
+    fn colours_between_steps_are_mixed_and_those_of_steps_are_their_own() {
+        let shares = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0];
+        assert_eq!(shares.map(at), STEPS.map(str::to_owned));
+        assert_eq!(at(0.1), "#b1d2e7", "half way from #d3e3f0 to #8fc0dd");
     }
 
     #[test]

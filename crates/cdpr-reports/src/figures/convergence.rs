@@ -2,7 +2,9 @@
 
 use super::axis::Axis;
 use super::drawing::Drawing;
+use super::figure::Figure;
 use super::finite_range;
+use crate::number_format::significant;
 
 const WIDTH: f64 = 860.0;
 const LEFT: f64 = 90.0;
@@ -11,7 +13,7 @@ const TOP: f64 = 14.0;
 const BOTTOM: f64 = 210.0;
 
 /// The weighted sum of squares by step; `None` for fewer than two finite values.
-pub fn convergence(history: &[f64]) -> Option<String> {
+pub fn convergence(history: &[f64]) -> Option<Figure> {
     let (low, high) = finite_range(history.iter().copied())?;
     if history.len() < 2 {
         return None;
@@ -24,8 +26,9 @@ pub fn convergence(history: &[f64]) -> Option<String> {
     let finite = history.iter().enumerate().filter(|(_, value)| value.is_finite());
     let points: Vec<(f64, f64)> = finite.map(|(step, &value)| (x.place(step as f64), y.place(value))).collect();
     drawing.polyline("curve", &points, false);
-    for &point in points.iter().take(200) {
-        drawing.circle("dot plain", point, 3.5, "");
+    let finite = history.iter().enumerate().filter(|(_, value)| value.is_finite());
+    for (&point, (step, value)) in points.iter().zip(finite).take(200) {
+        drawing.circle("dot plain", point, 3.5, &format!("step {step}: {}", significant(*value, 5)));
     }
     Some(drawing.finish())
 }

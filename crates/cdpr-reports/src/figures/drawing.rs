@@ -1,15 +1,8 @@
-//! An SVG file, element by element: stands alone, black on white, sized for a page of A4.
+//! A drawing, element by element.
 
 use std::fmt::Write;
 
-/// Width of the text of a page of A4 (mm).
-const PAGE_WIDTH: f64 = 180.0;
-
-/// A pixel on paper: letters of 12 pixels are 7 points high.
-const MILLIMETRES_PER_PIXEL: f64 = 0.21;
-
-/// Colours that stay apart in grey and for the colour-blind.
-const STYLE: &str = include_str!("figures.css");
+use super::figure::Figure;
 
 /// Height of a line of a title or legend (pixels).
 pub(super) const LINE: f64 = 18.0;
@@ -42,6 +35,9 @@ impl Anchor {
     }
 }
 
+/// Corner, and width and height.
+pub(super) type Rectangle = ((f64, f64), (f64, f64));
+
 /// A picture under construction; coordinates in pixels from the upper left corner.
 pub(super) struct Drawing {
     body: String,
@@ -51,17 +47,35 @@ pub(super) struct Drawing {
     label: String,
     /// Looks that only this kind of picture has.
     own_style: &'static str,
+    /// Attributes for the script of a page.
+    attributes: String,
 }
 
 impl Drawing {
     /// An empty picture.
     pub(super) fn new(width: f64, height: f64, label: &str) -> Self {
-        Self { body: String::new(), width, height, label: label.to_owned(), own_style: "" }
+        Self { body: String::new(), width, height, label: label.to_owned(), own_style: "", attributes: String::new() }
     }
 
     /// The same with looks of its own (CSS) beside those of all pictures.
     pub(super) fn with_style(self, own_style: &'static str) -> Self {
         Self { own_style, ..self }
+    }
+
+    /// The same with a number or numbers for the script of a page.
+    pub(super) fn with_attribute(mut self, name: &str, value: &str) -> Self {
+        self.attributes.push_str(&format!(r#" data-{name}="{}""#, escape(value)));
+        self
+    }
+
+    /// Many rectangles of one colour: corner, width and height.
+    pub(super) fn rectangles(&mut self, class: &str, fill: &str, all: &[Rectangle]) {
+        let path = all.iter().map(|&((x, y), (width, height))| {
+            let (x, y, width, height) = (coordinate(x), coordinate(y), coordinate(width), coordinate(height));
+            format!("M{x} {y}h{width}v{height}h-{width}z")
+        });
+        let path: String = path.collect();
+        self.push(format_args!(r#"<path class="{class}" fill="{fill}" d="{path}"/>"#));
     }
 
     /// A straight line.
@@ -140,11 +154,11 @@ impl Drawing {
         ));
     }
 
-    /// The same, running upwards from a point.
+    /// The same, running upwards to a point.
     pub(super) fn small_upright_text(&mut self, at: (f64, f64), size: f64, text: &str) {
         let (x, y, size, text) = (coordinate(at.0), coordinate(at.1), coordinate(size), escape(text));
         self.push(format_args!(
-            r#"<text style="font-size:{size}px" transform="translate({x} {y}) rotate(-90)">{text}</text>"#
+            r#"<text style="font-size:{size}px" text-anchor="end" transform="translate({x} {y}) rotate(-90)">{text}</text>"#
         ));
     }
 
@@ -153,19 +167,10 @@ impl Drawing {
         let _ = writeln!(self.body, "{element}");
     }
 
-    /// The file.
-    pub(super) fn finish(self) -> String {
-        let Self { body, width, height, label, own_style } = self;
-        let label = escape(&label);
-        // as wide as the text of a page of A4 unless that would blow it up
-        let millimetres = (width * MILLIMETRES_PER_PIXEL).min(PAGE_WIDTH);
-        let tall = coordinate(millimetres * height / width);
-        format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
-             viewBox=\"0 0 {width} {height}\" width=\"{}mm\" height=\"{tall}mm\">\n<title>{label}</title>\n\
-             <style>\n{STYLE}{own_style}</style>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
-            coordinate(millimetres)
-        )
+    /// The figure.
+    pub(super) fn finish(self) -> Figure {
+        let Self { body, width, height, label, own_style, attributes } = self;
+        Figure { body, width, height, label, own_style, attributes }
     }
 }
 
@@ -188,7 +193,7 @@ pub(super) fn escape(text: &str) -> String {
 }
 
 /// A tenth of a pixel is as exact as the eye.
-fn coordinate(value: f64) -> String {
+pub(super) fn coordinate(value: f64) -> String {
     let text = format!("{value:.1}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

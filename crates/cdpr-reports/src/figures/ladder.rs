@@ -1,8 +1,12 @@
 //! Candidates against the criterion, with bars of one standard error.
 
+use cdpr::identification::selection::SelectionCriterion;
+
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
+use super::figure::Figure;
 use super::finite_range;
+use crate::number_format::significant;
 
 /// One candidate.
 pub struct Rung {
@@ -28,6 +32,14 @@ pub struct Ladder {
     pub axis_label: String,
 }
 
+/// Name, value and error in a line.
+fn words(criterion: SelectionCriterion, name: &str, value: Option<f64>, error: Option<f64>) -> String {
+    let Some(value) = value.filter(|value| value.is_finite()) else { return String::new() };
+    let error = error.filter(|error| error.is_finite());
+    let error = error.map_or_else(String::new, |error| format!(" ± {}", significant(criterion.in_unit(error), 2)));
+    format!("{name}: {}{error} {}", significant(criterion.in_unit(value), 4), criterion.unit())
+}
+
 /// Width of the plot.
 const PLOT: f64 = 400.0;
 /// Width of a letter of a name.
@@ -38,8 +50,31 @@ const ROW: f64 = 28.0;
 const NAME_LENGTH: usize = 90;
 
 impl Ladder {
+    /// Chart of a criterion: name, value and standard error (SI) of every candidate, and the places of the best and of the recommended one.
+    pub fn of(
+        criterion: SelectionCriterion,
+        data_words: &str,
+        candidates: &[(&str, Option<f64>, Option<f64>)],
+        [best, recommended]: [Option<usize>; 2],
+    ) -> Self {
+        let shown = |value: Option<f64>| criterion.in_unit(value.unwrap_or(f64::NAN));
+        let rung = |(place, &(name, value, error)): (usize, &(&str, Option<f64>, Option<f64>))| Rung {
+            name: name.to_owned(),
+            value: shown(value),
+            standard_error: shown(error),
+            words: words(criterion, name, value, error),
+            recommended: recommended == Some(place),
+        };
+        let limit = best.and_then(|best| Some(candidates[best].1? + candidates[best].2.unwrap_or(0.0)));
+        Self {
+            rungs: candidates.iter().enumerate().map(rung).collect(),
+            limit: shown(limit),
+            axis_label: format!("{criterion} on {data_words} in {}", criterion.unit()),
+        }
+    }
+
     /// The chart as SVG; `None` when no candidate has a value.
-    pub fn svg(&self) -> Option<String> {
+    pub fn svg(&self) -> Option<Figure> {
         let values = self.rungs.iter().filter(|rung| rung.value.is_finite());
         let (low, _) = finite_range(values.clone().map(|rung| rung.value))?;
         let (_, high) = finite_range(values.flat_map(|rung| [rung.value, rung.value + rung.standard_error]))?;

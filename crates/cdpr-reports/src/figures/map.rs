@@ -3,6 +3,7 @@
 use super::arrow;
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing, LINE, title_width};
+use super::figure::Figure;
 use super::{Frame, colour, finite_range};
 
 /// One sample.
@@ -40,7 +41,7 @@ const MOST_POINTS: usize = 1500;
 
 impl Map {
     /// The chart as SVG, both axes to the same scale; `None` without points.
-    pub fn svg(&self) -> Option<String> {
+    pub fn svg(&self) -> Option<Figure> {
         let points = thinned(&self.points);
         let ranges = [0, 1].map(|axis| finite_range(points.iter().map(|point| point.at[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };

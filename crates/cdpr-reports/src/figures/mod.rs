@@ -1,14 +1,15 @@
-//! Figures of results as SVG files that stand alone and print well, one per file: values in, text out.
+//! Figures of results: values in, drawings out, each as an SVG file that stands alone and prints well, or as a part of a page.
 //!
 //! Our own writer of lines, discs and texts: a plotting crate would bring more code than these figures are, and another
 //! look than the report.
 
 mod arrow;
 mod axis;
-mod colour;
+pub mod colour;
 mod convergence;
 mod correlations;
 mod drawing;
+mod figure;
 mod frame;
 mod ladder;
 mod map;
@@ -21,6 +22,7 @@ use frame::Frame;
 
 pub use convergence::convergence;
 pub use correlations::correlations;
+pub use figure::{Figure, page_style};
 pub use ladder::{Ladder, Rung};
 pub use map::{Map, MapPoint};
 pub use outlines::{Look, Outline, Outlines};

@@ -3,6 +3,7 @@
 use super::arrow;
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing, LINE, title_width};
+use super::figure::Figure;
 use super::{Frame, finite_range};
 
 const STYLE: &str = include_str!("outlines.css");
@@ -67,7 +68,7 @@ const SAMPLE: f64 = 26.0;
 
 impl Outlines {
     /// The chart as SVG, both axes to the same scale; `None` where no outline has a finite point.
-    pub fn svg(&self) -> Option<String> {
+    pub fn svg(&self) -> Option<Figure> {
         let corners = || self.outlines.iter().flat_map(|outline| &outline.points);
         let points = || corners().chain(self.points.iter().map(|point| &point.1));
         let ranges = [0, 1].map(|axis| finite_range(points().map(|point| point[axis])));

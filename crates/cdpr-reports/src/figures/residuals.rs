@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
+use super::figure::Figure;
 use super::finite_range;
 
 const COLUMNS: usize = 2;
@@ -15,7 +16,7 @@ const MOST_DOTS: usize = 300;
 const PIECES: usize = 175;
 
 /// Residuals (mm) by cable, each a list of sample number and value; `None` without finite values.
-pub fn residuals(cables: &[(String, Vec<(usize, f64)>)]) -> Option<String> {
+pub fn residuals(cables: &[(String, Vec<(usize, f64)>)]) -> Option<Figure> {
     let all = || cables.iter().flat_map(|(_, series)| series);
     let (low, high) = finite_range(all().map(|point| point.1))?;
     let largest = low.abs().max(high.abs());

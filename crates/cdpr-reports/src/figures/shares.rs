@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
+use super::figure::Figure;
 use super::finite_range;
 
 const WIDTH: f64 = 860.0;
@@ -33,7 +34,7 @@ pub struct Shares {
 
 impl Shares {
     /// `None` for fewer than two points.
-    pub fn svg(&self) -> Option<String> {
+    pub fn svg(&self) -> Option<Figure> {
         let all = || self.curves.iter().flat_map(|curve| curve.points.iter());
         let (low, high) = finite_range(all().map(|point| point.0)).filter(|(low, high)| low < high)?;
         let top = all().map(|point| point.1).fold(0.0, f64::max);

@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::drawing::Drawing;
+use super::figure::Figure;
 use super::finite_range;
 
 const WIDTH: f64 = 860.0;
@@ -11,7 +12,7 @@ const TOP: f64 = 14.0;
 const BOTTOM: f64 = 230.0;
 
 /// Singular values from large to small; those beyond `rank` are marked. `None` without positive values.
-pub fn spectrum(values: &[f64], rank: usize) -> Option<String> {
+pub fn spectrum(values: &[f64], rank: usize) -> Option<Figure> {
     let (smallest, largest) = finite_range(values.iter().copied().filter(|&value| value > 0.0))?;
     // rounding errors far below would squeeze the rest
     let low = smallest.max(largest * 1e-18);

@@ -68,7 +68,7 @@ impl Page<'_> {
         let (closing, warned) = (part("closing.html")?, part("warned.html")?);
         let body = environment.get_template("body.html")?.render(context! { closing, warned, ..known.clone() })?;
         environment.get_template("frame.html")?.render(context! {
-            style => Value::from_safe_string(STYLE.to_owned()),
+            style => Value::from_safe_string(format!("{STYLE}{}", crate::figures::page_style())),
             script => Value::from_safe_string(SCRIPT.to_owned()),
             notices => NOTICES,
             data => Value::from_safe_string(self.data),

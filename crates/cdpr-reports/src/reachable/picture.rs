@@ -27,7 +27,7 @@ pub struct Picture<'a> {
 impl Picture<'_> {
     /// SVG of the picture; nothing where nothing is reached.
     pub fn svg(&self) -> Option<String> {
-        self.outlines().svg()
+        self.outlines().svg().map(|picture| picture.file())
     }
 
     fn outlines(&self) -> Outlines {

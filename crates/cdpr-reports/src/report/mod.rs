@@ -1,10 +1,11 @@
-//! The self-contained report: one HTML file whose tables need no script, and whose charts and 3-D scene a script draws from the
-//! data in the file; nothing comes from the network.
+//! The self-contained report: one HTML file whose tables and figures need no script, and whose charts with choices and 3-D scene a script
+//! draws from the data in the file; nothing comes from the network.
 
 mod candidates;
 mod coverage;
 mod criterion;
 mod errors;
+mod figures;
 mod page_data;
 mod parameters;
 mod table;
@@ -155,6 +156,7 @@ fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
         parameters => parameters::table(shown),
         identifiability => parameters::identifiability(shown),
         coverage => coverage::coverage(input, shown),
+        figures => figures::all(input, shown),
     }
 }
 

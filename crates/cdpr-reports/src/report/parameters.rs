@@ -94,7 +94,6 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
         weak,
         correlation_count => count,
         correlations => correlations.into_value(),
-        has_history => fit.history.len() > 1,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The figures as drawings.
 
-use super::{CandidateData, FigureFile, SampleData, SavedResult};
-use crate::figures::{Ladder, Map, MapPoint, Rung, convergence, correlations, residuals, spectrum};
+use super::{FigureFile, SampleData, SavedResult};
+use crate::figures::{Figure, Ladder, Map, MapPoint, convergence, correlations, residuals, spectrum};
 
 /// A part of the largest extent below which positions lie in a plane.
 const FLATNESS: f64 = 1e-6;
@@ -9,7 +9,8 @@ const FLATNESS: f64 = 1e-6;
 /// Every drawing.
 pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
     let in_folder = "the result has no such numbers; a folder that this version's `select` or `demo` wrote has them";
-    let figure = |name, content, why_not| FigureFile { name, content, why_not };
+    let figure =
+        |name, drawn: Option<Figure>, why_not| FigureFile { name, content: drawn.map(|drawn| drawn.file()), why_not };
     let matrix = data.correlations.as_ref();
     let mut all = vec![
         figure("model-ladder.svg", ladder(data), "no candidates were compared"),
@@ -22,19 +23,15 @@ pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
     all
 }
 
-fn ladder(data: &SavedResult) -> Option<String> {
-    let shown = |value: Option<f64>| data.criterion.in_unit(value.unwrap_or(f64::NAN));
-    let rung = |candidate: &CandidateData| Rung {
-        name: candidate.name.clone(),
-        value: shown(candidate.criterion),
-        standard_error: shown(candidate.standard_error),
-        words: candidate.criterion.map(|value| data.criterion.format(value)).unwrap_or_default(),
-        recommended: data.recommended.as_ref() == Some(&candidate.name),
-    };
-    let best = data.candidates.iter().find(|candidate| data.best.as_ref() == Some(&candidate.name));
-    let limit = best.and_then(|best| Some(best.criterion? + best.standard_error.unwrap_or(0.0)));
-    let axis_label = format!("{} on validation data in {}", data.criterion, data.criterion.unit());
-    Ladder { rungs: data.candidates.iter().map(rung).collect(), limit: shown(limit), axis_label }.svg()
+fn ladder(data: &SavedResult) -> Option<Figure> {
+    let all: Vec<_> = data
+        .candidates
+        .iter()
+        .map(|candidate| (candidate.name.as_str(), candidate.criterion, candidate.standard_error))
+        .collect();
+    let place =
+        |name: &Option<String>| data.candidates.iter().position(|candidate| Some(&candidate.name) == name.as_ref());
+    Ladder::of(data.criterion, "validation data", &all, [place(&data.best), place(&data.recommended)]).svg()
 }
 
 /// Residuals (mm) of every cable by sample.
@@ -78,6 +75,7 @@ fn maps(data: &SavedResult, in_folder: &'static str) -> Vec<FigureFile> {
             colour_label: "position error in mm".to_owned(),
         }
         .svg()
+        .map(|map| map.file())
     };
     chosen.into_iter().map(|(name, axes)| FigureFile { name, content: map(axes), why_not: in_folder }).collect()
 }

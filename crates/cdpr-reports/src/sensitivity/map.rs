@@ -45,7 +45,7 @@ pub fn map(found: &Deviations, experiment: &Experiment, cause: usize) -> Option<
         top: if largest > 0.0 { largest } else { 1.0 },
         colour_label: format!("mm by {words}"),
     };
-    map.svg()
+    map.svg().map(|map| map.file())
 }
 
 /// The commanded poses, and ∂r/∂p there times a factor.

@@ -64,7 +64,7 @@ pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
             top,
             colour_label: format!("position error in mm{of}"),
         };
-        Some(NamedFile::new(format!("error-map-{}{}{at}.svg", names[first], names[second]), map.svg()?))
+        Some(NamedFile::new(format!("error-map-{}{}{at}.svg", names[first], names[second]), map.svg()?.file()))
     };
     let heights = if axes.len() > 2 { heights(found) } else { Vec::new() };
     let views = views.into_iter().map(|view| (view, None));
