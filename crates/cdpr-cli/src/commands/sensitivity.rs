@@ -27,9 +27,10 @@ Examples:
 /// Tell how the emerging pose and its tensions follow every number of the control model, of the machine, and of how the
 /// winches were set.
 ///
-/// The derivatives are analytic, at the emerging poses. With standard deviations in [tolerances] of the study robots are drawn
-/// that deviate, and their accuracy is told; with a required accuracy, the tolerances that it allows. The answer is negative
-/// (exit code 1) when a pose has no answer, and when the accuracy is missed without any deviation.
+/// The derivatives are analytic, at the emerging poses and along the path of cables that remember. With standard deviations in
+/// [tolerances] of the study robots are drawn that deviate, and their accuracy is told; with a required accuracy, the tolerances
+/// that it allows. The answer is negative (exit code 1) when a pose has no answer, and when the accuracy is missed without any
+/// deviation.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

@@ -273,15 +273,21 @@ fn a_study_leaves_its_errors_in_a_folder() {
     assert!(folder.path().join("one/run.toml").exists());
 }
 
-/// The planar example on cables with hysteresis: a pose ends elsewhere after coming from another side, farther the longer the way was.
-#[test]
-fn accuracy_tells_how_far_the_branches_of_a_machine_with_hysteresis_lie_apart() {
+/// A folder with the planar example on cables with hysteresis, `robot.toml`.
+fn folder_with_hysteresis() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let robot = include_str!("../../../cdpr/robots/planar-example.toml");
     let table = "axial_stiffness_EA_N = 200000.0\n\n[cable.hysteresis]\nstrain = [0.0, 0.02, 0.1]\nloading_N = [0.0, 4500.0, 22000.0]\n\
                  unloading_N = [0.0, 3800.0, 22000.0]\ntransition_strain = [0.002]\n";
     std::fs::write(folder.path().join("robot.toml"), robot.replace("axial_stiffness_EA_N = 200000.0\n", table))
         .unwrap();
+    folder
+}
+
+/// The planar example on cables with hysteresis: a pose ends elsewhere after coming from another side, farther the longer the way was.
+#[test]
+fn accuracy_tells_how_far_the_branches_of_a_machine_with_hysteresis_lie_apart() {
+    let folder = folder_with_hysteresis();
     let study = "[control]\nrobot = \"robot.toml\"\n[machine]\nrobot = \"robot.toml\"\nmodel = \"hysteresis\"\n\
                  [initial]\npose = [0, 5.2]\ntension_method = \"closed-form\"\n\
                  [poses.grid]\nmin = [-1, 3]\nmax = [1, 5]\ncount = [2, 2]\n";
@@ -295,14 +301,32 @@ fn accuracy_tells_how_far_the_branches_of_a_machine_with_hysteresis_lie_apart() 
     };
     let (short, long) = (spread("0.02"), spread("0.2"));
     assert!(1e-6 < short && short < long && long < 0.1, "{short} {long}");
-    // a newton more of an initial tension, a millimetre of an anchor: along the path, by differences that tell their error
+    // a newton more of an initial tension, a millimetre of an anchor: along the path, which is smooth
     let run = cdpr_in(folder.path(), "sensitivity study.toml --format json");
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
-    let answer = run.json_with(&["derivatives", "difference_error", "kinds"]);
-    assert_eq!(answer["derivatives"], "central-differences");
-    assert!((0.0..1e-3).contains(&answer["difference_error"].as_f64().unwrap()), "{answer}");
+    let answer = run.json_with(&["derivatives", "kinds"]);
+    assert_eq!(answer["derivatives"], "analytic");
     let words = cdpr_in(folder.path(), "sensitivity study.toml");
-    assert!(words.stdout.contains("the machine remembers"), "{}", words.stdout);
+    assert!(words.stdout.contains("the machine remembers: derivatives are exact"), "{}", words.stdout);
     let words = cdpr_in(folder.path(), "accuracy study.toml");
     assert!(words.stdout.contains("branches: 5 ways to each of 4 poses"), "{}", words.stdout);
+}
+
+/// A step of the way at which the control model finds no tensions: no derivative leads to the next pose, and the answer says so.
+#[test]
+fn sensitivity_names_the_poses_with_differences() {
+    let folder = folder_with_hysteresis();
+    let study = "[control]\nrobot = \"robot.toml\"\nmodel = \"elastic\"\n[machine]\nrobot = \"robot.toml\"\nmodel = \"hysteresis\"\n\
+                 [initial]\npose = [0, 5.2]\ntension_method = \"closed-form\"\n[history]\nreach = \"in-order\"\nsub_steps = 2\n\
+                 [poses.grid]\nmin = [-40, 3]\nmax = [1, 5]\ncount = [4, 2]\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let run = cdpr_in(folder.path(), "sensitivity study.toml --format json");
+    assert_eq!(run.exit_code, 1, "{}", run.stderr);
+    let answer = run.json_with(&["derivatives", "difference_poses", "difference_error"]);
+    assert_eq!((&answer["derivatives"], &answer["unanswered_poses"]), (&"central-differences".into(), &6.into()));
+    assert_eq!(answer["difference_poses"][0]["pose"], 7);
+    assert!((0.0..1e-6).contains(&answer["difference_error"].as_f64().unwrap()), "{answer}");
+    let words = cdpr_in(folder.path(), "sensitivity study.toml");
+    assert!(words.stdout.contains("central differences along its path"), "{}", words.stdout);
+    assert!(words.stdout.contains("(first pose 7: a step of the way there has no equilibrium"), "{}", words.stdout);
 }

@@ -4,6 +4,7 @@ use cdpr::metamodel::Experiment;
 use cdpr::metamodel::sensitivity::{Kind, KindInfluence, Offsets, Side, rank, rank_kinds};
 use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr::metamodel::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
+use cdpr::model::StretchEffect;
 use serde::Serialize;
 
 use crate::answers::title;
@@ -25,8 +26,11 @@ pub struct SensitivityAnswer {
     pub unanswered_poses: usize,
     /// Winch offsets when something deviates.
     pub offsets: Offsets,
-    /// `analytic`, or `central-differences` of the exact forward problem.
+    /// `analytic`, or `central-differences` of the exact forward problem where poses need them.
     pub derivatives: &'static str,
+    /// Poses whose derivatives are differences.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub difference_poses: Vec<DifferencePose>,
     /// Of differences, what they may be off by, as a share of the largest derivative of the unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference_error: Option<f64>,
@@ -46,6 +50,18 @@ pub struct SensitivityAnswer {
     /// True of platforms that turn.
     #[serde(skip)]
     pub has_rotation: bool,
+    /// True of machines whose cables remember.
+    #[serde(skip)]
+    pub remembers: bool,
+}
+
+/// A pose to which no exact derivative leads.
+#[derive(Serialize)]
+pub struct DifferencePose {
+    /// The pose, from 1.
+    pub pose: usize,
+    /// Reason in words.
+    pub reason: String,
 }
 
 /// One parameter.
@@ -140,6 +156,9 @@ fn answer(
     let known: Vec<_> = found.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()).collect();
     let (status, reason) = status(found, settings);
     let difference_error = found.difference_error();
+    let by_differences = found.by_differences();
+    let difference_poses: Vec<_> =
+        by_differences.map(|(place, kink)| DifferencePose { pose: place + 1, reason: kink.to_string() }).collect();
     let parameters = rank(&found.causes, &known, pattern.translations());
     SensitivityAnswer {
         status,
@@ -149,7 +168,8 @@ fn answer(
         samples: found.poses.len(),
         unanswered_poses: found.poses.len() - known.len(),
         offsets: settings.offsets,
-        derivatives: if difference_error.is_some() { "central-differences" } else { "analytic" },
+        derivatives: if difference_poses.is_empty() { "analytic" } else { "central-differences" },
+        difference_poses,
         difference_error,
         kinds: rank_kinds(&found.causes, &known, pattern.translations()),
         parameters: parameters
@@ -172,6 +192,7 @@ fn answer(
         seed: settings.seed,
         told: usize::MAX,
         has_rotation: experiment.machine.robot().motion_pattern.has_rotation(),
+        remembers: experiment.machine.composition().stretch == StretchEffect::Hysteresis,
     }
 }
 

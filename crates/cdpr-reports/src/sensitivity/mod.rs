@@ -8,7 +8,7 @@ mod words;
 use cdpr::metamodel::sensitivity::Kind;
 use cdpr::robot::ParameterKind;
 
-pub use answer::{AllowedAnswer, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer};
+pub use answer::{AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer};
 pub use map::map;
 
 /// A step that people think in: what it is in the unit of the kind, and its words.

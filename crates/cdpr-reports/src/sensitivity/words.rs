@@ -36,12 +36,7 @@ impl Answer for SensitivityAnswer {
             "{} drives {} to {} poses; winch offsets are {offsets} when something deviates\n",
             self.control, self.machine, self.samples
         );
-        if let Some(error) = self.difference_error {
-            text.push_str(&format!(
-                "the machine remembers: derivatives are central differences along its path, good to {} of the largest\n",
-                significant(error, 1)
-            ));
-        }
+        text.push_str(&self.differentiation());
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}\n"));
         }
@@ -57,6 +52,24 @@ impl Answer for SensitivityAnswer {
 }
 
 impl SensitivityAnswer {
+    /// Way in which the derivatives of a machine that remembers are taken; nothing for others.
+    fn differentiation(&self) -> String {
+        let poses = &self.difference_poses;
+        match (poses.first(), self.difference_error) {
+            (Some(first), Some(error)) => format!(
+                "the machine remembers: {} of {} poses have central differences along its path, good to {} of the largest, since no \
+                 derivative leads there (first pose {}: {})\n",
+                poses.len(),
+                self.samples,
+                significant(error, 1),
+                first.pose,
+                first.reason
+            ),
+            _ if self.remembers => "the machine remembers: derivatives are exact along its path\n".to_owned(),
+            _ => String::new(),
+        }
+    }
+
     /// Kinds, the most influential step first.
     fn by_kind(&self, width: Option<usize>) -> String {
         let mut rows: Vec<_> = self.kinds.iter().collect();

@@ -6,6 +6,7 @@ use super::machine::Machine;
 use super::operation_error::OperationError;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
+use crate::cable::stretch::hysteresis::Memory;
 use crate::equilibrium::{Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, WinchError};
@@ -120,6 +121,26 @@ struct States {
     machine: State,
 }
 
+/// Parts of a way, lent to whoever goes along.
+pub(super) enum Lent<'w> {
+    /// Control model and machine are where every way begins.
+    SetOut,
+    /// A command and what came of it, before control model and machine settle there.
+    Place(Place<'w>),
+}
+
+/// A place of a way.
+pub(super) struct Place<'w> {
+    /// The command.
+    pub(super) command: &'w CommandedPose,
+    /// Outcome of the command.
+    pub(super) outcome: &'w Outcome,
+    /// Memories of the control model's cables before it.
+    pub(super) control: &'w [Memory],
+    /// Those of the machine's cables.
+    pub(super) machine: &'w [Memory],
+}
+
 /// How a machine with history goes on.
 #[derive(Clone, Debug)]
 struct Way {
@@ -160,18 +181,27 @@ impl<'a> Operation<'a> {
     /// the control model as it commanded them; for machines without history this changes nothing. Without it every pose is reached at
     /// once by cables that were never loaded.
     #[must_use]
-    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
-        if let Some(history) = history.into().filter(|_| self.machine.remembers()) {
-            self.begin(history, start);
+    pub fn with_history<'h>(self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+        self.with_history_along(history.into().map(|history| (history, start)), &mut |_| ())
+    }
+
+    /// [`Operation::with_history`] that lends the start to whoever goes along.
+    pub(super) fn with_history_along(
+        mut self,
+        history: Option<(&History, &Pose)>,
+        along: &mut dyn FnMut(Lent<'_>),
+    ) -> Self {
+        if let Some((history, start)) = history.filter(|_| self.machine.remembers()) {
+            self.begin(history, start, along);
         }
         self
     }
 
     /// Sets out from a pose, to which control model and machine come with cables that were never loaded.
-    fn begin(&mut self, history: &History, start: &Pose) {
+    fn begin(&mut self, history: &History, start: &Pose, along: &mut dyn FnMut(Lent<'_>)) {
         let state = |model: &Model| State::at(model, start);
         self.states = States { control: state(self.control.model()), machine: state(self.machine.model()) };
-        let _ = self.settled(&CommandedPose::at(*start));
+        let _ = self.settled(&CommandedPose::at(*start), along);
         self.way = Some(Way { history: *history, start_pose: *start, start: self.states.clone(), last: None });
     }
 
@@ -180,7 +210,7 @@ impl<'a> Operation<'a> {
     pub fn without_restarts(mut self) -> Self {
         self.machine = self.machine.without_restarts();
         if let Some(way) = self.way.take() {
-            self.begin(&way.history, &way.start_pose);
+            self.begin(&way.history, &way.start_pose, &mut |_| ());
         }
         self
     }
@@ -248,35 +278,53 @@ impl<'a> Operation<'a> {
 
     /// Outcome of one command.
     pub fn answer(&mut self, command: &CommandedPose) -> Outcome {
-        let Some(mut way) = self.way.take() else { return self.reach(command) };
-        let outcome = self.go(&mut way, command);
+        self.answer_along(command, &mut |_| ())
+    }
+
+    /// [`Operation::answer`] that lends every place of the way to whoever goes along.
+    pub(super) fn answer_along(&mut self, command: &CommandedPose, along: &mut dyn FnMut(Lent<'_>)) -> Outcome {
+        let Some(mut way) = self.way.take() else {
+            along(Lent::SetOut);
+            return self.arrived(command, along);
+        };
+        let outcome = self.go(&mut way, command, along);
         self.way = Some(way);
         outcome
     }
 
     /// The sub-steps of a way, and its end; the robot settles wherever it comes to.
-    fn go(&mut self, way: &mut Way, command: &CommandedPose) -> Outcome {
+    fn go(&mut self, way: &mut Way, command: &CommandedPose, along: &mut dyn FnMut(Lent<'_>)) -> Outcome {
         let last = way.last.filter(|_| way.history.reach == Reach::InOrder);
         if last.is_none() {
             self.states.clone_from(&way.start);
+            along(Lent::SetOut);
         }
         let from = last.unwrap_or(way.start_pose);
         let whole = from.displacement_to(&command.pose);
         let steps = way.history.sub_steps;
         for step in 1..steps {
-            let _ = self.settled(&CommandedPose::at(from.displaced(&(whole * (f64::from(step) / f64::from(steps))))));
+            let share = f64::from(step) / f64::from(steps);
+            let _ = self.settled(&CommandedPose::at(from.displaced(&(whole * share))), along);
         }
         way.last = Some(command.pose);
-        self.settled(command)
+        self.settled(command, along)
     }
 
     /// Outcome of a command; control model and machine settle there if it is an equilibrium.
-    fn settled(&mut self, command: &CommandedPose) -> Outcome {
-        let outcome = self.reach(command);
+    fn settled(&mut self, command: &CommandedPose, along: &mut dyn FnMut(Lent<'_>)) -> Outcome {
+        let outcome = self.arrived(command, along);
         if outcome.status == Status::Converged {
             self.states.machine.settle_forward(self.machine.model());
             self.states.control.settle_inverse(self.control.model());
         }
+        outcome
+    }
+
+    /// Outcome of a command, lent with the memories that led to it.
+    fn arrived(&mut self, command: &CommandedPose, along: &mut dyn FnMut(Lent<'_>)) -> Outcome {
+        let outcome = self.reach(command);
+        let (control, machine) = (self.states.control.memories(), self.states.machine.memories());
+        along(Lent::Place(Place { command, outcome: &outcome, control, machine }));
         outcome
     }
 

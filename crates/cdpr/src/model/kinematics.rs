@@ -10,6 +10,7 @@ use super::winching::winches_of;
 use crate::cable::elasticity::{Elasticity, linear_elasticity};
 use crate::cable::law::CableLaw;
 use crate::cable::outlet::{self, Contact, Outlet};
+use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::winch::Winch;
 use crate::cable::wrench::wrench;
 use crate::cable::{CableEnd, CableInput, CablePath, CableState, CableStateError, GeometryError};
@@ -72,6 +73,15 @@ impl Model {
         let groups = chunks.map(|((cables, laws), linear)| group(cables, laws, linear)).collect();
         let winches = winches_of(&robot, composition.drum)?;
         Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
+    }
+
+    /// The model whose cables come from these memories, one per cable; without effect where their laws have none.
+    pub(crate) fn with_memories(&self, memories: &[Memory]) -> Self {
+        let mut model = self.clone();
+        for (law, memory) in model.laws.iter_mut().zip(memories) {
+            law.stretch = law.stretch.with_memory(memory);
+        }
+        model
     }
 
     /// The robot.

@@ -5,6 +5,7 @@ use super::{CableLaw, Kind};
 use crate::cable::elasticity::StiffnessBasis;
 use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;
+use crate::cable::stretch::hysteresis::Motion;
 use crate::scalar::{add, scale};
 
 /// A parameter of one cable, beside its anchors.
@@ -69,6 +70,13 @@ impl CableLaw {
             }
             (Kind::Rigid | Kind::Linear(..) | Kind::Stretching, _) => length_change(0.0),
         }
+    }
+
+    /// The motion of a straight cable that remembers to its state, and ∂q_θ/∂ε at its end at fixed tension (m); nothing for other cables.
+    pub fn motion(&self, state: &CableState) -> Option<(Motion, f64)> {
+        let (Stretch::Hysteresis(law, memory), Kind::Stretching) = (&self.stretch, self.kind) else { return None };
+        let motion = law.motion(state.outlet_tension, memory);
+        Some((motion, -(state.controlled_length + self.hidden_length) / (1.0 + motion.strain)))
     }
 
     /// Changes of end and controlled length at a fixed state.

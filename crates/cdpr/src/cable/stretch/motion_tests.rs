@@ -88,8 +88,15 @@ fn a_motion_knows_how_near_a_stop_is_to_its_end() {
     let memory = Memory::on_loading_branch(0.009);
     let tension = |strain: f64| law.tension(strain, &memory).0;
     // not moved at all, and turned by 1e-6
-    assert!(law.motion(tension(0.009), &memory).margin < 1e-15);
-    assert!((law.motion(tension(0.009 - 1e-6), &memory).margin - 1e-6).abs() < 1e-15);
+    assert!(law.motion(tension(0.009), &memory).margin() < 1e-15);
+    assert!((law.motion(tension(0.009 - 1e-6), &memory).margin() - 1e-6).abs() < 1e-15);
     // the narrowest stop, 4e-4 wide each way, has come to its other end
-    assert!(law.motion(tension(0.009 - 4e-4), &memory).margin < 1e-15);
+    assert!(law.motion(tension(0.009 - 4e-4), &memory).margin() < 1e-15);
+    // a deviation that moves both ends of no motion alike leaves the stops where they are, another one does not
+    let still = law.motion(tension(0.009), &memory);
+    let before = MemoryChange { strain: 1.0, ..MemoryChange::default() };
+    assert_eq!(still.crossing(1e-9, 1.0, &before), 0.0);
+    assert_eq!(still.crossing(1e-9, 1.5, &before), 0.5);
+    let pushed = law.motion(tension(0.009), &still.pushed_on(1e-9, &memory));
+    assert!(pushed.forgets() && (1e-9..3e-9).contains(&pushed.margin()), "{pushed:?}");
 }

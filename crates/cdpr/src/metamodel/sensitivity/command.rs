@@ -18,35 +18,56 @@ pub(super) struct Command<'a> {
     choice: Option<TensionChoice<'a>>,
 }
 
+/// Changes of a command at a pose, per unit of each cause.
+pub(super) struct Commanded {
+    /// Of the tensions (N).
+    pub(super) tension_changes: Vec<DVector<f64>>,
+    /// Of the lengths in the units of the control model's encoders (m), at fixed memories of its cables.
+    pub(super) lengths: Vec<DVector<f64>>,
+}
+
 impl<'a> Command<'a> {
     pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
         Ok(Self { control, choice: control.tension_choice()? })
     }
 
-    /// Changes of the lengths in the units of the control model's encoders (m) per unit of each cause, or why there are none.
-    pub(super) fn by_causes(
-        &mut self,
-        pose: &Pose,
-        causes: &[ParameterDeviation],
-    ) -> Result<Vec<DVector<f64>>, OperationError> {
-        let Control { model, tension_method } = self.control;
-        let m = model.cable_count();
-        let Some(TensionChoice { solver, load, limits }) = &mut self.choice else {
-            return causes.iter().map(|cause| Ok(at_tensions(model, pose, &vec![0.0; m], cause)?)).collect();
+    /// Tensions at a pose (N), or why there are none; zeros where lengths depend on none.
+    pub(super) fn tensions(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
+        let Some(TensionChoice { solver, .. }) = &mut self.choice else {
+            return Ok(vec![0.0; self.control.model.cable_count()]);
         };
         let found = solver.solve(pose)?;
-        if let Some(reason) = found.reason {
-            return Err(OperationError::NoTensions(reason));
+        match found.reason {
+            Some(reason) => Err(OperationError::NoTensions(reason)),
+            None => Ok(found.tensions),
         }
-        let choice = Choice::by(tension_method, (model, pose), load, limits, &found.tensions)?
-            .map_err(OperationError::NotSmooth)?;
-        let stretch = by_tensions(model, pose, &found.tensions)?;
-        let one = |cause: &ParameterDeviation| {
-            let fixed = at_tensions(model, pose, &found.tensions, cause)?;
-            let chosen = choice.by_cause(cause)?;
-            Ok(fixed + stretch.component_mul(&chosen))
+    }
+
+    /// Changes of the command at a pose with each cause, or why there are none; `model` is the control model as its cables remember.
+    pub(super) fn by_causes(
+        &mut self,
+        model: &Model,
+        pose: &Pose,
+        causes: &[ParameterDeviation],
+    ) -> Result<Commanded, OperationError> {
+        let tensions = self.tensions(pose)?;
+        let Some(TensionChoice { load, limits, .. }) = &self.choice else {
+            let unchanged = vec![DVector::zeros(model.cable_count()); causes.len()];
+            let lengths = causes.iter().map(|cause| at_tensions(model, pose, &tensions, cause));
+            return Ok(Commanded { lengths: lengths.collect::<Result<_, _>>()?, tension_changes: unchanged });
         };
-        causes.iter().map(one).collect()
+        let Control { model: choosing, tension_method } = self.control;
+        let choice = Choice::by(tension_method, (choosing, pose), load, limits, &tensions)?
+            .map_err(OperationError::NotSmooth)?;
+        let stretch = by_tensions(model, pose, &tensions)?;
+        let mut commanded = Commanded { tension_changes: Vec::new(), lengths: Vec::new() };
+        for cause in causes {
+            let fixed = at_tensions(model, pose, &tensions, cause)?;
+            let chosen = choice.by_cause(cause)?;
+            commanded.lengths.push(fixed + stretch.component_mul(&chosen));
+            commanded.tension_changes.push(chosen);
+        }
+        Ok(commanded)
     }
 }
 

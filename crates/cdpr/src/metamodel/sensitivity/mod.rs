@@ -3,13 +3,17 @@
 //!
 //! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes what is sent (its control model, its winch offsets) or what
 //! answers (its machine); the rest is the implicit function theorem at the emerging state, dx̂ = K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p).
-//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember are
-//! moved to and fro along their path (`remembering`).
+//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember have
+//! the same along their whole path (`remembering`).
 
 mod cause;
 mod choice;
 mod command;
+mod derivatives;
+mod differences;
 mod equilibrium;
+mod kink;
+mod memories;
 mod ranking;
 mod remembering;
 mod setting;
@@ -18,6 +22,8 @@ mod windings;
 use nalgebra::{DMatrix, DVector};
 
 pub use cause::{Kind, ParameterDeviation, Side, causes_of};
+pub use derivatives::{Derivatives, Differentiation};
+pub use kink::Kink;
 pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
 pub use setting::{Offsets, Setting};
 
@@ -28,10 +34,11 @@ use super::operation_error::OperationError;
 use super::study::{CommandedPose, History};
 use super::winches::tension_model;
 use crate::geometry::Pose;
-use crate::model::{Model, StretchEffect};
+use crate::model::Model;
 use crate::statics::Load;
-use command::Command;
+use command::{Command, Commanded};
 use equilibrium::{Answer, Equilibrium};
+use memories::{Motions, Remembered, remembers};
 use windings::Windings;
 
 /// How pose and tensions follow deviations at one commanded pose.
@@ -41,31 +48,6 @@ pub struct PoseSensitivity {
     pub outcome: Outcome,
     /// The derivatives, or why there are none.
     pub derivatives: Result<Derivatives, OperationError>,
-}
-
-/// Derivatives by every cause, a column each.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Derivatives {
-    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes), per unit
-    /// of the cause.
-    pub pose: DMatrix<f64>,
-    /// Change of the tensions (N); `None` for a rigid machine.
-    pub tensions: Option<DMatrix<f64>>,
-    /// Of derivatives by differences, what the columns of `pose` may be off by (its units, the largest component); `None` for analytic
-    /// ones.
-    pub errors: Option<DVector<f64>>,
-}
-
-impl Derivatives {
-    /// Distance that the platform origin moves per unit of a cause (m).
-    pub fn position(&self, translations: usize, cause: usize) -> f64 {
-        self.pose.column(cause).rows(0, translations).norm()
-    }
-
-    /// Angle that the platform turns per unit of a cause (rad); 0 for patterns without turns.
-    pub fn rotation(&self, translations: usize, cause: usize) -> f64 {
-        self.pose.column(cause).rows(translations, self.pose.nrows() - translations).norm()
-    }
 }
 
 /// A control model on a machine whose winches are set, with all that may deviate.
@@ -121,17 +103,18 @@ impl<'a> Sensitivity<'a> {
 
     /// The derivatives at poses that are commanded one after the other.
     ///
-    /// Machines whose cables remember have them by differences, with an estimate of their error.
+    /// Machines whose cables remember have them by differences, with an estimate of their error, where their path is not smooth
+    /// ([`Differentiation`]).
     pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
-        match self.machine.composition().stretch {
-            StretchEffect::Hysteresis => remembering::along(self, commands),
-            _ => commands.iter().map(|command| self.at(command)).collect(),
+        match remembers(self.machine) {
+            true => remembering::along(self, commands),
+            false => commands.iter().map(|command| self.at(command)).collect(),
         }
     }
 
     /// The derivatives at a commanded pose, the first of its path for machines whose cables remember.
     pub fn at(&mut self, command: &CommandedPose) -> Result<PoseSensitivity, InputError> {
-        if self.machine.composition().stretch == StretchEffect::Hysteresis {
+        if remembers(self.machine) {
             let mut alone = remembering::along(self, std::slice::from_ref(command))?;
             return alone.pop().ok_or(InputError::NoPoses);
         }
@@ -143,31 +126,58 @@ impl<'a> Sensitivity<'a> {
     }
 
     fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {
-        let windings = Windings::at(self.control.model, self.machine, &outcome.sent)?;
-        let equilibrium = self.equilibrium(outcome)?.ok_or(OperationError::Singular)?;
+        let step = self.step(&command.pose, outcome, (self.control.model, self.machine))?;
+        let unmoved = Motions::default();
+        let (pose, tensions, _) = self.columns(&step, [&unmoved, &unmoved], &Remembered::default());
+        let tensions = outcome.tensions.is_some().then_some(tensions);
+        Ok(Derivatives { pose, tensions, differentiation: Differentiation::Exact })
+    }
+
+    /// A command and what came of it, linearized at control model and machine as their cables remember.
+    fn step<'m>(
+        &mut self,
+        command: &Pose,
+        outcome: &Outcome,
+        (control, machine): (&'m Model, &'m Model),
+    ) -> Result<Step<'m>, OperationError> {
+        let windings = Windings::at(control, machine, &outcome.sent)?;
+        let equilibrium = self.equilibrium(machine, outcome)?.ok_or(OperationError::Singular)?;
         let of_control: Vec<ParameterDeviation> =
             self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
-        let commanded = self.command.by_causes(&command.pose, &of_control)?;
+        let commanded = self.command.by_causes(control, command, &of_control)?;
+        Ok(Step { commanded, windings, equilibrium })
+    }
+
+    /// Changes of pose and tensions at a step by every cause, and of the memories after the motions to it.
+    fn columns(
+        &self,
+        step: &Step<'_>,
+        [control, machine]: [&Motions; 2],
+        before: &Remembered,
+    ) -> (DMatrix<f64>, DMatrix<f64>, Remembered) {
         let (n, m, count) = (self.machine.dof(), self.machine.cable_count(), self.causes.len());
         let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
+        let mut after = Remembered::default();
         for (column, (cause, offsets)) in self.causes.iter().zip(&self.offsets).enumerate() {
+            let mut sent = offsets.clone();
             // the causes of the control model come first
-            let sent = offsets + commanded.get(column).unwrap_or(&DVector::zeros(m));
-            let mut paid_out = windings.paid_out(&sent);
-            paid_out[cause.cable] += windings.by_cause(cause);
-            let answer: Answer = match cause.side {
-                Side::Machine => equilibrium.by_cause(cause, &paid_out),
-                _ => equilibrium.by_sent(&paid_out),
-            };
+            if let Some(lengths) = step.commanded.lengths.get(column) {
+                let before = before.control.get(column).map_or(&[][..], Vec::as_slice);
+                sent += lengths;
+                control.lengths(before).iter().for_each(|lengths| sent += lengths);
+                after.control.push(control.settled(&step.commanded.tension_changes[column], before));
+            }
+            let before = before.machine.get(column).map_or(&[][..], Vec::as_slice);
+            let answer = step.answer(cause, &sent, machine.lengths(before));
+            after.machine.push(machine.settled(&answer.tensions, before));
             pose.set_column(column, &answer.pose);
             tensions.set_column(column, &answer.tensions);
         }
-        let tensions = outcome.tensions.is_some().then_some(tensions);
-        Ok(Derivatives { pose, tensions, errors: None })
+        (pose, tensions, after)
     }
 
-    fn equilibrium(&self, outcome: &Outcome) -> Result<Option<Equilibrium<'a>>, InputError> {
-        let (machine, pose) = (self.machine, &outcome.pose);
+    fn equilibrium<'m>(&self, machine: &'m Model, outcome: &Outcome) -> Result<Option<Equilibrium<'m>>, InputError> {
+        let pose = &outcome.pose;
         if let (Some(load), Some(tensions)) = (&self.load, &outcome.tensions) {
             return Ok(Equilibrium::elastic(machine, pose, tensions, load)?);
         }
@@ -175,6 +185,27 @@ impl<'a> Sensitivity<'a> {
         let paid_out: Vec<f64> = self.operation.paid_out(&outcome.sent).map_err(InputError::Winch)?;
         let lengths: Vec<f64> = paid_out.iter().enumerate().map(controlled).collect();
         Ok(Equilibrium::rigid(machine, pose, &lengths)?)
+    }
+}
+
+/// A command and what came of it, linearized.
+struct Step<'m> {
+    commanded: Commanded,
+    windings: Windings<'m>,
+    equilibrium: Equilibrium<'m>,
+}
+
+impl Step<'_> {
+    /// Answer to one unit of a cause, to the change of the lengths sent (m), and to that of the machine's own lengths by the memories of its
+    /// cables, at fixed tensions (m).
+    fn answer(&self, cause: &ParameterDeviation, sent: &DVector<f64>, remembered: Option<DVector<f64>>) -> Answer {
+        let mut paid_out = self.windings.paid_out(sent);
+        paid_out[cause.cable] += self.windings.by_cause(cause);
+        remembered.iter().for_each(|lengths| paid_out -= lengths);
+        match cause.side {
+            Side::Machine => self.equilibrium.by_cause(cause, &paid_out),
+            _ => self.equilibrium.by_sent(&paid_out),
+        }
     }
 }
 

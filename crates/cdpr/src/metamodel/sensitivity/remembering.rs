@@ -1,126 +1,155 @@
-//! Machines whose cables remember: derivatives along the path, at the branch on which it ends.
+//! Machines whose cables remember: exact derivatives along the path.
 //!
-//! What a cable remembers follows every deviation from the first step on: its strains and where its stops stand. So the machine drives the whole path with
-//! a deviation of ±h and of ±h/2 and without one, by its exact forward problem, and each pose has the central differences D(h) and D(h/2).
-//! (4 D(h/2) − D(h))/3 is exact to h⁴, and |D(h/2) − D(h)|/3 is what D(h/2) is off by: rounding of the solves and what bends. The law is
-//! smooth in pieces; where a deviation of h changes the branch of a cable – its motion turns in between, or a stop begins to slide – the
-//! estimate tells.
+//! At every step of the way the implicit function theorem gives the change of pose and tensions, with what the cables of control model
+//! and machine remember as further right side, and their law that of the memories after it. No derivative leads on from a step at which
+//! the law is not smooth (a [`Kink`]), until all of the hysteresis of all cables slides: then nothing is left of what was before. Poses
+//! to which none leads have differences ([`Differences`]).
 
-use nalgebra::{DMatrix, DVector};
-
-use super::cause::{ParameterDeviation, Side};
-use super::{Derivatives, PoseSensitivity, Sensitivity};
-use crate::metamodel::control::Control;
+use super::cause::Side;
+use super::differences::Differences;
+use super::kink::Kink;
+use super::memories::{Motions, Remembered};
+use super::{Derivatives, Differentiation, PoseSensitivity, Sensitivity};
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::{Operation, Outcome};
+use crate::metamodel::operate::{Lent, Operation, Outcome, Place, Status};
 use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::study::CommandedPose;
 use crate::model::Model;
-
-/// Outcomes of the path at −h, h, −h/2, h/2.
-type Shifted = [Vec<Outcome>; 4];
+use crate::statics::StaticsError;
 
 /// The derivatives at each pose of a path.
 pub(super) fn along(
-    sensitivity: &Sensitivity<'_>,
+    sensitivity: &mut Sensitivity<'_>,
     commands: &[CommandedPose],
 ) -> Result<Vec<PoseSensitivity>, InputError> {
-    let path = Path { sensitivity, commands };
-    let nominal = path.drive(sensitivity.control.model, sensitivity.machine, &sensitivity.winch_offsets)?;
-    let columns = 0..sensitivity.causes.len();
-    #[cfg(feature = "parallel")]
-    let shifted: Vec<Shifted> = {
-        use rayon::prelude::*;
-        columns.into_par_iter().map(|column| path.shifted(column)).collect::<Result<_, _>>()?
+    let passed = passed(sensitivity, commands)?;
+    let is_kinked = |&place: &usize| {
+        let (outcome, exact) = &passed[place];
+        outcome.status == Status::Converged && exact.is_err()
     };
-    #[cfg(not(feature = "parallel"))]
-    let shifted: Vec<Shifted> = columns.map(|column| path.shifted(column)).collect::<Result<_, _>>()?;
-    let at = |(place, outcome): (usize, Outcome)| PoseSensitivity {
-        derivatives: path.derivatives(place, &outcome, &shifted),
+    let kinked: Vec<usize> = (0..passed.len()).filter(is_kinked).collect();
+    let differences = Differences::new(sensitivity, commands, kinked)?;
+    let derivatives = |place: usize, outcome: &Outcome, exact: Result<Derivatives, Kink>| {
+        outcome.at_rest()?;
+        exact.or_else(|kink| differences.derivatives(place, kink))
+    };
+    let at = |(place, (outcome, exact)): (usize, Passed)| PoseSensitivity {
+        derivatives: derivatives(place, &outcome, exact),
         outcome,
     };
-    Ok(nominal.into_iter().enumerate().map(at).collect())
+    Ok(passed.into_iter().enumerate().map(at).collect())
 }
 
-struct Path<'a> {
-    sensitivity: &'a Sensitivity<'a>,
-    commands: &'a [CommandedPose],
+/// Outcome at a pose, with its exact derivatives where they lead there.
+type Passed = (Outcome, Result<Derivatives, Kink>);
+
+/// Outcomes at all poses, with exact derivatives where they lead there.
+fn passed(sensitivity: &mut Sensitivity<'_>, commands: &[CommandedPose]) -> Result<Vec<Passed>, InputError> {
+    let operation = Operation::new(sensitivity.control, sensitivity.machine, &sensitivity.winch_offsets)?;
+    let history = sensitivity.history;
+    let history = history.as_ref().map(|(history, start)| (history, start));
+    let mut companion = Companion::new(sensitivity);
+    let mut operation = operation.with_history_along(history, &mut |lent| {
+        companion.pass(lent);
+    });
+    companion.start.clone_from(&companion.here);
+    let answer = |command: &CommandedPose| {
+        let mut exact = None;
+        let outcome = operation.answer_along(command, &mut |lent| exact = companion.pass(lent));
+        let exact = exact.unwrap_or(Err(Kink::NoRest(outcome.status)));
+        (outcome, exact)
+    };
+    Ok(commands.iter().map(answer).collect())
 }
 
-impl Path<'_> {
-    fn drive(&self, control: &Model, machine: &Model, offsets: &[f64]) -> Result<Vec<Outcome>, InputError> {
-        let control = Control { model: control, tension_method: self.sensitivity.control.tension_method };
-        let mut operation = Operation::new(control, machine, offsets)?;
-        if let Some((history, start)) = &self.sensitivity.history {
-            operation = operation.with_history(history, start);
-        }
-        Ok(self.commands.iter().map(|command| operation.answer(command)).collect())
+/// Goes along with an operation, and knows how what its cables remember follows every cause.
+struct Companion<'s, 'a> {
+    sensitivity: &'s mut Sensitivity<'a>,
+    /// Cables that were never loaded.
+    unloaded: Remembered,
+    /// Memories at the start of every way.
+    start: Result<Remembered, Kink>,
+    /// Memories where control model and machine are.
+    here: Result<Remembered, Kink>,
+}
+
+impl<'s, 'a> Companion<'s, 'a> {
+    fn new(sensitivity: &'s mut Sensitivity<'a>) -> Self {
+        let (control, machine, causes) = (sensitivity.control.model, sensitivity.machine, sensitivity.causes());
+        let of_control = causes.iter().filter(|cause| cause.side == Side::Control).count();
+        let unloaded = Remembered::nothing((control, of_control), (machine, causes.len()));
+        Self { sensitivity, start: Ok(unloaded.clone()), here: Ok(unloaded.clone()), unloaded }
     }
 
-    fn shifted(&self, column: usize) -> Result<Shifted, InputError> {
-        let step = step(&self.sensitivity.causes[column]);
-        let drive = |by: f64| self.deviating(column, by);
-        Ok([drive(-step)?, drive(step)?, drive(-0.5 * step)?, drive(0.5 * step)?])
-    }
-
-    /// The path of a machine with one number changed.
-    fn deviating(&self, column: usize, by: f64) -> Result<Vec<Outcome>, InputError> {
-        let Sensitivity { control, machine, winch_offsets, causes, offsets, .. } = self.sensitivity;
-        let cause = &causes[column];
-        let changed = |model: &Model, side: Side| -> Result<Option<Model>, InputError> {
-            if cause.side != side {
-                return Ok(None);
-            }
-            let mut robot = model.robot().clone();
-            cause.deviate(model, &mut robot, by);
-            Ok(Some(Model::new(robot, model.composition())?))
+    /// The derivatives at a place; nothing for a new way.
+    fn pass(&mut self, lent: Lent<'_>) -> Option<Result<Derivatives, Kink>> {
+        let Lent::Place(place) = lent else {
+            self.here.clone_from(&self.start);
+            return None;
         };
-        let (own_control, own_machine) = (changed(control.model, Side::Control)?, changed(machine, Side::Machine)?);
-        let offsets: Vec<f64> =
-            winch_offsets.iter().zip(&offsets[column]).map(|(offset, change)| offset + by * change).collect();
-        self.drive(own_control.as_ref().unwrap_or(control.model), own_machine.as_ref().unwrap_or(machine), &offsets)
-    }
-
-    fn derivatives(&self, place: usize, outcome: &Outcome, shifted: &[Shifted]) -> Result<Derivatives, OperationError> {
-        outcome.at_rest()?;
-        let Sensitivity { machine, causes, .. } = self.sensitivity;
-        let (n, m, count) = (machine.dof(), machine.cable_count(), causes.len());
-        let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
-        let mut errors = DVector::zeros(count);
-        for (column, (cause, paths)) in causes.iter().zip(shifted).enumerate() {
-            let [below, above, near_below, near_above] = paths.each_ref().map(|path| &path[place]);
-            [below, above, near_below, near_above]
-                .into_iter()
-                .try_for_each(Outcome::at_rest)
-                .map_err(|reason| OperationError::Deviating { cause: cause.name(machine), reason: Box::new(reason) })?;
-            let step = step(cause);
-            let basis = machine.twist_basis();
-            let moved = |from: &Outcome, to: &Outcome, by: f64| {
-                let twist = from.pose.displacement_to(&to.pose) / by;
-                DVector::from_iterator(n, basis.iter().map(|direction| direction.dot(&twist)))
-            };
-            let (far, near) = (moved(below, above, 2.0 * step), moved(near_below, near_above, step));
-            errors[column] = (&near - &far).amax() / 3.0;
-            pose.set_column(column, &((near * 4.0 - far) / 3.0));
-            let (far, near) = (pulled(below, above, 2.0 * step), pulled(near_below, near_above, step));
-            tensions.set_column(column, &((near * 4.0 - far) / 3.0));
+        match self.linearized(&place) {
+            Ok((derivatives, after)) => {
+                self.here = Ok(after);
+                Some(Ok(derivatives))
+            }
+            Err(kink) => {
+                self.here = Err(kink.clone());
+                Some(Err(kink))
+            }
         }
-        Ok(Derivatives { pose, tensions: Some(tensions), errors: Some(errors) })
+    }
+
+    /// The derivatives at a place, and the changes of the memories after it.
+    fn linearized(&mut self, place: &Place<'_>) -> Result<(Derivatives, Remembered), Kink> {
+        let (outcome, pose) = (place.outcome, &place.command.pose);
+        let Some(tensions) = outcome.tensions.as_ref().filter(|_| outcome.status == Status::Converged) else {
+            return Err(Kink::NoRest(outcome.status));
+        };
+        let control = self.sensitivity.control.model.with_memories(place.control);
+        let machine = self.sensitivity.machine.with_memories(place.machine);
+        let chosen = self.sensitivity.command.tensions(pose)?;
+        let (control, of_control) = motions(control, &|model| Motions::to(model, pose, &chosen))?;
+        let (machine, of_machine) = motions(machine, &|model| Motions::to(model, &outcome.pose, tensions))?;
+        self.check_slack(outcome, &of_control, &of_machine)?;
+        let motions = [&of_control, &of_machine];
+        let before = match &self.here {
+            Ok(before) => before,
+            Err(_) if motions.iter().all(|motions| motions.forget()) => &self.unloaded,
+            Err(kink) => return Err(kink.clone()),
+        };
+        let step = self.sensitivity.step(pose, outcome, (&control, &machine))?;
+        let (pose, tensions, after) = self.sensitivity.columns(&step, motions, before);
+        before.check(motions, &after)?;
+        let differentiation = Differentiation::Exact;
+        Ok((Derivatives { pose, tensions: Some(tensions), differentiation }, after))
+    }
+
+    /// Refuses cables within rounding of being slack.
+    fn check_slack(&self, outcome: &Outcome, control: &Motions, machine: &Motions) -> Result<(), Kink> {
+        let model = self.sensitivity.machine;
+        let paid_out = self.sensitivity.operation.paid_out(&outcome.sent).map_err(OperationError::from)?;
+        let courses =
+            model.cable_lengths(&outcome.pose).map_err(|error| OperationError::from(StaticsError::from(error)))?;
+        let loose = |cable: usize| model.controlled_length(cable, paid_out[cable]) / courses[cable] - 1.0;
+        let found = [
+            (Side::Control, control.between_taut_and_slack(|_| 0.0)),
+            (Side::Machine, machine.between_taut_and_slack(loose)),
+        ];
+        match found.into_iter().find_map(|(side, cable)| Some((side, cable?))) {
+            Some((side, cable)) => Err(Kink::Slack { side, cable }),
+            None => Ok(()),
+        }
     }
 }
 
-/// Change of the tensions from one outcome to another, by so much.
-fn pulled(from: &Outcome, to: &Outcome, by: f64) -> DVector<f64> {
-    let (from, to) = (from.tensions.as_deref().unwrap_or_default(), to.tensions.as_deref().unwrap_or_default());
-    DVector::from_iterator(to.len(), to.iter().zip(from).map(|(to, from)| (to - from) / by))
-}
-
-/// h: forward problems end within some 1e-11 m, so that differences over it are good to 1e-5 and better, and few cables have the end of
-/// a branch so near.
-fn step(cause: &ParameterDeviation) -> f64 {
-    match cause.kind.unit() {
-        "m" | "1" => 1e-5,
-        "kg" => 0.1,
-        _ => 0.5,
+/// The motions of a model, and the model itself, with no stop in doubt.
+fn motions(model: Model, to: &dyn Fn(&Model) -> Result<Motions, Kink>) -> Result<(Model, Motions), Kink> {
+    let found = to(&model)?;
+    match found.pushed_on(&model) {
+        None => Ok((model, found)),
+        Some(model) => {
+            let found = to(&model)?;
+            Ok((model, found))
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo,
 use crate::metamodel::experiment::Experiment;
 use crate::metamodel::input_error::InputError;
 use crate::metamodel::operate::Status;
-use crate::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Side};
+use crate::metamodel::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side};
 use crate::metamodel::study::{AccuracyOf, CommandedPose, Tolerances};
 
 /// Questions about deviations, beside the tolerances of the study.
@@ -118,7 +118,7 @@ impl Deviations {
     pub fn difference_error(&self) -> Option<f64> {
         let mut worst = None;
         for derivatives in self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()) {
-            let Some(errors) = &derivatives.errors else { continue };
+            let Some(errors) = derivatives.errors() else { continue };
             for (column, cause) in self.causes.iter().enumerate() {
                 let same = (0..self.causes.len()).filter(|&other| self.causes[other].kind.unit() == cause.kind.unit());
                 let largest = same.map(|other| derivatives.pose.column(other).amax()).fold(0.0, f64::max);
@@ -127,6 +127,14 @@ impl Deviations {
             }
         }
         worst
+    }
+
+    /// Poses (0-based) with derivatives by differences, and why no exact ones lead there.
+    pub fn by_differences(&self) -> impl Iterator<Item = (usize, &Kink)> {
+        self.poses.iter().enumerate().filter_map(|(place, at)| match &at.derivatives.as_ref().ok()?.differentiation {
+            Differentiation::Differences { kink, .. } => Some((place, kink)),
+            Differentiation::Exact => None,
+        })
     }
 
     /// Remarks on standard deviations of what neither side has.

@@ -5,7 +5,8 @@
 //!
 //! dε = ∂ε/∂f (df − ½(up − down) Σ wⱼ oⱼ),  dSⱼ ← oⱼ + dε/rⱼ, and 0 for stops that slide.
 //!
-//! Both are smooth but where a stop begins to slide or to follow; the law itself has continuous slopes at its knots.
+//! Both are smooth but where a stop begins to slide or to follow, and there too in a direction in which it stays there; the law itself
+//! has continuous slopes at its knots.
 
 use super::{Hysteresis, Memory, TRANSITION_LIMIT};
 
@@ -25,12 +26,19 @@ pub struct Motion {
     pub strain: f64,
     /// ∂ε/∂f at fixed memory (1/N).
     pub by_tension: f64,
-    /// Least strain to a motion on which another stop slides, or another one follows.
-    pub margin: f64,
-    /// ∂ε/∂Sⱼ at fixed tension; zero for stops that slide.
-    by_stops: [f64; TRANSITION_LIMIT],
-    /// 1/rⱼ of the stops that follow the strain; zero for others.
-    rates: [f64; TRANSITION_LIMIT],
+    /// The stops in use, others as if they slid for ever.
+    stops: [Stop; TRANSITION_LIMIT],
+}
+
+/// A stop at the end of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Stop {
+    /// Its state if it followed the strain however far, and did not slide at ±1.
+    free: f64,
+    /// 1/rⱼ.
+    rate: f64,
+    /// ∂ε/∂Sⱼ at fixed tension where it follows.
+    effect: f64,
 }
 
 impl Hysteresis {
@@ -38,44 +46,71 @@ impl Hysteresis {
     pub fn motion(&self, tension: f64, memory: &Memory) -> Motion {
         let (strain, by_tension) = self.strain(tension, memory);
         let half = self.branches(strain).half;
-        let mut motion = Motion {
-            strain,
-            by_tension,
-            margin: f64::INFINITY,
-            by_stops: [0.0; TRANSITION_LIMIT],
-            rates: [0.0; TRANSITION_LIMIT],
-        };
-        for (j, (operator, &before)) in self.stops.iter().zip(&memory.stops).enumerate() {
-            let beyond = (before + (strain - memory.strain) * operator.rate).abs() - 1.0;
-            motion.margin = motion.margin.min(beyond.abs() / operator.rate);
-            if beyond < 0.0 {
-                motion.by_stops[j] = -half * operator.weight * by_tension;
-                motion.rates[j] = operator.rate;
-            }
+        let mut stops = [Stop { free: f64::INFINITY, rate: 1.0, effect: 0.0 }; TRANSITION_LIMIT];
+        for ((stop, operator), &before) in stops.iter_mut().zip(self.stops.iter()).zip(&memory.stops) {
+            let free = before + (strain - memory.strain) * operator.rate;
+            *stop = Stop { free, rate: operator.rate, effect: -half * operator.weight * by_tension };
         }
-        motion
+        Motion { strain, by_tension, stops }
+    }
+}
+
+impl Stop {
+    fn follows(&self) -> bool {
+        self.free.abs() < 1.0
+    }
+
+    /// Strain to where it would begin to slide, or to follow.
+    fn margin(&self) -> f64 {
+        (self.free.abs() - 1.0).abs() / self.rate
+    }
+
+    /// Change oⱼ of its state at fixed strain.
+    fn change(&self, stop: f64, before: &MemoryChange) -> f64 {
+        stop - self.rate * before.strain
     }
 }
 
 impl Motion {
+    /// Least strain to a motion on which another stop slides, or another one follows.
+    pub fn margin(&self) -> f64 {
+        self.stops.iter().map(Stop::margin).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The memory from which stops nearer than this strain to where they begin to slide or to follow slide beyond doubt.
+    pub fn pushed_on(&self, near: f64, memory: &Memory) -> Memory {
+        let pushed = |j: usize| match self.stops[j] {
+            stop if stop.margin() < near => memory.stops[j] + (2.0 * near * stop.rate).copysign(stop.free),
+            _ => memory.stops[j],
+        };
+        Memory { strain: memory.strain, stops: core::array::from_fn(pushed) }
+    }
+
     /// True where all stops slide: nothing is left of what the cable remembered before.
     pub fn forgets(&self) -> bool {
-        self.rates.iter().all(|&rate| rate == 0.0)
+        self.stops.iter().all(|stop| !stop.follows())
     }
 
     /// Change of the strain at its end with the tension (N) and the memory before.
     pub fn strain_change(&self, tension: f64, before: &MemoryChange) -> f64 {
-        let stops = self.by_stops.iter().zip(self.rates).zip(before.stops);
-        let by_memory: f64 = stops.map(|((by, rate), stop)| by * (stop - rate * before.strain)).sum();
+        let following = self.stops.iter().zip(before.stops).filter(|(stop, _)| stop.follows());
+        let by_memory: f64 = following.map(|(stop, change)| stop.effect * stop.change(change, before)).sum();
         self.by_tension * tension + by_memory
     }
 
     /// Change of the memory after the motion, for this change of the strain at its end.
     pub fn memory_change(&self, strain: f64, before: &MemoryChange) -> MemoryChange {
-        let follow = |j: usize| match self.rates[j] > 0.0 {
-            true => before.stops[j] + (strain - before.strain) * self.rates[j],
+        let after = |j: usize| match self.stops[j].follows() {
+            true => self.stops[j].change(before.stops[j], before) + self.stops[j].rate * strain,
             false => 0.0,
         };
-        MemoryChange { strain, stops: core::array::from_fn(follow) }
+        MemoryChange { strain, stops: core::array::from_fn(after) }
+    }
+
+    /// Strain by which stops that are nearer than `near` to where they begin to slide or to follow move against that place, the largest:
+    /// zero where a change leaves them there, so that it has a derivative all the same.
+    pub fn crossing(&self, near: f64, strain: f64, before: &MemoryChange) -> f64 {
+        let meeting = self.stops.iter().zip(before.stops).filter(|(stop, _)| stop.margin() < near);
+        meeting.map(|(stop, change)| (stop.change(change, before) / stop.rate + strain).abs()).fold(0.0, f64::max)
     }
 }
