@@ -3,10 +3,9 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::x86::V3;
-use pulp::{f64x4, m64x4};
+use pulp::{NullaryFnOnce, f64x4, m64x4};
 
 use super::angle::full_angle;
-use super::dispatch::on_avx2;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in two AVX2 registers; exists only on machines that have the unit.
@@ -14,6 +13,27 @@ use super::{Kernel, LANES, Lanes, Real, Select};
 pub struct Avx2 {
     token: V3,
     halves: [f64x4; 2],
+}
+
+/// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
+struct OnUnit<K> {
+    token: V3,
+    kernel: K,
+}
+
+impl<K: Kernel> NullaryFnOnce for OnUnit<K> {
+    type Output = K::Output;
+
+    #[inline(always)]
+    fn call(self) -> K::Output {
+        self.kernel.run(Avx2::new(self.token))
+    }
+}
+
+/// Runs a kernel on the unit.
+#[inline(always)]
+pub(super) fn on_avx2<K: Kernel>(token: V3, kernel: K) -> K::Output {
+    token.vectorize(OnUnit { token, kernel })
 }
 
 impl Avx2 {

@@ -3,11 +3,10 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::x86::V4;
-use pulp::{b8, f64x8};
+use pulp::{NullaryFnOnce, b8, f64x8};
 
 use super::angle::full_angle;
 use super::avx2::sums_of_halves;
-use super::dispatch::on_avx512;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
@@ -15,6 +14,27 @@ use super::{Kernel, LANES, Lanes, Real, Select};
 pub struct Avx512 {
     token: V4,
     value: f64x8,
+}
+
+/// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
+struct OnUnit<K> {
+    token: V4,
+    kernel: K,
+}
+
+impl<K: Kernel> NullaryFnOnce for OnUnit<K> {
+    type Output = K::Output;
+
+    #[inline(always)]
+    fn call(self) -> K::Output {
+        self.kernel.run(Avx512::new(self.token))
+    }
+}
+
+/// Runs a kernel on the unit.
+#[inline(always)]
+pub(super) fn on_avx512<K: Kernel>(token: V4, kernel: K) -> K::Output {
+    token.vectorize(OnUnit { token, kernel })
 }
 
 impl Avx512 {

@@ -3,56 +3,15 @@
 use core::sync::atomic::{AtomicU8, Ordering};
 
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-use pulp::NullaryFnOnce;
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use pulp::x86::{V3, V4};
 
-use super::{LANES, Lanes, Portable};
+use super::lanes::{Kernel, LANES};
+use super::portable::Portable;
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-use super::{avx2::Avx2, avx512::Avx512};
+use super::{avx2::on_avx2, avx512::on_avx512};
 
 /// The widest unit that may be used, as a number in the order of [`Unit`].
 static WIDEST: AtomicU8 = AtomicU8::new(Unit::Avx512 as u8);
-
-/// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
-///
-/// `run` and everything below it must be `#[inline(always)]`, otherwise every operation becomes a call (thirty
-/// times slower). Closures cannot be marked so: write loops, and keep operations on lanes out of `map`,
-/// `array::from_fn` and the like.
-///
-/// ```
-/// use cdpr_core::scalar::{Kernel, LANES, Lanes, Real, dispatch};
-///
-/// /// Distances from the origin to points in the plane (m); whole eights of points.
-/// struct Distances<'a> {
-///     x: &'a [f64],
-///     y: &'a [f64],
-///     distances: &'a mut [f64],
-/// }
-///
-/// impl Kernel for Distances<'_> {
-///     type Output = ();
-///
-///     #[inline(always)]
-///     fn run<L: Lanes>(self, lanes: L) {
-///         for start in (0..self.distances.len()).step_by(LANES) {
-///             let (x, y) = (lanes.load(&self.x[start..]), lanes.load(&self.y[start..]));
-///             (x * x + y * y).sqrt().store(&mut self.distances[start..]);
-///         }
-///     }
-/// }
-///
-/// let mut distances = [0.0; 16];
-/// dispatch(Distances { x: &[3.0; 16], y: &[4.0; 16], distances: &mut distances });
-/// assert_eq!(distances, [5.0; 16]);
-/// ```
-pub trait Kernel {
-    /// Type of the result.
-    type Output;
-
-    /// The computation; `lanes` is the source of further numbers (`constant`, `load`), its value does not matter.
-    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
-}
 
 /// A vector unit that a [`Kernel`] can run on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,43 +108,4 @@ pub fn dispatch_on<K: Kernel>(unit: Unit, kernel: K) -> Option<K::Output> {
 #[inline(always)]
 fn on_portable<K: Kernel>(kernel: K) -> K::Output {
     kernel.run(Portable::new([0.0; LANES]))
-}
-
-/// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-struct OnUnit<T, K> {
-    token: T,
-    kernel: K,
-}
-
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-impl<K: Kernel> NullaryFnOnce for OnUnit<V3, K> {
-    type Output = K::Output;
-
-    #[inline(always)]
-    fn call(self) -> K::Output {
-        self.kernel.run(Avx2::new(self.token))
-    }
-}
-
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-impl<K: Kernel> NullaryFnOnce for OnUnit<V4, K> {
-    type Output = K::Output;
-
-    #[inline(always)]
-    fn call(self) -> K::Output {
-        self.kernel.run(Avx512::new(self.token))
-    }
-}
-
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-#[inline(always)]
-pub(super) fn on_avx2<K: Kernel>(token: V3, kernel: K) -> K::Output {
-    token.vectorize(OnUnit { token, kernel })
-}
-
-#[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-#[inline(always)]
-pub(super) fn on_avx512<K: Kernel>(token: V4, kernel: K) -> K::Output {
-    token.vectorize(OnUnit { token, kernel })
 }

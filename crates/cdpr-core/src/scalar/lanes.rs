@@ -1,0 +1,80 @@
+//! Eight numbers side by side, and computations over them.
+
+use super::select::Select;
+
+/// How many numbers a [`Lanes`] type holds, on every machine.
+pub const LANES: usize = 8;
+
+/// Eight numbers that are computed at once, on the widest vector unit of the machine.
+///
+/// The types differ in the unit only: each operation gives the same bits on all of them and on `f64`.
+pub trait Lanes: Select {
+    /// The first eight entries of `source`; panics when it has fewer.
+    fn load(self, source: &[f64]) -> Self;
+
+    /// The eight numbers.
+    fn to_array(self) -> [f64; LANES];
+
+    /// Writes the eight numbers to the front of `target`; panics when it is shorter.
+    #[inline(always)]
+    fn store(self, target: &mut [f64]) {
+        target[..LANES].copy_from_slice(&self.to_array());
+    }
+
+    /// Sum of the eight numbers, in an order that is the same on every vector unit.
+    #[inline(always)]
+    fn sum(self) -> f64 {
+        let a = self.to_array();
+        ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]))
+    }
+
+    /// The sums of four at once, each with the bits of [`Lanes::sum`] and all for little more than the price of one.
+    #[inline(always)]
+    fn sums(four: [Self; 4]) -> [f64; 4] {
+        [four[0].sum(), four[1].sum(), four[2].sum(), four[3].sum()]
+    }
+
+    /// Runs a part of a kernel as a function of its own on the same vector unit. What several kernels share is compiled
+    /// once for each unit instead of once for each place; a call costs a few nanoseconds.
+    fn apart<K: Kernel>(self, part: K) -> K::Output;
+}
+
+/// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
+///
+/// `run` and everything below it must be `#[inline(always)]`, otherwise every operation becomes a call (thirty
+/// times slower). Closures cannot be marked so: write loops, and keep operations on lanes out of `map`,
+/// `array::from_fn` and the like.
+///
+/// ```
+/// use cdpr_core::scalar::{Kernel, LANES, Lanes, Real, dispatch};
+///
+/// /// Distances from the origin to points in the plane (m); whole eights of points.
+/// struct Distances<'a> {
+///     x: &'a [f64],
+///     y: &'a [f64],
+///     distances: &'a mut [f64],
+/// }
+///
+/// impl Kernel for Distances<'_> {
+///     type Output = ();
+///
+///     #[inline(always)]
+///     fn run<L: Lanes>(self, lanes: L) {
+///         for start in (0..self.distances.len()).step_by(LANES) {
+///             let (x, y) = (lanes.load(&self.x[start..]), lanes.load(&self.y[start..]));
+///             (x * x + y * y).sqrt().store(&mut self.distances[start..]);
+///         }
+///     }
+/// }
+///
+/// let mut distances = [0.0; 16];
+/// dispatch(Distances { x: &[3.0; 16], y: &[4.0; 16], distances: &mut distances });
+/// assert_eq!(distances, [5.0; 16]);
+/// ```
+pub trait Kernel {
+    /// Type of the result.
+    type Output;
+
+    /// The computation; `lanes` is the source of further numbers (`constant`, `load`), its value does not matter.
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}

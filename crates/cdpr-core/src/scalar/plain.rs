@@ -1,0 +1,21 @@
+//! Plain numbers.
+
+use super::angle;
+use super::real::Real;
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        x
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        num_traits::Float::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn full_angle(self, x: Self) -> Self {
+        angle::full_angle(self, x)
+    }
+}
