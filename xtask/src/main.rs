@@ -13,6 +13,7 @@ mod generated;
 mod ground;
 mod instruction_counts;
 mod instructions;
+mod interface;
 mod judge;
 mod layers;
 mod notices;
@@ -38,6 +39,8 @@ Tasks:
   notices              write THIRD-PARTY.txt alone
   instructions         count instructions of the library's work with valgrind, compare with the committed counts
   instructions --accept   make them the committed counts
+  interface            compare the libraries' public interfaces with the committed listings
+  interface --accept   make them the committed listings
   judge                let other programs judge our numbers and times (`judges/`, in a Python environment under target/)
   viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book into target/book; installs mdbook into target/tools where there is none";
@@ -59,6 +62,8 @@ fn main() -> ExitCode {
         ["notices"] => notices::write(&root),
         ["instructions"] => instructions::check(&root).into_result(),
         ["instructions", "--accept"] => instructions::accept(&root),
+        ["interface"] => interface::check(&root).into_result(),
+        ["interface", "--accept"] => interface::accept(&root),
         ["judge"] => judge::check_with_times(&root).into_result(),
         ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),

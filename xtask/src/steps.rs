@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{
-    book, browser, cargo, command, documents, examples, format, generated, ground, instructions, judge, layers,
+    book, browser, cargo, command, documents, examples, format, generated, ground, instructions, interface, judge,
+    layers,
 };
 
 /// One step of the entrance.
@@ -44,6 +45,11 @@ const STEPS: &[Step] = &[
         name: "layers",
         action: Action::Own(layers::check),
         remedy: "move the code to the right, or the shared part to the left (ARCHITECTURE.md)",
+    },
+    Step {
+        name: "interface",
+        action: Action::Own(interface::check),
+        remedy: "make it private again, or `cargo xtask interface --accept` and say in CHANGELOG.md what users may call now",
     },
     Step {
         name: "documents",
