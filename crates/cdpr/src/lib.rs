@@ -26,6 +26,8 @@
 //! let answer = model.forward(&lengths, Some(&load), Some(&home), &mut state)?; // pose, tensions, status
 //! assert_eq!(answer.status, Status::Converged);
 //! assert!((answer.pose.position - home.position).norm() < 1e-9);
+//! let volume = model.workspace(&load).wrench_feasible().volume()?; // m³, with a bound of its error
+//! assert!(volume.error_bound < 0.1 * volume.size);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

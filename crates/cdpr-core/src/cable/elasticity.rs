@@ -67,11 +67,13 @@ impl Elasticity<f64> {
     pub const RIGID: Self = Self { by_length: 0.0, by_controlled_length: 0.0, constant: 0.0 };
 
     /// Constant spring k (N/m) with a compliance in series (m/N).
+    #[inline]
     pub fn spring(stiffness: f64, series: f64) -> Self {
         Self { constant: 1.0 / stiffness + series, ..Self::RIGID }
     }
 
     /// Cable of the specific compliance κ = 1/EA (1/N) by a basis, with q_h behind the outlet (m) and a compliance in series (m/N).
+    #[inline]
     pub fn specific(compliance: f64, basis: StiffnessBasis, hidden_length: f64, series: f64) -> Self {
         let constant = compliance * hidden_length + series;
         match basis {
@@ -81,6 +83,7 @@ impl Elasticity<f64> {
     }
 
     /// True when the cable does not stretch.
+    #[inline]
     pub fn is_rigid(&self) -> bool {
         *self == Self::RIGID
     }

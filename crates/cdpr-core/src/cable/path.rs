@@ -70,6 +70,7 @@ pub enum GeometryError {
 
 impl GeometryError {
     /// Number of the cable, from 1.
+    #[inline]
     pub fn cable(&self) -> usize {
         match *self {
             Self::ZeroLength { cable }

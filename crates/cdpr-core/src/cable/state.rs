@@ -165,6 +165,7 @@ impl fmt::Display for Missing {
 
 impl CableStateError {
     /// True where numbers left the range that a computer represents: not the cable is at fault, but what was asked.
+    #[inline]
     pub fn is_overflow(&self) -> bool {
         matches!(self, Self::NotConverged { gap, .. } if !gap.is_finite())
     }
@@ -198,6 +199,7 @@ impl CableState {
     }
 
     /// Change of the wrench with the controlled length, at a fixed pose (N/m, N).
+    #[inline]
     pub fn wrench_by_controlled_length(&self) -> Wrench {
         self.wrench_of(self.by_controlled_length)
     }
@@ -209,6 +211,7 @@ impl CableState {
     }
 
     /// −∂\[t; b × t\]/∂\[δr; δφ\] at fixed controlled length.
+    #[inline]
     pub fn stiffness(&self) -> Matrix6<f64> {
         -matrix(&wrench_by_pose(&self.tangent, self.end.moment_arm, self.pull))
     }
@@ -235,6 +238,7 @@ impl CableState {
     }
 
     /// ∂q_θ/∂\[δr; δφ\] at fixed tension at the outlet, as a row.
+    #[inline]
     pub fn controlled_length_by_pose(&self) -> Twist {
         self.wrench_of(self.controlled_length_by_anchor)
     }

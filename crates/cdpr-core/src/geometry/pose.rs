@@ -32,11 +32,13 @@ fn about(axis: Vector3<f64>, angle: f64) -> UnitQuaternion<f64> {
 
 impl Pose {
     /// The platform frame on the world frame.
+    #[inline]
     pub fn identity() -> Self {
         Self { position: Vector3::zeros(), rotation: UnitQuaternion::identity() }
     }
 
     /// Pose from a position (m) and the dissertation's angles, R = Rx(φx) Ry(φy) Rz(φz) (rad).
+    #[inline]
     pub fn from_xyz_angles(position: Vector3<f64>, angles: [f64; 3]) -> Self {
         let rotation = about(Vector3::x(), angles[0]) * about(Vector3::y(), angles[1]) * about(Vector3::z(), angles[2]);
         Self { position, rotation }
@@ -45,6 +47,7 @@ impl Pose {
     /// The angles of [`Pose::from_xyz_angles`] (rad); φx and φz in (−π, π], φy in [−π/2, π/2].
     ///
     /// At φy = ±π/2 only φx ± φz is determined; φz is then 0.
+    #[inline]
     pub fn xyz_angles(&self) -> [f64; 3] {
         let m = self.rotation_matrix();
         let sine = m[(0, 2)].clamp(-1.0, 1.0);
@@ -55,40 +58,47 @@ impl Pose {
     }
 
     /// The rotation as a matrix R, world = R · platform.
+    #[inline]
     pub fn rotation_matrix(&self) -> Matrix3<f64> {
         self.rotation.to_rotation_matrix().into_inner()
     }
 
     /// Rows of the rotation matrix, for the generic kernels.
+    #[inline]
     pub fn rotation_rows(&self) -> [[f64; 3]; 3] {
         let m = self.rotation_matrix();
         [0, 1, 2].map(|row| [m[(row, 0)], m[(row, 1)], m[(row, 2)]])
     }
 
     /// Position x, y, z, then the quaternion x, y, z, w.
+    #[inline]
     pub fn numbers(&self) -> [f64; POSE_ROWS] {
         let (r, q) = (&self.position, &self.rotation.coords);
         [r.x, r.y, r.z, q.x, q.y, q.z, q.w]
     }
 
     /// The inverse of [`Pose::numbers`].
+    #[inline]
     pub fn from_numbers([x, y, z, i, j, k, w]: [f64; POSE_ROWS]) -> Self {
         Self { position: Vector3::new(x, y, z), rotation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)) }
     }
 
     /// A platform point in the world (m).
+    #[inline]
     pub fn transform(&self, point_p: &Vector3<f64>) -> Vector3<f64> {
         self.position + self.rotation * point_p
     }
 
     /// The pose after a displacement [δr; δφ] in world axes: position r + δr, rotation exp(δφ) R.
     #[must_use]
+    #[inline]
     pub fn displaced(&self, twist: &Twist) -> Self {
         let turn = UnitQuaternion::new(twist.fixed_rows::<3>(3).into_owned());
         Self { position: self.position + twist.fixed_rows::<3>(0), rotation: turn * self.rotation }
     }
 
     /// The displacement [δr; δφ] that leads from `self` to `other`: the inverse of [`Pose::displaced`].
+    #[inline]
     pub fn displacement_to(&self, other: &Self) -> Twist {
         let mut twist = Twist::zeros();
         twist.fixed_rows_mut::<3>(0).copy_from(&(other.position - self.position));
@@ -97,6 +107,7 @@ impl Pose {
     }
 
     /// Rotation from a proper rotation matrix given by rows; `None` when it is not orthonormal to 1e-6 or mirrors.
+    #[inline]
     pub fn rotation_from_rows(rows: &[[f64; 3]; 3]) -> Option<UnitQuaternion<f64>> {
         let m = Matrix3::from_fn(|row, column| rows[row][column]);
         let deviation = (m.transpose() * m - Matrix3::identity()).amax();
@@ -108,17 +119,20 @@ impl Pose {
     }
 
     /// Rotation from x, y, z, w; `None` when the norm is not 1 within 1 %. Normalised otherwise.
+    #[inline]
     pub fn rotation_from_xyzw(xyzw: [f64; 4]) -> Option<UnitQuaternion<f64>> {
         let quaternion = Quaternion::new(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
         ((quaternion.norm() - 1.0).abs() < 0.01).then(|| UnitQuaternion::new_normalize(quaternion))
     }
 
     /// Geodesic angle between two orientations (rad), in [0, π].
+    #[inline]
     pub fn angle_to(&self, other: &Self) -> f64 {
         self.rotation.angle_to(&other.rotation)
     }
 
     /// True when every number is finite.
+    #[inline]
     pub fn is_finite(&self) -> bool {
         self.position.iter().all(|x| x.is_finite()) && self.rotation.coords.iter().all(|x| x.is_finite())
     }

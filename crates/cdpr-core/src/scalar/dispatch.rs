@@ -26,6 +26,7 @@ pub enum Unit {
 
 impl Unit {
     /// The units of this machine, narrowest first.
+    #[inline]
     pub fn available() -> impl Iterator<Item = Self> {
         [Self::Portable, Self::Avx2, Self::Avx512].into_iter().filter(|unit| unit.is_available())
     }
@@ -53,6 +54,7 @@ impl Unit {
     }
 
     /// Whether this machine has the unit, and no [limit](Unit::limit) rules it out.
+    #[inline]
     pub fn is_available(self) -> bool {
         match self {
             Self::Portable => true,

@@ -77,16 +77,19 @@ impl CableLaw {
 
     /// The law of the cable once it remembers this; itself where its stretch has no memory.
     #[must_use]
+    #[inline]
     pub fn with_memory(&self, memory: &Memory) -> Self {
         Self { stretch: self.stretch.with_memory(memory), ..self.clone() }
     }
 
     /// The cable with its end on the platform there and one more quantity given.
+    #[inline]
     pub fn state(&self, end: impl Into<CableEnd<f64>>, input: CableInput) -> Result<CableState, CableStateError> {
         self.state_from(end, input, None)
     }
 
     /// [`CableLaw::state`], sought from the span of a cable nearby.
+    #[inline]
     pub fn state_from(
         &self,
         end: impl Into<CableEnd<f64>>,
@@ -117,6 +120,7 @@ impl CableLaw {
     }
 
     /// True where the cable's own weight and stretch leave it no finite stiffness: it is straight and does not stretch.
+    #[inline]
     pub fn is_inextensible_line(&self) -> bool {
         match self.kind {
             Kind::Rigid => true,
@@ -127,6 +131,7 @@ impl CableLaw {
 
     /// True where a cable of this tension may be slack, with a length that its tension does not tell: a tension of no more than
     /// `allowance` (N) of a cable without weight.
+    #[inline]
     pub fn may_be_slack(&self, tension: f64, allowance: f64) -> bool {
         tension <= allowance && !matches!(self.kind, Kind::Sagging(_))
     }

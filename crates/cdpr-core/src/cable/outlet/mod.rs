@@ -42,6 +42,7 @@ pub enum Outlet<T> {
 
 impl<T> Outlet<T> {
     /// Frame anchor a of a point, or D where the cable enters the pulley (world, m).
+    #[inline]
     pub fn frame_anchor(&self) -> &[T; 3] {
         match self {
             Self::Point { frame_anchor } | Self::Swivel { frame_anchor, .. } | Self::Sided { frame_anchor, .. } => {
@@ -51,6 +52,7 @@ impl<T> Outlet<T> {
     }
 
     /// [`Outlet::frame_anchor`], to be changed.
+    #[inline]
     pub fn frame_anchor_mut(&mut self) -> &mut [T; 3] {
         match self {
             Self::Point { frame_anchor } | Self::Swivel { frame_anchor, .. } | Self::Sided { frame_anchor, .. } => {
@@ -60,6 +62,7 @@ impl<T> Outlet<T> {
     }
 
     /// Radius r_p of the pulley (m), to be changed; nothing at a point.
+    #[inline]
     pub fn radius_mut(&mut self) -> Option<&mut T> {
         match self {
             Self::Point { .. } => None,
@@ -68,6 +71,7 @@ impl<T> Outlet<T> {
     }
 
     /// Swivel axis z_A and radius r_p of the pulley (m); nothing at a point.
+    #[inline]
     pub fn pulley(&self) -> Option<(&[T; 3], &T)> {
         match self {
             Self::Point { .. } => None,
@@ -187,6 +191,7 @@ impl<L: Lanes> Outlet<L> {
 
 impl Outlet<[f64; LANES]> {
     /// Outlets of one kind packed into lanes; the last one fills the rest.
+    #[inline]
     pub fn pack(outlets: &[Outlet<f64>]) -> Self {
         let at = |lane: usize| &outlets[lane.min(outlets.len() - 1)];
         let vectors = |of: &dyn Fn(&Outlet<f64>) -> [f64; 3]| {

@@ -102,6 +102,7 @@ pub struct Hysteresis {
 impl Hysteresis {
     /// The law of these pieces, one after the other from strain 0, of which the last is this wide; at most [`TRANSITION_LIMIT`] stops. The branches
     /// must rise, the loading one on top: asked where files are read, not here. `None` without a piece or with too many stops.
+    #[inline]
     pub fn new(pieces: Table<Piece>, last_width: f64, stops: Table<StopOperator>) -> Option<Self> {
         let last = pieces.last().filter(|_| stops.len() <= TRANSITION_LIMIT)?;
         let end = last.start + last_width;
@@ -111,11 +112,13 @@ impl Hysteresis {
     }
 
     /// Stops in use.
+    #[inline]
     pub fn stops(&self) -> &[StopOperator] {
         &self.stops
     }
 
     /// Strain of the last knot.
+    #[inline]
     pub fn end(&self) -> f64 {
         self.end
     }
@@ -157,6 +160,7 @@ impl Hysteresis {
     }
 
     /// The memory after a monotone motion to this strain.
+    #[inline]
     pub fn advance(&self, strain: f64, memory: &Memory) -> Memory {
         let mut stops = memory.stops;
         for (operator, stop) in self.stops.iter().zip(&mut stops) {

@@ -33,11 +33,13 @@ const TINY_TENSION: f64 = 1e-9;
 
 impl Stretch {
     /// True when cables keep their length.
+    #[inline]
     pub fn is_rigid(&self) -> bool {
         matches!(self, Self::Rigid)
     }
 
     /// True when the strain at a point of the cable follows from the tension there, and not linearly.
+    #[inline]
     pub fn is_pointwise(&self) -> bool {
         matches!(self, Self::Polynomial(_))
     }
@@ -69,6 +71,7 @@ impl Stretch {
     }
 
     /// Memory of the cable after a monotone motion to this tension (N); nothing for laws without one.
+    #[inline]
     pub fn memory_at(&self, tension: f64) -> Option<Memory> {
         match self {
             Self::Hysteresis(law, memory) => Some(law.advance(law.strain(tension, memory).0, memory)),
@@ -78,6 +81,7 @@ impl Stretch {
 
     /// The law at another memory; itself where it has none.
     #[must_use]
+    #[inline]
     pub fn with_memory(&self, memory: &Memory) -> Self {
         match self {
             Self::Hysteresis(law, _) => Self::Hysteresis(law.clone(), *memory),
@@ -86,6 +90,7 @@ impl Stretch {
     }
 
     /// Memory that the law starts from.
+    #[inline]
     pub fn memory(&self) -> Option<&Memory> {
         match self {
             Self::Hysteresis(_, memory) => Some(memory),

@@ -17,16 +17,19 @@ pub struct Polynomial {
 impl Polynomial {
     /// The law f = Σ cₖ εᵏ with `coefficients` c₁, c₂, … (N), which must rise up to the strain `end`: asked where files are read, not
     /// here.
+    #[inline]
     pub fn rising_to(end: f64, coefficients: Table<f64>) -> Self {
         Self { coefficients, end }
     }
 
     /// c₁, c₂, … (N).
+    #[inline]
     pub fn coefficients(&self) -> &[f64] {
         &self.coefficients
     }
 
     /// Strain from which on the law is straight.
+    #[inline]
     pub fn end(&self) -> f64 {
         self.end
     }

@@ -10,6 +10,9 @@ use crate::workspace::WorkspaceError;
 use crate::workspace::criterion::Requirement;
 use crate::workspace::wrench_set::Payload;
 
+/// Name of the criterion that most questions are about.
+pub(super) const WRENCH_FEASIBLE: &str = "wrench-feasible";
+
 const fn needed(name: &'static str, unit: &'static str) -> Number {
     Number { name, unit, is_required: true }
 }
@@ -23,7 +26,7 @@ const LENGTH: Number = optional("length", "m");
 /// All criteria.
 pub const ENTRIES: &[Entry] = &[
     Entry {
-        name: "wrench-feasible",
+        name: WRENCH_FEASIBLE,
         summary: "tensions within their limits balance the load",
         numbers: &[],
         make: |setting, _| {

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 pub use super::entries::ENTRIES;
+use super::entries::WRENCH_FEASIBLE;
 use super::{All, Criterion};
 use crate::model::Model;
 use crate::reading::did_you_mean;
@@ -127,6 +128,11 @@ fn no_number(part: &str, entry: &Entry) -> WantedError {
 }
 
 impl CriterionRequest {
+    /// Wrench feasibility (eq. 3.29).
+    pub fn wrench_feasible() -> Self {
+        Self { name: WRENCH_FEASIBLE, numbers: Vec::new() }
+    }
+
     /// The criterion of this name without numbers.
     pub fn named(name: &str) -> Result<Self, WantedError> {
         name.parse()

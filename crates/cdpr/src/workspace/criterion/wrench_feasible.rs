@@ -1,5 +1,6 @@
 //! Wrench feasibility: tensions within their limits balance the load.
 
+use super::entries::WRENCH_FEASIBLE;
 use super::narrowing::{Closing, Narrowing, largest};
 use super::{Criterion, Verdict};
 use crate::equilibrium::distribution::{self, Balance, DistributionError};
@@ -49,7 +50,7 @@ impl<'a> WrenchFeasible<'a> {
 
 impl Criterion for WrenchFeasible<'_> {
     fn name(&self) -> &str {
-        "wrench-feasible"
+        WRENCH_FEASIBLE
     }
 
     fn unit(&self) -> &str {
