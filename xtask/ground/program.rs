@@ -71,7 +71,9 @@ fn first_failure() -> i32 {
     // a quarter turn on a pulley of 0.1 m: q = q_f + r_p π/2
     let swivel = Outlet::Swivel { frame_anchor: [0.0; 3], swivel_axis: [0.0, 0.0, -1.0], radius: 0.1 };
     let over = swivel.path([2.1, 0.0, -0.1]);
-    if !is_near(over.wrap_angle, core::f64::consts::FRAC_PI_2, 1e-12) || !is_near(over.length, over.free_length + 0.1 * over.wrap_angle, 1e-14) {
+    if !is_near(over.wrap_angle, core::f64::consts::FRAC_PI_2, 1e-12)
+        || !is_near(over.length, over.free_length + 0.1 * over.wrap_angle, 1e-14)
+    {
         return 3;
     }
     // a cable of 1 N/m with 500 N: longer than its chord, by less than (w l)²/(24 T²) and rounding
@@ -102,7 +104,8 @@ fn first_failure() -> i32 {
     }
     // 2 x + y = 3, x + 3 y = 5
     let (mut matrix, mut right) = ([[2.0, 0.0], [1.0, 3.0]], [3.0, 5.0]);
-    if ldl::solve(&mut matrix, &mut right).is_none() || !is_near(right[0], 0.8, 1e-14) || !is_near(right[1], 1.4, 1e-14) {
+    if ldl::solve(&mut matrix, &mut right).is_none() || !is_near(right[0], 0.8, 1e-14) || !is_near(right[1], 1.4, 1e-14)
+    {
         return 9;
     }
     let rules = Rules { tolerance: 1e-12, max_iterations: 20, least_gain: 0.0, rule: StepRule::Damping };
