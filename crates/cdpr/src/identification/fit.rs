@@ -1,170 +1,27 @@
 //! Optimal parameters of one model from measured poses and recorded lengths.
 
+mod answer;
 mod cautions;
 mod descent;
 mod input_error;
 mod optimum;
+mod settings;
 #[cfg(test)]
 mod tests;
 pub(super) mod warnings;
 
-use std::str::FromStr;
-
+pub use answer::{Estimate, Fit, Status};
 pub use input_error::InputError;
-use serde::Serialize;
+pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
+pub use settings::{Prior, Settings};
 
 use super::elastostatic;
-use super::identifiability::{Analysis, Correlation, analyse};
-use super::starts::Basin;
+use super::identifiability::{Analysis, analyse};
 use super::weights::Weights;
 use crate::measurement::Samples;
-use crate::model::{FreeParameters, Model, identified_kind};
-use crate::robot::{Parameter, ParameterKind};
+use crate::model::{FreeParameters, Model};
+use crate::robot::Parameter;
 pub use crate::solve::Minimizer;
-
-/// Assumptions and stop rules of a fit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Parameters that stay at their value although `free` names them.
-    pub hold: FreeParameters,
-    /// Ridges towards the start value.
-    pub priors: Vec<Prior>,
-    /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
-    pub tolerance: f64,
-    /// Way to the optimum.
-    pub minimizer: Minimizer,
-    /// Steps allowed for each cable.
-    pub max_iterations: u32,
-    /// A direction in parameter space with a larger standard deviation is reported as weak (m).
-    pub weak_direction_limit: f64,
-    /// Starts: the file's values and others, anchors up to 0.5 m away and compliances up to 10/3 times larger or smaller.
-    pub starts: u32,
-    /// Seed of the other starts.
-    pub seed: u64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            hold: FreeParameters::default(),
-            priors: Vec::new(),
-            tolerance: 1e-10,
-            minimizer: Minimizer::default(),
-            max_iterations: 200,
-            weak_direction_limit: 0.1,
-            starts: 1,
-            seed: 0,
-        }
-    }
-}
-
-/// A ridge: parameters of this kind are normally distributed around their start values.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Prior {
-    /// The kind of parameter.
-    pub kind: ParameterKind,
-    /// Standard deviation, in the parameter's unit.
-    pub sigma: f64,
-}
-
-impl FromStr for Prior {
-    type Err = InputError;
-
-    /// Reads `platform-anchor=0.02`.
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let syntax = || InputError::PriorSyntax { text: text.to_owned() };
-        let (name, value) = text.split_once('=').ok_or_else(syntax)?;
-        let sigma: f64 = value.trim().parse().map_err(|_| syntax())?;
-        if !(sigma > 0.0 && sigma.is_finite()) {
-            return Err(syntax());
-        }
-        Ok(Self { kind: identified_kind(name.trim())?, sigma })
-    }
-}
-
-/// Why the fit ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Status {
-    /// The optimum is found and every parameter is determined.
-    Converged,
-    /// The data leave directions in parameter space open; the parameters are one of many optima.
-    NotIdentifiable,
-    /// The iteration limit was reached.
-    NotConverged,
-    /// The optimum is a model without a forward problem: more cables than degrees of freedom ended rigid.
-    NotPredictive,
-}
-
-/// One identified parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Estimate {
-    /// Name, e.g. `frame-anchor[1].x`.
-    pub name: String,
-    /// Unit; empty for a ratio.
-    pub unit: &'static str,
-    /// Value of the robot as given; `None` where its file states none, so that the start is a neutral value or a guess.
-    pub nominal: Option<f64>,
-    /// Value before the fit.
-    pub start: f64,
-    /// Optimal value.
-    pub value: f64,
-    /// Standard deviation; `None` when the data do not determine it.
-    pub sigma: Option<f64>,
-    /// Value minus start.
-    pub change: f64,
-    /// Standard deviation of the prior, if there is one.
-    pub prior_sigma: Option<f64>,
-    /// True when the value lies on a bound, to rounding and the tolerance of the fit.
-    pub at_bound: bool,
-    /// Which parameter it is.
-    #[serde(skip)]
-    pub parameter: Parameter,
-}
-
-/// Outcome of a fit; `model` carries the best parameters found whatever the status.
-#[must_use = "check `status` before using the parameters"]
-#[derive(Clone, Debug)]
-pub struct Fit {
-    /// The calibrated model.
-    pub model: Model,
-    /// Why the fit ended.
-    pub status: Status,
-    /// The status in words, with numbers.
-    pub reason: String,
-    /// Steps of the cable that needed most.
-    pub iterations: u32,
-    /// Weighted sum of squared residuals and priors after each step, all cables together.
-    pub history: Vec<f64>,
-    /// The free parameters, ordered by cable.
-    pub parameters: Vec<Estimate>,
-    /// Rank, singular values, weak directions, correlations.
-    pub analysis: Analysis,
-    /// Noise that residuals and priors tell, in units of the stated accuracies, or of the assumed ones where none is stated
-    /// (1 mm for lengths, 1 % of the mean for tensions): √((data + prior cost)/(rows + priors − parameters)) at that noise.
-    /// Near 1 when model and sensors agree with the data; standard deviations of parameters grow with it when it exceeds 1 or
-    /// no accuracy is stated. NaN where there are as many parameters as rows and priors.
-    pub noise_factor: f64,
-    /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
-    /// start: the best optimum may then be one that no start led all cables to.
-    pub basins: Vec<Basin>,
-    /// Warnings in words: doubts about noise, bounds and rank.
-    pub warnings: Vec<String>,
-}
-
-impl Fit {
-    /// Correlations above the limit, for reports.
-    pub fn correlations(&self) -> &[Correlation] {
-        &self.analysis.correlations
-    }
-}
-
-/// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
-pub(super) const ASSUMED_NOISE: f64 = 1e-3;
-
-/// Share of the mean tension assumed as the force sensors' noise where none is stated.
-pub(super) const ASSUMED_TENSION_SHARE: f64 = 0.01;
 
 /// Fits the free parameters of a model to samples.
 ///
@@ -292,10 +149,6 @@ fn checked_parameters(
         }
     }
     Ok(parameters)
-}
-
-pub(super) fn prior_sigma(settings: &Settings, kind: ParameterKind) -> Option<f64> {
-    settings.priors.iter().rev().find(|prior| prior.kind == kind).map(|prior| prior.sigma)
 }
 
 fn report(

@@ -2,19 +2,21 @@
 
 mod comparison;
 mod criterion;
+mod judgement;
 mod reason;
 mod requirement;
 
 pub use criterion::SelectionCriterion;
+pub use judgement::{CandidateFailure, JudgedCandidate, Judgement};
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 use thiserror::Error;
 
 use super::candidate::Candidate;
-use super::evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate_fitted};
-use super::fit::{self, Fit, fit};
+use super::evaluation::{Evaluation, evaluate_fitted};
+use super::fit::{self, fit};
 use crate::measurement::{Fold, Samples};
-use crate::model::{Composition, Model, ModelError};
+use crate::model::{Composition, Model};
 use crate::robot::Robot;
 
 /// How candidates are compared.
@@ -28,50 +30,6 @@ pub struct Settings {
     pub fit: fit::Settings,
     /// Seed of the bootstrap.
     pub seed: u64,
-}
-
-/// One candidate with everything known about it.
-#[derive(Clone, Debug)]
-pub struct JudgedCandidate {
-    /// The candidate in the notation of the command line; also its name.
-    pub name: String,
-    /// The candidate.
-    pub candidate: Candidate,
-    /// Fit and errors, or the reason for which the candidate cannot be judged.
-    pub outcome: Result<Judgement, CandidateFailure>,
-}
-
-/// Fit and errors of one candidate.
-#[derive(Clone, Debug)]
-pub struct Judgement {
-    /// Parameters from all training data; from all data when the folds take turns.
-    pub fit: Fit,
-    /// Errors on the data that `fit` was fitted to.
-    pub train: ErrorBlocks,
-    /// Errors on data that the predicting fit had not seen, all folds together.
-    pub validation: ErrorBlocks,
-    /// The same fold by fold.
-    pub folds: Vec<(String, ErrorBlocks)>,
-    /// Validation errors sample by sample, in the order of `validation_samples`.
-    pub validation_errors: Evaluation,
-    /// Indices of those samples in the data set.
-    pub validation_samples: Vec<usize>,
-    /// Mean of the criterion on the validation samples that all compared candidates answer; NaN for a disqualified one.
-    pub criterion: f64,
-    /// Its standard error by block bootstrap.
-    pub standard_error: f64,
-    /// Number of those samples.
-    pub compared_samples: usize,
-    /// The reason against comparing the candidate at all: it answers too few validation samples.
-    pub disqualified: Option<String>,
-    /// The limits and how the candidate stands to them.
-    pub requirements: Vec<RequirementOutcome>,
-}
-
-impl Judgement {
-    fn meets_requirements(&self) -> bool {
-        self.requirements.iter().all(|requirement| requirement.met)
-    }
 }
 
 /// The comparison and its result.
@@ -96,18 +54,6 @@ impl Selection {
         let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
         plain.or_else(|| self.candidates.iter().position(is_given))
     }
-}
-
-/// Reason for which a candidate cannot be judged.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[error(transparent)]
-pub enum CandidateFailure {
-    /// A robot that lacks what the composition asks for.
-    Model(#[from] ModelError),
-    /// Data that do not fit the free parameters.
-    Fit(#[from] fit::InputError),
-    /// A fitted model that cannot be compared with the data.
-    Evaluation(#[from] EvaluationError),
 }
 
 /// A comparison that cannot be made.

@@ -2,8 +2,7 @@
 
 mod complaints;
 mod plane_columns;
-
-use std::collections::BTreeMap;
+mod rows;
 
 use csv::{ByteRecord, ReaderBuilder};
 
@@ -15,6 +14,7 @@ use crate::geometry::{MotionPattern, Pose};
 use crate::reading::{MAGNITUDE_LIMIT, Place, ReadError, Size, text_from_bytes};
 use crate::robot::Robot;
 use complaints::{help_for_text, shortened};
+use rows::{Columns, CsvFile, Row};
 
 /// A data set with what its reader noticed.
 #[derive(Clone, Debug)]
@@ -24,9 +24,6 @@ pub struct Reading {
     /// Remarks for the user, e.g. on ignored columns.
     pub notices: Vec<String>,
 }
-
-/// Columns of a file by quantity: their index and factor to SI.
-type Columns = BTreeMap<Quantity, (usize, f64)>;
 
 impl Samples {
     /// Reads a measurement CSV of a robot (columns: interface of `cdpr`, `measurement::schema`).
@@ -47,19 +44,6 @@ pub fn poses_from_csv(bytes: &[u8], file_name: &str, robot: &Robot) -> Result<Ve
         Ok(())
     })?;
     Ok(poses)
-}
-
-struct CsvFile<'a> {
-    text: &'a str,
-    file_name: &'a str,
-    robot: &'a Robot,
-}
-
-/// One data row with its place in the file.
-struct Row<'a> {
-    record: &'a ByteRecord,
-    header: &'a ByteRecord,
-    line: usize,
 }
 
 impl CsvFile<'_> {

@@ -7,7 +7,9 @@ use serde::Serialize;
 use super::control::Control;
 use super::errors::{LengthErrorStatistics, PoseErrorStatistics};
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome, Status};
+use super::operate::Operation;
+use super::outcome::Outcome;
+use super::status::Status;
 use super::study::CommandedPose;
 use crate::model::Model;
 

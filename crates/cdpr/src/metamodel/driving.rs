@@ -2,7 +2,8 @@
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome};
+use super::operate::Operation;
+use super::outcome::Outcome;
 use super::study::{CommandedPose, History, Reach};
 use crate::geometry::Pose;
 use crate::model::Model;

@@ -17,7 +17,7 @@ pub use descent::optimum;
 use super::control::Control;
 use super::driving::Driving;
 use super::input_error::InputError;
-use super::operate::Status;
+use super::status::Status;
 use super::study::{History, Initial};
 use super::winches::{initial_tensions, winch_offsets};
 use crate::geometry::Pose;

@@ -1,7 +1,8 @@
 //! A machine: what answers to lengths.
 
 use super::input_error::InputError;
-use super::operate::{Outcome, Status};
+use super::outcome::Outcome;
+use super::status::Status;
 use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Solution, Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, StretchEffect};

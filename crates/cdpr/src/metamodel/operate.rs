@@ -4,6 +4,8 @@ use super::control::{Control, Controller};
 use super::input_error::{InputError, check_same_robot};
 use super::machine::Machine;
 use super::operation_error::OperationError;
+use super::outcome::Outcome;
+use super::status::Status;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
 use crate::cable::stretch::hysteresis::Memory;
@@ -12,73 +14,12 @@ use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, WinchError};
 use crate::scalar::LaneTable;
 
-/// Answer of a machine to one command.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// The pose that emerges: the best one found where the status is not [`Status::Converged`], the commanded one where
-    /// nothing was sent.
-    pub pose: Pose,
-    /// Lengths sent to the winches: the control model's with the offsets, as its own encoders count them (m); empty where the
-    /// control model has none.
-    pub sent: Vec<f64>,
-    /// Lengths that the encoders read once the platform has come to rest (m): those the control model asked for, or, for a rigid
-    /// machine, whose winches take up slack, the lengths it has. Offsets sit in the winch's zero and are not read.
-    pub recorded: Vec<f64>,
-    /// Tensions that emerge (N); `None` for a rigid machine that fits its lengths.
-    pub tensions: Option<Vec<f64>>,
-    /// How the answer was found.
-    pub status: Status,
-    /// The reason in words where the status is not [`Status::Converged`].
-    pub reason: Option<String>,
-}
-
-impl Outcome {
-    /// An error with the reason unless the machine has come to rest.
-    pub(super) fn at_rest(&self) -> Result<(), OperationError> {
-        match self.status {
-            Status::Converged => Ok(()),
-            status => Err(OperationError::NoRest { status, reason: self.reason.clone() }),
-        }
-    }
-}
-
 /// Emerging poses and tensions of many commands.
 pub(super) struct Emerged {
     /// Which of the commands have been sent.
     pub(super) commanded: Vec<usize>,
     /// Solution of each of those.
     pub(super) solutions: Solutions,
-}
-
-/// How the answer of a machine was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Status {
-    /// The platform comes to rest at the pose.
-    Converged,
-    /// The control model has no lengths for the pose: a cable has no path, or no tensions within the limits balance the
-    /// load.
-    NotCommanded,
-    /// The forward problem of the machine found no equilibrium.
-    NotConverged,
-    /// The machine's lengths do not determine its pose.
-    Singular,
-    /// The equilibrium found would not last.
-    Unstable,
-}
-
-impl Status {
-    /// The word that answers use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Converged => "converged",
-            Self::NotCommanded => "not-commanded",
-            Self::NotConverged => "not-converged",
-            Self::Singular => "singular",
-            Self::Unstable => "unstable",
-        }
-    }
 }
 
 /// Sends poses through a control model to a machine and tells what emerges, pose by pose.

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::input_error::InputError;
-use super::operate::Status;
+use super::status::Status;
 use crate::cable::winch::GrooveError;
 use crate::equilibrium::distribution::{DistributionError, Reason};
 use crate::model::WinchError;

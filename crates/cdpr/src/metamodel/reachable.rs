@@ -16,7 +16,9 @@ pub use emerging::{Image, emerging_size, image_of};
 
 use super::driving::Driving;
 use super::input_error::InputError;
-use super::operate::{Emerged, Outcome, Status};
+use super::operate::Emerged;
+use super::outcome::Outcome;
+use super::status::Status;
 use super::study::CommandedPose;
 use crate::equilibrium::elastostatics;
 use crate::geometry::Pose;

@@ -7,7 +7,9 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome, Status};
+use super::operate::Operation;
+use super::outcome::Outcome;
+use super::status::Status;
 use super::study::CommandedPose;
 use crate::geometry::{Pose, Twist};
 use crate::measurement::{Samples, SensorSigmas};

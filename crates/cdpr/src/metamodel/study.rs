@@ -2,6 +2,7 @@
 
 mod checks;
 mod poses;
+mod reading;
 mod tolerances;
 
 use serde::{Deserialize, Serialize};
@@ -14,7 +15,6 @@ use super::poorer::remark_on_poorer;
 use crate::geometry::{PatternError, Pose};
 use crate::measurement::SensorSigmas;
 use crate::model::{Composition, Model};
-use crate::reading::{ReadError, Size, TomlDocument, text_from_bytes};
 use crate::robot::Robot;
 use crate::statics::Load;
 use crate::tension;
@@ -241,14 +241,6 @@ pub fn schema() -> schemars::Schema {
 }
 
 impl Study {
-    /// Reads a study file.
-    pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
-        let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name)?, file_name)?;
-        let study: Self = document.deserialize()?;
-        checks::check(&study, &document)?;
-        Ok(study)
-    }
-
     /// True when a side of the study knows tensions.
     fn is_elastic(&self) -> bool {
         [&self.control.robot_model(), &self.machine].iter().any(|side| side.needs_tensions())

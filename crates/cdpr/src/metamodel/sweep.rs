@@ -3,7 +3,10 @@
 mod files;
 mod key;
 mod point;
+mod point_error;
+mod pulleys;
 mod set_up;
+mod subjects;
 #[cfg(test)]
 mod tests;
 
@@ -11,8 +14,10 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use key::{Key, KeyError, KeyReason};
-pub use point::{Row, Subjects};
-pub use set_up::{PointError, PreparedSweep, check};
+pub use point::Row;
+pub use point_error::PointError;
+pub use set_up::{PreparedSweep, check};
+pub use subjects::Subjects;
 
 use super::study::TensionMethod;
 use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};

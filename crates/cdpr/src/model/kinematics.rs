@@ -6,7 +6,7 @@ use super::CableGroup;
 use super::composition::{Cables, Composition, StretchEffect};
 use super::error::{ModelError, require};
 use super::laws;
-use super::winching::winches_of;
+use super::winches::winches_of;
 use crate::cable::elasticity::{Elasticity, linear_elasticity};
 use crate::cable::law::CableLaw;
 use crate::cable::outlet::{self, Contact, Outlet};

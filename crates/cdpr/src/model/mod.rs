@@ -12,6 +12,7 @@ mod single_pose;
 mod supported;
 #[cfg(test)]
 mod tests;
+mod winches;
 mod winching;
 
 pub(crate) use cdpr_core::structure::{CableGroup, in_pattern};

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::file::{CableSection, RobotFile};
 use super::parameter::{ParameterKind as Kind, Range};
-use super::reading::{Reader, key_name};
+use super::reader::{Reader, key_name};
 use super::{Cable, CableStiffness, Pulley, StretchError, rising_range};
 use crate::reading::{MAGNITUDE_LIMIT, ReadError, Step};
 

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::surroundings::ObstacleSection;
 use cdpr_core::cable::elasticity::StiffnessBasis;
 
 use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
@@ -235,4 +234,23 @@ pub(super) struct CableSection {
     /// Elements of the effect `finite-element`: 1 to 1000, 10 when left out.
     #[schemars(range(min = 1, max = 1000))]
     pub(super) finite_elements: Option<usize>,
+}
+
+/// Body that cables shall not touch: a box along the world's axes (`position_min_m`, `position_max_m`) or a round strut of the frame (`from_m`, `to_m`, `radius_m`).
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ObstacleSection {
+    /// Name for people.
+    pub(super) name: String,
+    /// Box: lower corner (world, m).
+    pub(super) position_min_m: Option<Vec<f64>>,
+    /// Box: upper corner (world, m).
+    pub(super) position_max_m: Option<Vec<f64>>,
+    /// Strut: one end (world, m).
+    pub(super) from_m: Option<Vec<f64>>,
+    /// Strut: the other end (world, m).
+    pub(super) to_m: Option<Vec<f64>>,
+    /// Strut: half its diameter (m).
+    #[schemars(range(min = 0))]
+    pub(super) radius_m: Option<f64>,
 }

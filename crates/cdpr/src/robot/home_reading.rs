@@ -3,7 +3,7 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::file::HomeSection;
-use super::reading::{Reader, square};
+use super::reader::{Reader, square};
 use crate::geometry::{MotionPattern, Plane, Pose};
 use crate::reading::{ReadError, Step};
 

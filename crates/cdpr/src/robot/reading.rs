@@ -8,9 +8,10 @@ use toml::de::DeValue;
 use super::cable_reading::read_cables;
 use super::file::{Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
 use super::home_reading::read_home;
-use super::surroundings::{read_hull, read_obstacles};
+use super::reader::{Reader, square};
+use super::surroundings_reading::{read_hull, read_obstacles};
 use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
-use crate::geometry::{MotionPattern, Plane, Wrench};
+use crate::geometry::{MotionPattern, Wrench};
 use crate::reading::{FileError, ReadError, Size, Step, TomlDocument, bytes_of, text_from_bytes};
 
 /// The layout this version reads and writes.
@@ -59,44 +60,7 @@ fn check_layout_version(document: &TomlDocument<'_>) -> Result<(), ReadError> {
     }
 }
 
-/// The document with what every vector of it depends on.
-pub(super) struct Reader<'a> {
-    pub(super) document: &'a TomlDocument<'a>,
-    pub(super) pattern: MotionPattern,
-    pub(super) plane: Plane,
-}
-
-impl<'a> Reader<'a> {
-    fn new(document: &'a TomlDocument<'a>, file: &RobotFile) -> Result<Self, ReadError> {
-        let pattern = file.motion_pattern;
-        let error = |path: &[Step<'_>], message: String, help: &str| {
-            Err(document.error_at(path, "robot::axes", message).with_help(help))
-        };
-        let plane = match (pattern.is_planar(), file.axes.as_deref()) {
-            (true, Some(axes)) => Plane::from_axes(axes),
-            (true, None) => {
-                let message = format!("motion pattern {} needs the key `axes`", pattern.name());
-                return error(
-                    &[Step::Key("motion_pattern")],
-                    message,
-                    "add e.g. `axes = \"xz\"`: first axis x, second z",
-                );
-            }
-            (false, Some(_)) => {
-                let message = format!("`axes` belongs to planar robots, not to motion pattern {}", pattern.name());
-                return error(&[Step::Key("axes")], message, "leave `axes` out, or use motion_pattern 2T or 1R2T");
-            }
-            (false, None) => Some(Plane::default()),
-        };
-        match plane {
-            Some(plane) => Ok(Self { document, pattern, plane }),
-            None => {
-                let message = format!("`{}` does not name a plane", file.axes.as_deref().unwrap_or_default());
-                error(&[Step::Key("axes")], message, "two different letters out of x, y, z, e.g. \"xy\" or \"xz\"")
-            }
-        }
-    }
-
+impl Reader<'_> {
     fn robot(&self, file: RobotFile) -> Result<Robot, ReadError> {
         if file.name.is_empty() || file.name.contains(char::is_whitespace) {
             let message = format!("the name {:?} is not one word", file.name);
@@ -126,38 +90,6 @@ impl<'a> Reader<'a> {
             cables,
             reference_checks: file.reference_check,
         })
-    }
-
-    /// A vector of the file: two components in the plane, or three.
-    pub(super) fn vector(&self, path: &[Step<'_>], values: &[f64]) -> Result<Vector3<f64>, ReadError> {
-        match (self.pattern.is_planar(), values) {
-            (true, &[first, second]) => Ok(self.plane.embed([first, second])),
-            (false, &[x, y, z]) => Ok(Vector3::new(x, y, z)),
-            _ => {
-                let (expected, pattern) = (self.pattern.translations(), self.pattern.name());
-                let message =
-                    format!("{expected} components expected (motion pattern {pattern}), found {}", values.len());
-                let help = match self.pattern.is_planar() {
-                    _ if values.len() == 2 * expected => {
-                        "are these decimal commas? numbers are written with a decimal point".to_owned()
-                    }
-                    true => format!("vectors of planar robots have the components {}", self.plane.axes()),
-                    false => "vectors of spatial robots have the components x, y, z".to_owned(),
-                };
-                Err(self.document.error_at(path, "robot::component-count", message).with_help(help))
-            }
-        }
-    }
-
-    /// Refuses a number below zero.
-    pub(super) fn not_negative(&self, path: &[Step<'_>], number: Option<f64>) -> Result<Option<f64>, ReadError> {
-        match number {
-            Some(below) if below < 0.0 => {
-                let message = format!("{} is {below}; it cannot be negative", key_name(path));
-                Err(self.document.error_at(path, "robot::negative", message).with_help("leave the key out if unknown"))
-            }
-            fine => Ok(fine),
-        }
     }
 
     fn platform(&self, section: &PlatformSection) -> Result<Platform, ReadError> {
@@ -252,18 +184,4 @@ impl<'a> Reader<'a> {
         }
         Ok(())
     }
-}
-
-/// The last key of a path.
-pub(super) fn key_name<'s>(path: &[Step<'s>]) -> &'s str {
-    match path.last() {
-        Some(Step::Key(name)) => name,
-        _ => "the number",
-    }
-}
-
-/// Three rows of three numbers.
-pub(super) fn square(rows: &[Vec<f64>]) -> Option<[[f64; 3]; 3]> {
-    let rows: Vec<[f64; 3]> = rows.iter().map(|row| row.as_slice().try_into().ok()).collect::<Option<_>>()?;
-    rows.try_into().ok()
 }

@@ -2,7 +2,7 @@
 
 use super::affine::Affine;
 use super::answer::{Answer, Cause, Status};
-use super::solver::Problem;
+use super::problem::Problem;
 use super::{
     InputError, Limits, Method, Options, barrier, centroid, closed_form, dykstra, improved_closed_form, nearest_wrench,
     norm, puncture, quadratic,

@@ -21,6 +21,7 @@ mod nearest_wrench;
 mod norm;
 mod options;
 mod polytope;
+mod problem;
 mod puncture;
 pub mod quadratic;
 mod response;

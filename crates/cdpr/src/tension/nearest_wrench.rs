@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 
 use super::Limits;
 use super::affine::{add_scaled, dot};
-use super::solver::Problem;
+use super::problem::Problem;
 
 /// Releases before giving up, per cable.
 const MAX_RELEASES: usize = 30;

@@ -19,8 +19,8 @@
 
 use nalgebra::DMatrix;
 
+use super::problem::Problem;
 use super::quadratic::{self, Status};
-use super::solver::Problem;
 use super::{InputError, Limits};
 
 /// Steps before giving up.

@@ -6,6 +6,7 @@ use super::answer::{Answer, Cause, Status};
 use super::closed_form::write_residual;
 use super::error::{check_shape, check_sizes};
 use super::memory::Memory;
+use super::problem::Problem;
 use super::{InputError, Limits, Method, Options, quadratic};
 
 /// Any method, with its memory: [`Solver::solve`] claims none (but where a closed form meets lost rank).
@@ -149,11 +150,4 @@ impl Solver {
         }
         Ok(())
     }
-}
-
-/// The balance that is asked for: Aᵀ f + w = 0.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Problem<'a> {
-    pub(super) structure_matrix: &'a DMatrix<f64>,
-    pub(super) wrench: &'a [f64],
 }

@@ -2,23 +2,16 @@
 
 use nalgebra::Vector3;
 
-use super::grid::{Count, Grid};
-use super::{Region, WorkspaceError};
+use super::{Point, WorkspaceError};
 use crate::model::Model;
-
-/// Coordinates of a position along the translations of the robot (m): x, y, z, or the two of its plane and 0.
-pub type Point = [f64; 3];
 
 /// Frames less high than this part of their longest side are flat.
 const FLAT: f64 = 0.1;
 /// An axis is vertical where it runs against gravity by this cosine.
 const UPRIGHT: f64 = 0.99;
 
-/// Cells of a coarse grid along the longest side of a box.
-const COARSE: f64 = 24.0;
-
 /// Least and largest coordinate of frame anchors, travel and home position along each axis of the robot (m).
-fn frame_of(model: &Model) -> Vec<[f64; 2]> {
+pub(super) fn frame_of(model: &Model) -> Vec<[f64; 2]> {
     let robot = model.robot();
     let mut points: Vec<Vector3<f64>> = robot.cables.iter().map(|cable| cable.frame_anchor).collect();
     points.extend(robot.travel.iter().flat_map(|travel| [travel.min, travel.max]));
@@ -80,33 +73,6 @@ impl Bounds {
             (*least, *largest) = ((*least - below).max(floor), *largest + above);
         }
         Self::new(ends.len(), ends.as_flattened())
-    }
-
-    /// The box of frame anchors, travel and home position, wider where a region reaches out of it, or so near to its faces that a coarse
-    /// grid of the box [around](Self::around) the robot cannot tell (one and a half of its cells); that box itself where it holds no point of the grid, or where the grid has more points
-    /// than these.
-    pub fn about(region: &Region<'_>, model: &Model, most_points: f64) -> Result<Self, WorkspaceError> {
-        let around = Self::around(model)?;
-        let grid = Grid::new(&around, around.longest() / COARSE)?;
-        if grid.points() as f64 > most_points {
-            return Ok(around);
-        }
-        let (mut count, mut ends) = (Count::new(), frame_of(model));
-        let mut widen = |slab: usize, answers: &[bool]| {
-            for index in (0..answers.len()).filter(|&index| answers[index]) {
-                let point = grid.point(slab, index);
-                for (axis, [least, largest]) in ends.iter_mut().enumerate() {
-                    let cells = 1.5 * around.extent(axis) / grid.counts()[axis] as f64;
-                    *least = least.min((point[axis] - cells).max(around.least[axis]));
-                    *largest = largest.max((point[axis] + cells).min(around.largest[axis]));
-                }
-            }
-        };
-        while count.advance(region, &grid, &mut widen) {}
-        match count.feasible_points {
-            0 => Ok(around),
-            _ => Self::new(ends.len(), ends.as_flattened()),
-        }
     }
 
     /// Length of the longest side (m).
@@ -180,6 +146,7 @@ mod tests {
     use crate::geometry::Pose;
     use crate::model::Composition;
     use crate::robot::Robot;
+    use crate::workspace::Region;
     use crate::workspace::{Archetype, Criterion, Verdict};
 
     #[test]

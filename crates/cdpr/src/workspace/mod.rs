@@ -7,6 +7,7 @@
 
 mod audit;
 mod bounds;
+mod closer_bounds;
 mod components;
 pub mod criterion;
 pub mod differential;
@@ -15,6 +16,7 @@ pub mod grid;
 pub mod hull;
 pub mod mesh;
 pub mod octree;
+mod point;
 mod polygon;
 mod question;
 pub mod refine;
@@ -25,10 +27,11 @@ mod verdict;
 pub mod wrench_set;
 
 pub use audit::{Audit, CONFIDENCE};
-pub use bounds::{Bounds, Point};
+pub use bounds::Bounds;
 pub use components::{Component, components};
 pub use criterion::Criterion;
 pub use error::WorkspaceError;
+pub use point::Point;
 pub use polygon::Polygon;
 pub use question::{WorkspaceQuestion, WorkspaceSize};
 pub use region::{Archetype, Region, Side};

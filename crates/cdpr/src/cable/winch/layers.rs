@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::drum::{DrumLength, Mounting, Parameters};
+use super::parameters::{DrumLength, Mounting, Parameters};
 use super::turns::{FirstPulley, Turns};
 
 /// Layers beyond which nobody winds.

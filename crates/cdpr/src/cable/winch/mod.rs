@@ -2,6 +2,7 @@
 
 pub mod drum;
 mod layers;
+mod parameters;
 #[cfg(test)]
 mod tests;
 pub mod turns;
@@ -9,7 +10,8 @@ pub mod turns;
 use std::f64::consts::TAU;
 
 use crate::robot::{Cable, GrooveEnds};
-pub use drum::{Departure, Drum, DrumError, DrumLength, GrooveError, Mounting, Parameters};
+pub use drum::{Departure, Drum, DrumError, GrooveError};
+pub use parameters::{DrumLength, Mounting, Parameters};
 
 /// A drum with what drives it.
 #[derive(Clone, Debug, PartialEq)]

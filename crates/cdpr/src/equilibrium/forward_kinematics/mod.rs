@@ -12,6 +12,7 @@ mod alternative;
 pub mod batch;
 mod curvature;
 mod descent;
+mod settings;
 #[cfg(test)]
 mod tests;
 mod verdict;
@@ -19,43 +20,13 @@ mod verdict;
 pub use super::{Solution, Status};
 pub use alternative::Alternative;
 use descent::{Problem, Residuals};
+pub use settings::Settings;
 use thiserror::Error;
 
 use super::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::LANES;
-
-/// When forward kinematics stops, and what it accepts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Stop once the pose is this near to the solution, judged by the last steps (m; angles times the platform radius).
-    pub pose_tolerance: f64,
-    /// Residual that counts as an exact solution for m = n: rms of the lengths (m), relative to their mean above 1 m.
-    pub length_tolerance: f64,
-    /// Steps allowed for each start.
-    pub max_iterations: u32,
-    /// Other starts that may be tried when the descent from the guess ends without an answer; 0 searches only from the guess.
-    pub max_restarts: u32,
-    /// For m > n: an rms residual, relative to the mean length, that errors of measurement explain. A larger one is reason to
-    /// look for an alternative; among other starts than the guess the first with a smaller one ends the search.
-    pub suspicious_residual: f64,
-    /// For m > n: a larger rms residual, relative to the mean length, means that the lengths do not belong to the robot.
-    pub plausible_residual: f64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            pose_tolerance: 1e-10,
-            length_tolerance: 1e-9,
-            max_iterations: 100,
-            max_restarts: 24,
-            suspicious_residual: 1e-3,
-            plausible_residual: 0.1,
-        }
-    }
-}
 
 /// Input that no forward problem can accept.
 #[derive(Clone, Debug, PartialEq, Error)]

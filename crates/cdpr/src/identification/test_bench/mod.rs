@@ -5,6 +5,7 @@
 //! 0.5 % of the range for the branches).
 
 mod branches;
+mod misfit;
 mod plain;
 mod record;
 mod strokes;
@@ -16,9 +17,10 @@ use crate::cable::stretch::hysteresis::Hysteresis;
 use crate::cable::stretch::hysteresis_law;
 use crate::robot::{HysteresisTable, StretchError};
 
+pub use misfit::Misfit;
 pub use plain::{LinearFit, PolynomialFit};
 pub use record::{Record, RecordReading};
-use strokes::Stroke;
+use strokes::{Stroke, range};
 
 /// A stroke over this share of the elongations counts as a full one.
 const FULL_STROKE: f64 = 0.8;
@@ -42,27 +44,6 @@ impl Settings {
     /// Six pieces for a sample of this length (m).
     pub fn of_length(length: f64) -> Self {
         Self { length, pieces: 6 }
-    }
-}
-
-/// Error of a law on the record (N).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Misfit {
-    /// Root of the mean square.
-    pub rms: f64,
-    /// Largest magnitude.
-    pub max: f64,
-}
-
-impl Misfit {
-    fn of(residuals: impl Iterator<Item = f64>) -> Self {
-        let (mut count, mut squares, mut max) = (0.0_f64, 0.0, 0.0_f64);
-        for residual in residuals {
-            count += 1.0;
-            squares += residual * residual;
-            max = max.max(residual.abs());
-        }
-        Self { rms: (squares / count.max(1.0)).sqrt(), max }
     }
 }
 
@@ -227,13 +208,6 @@ fn residuals(
         modelled - tension
     };
     elongations.iter().zip(tensions).map(row).collect()
-}
-
-/// Least and largest number; `None` unless they differ.
-fn range(numbers: &[f64]) -> Option<[f64; 2]> {
-    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    (largest > least).then_some([least, largest])
 }
 
 /// Refuses records whose branches fall, or lie the wrong way round, by more than noise can do.

@@ -2,7 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Misfit, Record};
+use super::misfit::Misfit;
+use super::record::Record;
 use crate::cable::stretch::polynomial_law;
 
 /// Highest degree that is tried.

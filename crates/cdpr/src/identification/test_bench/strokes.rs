@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Record, range};
+use super::record::Record;
 
 /// A turn is one that goes back by this share of all elongations; less is noise.
 const TURN: f64 = 0.01;
@@ -100,6 +100,13 @@ pub(super) fn smoothed(record: &Record, strokes: &[Stroke]) -> Vec<f64> {
         }
     }
     smooth
+}
+
+/// Least and largest number; `None` unless they differ.
+pub(super) fn range(numbers: &[f64]) -> Option<[f64; 2]> {
+    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    (largest > least).then_some([least, largest])
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Complaints about a measurement file: mistake, place, and how to mend it.
 
-use super::{Columns, CsvFile, Row};
+use super::rows::{Columns, CsvFile, Row};
 use crate::geometry::MotionPattern;
 use crate::measurement::columns::{Quantity, meaning, position_columns};
 use crate::measurement::header_mistakes;

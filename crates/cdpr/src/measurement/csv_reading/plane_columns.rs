@@ -1,6 +1,6 @@
 //! Positions of planar robots: their columns carry the names of the plane's axes.
 
-use super::{Columns, CsvFile, Row};
+use super::rows::{Columns, CsvFile, Row};
 use crate::measurement::columns::{Quantity, position_columns};
 use crate::reading::ReadError;
 

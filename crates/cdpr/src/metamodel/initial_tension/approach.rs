@@ -2,7 +2,7 @@
 
 use super::{Task, driving, offsets_of};
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Status;
+use crate::metamodel::status::Status;
 
 /// The way from one set of initial tensions to another, the control model commanding x_ini all the time.
 #[derive(Clone, Debug, PartialEq)]

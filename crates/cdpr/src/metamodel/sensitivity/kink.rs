@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::cause::Side;
-use crate::metamodel::operate::Status;
 use crate::metamodel::operation_error::OperationError;
+use crate::metamodel::status::Status;
 
 /// Reason why no derivative leads along a path of cables that remember.
 #[derive(Clone, Debug, PartialEq)]

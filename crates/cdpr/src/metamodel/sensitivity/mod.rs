@@ -6,6 +6,7 @@
 //! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember have
 //! the same along their whole path (`remembering`).
 
+mod along;
 mod cause;
 mod choice;
 mod command;
@@ -14,6 +15,7 @@ mod differences;
 mod equilibrium;
 mod kink;
 mod memories;
+mod offsets;
 mod ranking;
 mod remembering;
 mod setting;
@@ -24,13 +26,15 @@ use nalgebra::{DMatrix, DVector};
 pub use cause::{Kind, ParameterDeviation, Side, causes_of};
 pub use derivatives::{Derivatives, Differentiation};
 pub use kink::Kink;
+pub use offsets::Offsets;
 pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
-pub use setting::{Offsets, Setting};
+pub use setting::Setting;
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::{Operation, Outcome};
+use super::operate::Operation;
 use super::operation_error::OperationError;
+use super::outcome::Outcome;
 use super::study::{CommandedPose, History};
 use super::winches::tension_model;
 use crate::geometry::Pose;
@@ -38,7 +42,7 @@ use crate::model::Model;
 use crate::statics::Load;
 use command::{Command, Commanded};
 use equilibrium::{Answer, Equilibrium};
-use memories::{Motions, Remembered, remembers};
+use memories::{Motions, Remembered};
 use windings::Windings;
 
 /// How pose and tensions follow deviations at one commanded pose.
@@ -99,30 +103,6 @@ impl<'a> Sensitivity<'a> {
     /// Deviations, in the order of the columns of all derivatives: control model, machine, winches.
     pub fn causes(&self) -> &[ParameterDeviation] {
         &self.causes
-    }
-
-    /// The derivatives at poses that are commanded one after the other.
-    ///
-    /// Machines whose cables remember have them by differences, with an estimate of their error, where their path is not smooth
-    /// ([`Differentiation`]).
-    pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
-        match remembers(self.machine) {
-            true => remembering::along(self, commands),
-            false => commands.iter().map(|command| self.at(command)).collect(),
-        }
-    }
-
-    /// The derivatives at a commanded pose, the first of its path for machines whose cables remember.
-    pub fn at(&mut self, command: &CommandedPose) -> Result<PoseSensitivity, InputError> {
-        if remembers(self.machine) {
-            let mut alone = remembering::along(self, std::slice::from_ref(command))?;
-            return alone.pop().ok_or(InputError::NoPoses);
-        }
-        let outcome = self.operation.answer(command);
-        match outcome.at_rest().and_then(|()| self.derivatives(command, &outcome)) {
-            Err(OperationError::Input(error)) => Err(error),
-            derivatives => Ok(PoseSensitivity { outcome, derivatives }),
-        }
     }
 
     fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {

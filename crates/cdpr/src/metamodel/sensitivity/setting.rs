@@ -1,11 +1,11 @@
 //! How winch offsets follow what deviates: kept as they were set, or set anew.
 
 use nalgebra::DVector;
-use serde::{Deserialize, Serialize};
 
 use super::cause::{Kind, ParameterDeviation, Side};
 use super::choice::Choice;
 use super::command::{at_tensions, by_tensions};
+use super::offsets::Offsets;
 use super::windings::Windings;
 use crate::geometry::Pose;
 use crate::metamodel::control::lengths_at;
@@ -15,18 +15,6 @@ use crate::metamodel::study::{Initial, TensionMethod};
 use crate::metamodel::winches::{aim, initial_tensions, tension_model, winch_offsets};
 use crate::model::Model;
 use crate::statics::Load;
-
-/// Effect of deviations on the winch offsets.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Offsets {
-    /// The offsets are numbers in the winches: they were set before anything deviated, and stay.
-    #[default]
-    Kept,
-    /// The winches are set at the initial pose after everything has deviated, so that deviations that do the same everywhere are
-    /// taken up.
-    SetAnew,
-}
 
 /// How the winches were set.
 #[derive(Clone, Copy, Debug)]

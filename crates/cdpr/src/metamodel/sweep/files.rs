@@ -3,7 +3,8 @@
 use toml::Table;
 
 use super::key::Place;
-use super::set_up::{PointError, with_pulleys};
+use super::point_error::PointError;
+use super::pulleys::with_pulleys;
 use super::{Key, Subjects, Sweep};
 use crate::metamodel::{Robots, Study};
 use crate::reading::ReadError;

@@ -2,23 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::set_up::{PointError, PreparedSweep, SetUp};
-use crate::metamodel::Experiment;
-use crate::metamodel::reachable::{Census, Requirements};
+use super::point_error::PointError;
+use super::set_up::{PreparedSweep, SetUp, whatever_the_error};
+use crate::metamodel::reachable::Census;
 use crate::workspace::grid;
-
-/// The files that a sweep varies, as TOML text.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Subjects {
-    /// The study.
-    pub study: String,
-    /// The robot of the control model.
-    pub control: String,
-    /// The robot of the machine.
-    pub machine: String,
-    /// The robot with which the winches were set, where the study names one.
-    pub offset_robot: Option<String>,
-}
 
 /// Answer of one point of a sweep; sizes in m² or m³, the thresholds in the order of the sweep.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,12 +24,6 @@ pub struct Row {
     pub cells: u64,
     /// Why there is nothing to reach, in words: the machine cannot be set up so, or the box lies outside its reach.
     pub reason: Option<String>,
-}
-
-/// Requirements of a point on a pose: none on its error, which the thresholds judge in the census, unless that alone can be asked.
-pub(super) fn whatever_the_error(experiment: &Experiment) -> Requirements {
-    let asked = experiment.requirements();
-    Requirements { position_error_max: asked.tensions.is_none().then_some(f64::MAX), ..asked }
 }
 
 impl PreparedSweep<'_> {

@@ -1,63 +1,12 @@
 //! The experiment of one point of a sweep, and whether there is one at all.
 
-use nalgebra::Vector3;
-use thiserror::Error;
-
 use super::files::Files;
-use super::point::whatever_the_error;
-use super::{KeyError, Subjects, Sweep};
-use crate::metamodel::{Experiment, ExperimentError, InputError, Study};
-use crate::model::{PlacePulleysError, place_pulleys};
-use crate::reading::ReadError;
-use crate::robot::{Cable, Robot};
+use super::point_error::PointError;
+use super::{Subjects, Sweep};
+use crate::metamodel::Experiment;
+use crate::metamodel::reachable::Requirements;
+use crate::workspace::Bounds;
 use crate::workspace::grid::Grid;
-use crate::workspace::{Bounds, WorkspaceError};
-
-/// Why a point of a sweep cannot be set up.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum PointError {
-    /// A key that leads nowhere.
-    #[error(transparent)]
-    Key(#[from] KeyError),
-    /// A value that study or robot files cannot have, or a key that they do not know.
-    #[error(transparent)]
-    Read(#[from] Box<ReadError>),
-    /// Models that make no experiment.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// A box, or cells, that are none.
-    #[error(transparent)]
-    Workspace(#[from] WorkspaceError),
-    /// Pulleys that have no place.
-    #[error(transparent)]
-    Pulleys(#[from] PlacePulleysError),
-    /// Neither two nor three components.
-    #[error("a swivel_axis is three numbers, as [0, 0, 1], or two in the plane of a planar robot")]
-    SwivelAxis,
-    /// An axis of length 0.
-    #[error("a swivel_axis of length 0 has no direction")]
-    NoDirection,
-    /// Nobody says how a pulley is to swivel.
-    #[error(
-        "placed_pulley_radius_m needs swivel_axis, as [0, 0, 1], or pulley_swivel_axis of every cable, which \"{cable}\" lacks"
-    )]
-    NoSwivelAxis {
-        /// Name of the cable.
-        cable: String,
-    },
-}
-
-impl From<ExperimentError> for PointError {
-    fn from(error: ExperimentError) -> Self {
-        Self::Input(error.error)
-    }
-}
-
-impl From<ReadError> for PointError {
-    fn from(error: ReadError) -> Self {
-        Self::Read(Box::new(error))
-    }
-}
 
 /// Points that are tried before a sweep counts as one that can be set up nowhere.
 const TRIED: usize = 1000;
@@ -119,27 +68,8 @@ impl SetUp {
     }
 }
 
-/// The machine with a pulley of this radius at every cable that touches at the anchor at the initial pose.
-///
-/// The axis is one for all cables, or that of each cable's file.
-pub(super) fn with_pulleys(
-    machine: &Robot,
-    study: &Study,
-    radius: f64,
-    axis: Option<&[f64]>,
-) -> Result<Robot, PointError> {
-    let common = match axis {
-        None => None,
-        Some(&[first, second]) if machine.motion_pattern.is_planar() => Some(machine.plane.embed([first, second])),
-        Some(&[x, y, z]) => Some(Vector3::new(x, y, z)),
-        Some(_) => return Err(PointError::SwivelAxis),
-    };
-    let pulley = |cable: &Cable| -> Result<(f64, Vector3<f64>), PointError> {
-        let axis = common.or(cable.pulley_swivel_axis());
-        let axis = axis.ok_or_else(|| PointError::NoSwivelAxis { cable: cable.name.clone() })?;
-        Ok((radius, axis.try_normalize(0.0).ok_or(PointError::NoDirection)?))
-    };
-    let pulleys: Vec<_> = machine.cables.iter().map(pulley).collect::<Result<_, _>>()?;
-    let pose = study.initial_pose(machine).map_err(InputError::from)?;
-    Ok(place_pulleys(machine, &pulleys, &pose)?)
+/// Requirements of a point on a pose: none on its error, which the thresholds judge in the census, unless that alone can be asked.
+pub(super) fn whatever_the_error(experiment: &Experiment) -> Requirements {
+    let asked = experiment.requirements();
+    Requirements { position_error_max: asked.tensions.is_none().then_some(f64::MAX), ..asked }
 }

@@ -5,8 +5,8 @@ use crate::equilibrium::{self, ForwardError, ForwardSettings, Solutions, State, 
 use crate::geometry::{Pose, PoseBatch};
 use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Status;
 use crate::metamodel::sensitivity::PoseSensitivity;
+use crate::metamodel::status::Status;
 use crate::metamodel::study::CommandedPose;
 use crate::model::Model;
 use crate::scalar::{LANES, LaneTable};

@@ -3,8 +3,8 @@
 use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
 use crate::metamodel::experiment::Experiment;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Status;
 use crate::metamodel::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side};
+use crate::metamodel::status::Status;
 use crate::metamodel::study::{AccuracyOf, CommandedPose, Tolerances};
 
 /// Questions about deviations, beside the tolerances of the study.

@@ -8,8 +8,9 @@ use crate::geometry::{Pose, Twist};
 use crate::metamodel::control::Control;
 use crate::metamodel::errors::quantile;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::{Operation, Status};
+use crate::metamodel::operate::Operation;
 use crate::metamodel::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
+use crate::metamodel::status::Status;
 use crate::metamodel::study::{CommandedPose, Distribution, History, TensionMethod};
 use crate::model::Model;
 

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::findings::{Findings, Loss};
 use super::joint::Joint;
-use super::{Findings, Loss};
 use crate::geometry::Pose;
 use crate::reading::{Element, ReadError};
 use crate::robot::{Platform, TravelBox};

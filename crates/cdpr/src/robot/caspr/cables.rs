@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::Vector3;
 
 use super::bodies::{Body, quoted_name};
-use super::{Findings, Loss};
+use super::findings::{Findings, Loss};
 use crate::reading::{Element, ReadError, help_for_unknown};
 use crate::robot::{Cable, CableStiffness, Pulley};
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{Findings, Loss};
+use super::findings::{Findings, Loss};
 use crate::geometry::{MotionPattern, Plane, Pose};
 use crate::reading::{Element, ReadError, help_for_unknown, numbers};
 use crate::robot::TravelBox;

@@ -26,12 +26,15 @@
 
 mod bodies;
 mod cables;
+mod findings;
 mod joint;
 #[cfg(test)]
 mod tests;
 
 use nalgebra::Vector3;
-use serde::Serialize;
+
+use findings::Findings;
+pub use findings::{Finding, Loss};
 
 use super::{Robot, Source};
 use crate::reading::{Element, ReadError, XmlDocument};
@@ -76,46 +79,6 @@ pub struct Import {
     pub cable_sets: Vec<String>,
     /// Elements that the robot lacks, in the order of the files.
     pub findings: Vec<Finding>,
-}
-
-/// How much of an element the robot lacks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Loss {
-    /// The element acts on the platform in CASPR, and not in the robot.
-    LeftOut,
-    /// The element was taken, but without a property that acts.
-    Simplified,
-    /// Nothing that acts was lost.
-    Ignored,
-}
-
-/// An element that the robot does not hold, or not wholly.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Finding {
-    /// How much is lacking.
-    pub loss: Loss,
-    /// Name of the XML element.
-    pub element: String,
-    /// Its name in the model, where it has one.
-    pub name: Option<String>,
-    /// The file.
-    pub file: String,
-    /// Line in the file, from 1.
-    pub line: usize,
-    /// Part that was not taken, with the reason.
-    pub why: String,
-}
-
-impl std::fmt::Display for Finding {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { element, file, line, why, .. } = self;
-        match &self.name {
-            Some(name) => write!(formatter, "{file}:{line}: <{element}> `{name}`: {why}"),
-            None => write!(formatter, "{file}:{line}: <{element}>: {why}"),
-        }
-    }
 }
 
 /// Reads a model into a robot.
@@ -178,31 +141,6 @@ fn notes(joint: &joint::Joint, set: &cables::CableSet<'_, '_>, findings: &[Findi
         format!("Import: {}{name}: {}.", finding.element, finding.why)
     }));
     notes
-}
-
-/// Findings as they are collected.
-#[derive(Debug, Default)]
-struct Findings(Vec<Finding>);
-
-impl Findings {
-    /// Notes what is lacking of an element.
-    fn add(&mut self, loss: Loss, element: &Element<'_, '_>, why: impl Into<String>) {
-        self.0.push(Finding {
-            loss,
-            element: element.name().to_owned(),
-            name: element.attribute("name").map(str::to_owned),
-            file: element.file_name().to_owned(),
-            line: element.line(),
-            why: why.into(),
-        });
-    }
-
-    /// Notes the elements inside that nobody knows.
-    fn add_unknown_inside(&mut self, element: &Element<'_, '_>, known: &[&str]) {
-        for inner in element.elements().filter(|inner| !known.contains(&inner.name())) {
-            self.add(Loss::Ignored, &inner, format!("unknown in <{}>", element.name()));
-        }
-    }
 }
 
 /// The last part of a path.

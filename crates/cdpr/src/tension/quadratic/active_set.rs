@@ -6,40 +6,10 @@
 //! against an active one, the multipliers prove that no tensions keep these limits.
 
 use super::block::{Block, add_scaled, dot, fill, rotate};
+use super::bound::{Bound, End};
 use super::plane::{DEPENDENT, NO_WEIGHT, Plane, SMALL, ZERO};
 use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::Limits;
-
-/// A limit: the least tension (`sign` 1) or the largest (`sign` −1) of a cable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bound {
-    pub(super) cable: usize,
-    pub(super) sign: f64,
-}
-
-impl Bound {
-    #[inline]
-    fn limit(self, limits: &Limits) -> f64 {
-        if self.sign > 0.0 { limits.minimum()[self.cable] } else { limits.maximum()[self.cable] }
-    }
-
-    /// By how much a tension breaks the limit; below zero where it keeps it (N).
-    #[inline]
-    pub(super) fn missed(self, tension: f64, limits: &Limits) -> f64 {
-        self.sign * (self.limit(limits) - tension)
-    }
-}
-
-/// How the search ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
-    /// The optimum.
-    Optimum,
-    /// This limit contradicts active ones; the weights of the latter are in `weights`.
-    Contradiction(Bound),
-    /// So many steps, or so large ones, that rounding or overflow must be at work.
-    TooLong,
-}
 
 /// Buffers and state of the search.
 #[derive(Clone, Debug)]

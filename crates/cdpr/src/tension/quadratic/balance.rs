@@ -3,16 +3,10 @@
 use nalgebra::DMatrix;
 
 use super::block::{Block, add_scaled, dot};
-use super::fixed;
+use super::fixed::{self, CERTAIN, LOST};
 use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::InputError;
 use crate::tension::limits::LARGEST;
-
-/// Below this length (rows have length 1) what a row adds to the rows before it is rounding: the rank is lost.
-pub(super) const LOST: f64 = 1e-12;
-
-/// Above this length the rank is certain without looking for the best order of the rows.
-pub(super) const CERTAIN: f64 = 1e-5;
 
 /// A residual of the load below this part of load and tensions is rounding, where rows depend on each other.
 const INCONSISTENT: f64 = 1e-9;

@@ -2,10 +2,14 @@
 //!
 //! The same Householder factors as in [`super::balance`], for a number of rows that the compiler knows.
 
-use super::balance::{CERTAIN, LOST};
 use super::block::{Block, KEEP, UNIT};
 use crate::scalar::{Kernel, LANES, Lanes};
 use crate::tension::limits::LARGEST;
+
+/// Below this length (rows have length 1) what a row adds to the rows before it is rounding: the rank is lost.
+pub(super) const LOST: f64 = 1e-12;
+/// Above this length the rank is certain without looking for the best order of the rows.
+pub(super) const CERTAIN: f64 = 1e-5;
 
 /// The factors and solutions of one problem with N rows, written where the general way would write them.
 pub(super) struct Solutions<'a, const N: usize> {

@@ -9,6 +9,7 @@
 mod active_set;
 pub(super) mod balance;
 pub(super) mod block;
+mod bound;
 pub(super) mod certificate;
 mod fixed;
 mod plane;
@@ -16,8 +17,9 @@ mod plane;
 mod tests;
 mod words;
 
-use active_set::{ActiveSet, End};
+use active_set::ActiveSet;
 use balance::Balance;
+use bound::End;
 pub use certificate::Certificate;
 use nalgebra::DMatrix;
 use serde::Serialize;

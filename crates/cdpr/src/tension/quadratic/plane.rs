@@ -3,8 +3,8 @@
 //!
 //! The rules are the same: the limit that is missed most is added, one whose multiplier vanishes on the way makes room.
 
-use super::active_set::{Bound, End};
 use super::block::Block;
+use super::bound::{Bound, End};
 use crate::scalar::{Kernel, LANES, Lanes};
 use crate::tension::Limits;
 

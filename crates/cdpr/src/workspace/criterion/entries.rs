@@ -1,6 +1,7 @@
 //! The list of all criteria: one entry each.
 
-use super::registry::{CriterionRequest, Entry, Number, Setting};
+use super::entry::{CriterionRequest, Entry, Number, Setting};
+use super::wrench_feasible::WRENCH_FEASIBLE;
 use super::{
     CableInterference, CableObstacles, Criterion, Dexterity, JacobianConditioning, LengthLimits, MinimumStiffness,
     ModelValidity, NaturalFrequency, PlatformInterference, PlatformObstacles, StaticStability, WrapLimits,
@@ -9,9 +10,6 @@ use super::{
 use crate::workspace::WorkspaceError;
 use crate::workspace::criterion::Requirement;
 use crate::workspace::wrench_set::Payload;
-
-/// Name of the criterion that most questions are about.
-pub(super) const WRENCH_FEASIBLE: &str = "wrench-feasible";
 
 const fn needed(name: &'static str, unit: &'static str) -> Number {
     Number { name, unit, is_required: true }

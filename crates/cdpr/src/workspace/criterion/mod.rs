@@ -6,6 +6,7 @@ mod cables;
 mod clearance;
 mod dexterity;
 mod entries;
+mod entry;
 mod lengths;
 mod minors;
 mod narrowing;

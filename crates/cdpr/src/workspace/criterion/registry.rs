@@ -5,55 +5,11 @@ use std::str::FromStr;
 use thiserror::Error;
 
 pub use super::entries::ENTRIES;
-use super::entries::WRENCH_FEASIBLE;
+pub use super::entry::{CriterionRequest, Entry, Number, Setting};
+use super::wrench_feasible::WRENCH_FEASIBLE;
 use super::{All, Criterion};
-use crate::model::Model;
 use crate::reading::did_you_mean;
-use crate::statics::{Load, LoadError};
-use crate::tension::{Limits, LimitsError};
 use crate::workspace::WorkspaceError;
-
-/// Ingredients of criteria. Load and limits may be unknown: only criteria that need them refuse then.
-#[derive(Clone, Debug)]
-pub struct Setting<'a> {
-    /// Robot and effects.
-    pub model: &'a Model,
-    /// Load on the platform besides the cables.
-    pub load: Result<Load, LoadError>,
-    /// Least and largest tensions.
-    pub limits: Result<Limits, LimitsError>,
-}
-
-/// A criterion that can be asked for by name.
-pub struct Entry {
-    /// The name.
-    pub name: &'static str,
-    /// Question that it asks of a pose, in one line.
-    pub summary: &'static str,
-    /// The numbers that it takes, with their unit.
-    pub numbers: &'static [Number],
-    pub(super) make: Make,
-}
-
-pub(super) type Make = for<'a> fn(&Setting<'a>, &CriterionRequest) -> Result<Box<dyn Criterion + 'a>, WorkspaceError>;
-
-/// A number that a criterion takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Number {
-    /// Its name.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: &'static str,
-    /// False where the criterion does without it.
-    pub is_required: bool,
-}
-
-/// A criterion as it is asked for: `NAME` or `NAME:NUMBER=VALUE,…`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CriterionRequest {
-    name: &'static str,
-    numbers: Vec<(&'static str, f64)>,
-}
 
 /// Words that ask for no criterion.
 #[derive(Clone, Debug, PartialEq, Error)]

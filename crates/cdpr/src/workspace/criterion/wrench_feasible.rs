@@ -1,6 +1,5 @@
 //! Wrench feasibility: tensions within their limits balance the load.
 
-use super::entries::WRENCH_FEASIBLE;
 use super::narrowing::{Closing, Narrowing, largest};
 use super::{Criterion, Verdict};
 use crate::equilibrium::distribution::{self, Balance, DistributionError};
@@ -11,6 +10,9 @@ use crate::statics::{Load, StaticsError};
 use crate::tension::quadratic::Solver;
 use crate::tension::{InputError, Limits};
 use crate::workspace::WorkspaceError;
+
+/// Name of the criterion.
+pub(super) const WRENCH_FEASIBLE: &str = "wrench-feasible";
 
 /// Tensions f with f_min ≤ f ≤ f_max balance the load, Aᵀ f + w = 0 (Verhoeven 2004; Pott 2018, ch. 5): exact.
 ///

@@ -1,5 +1,7 @@
 //! Measures against solids known by heart, and files read back byte by byte.
 
+use std::io;
+
 use super::*;
 
 /// A box from one corner to the other, outside where it should be, with two fields.

@@ -1,10 +1,17 @@
 //! Crossings of the boundary with edges of the lattice.
 
-use super::Place;
 use crate::workspace::{Point, Region};
 
 /// Halvings of an edge: the boundary is known to less than a thousandth of its length.
 const HALVINGS: u32 = 10;
+
+/// A vertex before it is placed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place {
+    At(Point),
+    /// On the boundary between a point inside and one outside.
+    Between(Point, Point),
+}
 
 /// The place of every vertex: of those between two points the last one inside.
 pub(super) fn places(region: &Region<'_>, vertices: &[Place]) -> Vec<Point> {

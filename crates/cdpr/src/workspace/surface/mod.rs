@@ -8,6 +8,7 @@ mod cases;
 mod cells;
 mod crossings;
 
+use crossings::Place;
 use std::collections::HashMap;
 
 use cases::{Corner, Edge, Piece};
@@ -102,14 +103,6 @@ pub(super) fn of(lattice: &Lattice<'_>, cubes: impl Iterator<Item = Node>) -> Me
         _ => drawing.surface(cubes),
     };
     drawing.finish(middles)
-}
-
-/// A vertex before it is placed.
-#[derive(Clone, Copy, Debug)]
-enum Place {
-    At(Point),
-    /// On the boundary between a point inside and one outside.
-    Between(Point, Point),
 }
 
 struct Drawing<'a> {

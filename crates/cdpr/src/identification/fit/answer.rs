@@ -1,0 +1,86 @@
+//! Answer of a fit.
+
+use serde::Serialize;
+
+use crate::identification::identifiability::{Analysis, Correlation};
+use crate::identification::starts::Basin;
+use crate::model::Model;
+use crate::robot::Parameter;
+
+/// Why the fit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The optimum is found and every parameter is determined.
+    Converged,
+    /// The data leave directions in parameter space open; the parameters are one of many optima.
+    NotIdentifiable,
+    /// The iteration limit was reached.
+    NotConverged,
+    /// The optimum is a model without a forward problem: more cables than degrees of freedom ended rigid.
+    NotPredictive,
+}
+
+/// One identified parameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Estimate {
+    /// Name, e.g. `frame-anchor[1].x`.
+    pub name: String,
+    /// Unit; empty for a ratio.
+    pub unit: &'static str,
+    /// Value of the robot as given; `None` where its file states none, so that the start is a neutral value or a guess.
+    pub nominal: Option<f64>,
+    /// Value before the fit.
+    pub start: f64,
+    /// Optimal value.
+    pub value: f64,
+    /// Standard deviation; `None` when the data do not determine it.
+    pub sigma: Option<f64>,
+    /// Value minus start.
+    pub change: f64,
+    /// Standard deviation of the prior, if there is one.
+    pub prior_sigma: Option<f64>,
+    /// True when the value lies on a bound, to rounding and the tolerance of the fit.
+    pub at_bound: bool,
+    /// Which parameter it is.
+    #[serde(skip)]
+    pub parameter: Parameter,
+}
+
+/// Outcome of a fit; `model` carries the best parameters found whatever the status.
+#[must_use = "check `status` before using the parameters"]
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The calibrated model.
+    pub model: Model,
+    /// Why the fit ended.
+    pub status: Status,
+    /// The status in words, with numbers.
+    pub reason: String,
+    /// Steps of the cable that needed most.
+    pub iterations: u32,
+    /// Weighted sum of squared residuals and priors after each step, all cables together.
+    pub history: Vec<f64>,
+    /// The free parameters, ordered by cable.
+    pub parameters: Vec<Estimate>,
+    /// Rank, singular values, weak directions, correlations.
+    pub analysis: Analysis,
+    /// Noise that residuals and priors tell, in units of the stated accuracies, or of the assumed ones where none is stated
+    /// (1 mm for lengths, 1 % of the mean for tensions): √((data + prior cost)/(rows + priors − parameters)) at that noise.
+    /// Near 1 when model and sensors agree with the data; standard deviations of parameters grow with it when it exceeds 1 or
+    /// no accuracy is stated. NaN where there are as many parameters as rows and priors.
+    pub noise_factor: f64,
+    /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
+    /// start: the best optimum may then be one that no start led all cables to.
+    pub basins: Vec<Basin>,
+    /// Warnings in words: doubts about noise, bounds and rank.
+    pub warnings: Vec<String>,
+}
+
+impl Fit {
+    /// Correlations above the limit, for reports.
+    pub fn correlations(&self) -> &[Correlation] {
+        &self.analysis.correlations
+    }
+}

@@ -1,0 +1,79 @@
+//! Assumptions and stop rules of a fit.
+
+use std::str::FromStr;
+
+use super::input_error::InputError;
+use crate::model::{FreeParameters, identified_kind};
+use crate::robot::ParameterKind;
+use crate::solve::Minimizer;
+
+/// Noise assumed for a length when no sensor accuracy is known, until the residuals tell (m).
+pub(in crate::identification) const ASSUMED_NOISE: f64 = 1e-3;
+
+/// Share of the mean tension assumed as the force sensors' noise where none is stated.
+pub(in crate::identification) const ASSUMED_TENSION_SHARE: f64 = 0.01;
+
+/// Assumptions and stop rules of a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Parameters that stay at their value although `free` names them.
+    pub hold: FreeParameters,
+    /// Ridges towards the start value.
+    pub priors: Vec<Prior>,
+    /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
+    pub tolerance: f64,
+    /// Way to the optimum.
+    pub minimizer: Minimizer,
+    /// Steps allowed for each cable.
+    pub max_iterations: u32,
+    /// A direction in parameter space with a larger standard deviation is reported as weak (m).
+    pub weak_direction_limit: f64,
+    /// Starts: the file's values and others, anchors up to 0.5 m away and compliances up to 10/3 times larger or smaller.
+    pub starts: u32,
+    /// Seed of the other starts.
+    pub seed: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            hold: FreeParameters::default(),
+            priors: Vec::new(),
+            tolerance: 1e-10,
+            minimizer: Minimizer::default(),
+            max_iterations: 200,
+            weak_direction_limit: 0.1,
+            starts: 1,
+            seed: 0,
+        }
+    }
+}
+
+/// A ridge: parameters of this kind are normally distributed around their start values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prior {
+    /// The kind of parameter.
+    pub kind: ParameterKind,
+    /// Standard deviation, in the parameter's unit.
+    pub sigma: f64,
+}
+
+impl FromStr for Prior {
+    type Err = InputError;
+
+    /// Reads `platform-anchor=0.02`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let syntax = || InputError::PriorSyntax { text: text.to_owned() };
+        let (name, value) = text.split_once('=').ok_or_else(syntax)?;
+        let sigma: f64 = value.trim().parse().map_err(|_| syntax())?;
+        if !(sigma > 0.0 && sigma.is_finite()) {
+            return Err(syntax());
+        }
+        Ok(Self { kind: identified_kind(name.trim())?, sigma })
+    }
+}
+
+/// Standard deviation of a prior on a kind of parameters.
+pub(in crate::identification) fn prior_sigma(settings: &Settings, kind: ParameterKind) -> Option<f64> {
+    settings.priors.iter().rev().find(|prior| prior.kind == kind).map(|prior| prior.sigma)
+}

@@ -1,0 +1,65 @@
+//! A candidate of a selection, judged.
+
+use thiserror::Error;
+
+use super::requirement::RequirementOutcome;
+use crate::identification::candidate::Candidate;
+use crate::identification::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
+use crate::identification::fit::{self, Fit};
+use crate::model::ModelError;
+
+/// One candidate with everything known about it.
+#[derive(Clone, Debug)]
+pub struct JudgedCandidate {
+    /// The candidate in the notation of the command line; also its name.
+    pub name: String,
+    /// The candidate.
+    pub candidate: Candidate,
+    /// Fit and errors, or the reason for which the candidate cannot be judged.
+    pub outcome: Result<Judgement, CandidateFailure>,
+}
+
+/// Fit and errors of one candidate.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// Parameters from all training data; from all data when the folds take turns.
+    pub fit: Fit,
+    /// Errors on the data that `fit` was fitted to.
+    pub train: ErrorBlocks,
+    /// Errors on data that the predicting fit had not seen, all folds together.
+    pub validation: ErrorBlocks,
+    /// The same fold by fold.
+    pub folds: Vec<(String, ErrorBlocks)>,
+    /// Validation errors sample by sample, in the order of `validation_samples`.
+    pub validation_errors: Evaluation,
+    /// Indices of those samples in the data set.
+    pub validation_samples: Vec<usize>,
+    /// Mean of the criterion on the validation samples that all compared candidates answer; NaN for a disqualified one.
+    pub criterion: f64,
+    /// Its standard error by block bootstrap.
+    pub standard_error: f64,
+    /// Number of those samples.
+    pub compared_samples: usize,
+    /// The reason against comparing the candidate at all: it answers too few validation samples.
+    pub disqualified: Option<String>,
+    /// The limits and how the candidate stands to them.
+    pub requirements: Vec<RequirementOutcome>,
+}
+
+impl Judgement {
+    pub(super) fn meets_requirements(&self) -> bool {
+        self.requirements.iter().all(|requirement| requirement.met)
+    }
+}
+
+/// Reason for which a candidate cannot be judged.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error(transparent)]
+pub enum CandidateFailure {
+    /// A robot that lacks what the composition asks for.
+    Model(#[from] ModelError),
+    /// Data that do not fit the free parameters.
+    Fit(#[from] fit::InputError),
+    /// A fitted model that cannot be compared with the data.
+    Evaluation(#[from] EvaluationError),
+}

@@ -1,0 +1,15 @@
+//! Winch offsets under deviations.
+
+use serde::{Deserialize, Serialize};
+
+/// Effect of deviations on the winch offsets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Offsets {
+    /// The offsets are numbers in the winches: they were set before anything deviated, and stay.
+    #[default]
+    Kept,
+    /// The winches are set at the initial pose after everything has deviated, so that deviations that do the same everywhere are
+    /// taken up.
+    SetAnew,
+}
