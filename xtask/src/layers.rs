@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::circles::circles;
 use crate::outcome::Outcome;
 
 /// Rooms of a library, left to right; rooms in one entry do not use each other.
@@ -56,7 +57,12 @@ pub(crate) fn check(root: &Path) -> Outcome {
     let mut complaints = Vec::new();
     for library in LIBRARIES {
         let source = root.join(library.folder);
-        for path in rust_files(&source) {
+        let files = rust_files(&source);
+        let told = |circle: Vec<String>| {
+            format!("{}: files that use each other in a circle: {}", library.folder, circle.join(", "))
+        };
+        complaints.extend(circles(&source, &files).into_iter().map(told));
+        for path in files {
             let Ok(inside) = path.strip_prefix(&source) else { continue };
             match std::fs::read_to_string(&path) {
                 Ok(text) => {

@@ -5,6 +5,7 @@ mod ahead;
 mod book;
 mod browser;
 mod cargo;
+mod circles;
 mod command;
 mod documents;
 mod examples;

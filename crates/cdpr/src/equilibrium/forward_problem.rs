@@ -7,10 +7,11 @@
 use thiserror::Error;
 
 use super::forward_kinematics::Alternative;
+use super::scratch::Scratch;
+use super::start::Start;
 use super::{Solution, Solutions, State, elastostatics, forward_kinematics};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Cables, Model};
-use crate::robot::Robot;
 use crate::scalar::LaneTable;
 use crate::statics::{Load, LoadError};
 
@@ -41,29 +42,6 @@ pub struct ForwardSettings {
     pub least_squares: forward_kinematics::Settings,
     /// Of [`ForwardProblem::Equilibrium`].
     pub equilibrium: elastostatics::Settings,
-}
-
-/// Start of the search for a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Start {
-    /// The guess of the caller.
-    Guess,
-    /// The home pose of the robot's file, since no guess is given.
-    HomePose,
-    /// The mean of the frame anchors, since there is neither guess nor home pose.
-    MiddleOfAnchors,
-}
-
-impl Start {
-    /// Start of a search for a caller with this guess, and the pose there.
-    pub fn of(robot: &Robot, guess: Option<&Pose>) -> (Self, Pose) {
-        match (guess, robot.home) {
-            (Some(guess), _) => (Self::Guess, *guess),
-            (None, Some(home)) => (Self::HomePose, home),
-            (None, None) => (Self::MiddleOfAnchors, robot.home_or_middle()),
-        }
-    }
 }
 
 /// Input that no forward problem of a model can accept.
@@ -187,22 +165,6 @@ impl ForwardSolver<'_> {
         match self {
             Self::LeastSquares(solver) => Scratch::LeastSquares(solver.into_scratch()),
             Self::Equilibrium(solver) => Scratch::Equilibrium(solver.into_scratch()),
-        }
-    }
-}
-
-/// Memory of a solver, with its last solution.
-#[derive(Clone, Debug)]
-pub(super) enum Scratch {
-    LeastSquares(forward_kinematics::Scratch),
-    Equilibrium(elastostatics::Scratch),
-}
-
-impl Scratch {
-    pub(super) fn solution(&self) -> &Solution {
-        match self {
-            Self::LeastSquares(scratch) => &scratch.solution,
-            Self::Equilibrium(scratch) => &scratch.solution,
         }
     }
 }

@@ -1,12 +1,14 @@
 //! State of a robot: where it is, what its cables remember, and the memory in which its problems are solved.
 
+mod balanced;
 mod single_pose;
 
-use single_pose::Balanced;
+use balanced::Balanced;
 
-use super::forward_problem::Scratch;
-use super::inverse::InverseSolution;
-use super::{Solution, Start};
+use super::Solution;
+use super::inverse_solution::InverseSolution;
+use super::scratch::Scratch;
+use super::start::Start;
 use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::Pose;
 use crate::model::Model;

@@ -1,20 +1,10 @@
 //! Residual wrench, stiffness and energy at one pose, cables in lanes.
 
-use super::Problem;
+use super::problem::Problem;
+use super::springs::Springs;
 use crate::cable::wrench::{moment_columns, turned_row, wrench};
 use crate::geometry::Pose;
 use crate::scalar::{Kernel, LANES, Lanes, Real, Select, cross, dot, scale};
-
-/// Springs that eight cables are, with the law f = k₀ e/(1 + κ_q k₀ e) of the stretch e = q − q_θ.
-///
-/// This is (q − q_θ)/c of [`crate::cable::elasticity`] with the compliance split at rest: c = 1/k₀ + κ_q e.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Springs {
-    /// Length without tension (m).
-    pub(super) rest_length: [f64; LANES],
-    /// k₀, stiffness without stretch (N/m); 0 for the copies that fill a group.
-    pub(super) stiffness: [f64; LANES],
-}
 
 /// Forces and their derivatives at one pose.
 #[derive(Clone, Copy, Debug)]

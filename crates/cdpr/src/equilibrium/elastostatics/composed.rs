@@ -61,11 +61,15 @@ enum Failure {
     Iterations,
 }
 
+/// Forward problem of straight elastic cables, by whose pose other cables are sought.
+pub(super) type SolveStraight = fn(&Model, &[f64], &Load, &Pose, &Settings) -> Result<Solution, InputError>;
+
 /// Forward problem of one search: lengths (m), load, and scales of the residual (m).
 struct Problem<'a> {
     model: &'a Model,
     load: &'a Load,
     settings: &'a Settings,
+    solve_straight: SolveStraight,
     lengths: &'a [f64],
     radius: f64,
     mean_length: f64,
@@ -163,14 +167,14 @@ impl Composed {
     /// Pose and tensions for controlled lengths (m).
     pub(super) fn solve(
         &mut self,
-        (model, load, settings): (&Model, &Load, &Settings),
+        (model, load, settings, solve_straight): (&Model, &Load, &Settings, SolveStraight),
         lengths: &[f64],
         guess: &Pose,
         solution: &mut Solution,
     ) -> Result<(), InputError> {
         let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
         let radius = model.platform_radius();
-        let problem = Problem { model, load, settings, lengths, radius, mean_length };
+        let problem = Problem { model, load, settings, solve_straight, lengths, radius, mean_length };
         (solution.iterations, solution.restarts, solution.reason) = (0, 0, None);
         let (mut best, failure) = match self.search(&problem, guess, FIRST_COMPLIANCE, solution) {
             Ok(status) if status == Status::Converged || settings.max_restarts == 0 => return Ok(()),
@@ -397,7 +401,7 @@ fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError
         ..problem.model.composition()
     };
     let Ok(model) = Model::new(robot, composition) else { return Ok(*guess) };
-    let solution = super::solve(&model, problem.lengths, problem.load, guess, problem.settings)?;
+    let solution = (problem.solve_straight)(&model, problem.lengths, problem.load, guess, problem.settings)?;
     match solution.status {
         Status::NotConverged => Ok(*guess),
         _ => Ok(solution.pose),

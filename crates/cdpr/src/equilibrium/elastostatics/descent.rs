@@ -1,7 +1,7 @@
 //! One descent of the energy from one start, by damped Newton steps.
 
-use super::Problem;
 use super::balance::{AtPose, Balance};
+use super::problem::Problem;
 use super::unsymmetric;
 use crate::equilibrium::pose_step::{Measure, displaced, twist_of};
 use crate::geometry::Pose;

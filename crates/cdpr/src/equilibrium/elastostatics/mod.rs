@@ -9,24 +9,30 @@
 //! no cable is longer than its controlled length, the method of multipliers; the last digits come from Newton steps on pose
 //! and tensions together.
 
+mod attempt;
 mod balance;
 pub mod batch;
 mod composed;
 mod descent;
 mod multipliers;
 mod polish;
+mod problem;
+mod rigid;
 mod search;
+mod settings;
 mod softening;
+mod springs;
 mod stability;
 #[cfg(test)]
 mod tests;
 mod unsymmetric;
 mod verdict;
 
-use balance::Springs;
 use composed::Composed;
 use descent::Tensions;
-use thiserror::Error;
+use problem::{LoadParts, Problem};
+pub use settings::{InputError, Settings};
+use springs::Springs;
 
 use super::forward_kinematics;
 pub use super::{Solution, Status};
@@ -35,75 +41,6 @@ use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::LANES;
 use crate::statics::Load;
-
-/// When the elastostatic forward problem stops, and what it accepts.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Stop once the pose is this near to the equilibrium, judged by the last steps (m, relative to the mean length above
-    /// 1 m; angles times the platform radius).
-    pub pose_tolerance: f64,
-    /// For rigid cables: how much longer than its controlled length a cable may remain (m).
-    pub length_tolerance: f64,
-    /// Size of Aᵀ f + w that counts as balance, beside the forces at work; moments divided by the platform radius. A tension
-    /// this small beside the others cannot be told from none.
-    pub wrench_tolerance: f64,
-    /// Steps allowed for each descent.
-    pub max_iterations: u32,
-    /// Other starts that may be tried when the first one does not lead to a stable equilibrium.
-    pub max_restarts: u32,
-    /// A cable that stretches by more than this share of its controlled length deserves a remark.
-    pub remarkable_strain: f64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            pose_tolerance: 1e-11,
-            length_tolerance: 1e-10,
-            wrench_tolerance: 1e-7,
-            max_iterations: 200,
-            max_restarts: 16,
-            remarkable_strain: 0.1,
-        }
-    }
-}
-
-/// Input that no elastostatic forward problem can accept.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum InputError {
-    /// Lengths, guess or settings, as for forward kinematics.
-    #[error(transparent)]
-    Kinematic(#[from] forward_kinematics::InputError),
-    /// More rigid cables than degrees of freedom: their tensions do not follow from their lengths.
-    #[error(
-        "{rigid} cables have no compliance at {dof} degrees of freedom: their tensions do not follow from their lengths; give \
-         them a stiffness and use the effect `elastic`, or use forward kinematics for the pose that fits the lengths best"
-    )]
-    RigidRedundant {
-        /// Number of cables without compliance.
-        rigid: usize,
-        /// Degrees of freedom.
-        dof: usize,
-    },
-}
-
-impl Settings {
-    /// Refuses tolerances that are not positive numbers.
-    pub fn validate(&self) -> Result<(), InputError> {
-        for (name, value) in [
-            ("pose_tolerance", self.pose_tolerance),
-            ("length_tolerance", self.length_tolerance),
-            ("wrench_tolerance", self.wrench_tolerance),
-            ("remarkable_strain", self.remarkable_strain),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(forward_kinematics::InputError::Setting { name, value }.into());
-            }
-        }
-        Ok(())
-    }
-}
 
 /// Finds pose and tensions for controlled lengths q_θ (m, one per cable) under a load, from a guess.
 ///
@@ -166,45 +103,6 @@ impl Scratch {
     }
 }
 
-/// The load in plain arrays, for the kernel.
-#[derive(Clone, Copy, Debug)]
-struct LoadParts {
-    constant: [f64; 6],
-    weight: [f64; 3],
-    center_of_mass: [f64; 3],
-}
-
-impl LoadParts {
-    fn of(load: &Load) -> Self {
-        let (weight, center_of_mass) = load.weight();
-        Self {
-            constant: (*load.constant_part()).into(),
-            weight: (*weight).into(),
-            center_of_mass: (*center_of_mass).into(),
-        }
-    }
-}
-
-/// A model with lengths to obey and a load to carry.
-#[derive(Clone, Copy, Debug)]
-struct Problem<'a> {
-    model: &'a Model,
-    settings: &'a Settings,
-    load: LoadParts,
-    full_load: &'a Load,
-    /// A constant moment makes the stiffness unsymmetric.
-    has_moment: bool,
-    springs: &'a [Springs],
-    /// Least stretch with a force (m): 0 for cables, −∞ for bars.
-    floor: f64,
-    /// Sum of the cables' stiffness (N/m): the unit of damping.
-    stiffness_scale: f64,
-    mean_length: f64,
-    platform_radius: f64,
-    /// An equilibrium with slack cables is none.
-    only_taut: bool,
-}
-
 impl<'a> Solver<'a> {
     /// A solver for this model and load.
     pub fn new(model: &'a Model, load: &Load, settings: &Settings) -> Result<Self, InputError> {
@@ -264,7 +162,8 @@ impl<'a> Solver<'a> {
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
         if let Scratch { composed: Some(composed), solution, .. } = &mut self.scratch {
-            composed.solve((self.model, &self.load, &self.settings), controlled_lengths, guess, solution)?;
+            let question = (self.model, &self.load, &self.settings, solve as composed::SolveStraight);
+            composed.solve(question, controlled_lengths, guess, solution)?;
         } else {
             self.search(controlled_lengths, guess);
         }

@@ -1,19 +1,13 @@
 //! Rigid cables: the method of multipliers.
 
-use super::Problem;
-use super::balance::Springs;
+use super::attempt::Attempt;
 use super::descent::{Stop, Tensions};
-use super::search::Attempt;
+use super::problem::Problem;
+use super::rigid::Rigid;
+use super::springs::Springs;
 use super::stability;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
-
-/// Which cables do not stretch, and the lengths they may have at most.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Rigid<'a> {
-    pub(super) lengths: &'a [f64],
-    pub(super) is_rigid: &'a [bool],
-}
 
 /// Corrections of the tensions that are tried.
 const MAX_CORRECTIONS: u32 = 60;
@@ -21,17 +15,6 @@ const MAX_CORRECTIONS: u32 = 60;
 const NEAR: f64 = 1e-3;
 /// An excess that shrinks less than to this share makes the virtual springs ten times stiffer.
 const SLOW: f64 = 0.1;
-
-impl Rigid<'_> {
-    pub(super) fn any(&self) -> bool {
-        self.is_rigid.contains(&true)
-    }
-
-    /// Numbers of the rigid cables, from 0.
-    pub(super) fn cables(&self) -> impl Iterator<Item = usize> {
-        (0..self.lengths.len()).filter(|&cable| self.is_rigid[cable])
-    }
-}
 
 /// Descends with virtual springs whose rest lengths follow the tensions: q_θ − f/k_v, until q ≤ q_θ where taut.
 ///

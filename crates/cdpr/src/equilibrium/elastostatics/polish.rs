@@ -6,9 +6,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Problem;
 use super::descent::End;
-use super::multipliers::Rigid;
+use super::problem::Problem;
+use super::rigid::Rigid;
 use crate::geometry::{Pose, Twist};
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 use crate::statics::{Load, geometric_stiffness, wrench_residual};

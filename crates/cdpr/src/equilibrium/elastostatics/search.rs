@@ -1,8 +1,10 @@
 //! From one start to an end, and from several starts to the best of their ends.
 
-use super::balance::Springs;
+use super::attempt::Attempt;
 use super::descent::{End, Stop, Tensions};
-use super::multipliers::{self, Rigid};
+use super::multipliers;
+use super::rigid::Rigid;
+use super::springs::Springs;
 use super::{LoadParts, Problem, Scratch, Solver, stability};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
@@ -10,48 +12,6 @@ use crate::scalar::LANES;
 
 /// Relative error of a length, a few roundings, in [`Problem::undecided`].
 pub(super) const ROUNDING: f64 = 1e-14;
-
-/// Result of one start.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Attempt {
-    pub(super) end: End,
-    /// Smallest eigenvalue of the stiffness (N/m).
-    pub(super) stability: f64,
-    /// Largest excess of a rigid cable over its controlled length (m).
-    pub(super) excess: f64,
-    /// Wrench that balance leaves undecided (N).
-    pub(super) undecided: f64,
-    /// Bars are in balance, one of them pushes, and nobody asks for what cables would do there.
-    pub(super) pushes: bool,
-}
-
-impl Attempt {
-    /// True for a stable equilibrium.
-    pub(super) fn is_good(&self, problem: &Problem<'_>) -> bool {
-        self.is_equilibrium(problem) && self.stability > problem.indifferent_stiffness()
-    }
-
-    /// True where forces balance and rigid cables have their lengths.
-    pub(super) fn is_equilibrium(&self, problem: &Problem<'_>) -> bool {
-        self.end.stop == Stop::Stationary
-            && !self.pushes
-            && self.excess <= problem.settings.length_tolerance
-            && problem.wrench_size(&self.end.residual) <= self.undecided
-    }
-
-    /// Equilibria before others, then by stability or by what is left.
-    fn is_better(&self, other: &Self, problem: &Problem<'_>) -> bool {
-        match (self.is_equilibrium(problem), other.is_equilibrium(problem)) {
-            (true, true) => self.stability > other.stability,
-            (true, false) => true,
-            (false, true) => false,
-            (false, false) => {
-                let left = |attempt: &Self| (attempt.excess, problem.wrench_size(&attempt.end.residual));
-                left(self) < left(other) || left(other).1.is_nan()
-            }
-        }
-    }
-}
 
 impl Problem<'_> {
     /// Size of a wrench, moments divided by the platform radius (N).

@@ -1,8 +1,8 @@
 //! From soft cables to stiff ones: the way round the narrow valleys that stiff cables make of the energy.
 
-use super::Problem;
+use super::attempt::Attempt;
 use super::descent::{Stop, Tensions};
-use super::search::Attempt;
+use super::problem::Problem;
 use crate::geometry::Pose;
 
 /// Stiffness of the softest cables that are tried, times the mean length and beside the load.

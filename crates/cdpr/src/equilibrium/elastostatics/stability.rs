@@ -2,9 +2,9 @@
 
 use nalgebra::DMatrix;
 
+use super::attempt::Attempt;
 use super::descent::{End, Stop, Tensions};
-use super::multipliers::Rigid;
-use super::search::Attempt;
+use super::rigid::Rigid;
 use super::{Problem, Settings};
 use crate::geometry::{Pose, Twist};
 use crate::scalar::LANES;

@@ -1,8 +1,8 @@
 //! Verdict on the best attempt: status and reason in words.
 
+use super::attempt::Attempt;
 use super::descent::Stop;
-use super::multipliers::Rigid;
-use super::search::Attempt;
+use super::rigid::Rigid;
 use super::{Problem, Solution, Status};
 
 impl Problem<'_> {

@@ -3,68 +3,14 @@
 use nalgebra::DMatrix;
 
 use super::State;
+use super::balanced::Balanced;
 use crate::cable::GeometryError;
-use crate::equilibrium::closed_form::{Found, OnePose};
 use crate::equilibrium::distribution::DistributionError;
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::scalar::{LANES, dispatch_narrow};
 use crate::statics::{Load, StaticsError};
-use crate::tension::closed_form::{self, Solution, Solver};
-use crate::tension::{InputError, Limits};
-
-/// Memory of a balance of load and tensions.
-#[derive(Clone, Debug)]
-pub(super) struct Balanced {
-    structure_matrix: DMatrix<f64>,
-    solver: Solver,
-    found: Solution,
-}
-
-impl Balanced {
-    fn of(model: &Model) -> Self {
-        let (n, m) = (model.dof(), model.cable_count());
-        let found = Solution {
-            tensions: vec![0.0; m],
-            within_limits: false,
-            wrench_residual: vec![0.0; n],
-            balanced: false,
-            rank: 0,
-        };
-        Self { structure_matrix: DMatrix::zeros(n, m), solver: Solver::new(m, n), found }
-    }
-
-    /// By the products of rows in registers; false where orthogonal factors or singular values must look.
-    fn in_registers(&mut self, model: &Model, pose: &Pose, wrench: [f64; 6], limits: &Limits) -> bool {
-        let (n, m) = (model.dof(), model.cable_count());
-        if !(n..=LANES).contains(&m) || limits.cable_count() != m {
-            return false;
-        }
-        let mut middle = [0.0; LANES];
-        middle.iter_mut().enumerate().take(m).for_each(|(cable, middle)| *middle = limits.middle(cable));
-        let rotation = &pose.rotation_rows();
-        let (cables, basis, position) = (&model.groups()[0], model.twist_basis(), pose.position.into());
-        let kernel = OnePose { cables, basis, position, rotation, wrench, middle: &middle };
-        let Some(Found { tensions, residual, sizes }) = dispatch_narrow(kernel) else { return false };
-        let found = &mut self.found;
-        found.tensions.copy_from_slice(&tensions[..m]);
-        found.wrench_residual.copy_from_slice(&residual[..n]);
-        found.within_limits = limits.contain(&found.tensions, limits.tolerance());
-        found.balanced = residual.iter().zip(&sizes).all(|(rest, size)| rest.abs() <= closed_form::ROUNDING * size);
-        found.rank = n;
-        true
-    }
-
-    /// By orthogonal factors, or singular values.
-    fn by_factors(&mut self, wrench: &[f64], limits: &Limits) -> Result<(), InputError> {
-        let answer = self.solver.solve(&self.structure_matrix, wrench, limits, None)?;
-        let found = &mut self.found;
-        found.tensions.copy_from_slice(&answer.tensions);
-        found.wrench_residual.copy_from_slice(&answer.wrench_residual);
-        (found.within_limits, found.balanced, found.rank) = (answer.within_limits, answer.balanced, answer.rank);
-        Ok(())
-    }
-}
+use crate::tension::Limits;
+use crate::tension::closed_form::Solution;
 
 impl State {
     /// Memory for a robot of this size, claimed once.
@@ -135,6 +81,7 @@ mod tests {
     use crate::geometry::Wrench;
     use crate::model::Composition;
     use crate::robot::{Robot, builtin};
+    use crate::tension::{InputError, closed_form};
 
     /// In the same state from pose to pose, for robots of all sizes: those of the general solver, which also answers where rows depend on
     /// each other.

@@ -1,4 +1,4 @@
-//! What a criterion's entry in the registry holds.
+//! Entry of a criterion in the registry: name, numbers, and how it is made.
 
 use super::Criterion;
 use crate::model::Model;
