@@ -57,7 +57,7 @@ impl WorkspaceQuestion<'_> {
     }
 
     /// Size of the set, on a grid that is refined until the bound of its error is 1 % or a second of work is done: the number of
-    /// `cdpr workspace`. Without a criterion, of the positions at which every cable has a path.
+    /// `cdpr workspace`. Without a criterion there is no set ([`WorkspaceError::NoCriterion`]).
     pub fn volume(&self) -> Result<WorkspaceSize, WorkspaceError> {
         let robot = self.model.robot();
         let limits = Limits::of(robot, None, None);
