@@ -35,7 +35,7 @@ impl Model {
         Ok(matrix)
     }
 
-    /// Tensions nearest to the middle of the limits that balance the load at a pose (eq. 3.41), see [`closed_form::solve`], in the memory
+    /// Tensions nearest to the middle of the limits that balance the load at a pose (eq. 3.41), see [`closed_form::solve`](crate::tension::closed_form::solve), in the memory
     /// of a state, which stays where it is. Both agree to rounding times the condition of the structure matrix.
     ///
     /// The directions are those of straight cables; of sagging ones they follow the tensions, see [`crate::equilibrium::distribution`].

@@ -10,7 +10,7 @@ impl Sensitivity<'_> {
     /// The derivatives at poses that are commanded one after the other.
     ///
     /// Machines whose cables remember have them by differences, with an estimate of their error, where their path is not smooth
-    /// ([`Differentiation`]).
+    /// ([`Differentiation`](super::Differentiation)).
     pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
         match remembers(self.machine) {
             true => remembering::along(self, commands),
