@@ -39,6 +39,8 @@ struct Library {
 const CORE: Library = Library { folder: "crates/cdpr-core/src", rooms: CORE_ROOMS };
 const CDPR: Library = Library { folder: "crates/cdpr/src", rooms: ROOMS };
 const LIBRARIES: [&Library; 2] = [&CORE, &CDPR];
+/// A library without rooms, whose doc lines follow the same rule.
+const REPORTS: Library = Library { folder: "crates/cdpr-reports/src", rooms: &[] };
 
 /// Each crate of the workspace and the workspace crates that it may depend on.
 const CRATES: &[(&str, &[&str])] = &[
@@ -49,7 +51,7 @@ const CRATES: &[(&str, &[&str])] = &[
 ];
 
 /// First words of a doc line that point at its subject instead of naming it.
-const POINTERS: &[&str] = &["What", "Where", "Whose", "That", "Something", "Who", "All that"];
+const POINTERS: &[&str] = &["What", "Where", "Whose", "That", "Something", "Who", "All that", "How much"];
 
 /// Complains of every use to the right, of rooms that are not listed, of text as an error, of doc lines that do not say what a
 /// thing is, and of crates that depend the wrong way.
@@ -73,6 +75,11 @@ pub(crate) fn check(root: &Path) -> Outcome {
                 Err(error) => complaints.push(format!("{}: {error}", path.display())),
             }
         }
+    }
+    for path in rust_files(&root.join(REPORTS.folder)) {
+        let inside = path.strip_prefix(root.join(REPORTS.folder)).unwrap_or(&path);
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        complaints.extend(REPORTS.pointing_doc_lines(inside, &text));
     }
     complaints.extend(crate_complaints(&root.join("crates")));
     Outcome::of(complaints)

@@ -1,6 +1,6 @@
 //! Numbers for people: sensible digits, "–" for none, "∞" for infinite, a true minus sign.
 
-/// What stands for a number that is not there.
+/// Sign for a number that is not there.
 pub const NONE: &str = "–";
 
 /// A number with so many significant digits, in powers of ten where plain digits would be long.

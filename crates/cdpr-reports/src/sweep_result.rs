@@ -36,7 +36,7 @@ pub struct SweepPoint {
     /// Values and sizes.
     #[serde(flatten)]
     pub row: Row,
-    /// What is reached whatever the error, as a share of the physical workspace.
+    /// Size reached whatever the error, as a share of the physical workspace.
     pub share: Option<f64>,
     /// The same with each largest position error.
     pub share_by_accuracy: Vec<Option<f64>>,

@@ -137,7 +137,7 @@ fn singular(model: &Model, rank: usize) -> Option<String> {
     })
 }
 
-/// What the file leaves open or states strangely.
+/// Warnings about keys that the file leaves open or states strangely.
 fn file_warnings(robot: &Robot) -> Vec<String> {
     let mut warnings = Vec::new();
     let mut warn = |applies: bool, text: &str| {

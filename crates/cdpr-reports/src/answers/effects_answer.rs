@@ -149,7 +149,7 @@ impl LengthChange {
     }
 }
 
-/// What the columns mean.
+/// Legend of the columns.
 const LEGEND: &str = "\
 cable: controlled length of the model without the effect minus that with it, at the same tensions; tension: change of the
 tensions that balance the load nearest to the middle of the limits; platform: what the lengths of the model without the

@@ -47,7 +47,7 @@ pub struct Found {
     iterations: Option<u32>,
 }
 
-/// What the nearest wrench lacks to the one asked for.
+/// Difference of the nearest wrench from the one asked for (N, N·m).
 #[derive(Serialize)]
 struct Missing {
     #[serde(rename = "missing_wrench")]

@@ -299,7 +299,7 @@ impl WorkspaceAnswer {
         self.reason.as_deref()
     }
 
-    /// What a careful reader should know.
+    /// Remarks for a careful reader.
     pub fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.reaches_bounds {

@@ -23,7 +23,7 @@ pub struct ComparisonData {
     pub data_count: usize,
     /// Parts of the samples.
     pub folds: Vec<Fold>,
-    /// Where the samples come from.
+    /// Origin of the samples.
     pub data_name: String,
     /// How validation data were chosen, in words.
     pub validation_name: String,

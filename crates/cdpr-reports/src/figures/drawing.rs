@@ -14,7 +14,7 @@ pub(super) fn title_width(lines: &[String]) -> f64 {
     lines.iter().map(|line| LETTER * line.chars().count() as f64).fold(0.0, f64::max)
 }
 
-/// Where a text stands relative to its point.
+/// Anchor of a text relative to its point.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     /// Begins there.
@@ -43,7 +43,7 @@ pub(super) struct Drawing {
     body: String,
     width: f64,
     height: f64,
-    /// What it shows, for those who cannot see it.
+    /// Description for those who cannot see it.
     label: String,
     /// Looks that only this kind of picture has.
     own_style: &'static str,

@@ -28,7 +28,7 @@ pub struct Ladder {
     pub rungs: Vec<Rung>,
     /// Best value plus one standard error.
     pub limit: f64,
-    /// What the axis shows, with its unit.
+    /// Label of the axis, with its unit.
     pub axis_label: String,
 }
 

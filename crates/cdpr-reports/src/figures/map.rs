@@ -26,7 +26,7 @@ pub struct Map {
     pub axes: [String; 2],
     /// Error of the last colour; larger ones share it.
     pub top: f64,
-    /// What the colours show, with its unit.
+    /// Label of the colours, with its unit.
     pub colour_label: String,
 }
 

@@ -11,13 +11,13 @@ const STYLE: &str = include_str!("outlines.css");
 /// Which line an outline is drawn with.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Look {
-    /// What could be reached at all: grey.
+    /// Outline of all that could be reached: grey.
     Background,
-    /// What the picture is about: thick and blue.
+    /// Outline that the picture is about: thick and blue.
     Nominal,
-    /// What it becomes to first order: dashed.
+    /// The outline moved to first order: dashed.
     FirstOrder,
-    /// What it really becomes.
+    /// The outline found anew.
     Changed,
 }
 

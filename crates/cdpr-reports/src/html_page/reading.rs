@@ -16,7 +16,7 @@ pub(crate) fn parsed(page: &str) -> roxmltree::Document<'_> {
     roxmltree::Document::parse_with_options(page, options).unwrap()
 }
 
-/// What the program of the page reads.
+/// Data block that the program of the page reads.
 pub(crate) fn data(page: &str) -> serde_json::Value {
     let page = markup(page);
     let document = parsed(&page);

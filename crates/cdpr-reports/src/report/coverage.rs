@@ -1,4 +1,4 @@
-//! What the poses of the fit cover, and how errors beyond them compare with those inside.
+//! Coverage of the fit: the box of its poses, and errors beyond it against those inside.
 
 use cdpr::identification::coverage as covered;
 use minijinja::{Value, context};

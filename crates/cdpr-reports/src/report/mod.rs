@@ -51,7 +51,7 @@ pub struct Report<'a> {
     pub folds: &'a [Fold],
     /// False where the model is judged by the data that it was fitted to.
     pub is_held_out: bool,
-    /// Where the samples come from.
+    /// Origin of the samples.
     pub data_name: &'a str,
     /// How validation data were chosen.
     pub validation_name: &'a str,
@@ -108,7 +108,7 @@ impl Report<'_> {
         }
     }
 
-    /// What the models are judged by.
+    /// Name of the data by which the models are judged.
     fn data_words(&self) -> &'static str {
         if self.is_held_out { "validation data" } else { "the data of the fit" }
     }
@@ -160,7 +160,7 @@ fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
     }
 }
 
-/// What the report is about, as pairs of words.
+/// Facts of the report, as pairs of words.
 fn facts(input: &Report<'_>) -> Value {
     let robot = input.robot;
     let name = match &robot.title {

@@ -40,7 +40,7 @@ impl Cell {
         Self { text: Value::from(text.into()), class: "number", span: 1 }
     }
 
-    /// What it shows.
+    /// Content of the table.
     pub(super) fn into_text(self) -> Value {
         self.text
     }

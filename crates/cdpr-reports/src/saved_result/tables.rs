@@ -53,7 +53,7 @@ fn optional(value: Option<f64>) -> String {
     value.map(field).unwrap_or_default()
 }
 
-/// Where a candidate's errors hold the criterion, and the name of its column.
+/// Place of the criterion among a candidate's errors, and the name of its column.
 fn criterion_path(criterion: SelectionCriterion) -> (&'static str, &'static str) {
     match criterion {
         SelectionCriterion::Rotation => ("/rotation_error_rad/mean", "rotation_mean_rad"),

@@ -90,7 +90,7 @@ pub struct ParameterAnswer {
     pub tension_max_N_per_unit: Option<f64>,
 }
 
-/// What the tolerances of the study do.
+/// Deviations that the tolerances of the study make.
 #[derive(Serialize)]
 pub struct ToleranceAnswer {
     /// Distribution of the deviations.
@@ -116,7 +116,7 @@ pub struct Linear {
     pub position_error_rms_m: f64,
 }
 
-/// What an accuracy allows.
+/// Tolerances that an accuracy allows.
 #[derive(Serialize)]
 pub struct AllowedAnswer {
     /// Required accuracy.

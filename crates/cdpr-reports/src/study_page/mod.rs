@@ -96,7 +96,7 @@ fn headline(summary: &Summary) -> String {
     }
 }
 
-/// What stands below the headline.
+/// Sentence below the headline.
 fn comparison(summary: &Summary) -> String {
     let poses = match (summary.converged, summary.samples) {
         (answered, all) if answered < all => format!("{answered} of {all} poses; the others have no answer"),
@@ -137,7 +137,7 @@ fn facts(page: &StudyPage<'_>) -> Value {
     facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
 }
 
-/// What counts as reached.
+/// Rule by which a pose counts as reached.
 fn reached_words(experiment: &Experiment) -> String {
     let most = experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
     match (most, experiment.requirements().tensions.is_some()) {

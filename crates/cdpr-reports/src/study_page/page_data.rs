@@ -19,7 +19,7 @@ const MOST_NUMBERS: usize = 25_000;
 /// The whole block.
 #[derive(Serialize)]
 struct PageData {
-    /// What kind of page this is.
+    /// Kind of page.
     page: &'static str,
     name: String,
     robot: RobotData,
@@ -59,7 +59,7 @@ struct SampleData {
     points: PointData,
 }
 
-/// What was found at every pose of a list; null where nothing was.
+/// Findings at every pose of a list; null where there is none.
 #[derive(Serialize)]
 struct PointData {
     error_m: Vec<Option<Vec<f64>>>,
@@ -77,7 +77,7 @@ struct RegionData {
     name: String,
     /// Axes of the robot that the two of the grid run along, from 0.
     plane: [usize; 2],
-    /// Where a slice through space lies (m); null in the plane of a planar robot.
+    /// Coordinate of a slice through space (m); null in the plane of a planar robot.
     level_m: Option<f64>,
     axes: Vec<Nodes>,
     #[serde(flatten)]

@@ -25,13 +25,13 @@ const SAME_LEVEL: f64 = 1e-6;
 
 /// A part of a plane.
 pub(super) struct Region {
-    /// What it is a region of.
+    /// Name for readers.
     pub(super) name: String,
     /// The plane that it lies in, of a spatial robot.
     pub(super) slice: Option<Slice>,
     /// Nodes along the two axes.
     pub(super) axes: Vec<Nodes>,
-    /// What a control model and a machine make of every node, the first axis running fastest.
+    /// Outcome of control model and machine at every node, the first axis running fastest.
     pub(super) samples: Vec<Sample>,
     /// Margin of the machine's wrench feasibility at every node; `None` where its limits are unknown.
     pub(super) physical: Option<Vec<f64>>,
@@ -44,7 +44,7 @@ pub(super) struct Region {
 pub(super) struct Slice {
     /// The axis across, from 0.
     pub(super) axis: usize,
-    /// Where it is cut (m).
+    /// Coordinate of the cut (m).
     pub(super) level: f64,
 }
 
@@ -56,7 +56,7 @@ impl Slice {
 }
 
 impl Region {
-    /// What it is, for readers.
+    /// Description for readers.
     pub(super) fn statement(&self) -> String {
         let [first, second] = [self.axes[0], self.axes[1]];
         format!(
@@ -156,7 +156,7 @@ fn widened(ends: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
     (more > 0.0 && more.is_finite()).then(|| ends.map(|[low, high]| [low - more, high + more]))
 }
 
-/// Where a pose has two components to choose.
+/// Axes of poses with two components to choose.
 struct Plane<'a> {
     experiment: &'a Experiment,
     slice: Option<Slice>,

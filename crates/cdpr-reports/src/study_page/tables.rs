@@ -34,7 +34,7 @@ pub struct ErrorRow {
     pub error: PoseErrorStatistics,
 }
 
-/// What a field's statistics are about, in the order of all tables.
+/// Subjects of a field's statistics, in the order of all tables.
 pub fn error_rows(summary: &Summary) -> [ErrorRow; 4] {
     let millimetres = |name, error| ErrorRow { name, unit: "mm", factor: 1e3, error };
     [

@@ -25,7 +25,7 @@ pub(super) struct Axis {
     pub(super) nodes: Nodes,
 }
 
-/// What was found at a node.
+/// Finding at a node.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) verdict: Verdict,
@@ -46,7 +46,7 @@ pub(super) struct InterpolationError {
 /// The grid, first axis running fastest.
 pub(super) struct Grid {
     pub(super) axes: Vec<Axis>,
-    /// What all nodes have in common across the axes (world, m).
+    /// Position that all nodes share across the axes (world, m).
     pub(super) base: Vector3<f64>,
     pub(super) nodes: Vec<Node>,
     pub(super) interpolation: Option<InterpolationError>,
@@ -117,7 +117,7 @@ impl Grid {
         (cells > 0).then(|| InterpolationError { cells, mean, largest: found.iter().copied().fold(0.0, f64::max) })
     }
 
-    /// What the grid is, for readers.
+    /// Description of the grid for readers.
     pub(super) fn statement(&self) -> String {
         let joined = |of: &dyn Fn(&Axis) -> String| self.axes.iter().map(of).collect::<Vec<_>>().join(" × ");
         let counts = joined(&|axis| axis.nodes.count.to_string());

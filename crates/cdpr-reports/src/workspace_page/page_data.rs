@@ -14,7 +14,7 @@ use crate::html_page::{Nodes, digits, inside_script, plain};
 /// The whole block.
 #[derive(Serialize)]
 struct PageData {
-    /// What kind of page this is.
+    /// Kind of page.
     page: &'static str,
     robot: RobotData,
     criterion: CriterionData,
@@ -112,7 +112,7 @@ pub(super) struct RegionData {
     outlines_m: Vec<Vec<[f64; 2]>>,
 }
 
-/// What pages of earlier versions did not say: most of them held hulls.
+/// Method of pages of earlier versions, which did not say it: most of them held hulls.
 fn hull() -> String {
     "hull".to_owned()
 }

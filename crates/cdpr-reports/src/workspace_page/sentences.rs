@@ -54,7 +54,7 @@ fn number_length(text: &str) -> usize {
 mod tests {
     use super::*;
 
-    /// What the program of the page does.
+    /// Counterpart of the page's program.
     fn joined(sentence: &str, numbers: &str) -> String {
         let mut numbers = numbers.split(' ');
         let mut text = String::new();

@@ -14,7 +14,7 @@ use cdpr::workspace::mesh::Field;
 use super::*;
 use crate::html_page::reading::{assert_stands_alone, data, markup};
 
-/// What a page is made of.
+/// Ingredients of a page.
 struct Case {
     model: Model,
     load: Load,

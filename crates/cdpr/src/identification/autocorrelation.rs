@@ -1,4 +1,4 @@
-//! How much consecutive samples repeat each other.
+//! Autocorrelation of consecutive samples: the number of independent ones among them.
 
 /// Lag-one autocorrelation of a series, 0 for fewer than three values or a constant series.
 pub(super) fn lag_one(series: &[f64]) -> f64 {

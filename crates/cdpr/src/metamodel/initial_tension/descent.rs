@@ -17,7 +17,7 @@ const DIFFERENCE: f64 = 1e-4;
 const SETTLED: f64 = 1e-7;
 /// Ends nearer to each other than this share of the range are one optimum.
 const AGREEING: f64 = 1e-4;
-/// How much more the fit counts than the way from one step to the next, in squared tensions.
+/// Weight of the fit beside the way from one step to the next, in squared tensions.
 const WEIGHT: f64 = 100.0;
 /// Part of the largest curvature that keeps what the poses do not determine where it is.
 const RIDGE: f64 = 1e-9;

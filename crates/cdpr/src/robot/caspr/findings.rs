@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::reading::Element;
 
-/// How much of an element the robot lacks.
+/// Share of an element that the robot lacks: all that acts, a part, or nothing that acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -20,7 +20,7 @@ pub enum Loss {
 /// An element that the robot does not hold, or not wholly.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
-    /// How much is lacking.
+    /// Share that is lacking.
     pub loss: Loss,
     /// Name of the XML element.
     pub element: String,
