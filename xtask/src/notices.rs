@@ -57,7 +57,8 @@ fn text(root: &Path) -> Result<String, String> {
     let packages = linked(root)?;
     let list = |text: &Text| -> Result<String, String> {
         let own = packages.iter().filter(|package| package.licence == text.licence);
-        Ok(own.map(|package| notice(package, text)).collect::<Result<Vec<_>, _>>()?.concat())
+        let whole = |package| Ok::<_, String>(notice(package, text)? + &terms_besides(package)?);
+        Ok(own.map(whole).collect::<Result<Vec<_>, _>>()?.concat())
     };
     Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown].concat())
 }
@@ -93,6 +94,14 @@ fn notice(package: &Package, usual: &Text) -> Result<String, String> {
     let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| is_copyright(line)).collect();
     let lines = if lines.is_empty() { vec![authors(package)?] } else { lines.into_iter().map(str::to_owned).collect() };
     Ok(format!("{}\n    {}\n", package.title, lines.join("\n    ")))
+}
+
+/// Terms that a package has beside those of its licence, in its words.
+fn terms_besides(package: &Package) -> Result<String, String> {
+    let Some(file) = package.besides else { return Ok(String::new()) };
+    let text = read(&package.folder.join(file))?;
+    let lines: Vec<String> = text.lines().map(|line| format!("    {line}").trim_end().to_owned()).collect();
+    Ok(format!("and, for parts of it, in these words:\n{}\n", lines.join("\n").trim_end()))
 }
 
 /// The file with the terms of the package's licence, the one named after it first, and these terms.

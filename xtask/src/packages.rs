@@ -15,6 +15,9 @@ pub(crate) enum Licence {
     Apache,
 }
 
+/// A licence that adds terms to one of ours, looked at by a person, and the file with these terms.
+const BESIDES: [(&str, Licence, &str); 1] = [("(Apache-2.0 OR MIT) AND BSD-3-Clause", Licence::Mit, "LICENSE-WHATWG")];
+
 /// A package of the registry.
 #[derive(Clone, Debug)]
 pub(crate) struct Package {
@@ -24,6 +27,8 @@ pub(crate) struct Package {
     pub(crate) licence: Licence,
     /// Where its sources are.
     pub(crate) folder: PathBuf,
+    /// The file with terms beside those of the licence.
+    pub(crate) besides: Option<&'static str>,
 }
 
 /// All packages linked into `cdpr`, by name; complains of licences outside the list.
@@ -37,14 +42,15 @@ pub(crate) fn linked(root: &Path) -> Result<Vec<Package>, String> {
     let (mut packages, mut refused) = (Vec::new(), Vec::new());
     for (name, version, licences) in listed(&tree) {
         let title = format!("{name} {version}");
-        let Some(licence) = chosen(licences) else {
+        let looked_at = BESIDES.iter().find(|(name, ..)| *name == licences);
+        let Some(licence) = looked_at.map(|(_, licence, _)| *licence).or_else(|| chosen(licences)) else {
             refused.push(format!("{title} has the licence `{licences}`, which nobody has looked at"));
             continue;
         };
         let manifest = format!("/{name}-{version}");
         let folder = folders.iter().find(|folder| folder.to_string_lossy().replace('\\', "/").ends_with(&manifest));
         let folder = folder.ok_or_else(|| format!("cargo does not say where {title} is"))?.clone();
-        packages.push(Package { title, licence, folder });
+        packages.push(Package { title, licence, folder, besides: looked_at.map(|(.., file)| *file) });
     }
     if refused.is_empty() { Ok(packages) } else { Err(refused.join("\n")) }
 }

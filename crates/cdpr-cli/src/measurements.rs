@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use cdpr::measurement::{Samples, SensorSigmas, Sidecar};
+use cdpr::measurement::{MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
 use cdpr::model::Model;
 use cdpr::reading::Size;
 use clap::Args;
@@ -14,16 +14,53 @@ use crate::files;
 use crate::inputs::IDEAL_WINCH;
 use crate::numbers::number_from_zero;
 
-/// `DATA` and `--sigma`.
+/// `DATA` and the options that say how measurement files are read.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct DataArguments {
-    /// Measurements (CSV, 256 MiB at most); sensor accuracies are read from the file beside it with the ending .meta.toml, if there is one.
+    /// Measurements (CSV, 256 MiB at most; commas, semicolons or tabs, decimal commas with the latter two; UTF-8, UTF-16 or Latin-1); sensor
+    /// accuracies and column names are read from the file beside it with the ending .meta.toml, if there is one.
     #[arg(value_name = "DATA")]
     data: PathBuf,
 
     /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N.
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     sigma: Vec<SigmaOption>,
+
+    /// Columns of the file by the names that measurements have, e.g. x_m=X_world,cable_length_m_1=l1; before those of the sidecar.
+    #[arg(long, value_name = "NAME=COLUMN,…", value_delimiter = ',')]
+    columns: Vec<ColumnOption>,
+
+    /// Leave out rows with gaps, text or quaternions that are none, and count them; otherwise they are mistakes.
+    #[arg(long)]
+    skip_invalid: bool,
+
+    /// Poses from this log of a tracker, interpolated at the times (t_s) of DATA, on the same clock.
+    #[arg(long, value_name = "FILE")]
+    merge: Option<PathBuf>,
+
+    /// Longest gap of the tracker's log that is interpolated (s). Default: three of its typical intervals.
+    #[arg(long, value_name = "SECONDS", requires = "merge", value_parser = number_from_zero)]
+    merge_gap: Option<f64>,
+
+    /// Average the rows of poses held for a second or more (by t_s); where fewer than two are held, of short pieces of the motion.
+    #[arg(long = "static")]
+    at_rest: bool,
+}
+
+/// One entry of `--columns`, e.g. `x_m=X_world`.
+#[derive(Clone, Debug)]
+struct ColumnOption {
+    name: String,
+    column: String,
+}
+
+impl FromStr for ColumnOption {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (name, column) = text.split_once('=').ok_or("write NAME=COLUMN, e.g. x_m=X_world")?;
+        Ok(Self { name: name.trim().to_owned(), column: column.trim().to_owned() })
+    }
 }
 
 /// One entry of `--sigma`, e.g. `position_m=0.001`.
@@ -64,14 +101,12 @@ impl FromStr for SigmaOption {
 impl DataArguments {
     /// The samples, with the accuracies of the sidecar and then those of the command line.
     pub(crate) fn read(&self, model: &Model, output: &Output) -> Result<Samples, Failure> {
-        self.read_other(&self.data, model, output)
+        self.read_file(&self.data, self.merge.as_deref(), model, output)
     }
 
-    /// Another data set, with the same accuracies of the command line.
+    /// Another data set, whole in one file, with the same options of the command line.
     pub(crate) fn read_other(&self, path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
-        let mut samples = read_samples(path, model, output)?;
-        self.sigma.iter().for_each(|option| option.apply(&mut samples.sigmas));
-        Ok(samples)
+        self.read_file(path, None, model, output)
     }
 
     /// The measurement file.
@@ -79,10 +114,76 @@ impl DataArguments {
         &self.data
     }
 
+    /// The tracker's log that DATA is merged with.
+    pub(crate) fn merged_path(&self) -> Option<&Path> {
+        self.merge.as_deref()
+    }
+
     /// The name of the file for people.
     pub(crate) fn name(&self) -> String {
         self.data.display().to_string()
     }
+
+    /// Reads a measurement file, the log it is merged with, and their sidecars; remarks of the reader go to stderr. Motor angles
+    /// become the lengths of the model's winches.
+    fn read_file(&self, path: &Path, merge: Option<&Path>, model: &Model, output: &Output) -> Result<Samples, Failure> {
+        let (source, robot) = (self.source(path)?, model.robot());
+        let track = merge.map(|path| self.source(path)).transpose()?;
+        let reading = match &track {
+            Some(track) => source.file().merged_with(&track.file(), robot, self.merge_gap)?,
+            None => source.file().samples(robot)?,
+        };
+        reading.notices.iter().for_each(|notice| output.remark(notice));
+        let name = &source.name;
+        let mut samples =
+            model.with_lengths(&reading.samples).map_err(|error| Failure::refused(name, &error))?.into_owned();
+        if samples.motor_angles.is_some() && !model.composition().drum {
+            output.remark(&format!("{name}: {IDEAL_WINCH}"));
+        }
+        samples.sigmas = source.sigmas;
+        if let Some(track) = track {
+            // a tracker's sidecar speaks of its poses
+            samples.sigmas.position = track.sigmas.position.or(samples.sigmas.position);
+            samples.sigmas.rotation = track.sigmas.rotation.or(samples.sigmas.rotation);
+        }
+        self.sigma.iter().for_each(|option| option.apply(&mut samples.sigmas));
+        if self.at_rest { at_rest(&samples, name, model, output) } else { Ok(samples) }
+    }
+
+    /// A file with its sidecar, and the options for it.
+    fn source(&self, path: &Path) -> Result<Source, Failure> {
+        let name = path.display().to_string();
+        let sidecar_path = path.with_extension("meta.toml");
+        let sidecar = match files::read_if_there(&sidecar_path, Size::Text)? {
+            Some(bytes) => Sidecar::from_toml_bytes(&bytes, &sidecar_path.display().to_string())?,
+            None => Sidecar::default(),
+        };
+        let mut columns = sidecar.columns;
+        columns.extend(self.columns.iter().map(|option| (option.name.clone(), option.column.clone())));
+        let options = ReadingOptions { columns, skip_invalid: self.skip_invalid };
+        Ok(Source { bytes: files::read(path, Size::Table)?, name, options, sigmas: sidecar.sigmas })
+    }
+}
+
+/// A measurement file with all that is known about it.
+struct Source {
+    bytes: Vec<u8>,
+    name: String,
+    options: ReadingOptions,
+    sigmas: SensorSigmas,
+}
+
+impl Source {
+    fn file(&self) -> MeasurementFile<'_> {
+        MeasurementFile { bytes: &self.bytes, name: &self.name, options: &self.options }
+    }
+}
+
+/// Samples at rest, and a remark on what they are means of.
+fn at_rest(samples: &Samples, name: &str, model: &Model, output: &Output) -> Result<Samples, Failure> {
+    let at_rest = samples.at_rest(model.robot()).map_err(|error| Failure::refused(name, &error))?;
+    output.remark(&format!("{name}: {at_rest}"));
+    Ok(at_rest.samples)
 }
 
 impl SigmaOption {
@@ -95,22 +196,4 @@ impl SigmaOption {
         };
         *place = Some(self.sigma);
     }
-}
-
-/// Reads a measurement file and its sidecar; remarks of the reader go to stderr. Motor angles become the lengths of the
-/// model's winches.
-pub(crate) fn read_samples(path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
-    let name = path.display().to_string();
-    let reading = Samples::from_csv(&files::read(path, Size::Table)?, &name, model.robot())?;
-    reading.notices.iter().for_each(|notice| output.remark(notice));
-    let mut samples =
-        model.with_lengths(&reading.samples).map_err(|error| Failure::refused(&name, &error))?.into_owned();
-    if samples.motor_angles.is_some() && !model.composition().drum {
-        output.remark(&format!("{name}: {IDEAL_WINCH}"));
-    }
-    let sidecar = path.with_extension("meta.toml");
-    if let Some(bytes) = files::read_if_there(&sidecar, Size::Text)? {
-        samples.sigmas = Sidecar::from_toml_bytes(&bytes, &sidecar.display().to_string())?.sigmas;
-    }
-    Ok(samples)
 }

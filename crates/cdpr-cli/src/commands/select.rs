@@ -81,7 +81,8 @@ impl Arguments {
             None => one_file(samples, self.split, self.selection.seed)?,
         };
         let mut inputs = vec![NamedFile::new("robot", robot.to_toml())];
-        for path in [Some(self.data.path()), self.validation.as_deref()].into_iter().flatten() {
+        for path in [Some(self.data.path()), self.data.merged_path(), self.validation.as_deref()].into_iter().flatten()
+        {
             inputs.push(NamedFile::new(path.display().to_string(), files::read(path, Size::Table)?));
         }
         Ok(ComparisonData {

@@ -186,3 +186,100 @@ fn a_file_of_gigabytes_is_refused_before_it_is_read() {
         assert!(run.stderr.contains("file::too-large") && run.stderr.contains(limit), "{}", run.stderr);
     }
 }
+
+/// A measured data set copied to a folder of the test with a sidecar beside it; `None` with a word where it is not here.
+#[expect(clippy::print_stderr, reason = "a test that skips says so")]
+fn copied(set: &str, robot: &str, sidecar: &str) -> Option<tempfile::TempDir> {
+    let shared = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let samples = shared.join("measurements").join(set).join("samples.csv");
+    if !samples.is_file() {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "CI must have {}", samples.display());
+        eprintln!("skipped: {} is not here (its licence forbids a copy in the repository)", samples.display());
+        return None;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(samples, folder.path().join("data.csv")).unwrap();
+    std::fs::copy(shared.join("robots").join(format!("{robot}.toml")), folder.path().join("robot.toml")).unwrap();
+    std::fs::write(folder.path().join("data.meta.toml"), format!("layout_version = 1\n{sidecar}")).unwrap();
+    Some(folder)
+}
+
+#[test]
+fn the_georgia_tech_data_are_read_as_they_are_with_a_sidecar_that_names_the_time() {
+    let sidecar = "[columns]\nt_s = \"t_log_s\"\n";
+    let Some(folder) = copied("gtcable-concentric-diamonds", "gtcable-planar", sidecar) else { return };
+    let free = "--free frame-anchor,length-offset,length-scale";
+    let run = cdpr_in(folder.path(), &format!("identify robot.toml data.csv {free} --format json"));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    // the README of the data: 1.84 mm over all rows
+    let rms = run.json()["train"]["length_error_m"]["rms"].as_f64().unwrap();
+    assert!((rms / 0.00184 - 1.0).abs() < 0.01, "{rms}");
+    assert!(!run.stderr.contains("t_log_s"), "{}", run.stderr);
+    // the robot pauses between its strokes, and moves at 1 m/s otherwise
+    let at_rest = cdpr_in(folder.path(), "evaluate robot.toml data.csv --static --format json").json();
+    let words = at_rest["warnings"].to_string();
+    assert!(words.contains("poses are held") || words.contains("quasi-static samples"), "{words}");
+    assert!(at_rest["samples"].as_u64().unwrap() < 1000, "{}", at_rest["samples"]);
+}
+
+/// A platform that swings on locked winches: lengths that never change cannot tell where anchors are, and the answer says so.
+#[test]
+fn the_swinging_irma4u_is_read_as_it_is_and_gets_an_honest_answer() {
+    let columns: String = (1..=4).map(|k| format!("cable_length_m_{k} = \"cable_length_change_m_{k}\"\n")).collect();
+    let sigmas = "[sigmas]\nposition_m = 0.0003\nrotation_rad = 0.001\nlength_m = 0.00002\n";
+    let sidecar = format!("[columns]\n{columns}{sigmas}");
+    let Some(folder) = copied("irma4u-freemotion-vicon", "irma4u-lab3", &sidecar) else { return };
+    let free = "--free frame-anchor,platform-anchor,length-offset";
+    let run = cdpr_in(folder.path(), &format!("identify robot.toml data.csv {free} --format json"));
+    let answer = run.json();
+    assert_eq!(answer["train"]["samples"], 4942, "{}", run.stderr);
+    assert!(answer["reason"].as_str().unwrap().contains("weakly"), "{}", answer["reason"]);
+    assert_eq!(answer["weak_directions"].as_array().unwrap().len(), 4, "anchor and offset of each cable");
+}
+
+/// Whatever reads measurements takes the same options.
+#[test]
+fn every_command_that_reads_measurements_takes_the_options_of_dirty_files() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let text = samples_with(0.1).replace("x_m,", "X,").replacen("2,2,", "2,,", 1);
+    std::fs::write(folder.path().join("data.csv"), text).unwrap();
+    for command in ["evaluate square.toml", "identify square.toml", "select square.toml"] {
+        let free = if command.starts_with("identify") { "--free length-offset" } else { "" };
+        let run =
+            cdpr_in(folder.path(), &format!("{command} data.csv {free} --columns x_m=X --skip-invalid --format json"));
+        assert_eq!(run.exit_code, 0, "{command}: {}", run.stderr);
+        let warnings = run.json()["warnings"].to_string();
+        assert!(
+            warnings.contains("data.csv: 1 of 25 rows are left out (--skip-invalid): 1 such as line 2"),
+            "{warnings}"
+        );
+        let refused = cdpr_in(folder.path(), &format!("{command} data.csv {free} --columns x_m=X"));
+        assert!(refused.exit_code == 2 && refused.stderr.contains("--> data.csv:2:3"), "{}", refused.stderr);
+    }
+}
+
+/// Lengths of one log, poses of another on the same clock, half as often.
+#[test]
+fn a_log_without_poses_is_refused_and_merged_with_that_of_a_tracker() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let (mut log, mut track) = ("t_s,L1,L2,L3,L4\n".to_owned(), "t_s;x_m;z_m\n".to_owned());
+    for (k, line) in samples_with(0.1).lines().skip(1).enumerate() {
+        let fields: Vec<&str> = line.split(',').collect();
+        writeln!(log, "{k},{}", fields[2..6].join(",")).unwrap();
+        track += &format!("{k};{};{}\n", fields[0], fields[1]);
+    }
+    std::fs::write(folder.path().join("log.csv"), log).unwrap();
+    std::fs::write(folder.path().join("tracker.csv"), track).unwrap();
+    let columns = "--columns cable_length_m_1=L1,cable_length_m_2=L2,cable_length_m_3=L3,cable_length_m_4=L4";
+    let refused = cdpr_in(folder.path(), &format!("identify square.toml log.csv --free length-offset {columns}"));
+    assert_eq!(refused.exit_code, 2);
+    assert!(refused.stderr.contains("csv::no-poses") && refused.stderr.contains("--merge"), "{}", refused.stderr);
+    let run = cdpr_in(
+        folder.path(),
+        &format!("identify square.toml log.csv --merge tracker.csv --free length-offset {columns} --format json"),
+    );
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    for parameter in run.json()["parameters"].as_array().unwrap() {
+        assert!((parameter["value"].as_f64().unwrap() - 0.1).abs() < 1e-9, "{parameter}");
+    }
+}

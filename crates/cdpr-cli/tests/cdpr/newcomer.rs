@@ -20,15 +20,51 @@ fn assert_answered(run: &Run, place: &str, words: &[&str]) {
     words.iter().for_each(|word| assert!(text.contains(word), "`{word}` is missing in:\n{text}"));
 }
 
+/// What spreadsheets write in countries with a decimal comma gives the answer of the plain file, and the way it was read is said.
 #[test]
-fn a_spreadsheet_with_semicolons_tabs_or_utf_16_is_told_how_to_save_it() {
+fn a_spreadsheet_with_semicolons_tabs_decimal_commas_utf_16_or_latin_1_is_read_as_it_is() {
     let text = format!("{HEADER}{ROW}");
+    let plain = evaluated(&text).stdout;
     let german = text.replace(',', ";").replace('.', ",");
-    assert_answered(&evaluated(&german), "data.csv:1:4", &["separated by `;`", "sed 's/,/./g; s/;/,/g'"]);
-    assert_answered(&evaluated(format!("\u{feff}{german}").replace('\n', "\r\n")), "data.csv:1:4", &["separated by"]);
-    assert_answered(&evaluated(text.replace(',', "\t")), "data.csv:1:4", &["separated by tabs"]);
-    let utf_16: Vec<u8> = [0xff, 0xfe].into_iter().chain(text.bytes().flat_map(|byte| [byte, 0])).collect();
-    assert_answered(&evaluated(utf_16), "data.csv:1:1", &["UTF-16", "save the file as UTF-8"]);
+    let utf_16 = |text: &str| -> Vec<u8> {
+        [0xff, 0xfe].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+    };
+    let named = german.replacen("4\n", "4;Gr\u{f6}\u{df}e\n", 1).replacen("403\n", "403;\u{e4}\n", 1);
+    let latin: Vec<u8> = named.chars().map(|character| character as u8).collect();
+    for (data, remark) in [
+        (german.clone().into_bytes(), "data.csv: read as ; separated with decimal commas"),
+        (format!("\u{feff}{german}").replace('\n', "\r\n").into_bytes(), "read as ; separated with decimal commas"),
+        (text.replace(',', ";").into_bytes(), "data.csv: read as ; separated"),
+        (text.replace(',', "\t").into_bytes(), "data.csv: read as tab separated"),
+        (german.replace(';', "\t").into_bytes(), "data.csv: read as tab separated with decimal commas"),
+        (utf_16(&text), "data.csv: read as UTF-16"),
+        (utf_16(&german), "data.csv: read as ; separated with decimal commas, UTF-16"),
+        (latin, "data.csv: read as ; separated with decimal commas, Latin-1"),
+        (format!("# May\n{}", text.replace('\n', "\n# pause\n")).into_bytes(), ""),
+    ] {
+        let run = evaluated(&data);
+        assert_eq!((run.exit_code, &run.stdout), (0, &plain), "{}", run.stderr);
+        assert!(run.stderr.contains(remark), "`{remark}` is missing in: {}", run.stderr);
+    }
+}
+
+/// The other decimal mark, or one of thousands, is not guessed at.
+#[test]
+fn a_number_with_another_mark_than_the_first_one_is_placed_where_it_stands() {
+    let german = format!("# May\n{HEADER}{ROW}").replace(',', ";").replace('.', ",");
+    for (wrong, place, words) in [
+        ("5;4;6.403;6,403;6,403;6,403\n", "data.csv:4:5", "line 3 has a decimal comma"),
+        ("5;4;6,403;1.006,403;6,403;6,403\n", "data.csv:4:11", "none a separator of thousands"),
+        ("5;4;6,403;;6,403;6,403\n", "data.csv:4:11", "`cable_length_m_2` is empty"),
+    ] {
+        assert_answered(&evaluated(format!("{german}{wrong}")), place, &[words]);
+    }
+    let english = german.replace("6,403", "6.403");
+    assert_answered(
+        &evaluated(format!("{english}5;4;6.403;6,403;6.403;6.403\n")),
+        "data.csv:4:11",
+        &["`6,403` is not a number", "line 3 has a decimal point"],
+    );
 }
 
 #[test]
@@ -65,7 +101,6 @@ fn a_column_that_is_nearly_named_right_is_shown_with_its_right_name() {
             "data.csv:1:9",
             ["the unit `cm` is not known", "`cable_length_mm_1`"],
         ),
-        (format!("# May\n{HEADER}"), "data.csv:1:1", ["is a comment", "remove the lines above"]),
     ] {
         assert_answered(&evaluated(wrong + ROW), place, &words);
     }

@@ -10,6 +10,7 @@ impl ErrorCode for DataError {
     fn code(&self) -> &'static str {
         match self {
             Self::AllEqual { .. } => "data::all-equal",
+            Self::NoTimes => "data::no-times",
             Self::DifferentCables { .. } => "data::cable-count",
         }
     }

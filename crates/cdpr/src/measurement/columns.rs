@@ -16,6 +16,8 @@ pub(super) enum Quantity {
     Angle,
     /// Length of a cable, from 0.
     Length(usize),
+    /// Length of a cable counted from one unknown pose, from 0.
+    LengthChange(usize),
     /// Motor angle of a cable's winch, from 0.
     MotorAngle(usize),
     /// Tension of a cable, from 0.
@@ -24,6 +26,13 @@ pub(super) enum Quantity {
     Set,
     /// Time.
     Time,
+}
+
+impl Quantity {
+    /// Whether it is one of the platform's pose.
+    pub(super) fn is_of_pose(self) -> bool {
+        matches!(self, Self::Position(_) | Self::Quaternion(_) | Self::Euler(_) | Self::Angle)
+    }
 }
 
 /// A column name that some quantity claims.
@@ -83,6 +92,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
         }
     }
     for (stem, units, build) in [
+        ("cable_length_change", LENGTH_UNITS, Quantity::LengthChange as fn(usize) -> Quantity),
         ("cable_length", LENGTH_UNITS, Quantity::Length as fn(usize) -> Quantity),
         ("motor_angle", ANGLE_UNITS, Quantity::MotorAngle as fn(usize) -> Quantity),
         ("tension", TENSION_UNITS, Quantity::Tension as fn(usize) -> Quantity),
@@ -119,6 +129,7 @@ mod tests {
         assert_eq!(found("tension_kN_1"), Some((Quantity::Tension(0), 1e3)));
         assert_eq!(found("motor_angle_rad_3"), Some((Quantity::MotorAngle(2), 1.0)));
         assert_eq!(found("t_s"), Some((Quantity::Time, 1.0)));
+        assert_eq!(found("cable_length_change_m_2"), Some((Quantity::LengthChange(1), 1.0)));
         for unclaimed in ["t_log_s", "mocap_gap_s", "x_controller_estimate_m", "cable_length_m", "swivel_rad_1", ""] {
             assert_eq!(found(unclaimed), None, "{unclaimed}");
         }

@@ -1,15 +1,6 @@
-//! Guesses at the meaning of a first line that does not name the columns as they are read.
+//! Guesses at the meaning of column names that are not those that are read.
 
 use crate::reading::did_you_mean;
-
-/// A mistake in the first line: where it starts (character, from 1), what it is and how it is mended.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct HeaderMistake {
-    pub(super) column: usize,
-    pub(super) width: usize,
-    pub(super) message: String,
-    pub(super) help: String,
-}
 
 /// Other words that laboratories write for a quantity; in lower case, letters and digits only.
 const SYNONYMS: &[(&str, &[&str])] = &[
@@ -30,33 +21,6 @@ const SYNONYMS: &[(&str, &[&str])] = &[
 
 /// Units that stand in names, whether they are read or not.
 const UNITS: &[&str] = &["", "m", "mm", "cm", "rad", "deg", "n", "kn"];
-
-/// Mistake that keeps the first line from being read at all: a comment, or another separator than the comma.
-pub(super) fn of_first_line(line: &str) -> Option<HeaderMistake> {
-    if line.trim_start().starts_with('#') {
-        return Some(HeaderMistake {
-            column: 1,
-            width: line.chars().count(),
-            message: "the first line is a comment; it must name the columns".to_owned(),
-            help: "remove the lines above the column names".to_owned(),
-        });
-    }
-    let (separator, name) = [(';', "`;`"), ('\t', "tabs")].into_iter().find(|(separator, _)| {
-        let count = |character| line.matches(character).count();
-        count(*separator) > count(',')
-    })?;
-    let column = line.chars().position(|character| character == separator).map_or(1, |index| index + 1);
-    let from = if separator == ';' { ";" } else { "\\t" };
-    Some(HeaderMistake {
-        column,
-        width: 1,
-        message: format!("the fields are separated by {name}; commas separate fields here, and a point the decimals"),
-        help: format!(
-            "save it with English number formats, or replace decimal commas, then separators: \
-             sed 's/,/./g; s/{from}/,/g' data.csv > data-comma.csv"
-        ),
-    })
-}
 
 /// The unclaimed column that probably is the missing one of this name, e.g. `cable_length_1` or `L1 [mm]`.
 pub(super) fn probably_meant<'a>(missing: &str, unclaimed: &[&'a str]) -> Option<&'a str> {
@@ -126,14 +90,5 @@ mod tests {
         ] {
             assert_eq!(in_its_unit(missing, meant), named);
         }
-    }
-
-    #[test]
-    fn another_separator_and_a_comment_are_seen() {
-        let mistake = of_first_line("x_m;y_m;cable_length_m_1").unwrap();
-        assert_eq!((mistake.column, mistake.width), (4, 1));
-        assert!(of_first_line("x_m\ty_m").unwrap().message.contains("tabs"));
-        assert!(of_first_line("# campaign of May").unwrap().message.contains("comment"));
-        assert_eq!(of_first_line("x_m,y_m,remark; and more"), None);
     }
 }

@@ -5,11 +5,14 @@ mod csv_reading;
 mod csv_writing;
 mod header_mistakes;
 mod magnitudes;
+mod pose_track;
 mod samples;
 mod sidecar;
 mod split;
+mod standing;
 
-pub use csv_reading::{Reading, poses_from_csv};
+pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};
 pub use samples::{DataError, Samples, SensorSigmas};
 pub use sidecar::{Frames, Provenance, Sidecar, schema};
 pub use split::{Fold, Split, SplitError};
+pub use standing::StaticSamples;

@@ -26,6 +26,8 @@ pub struct Samples {
     pub set: Option<Vec<String>>,
     /// Time of each sample (s), increasing order not required.
     pub time: Option<Vec<f64>>,
+    /// Line of each sample in its file, from 1; `None` for samples of no file.
+    pub lines: Option<Vec<usize>>,
     /// How accurate the sensors are, where known.
     pub sigmas: SensorSigmas,
 }
@@ -59,6 +61,9 @@ pub enum DataError {
         /// Number of samples.
         samples: usize,
     },
+    /// No times where a log is to be cut by them.
+    #[error("poses at rest are found by time, and the samples have none (column t_s)")]
+    NoTimes,
     /// Sets of different robots.
     #[error("the data sets have {first} and {second} cables; they must be of the same robot")]
     DifferentCables {
@@ -96,6 +101,7 @@ impl Samples {
             cable_count: first,
             set: None,
             time: joined(&self.time, &other.time),
+            lines: self.lines.as_ref().zip(other.lines.as_ref()).map(|(a, b)| [a.as_slice(), b].concat()),
             sigmas: self.sigmas,
         })
     }
@@ -134,6 +140,7 @@ impl Samples {
             cable_count: self.cable_count,
             set: self.set.as_ref().map(|set| indices.iter().map(|&i| set[i].clone()).collect()),
             time: self.time.as_ref().map(|time| indices.iter().map(|&i| time[i]).collect()),
+            lines: self.lines.as_ref().map(|lines| indices.iter().map(|&i| lines[i]).collect()),
             sigmas: self.sigmas,
         }
     }

@@ -3,10 +3,12 @@
 //! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
 
 mod file;
+mod table_text;
 mod toml_document;
 mod xml_document;
 
 pub use file::{FileError, bytes_of};
+pub(crate) use table_text::table_text;
 pub use toml_document::{Step, TomlDocument};
 pub(crate) use xml_document::{Element, XmlDocument, numbers};
 

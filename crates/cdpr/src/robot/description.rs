@@ -317,6 +317,14 @@ impl Robot {
         }
     }
 
+    /// Diagonal of the box of the frame anchors (m): the size of the robot.
+    pub fn anchor_diagonal(&self) -> f64 {
+        let anchors = || self.cables.iter().map(|cable| cable.frame_anchor);
+        let Some(first) = anchors().next() else { return 0.0 };
+        let (low, high) = anchors().fold((first, first), |(low, high), anchor| (low.inf(&anchor), high.sup(&anchor)));
+        (high - low).norm()
+    }
+
     /// The home pose, or the middle of the frame anchors with the platform unturned when the file gives none.
     pub fn home_or_middle(&self) -> Pose {
         self.home.unwrap_or_else(|| {

@@ -1,6 +1,8 @@
 //! Complaints about a measurement file: mistake, place, and how to mend it.
 
-use super::rows::{Columns, CsvFile, Row};
+use super::content::Columns;
+use super::layout::Decimals;
+use super::rows::{CsvFile, Row};
 use crate::geometry::MotionPattern;
 use crate::measurement::columns::{Quantity, meaning, position_columns};
 use crate::measurement::header_mistakes;
@@ -11,18 +13,14 @@ impl CsvFile<'_> {
         ReadError::new(self.file_name, code, message)
     }
 
-    pub(super) fn first_line(&self) -> &str {
-        self.text.lines().next().unwrap_or_default()
-    }
-
     pub(super) fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
         // the line as a whole: carets under all of it would say no more
-        self.error(code, message).at(Place::on_line(self.first_line(), 1, 1, 1))
+        self.error(code, message).at(Place::on_line(self.layout.header, self.layout.header_line, 1, 1))
     }
 
     /// An error at a field: the column counts characters of the line, as an editor does.
     pub(super) fn at(&self, row: &Row<'_>, index: usize, code: &'static str, message: impl Into<String>) -> ReadError {
-        let source = self.text.lines().nth(row.line.saturating_sub(1)).unwrap_or_default();
+        let source = self.text.get(row.start..).and_then(|rest| rest.lines().next()).unwrap_or_default();
         // fields without quotes stand as they are read; with quotes the place is the best guess
         let width_of = |field: &[u8]| String::from_utf8_lossy(field).chars().count();
         let before: usize = row.record.iter().take(index).map(|field| width_of(field) + 1).sum();
@@ -33,27 +31,30 @@ impl CsvFile<'_> {
     /// An error about the numbers of a column, at its name.
     pub(super) fn column_error(&self, columns: &Columns, quantity: Quantity, message: String) -> ReadError {
         let index = columns.get(&quantity).map_or(0, |column| column.0);
-        let fields: Vec<&str> = self.first_line().split(',').collect();
-        let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
-        let width = fields.get(index).map_or(1, |field| field.chars().count()).max(1);
-        self.error("csv::magnitude", message).at(Place::on_line(self.first_line(), 1, column, width))
+        self.error("csv::magnitude", message).at(self.header_place(index))
+    }
+
+    /// The name of a column in the header.
+    fn header_place(&self, index: usize) -> Place {
+        let (column, width) = self.layout.place_of(index);
+        Place::on_line(self.layout.header, self.layout.header_line, column, width)
     }
 
     /// The error for a column that is not there, at the column that was probably meant to be it.
     pub(super) fn missing_column(&self, name: &str) -> ReadError {
         let code = "csv::missing-column";
-        let fields: Vec<&str> = self.first_line().split(',').collect();
+        let fields = self.layout.fields();
         let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
         let unclaimed: Vec<&str> = names.iter().copied().filter(|name| matches!(meaning(name), Ok(None))).collect();
         if let Some(meant) = header_mistakes::probably_meant(name, &unclaimed) {
             let index = names.iter().position(|name| *name == meant).unwrap_or_default();
-            let column: usize = fields.iter().take(index).map(|field| field.chars().count() + 1).sum::<usize>() + 1;
-            let place = Place::on_line(self.first_line(), 1, column, fields[index].chars().count().max(1));
+            let place = self.header_place(index);
             return self
                 .error(code, format!("the column `{name}` is missing; is it this one, `{meant}`?"))
                 .at(place)
                 .with_help(format!(
-                    "name it `{}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN)",
+                    "name it `{0}`; names are in small letters with the unit at its place (also accepted: mm, deg, kN), \
+                     or keep the file and say --columns {0}='{meant}'",
                     header_mistakes::in_its_unit(name, meant)
                 ));
         }
@@ -64,6 +65,27 @@ impl CsvFile<'_> {
             robot.name,
             self.needed_columns()
         ))
+    }
+
+    /// Refuses a file in which no column is, or was meant to be, one of a pose.
+    pub(super) fn refuse_without_poses(&self) -> Result<(), ReadError> {
+        let fields = self.layout.fields();
+        let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
+        let unclaimed: Vec<&str> = names.iter().copied().filter(|name| matches!(meaning(name), Ok(None))).collect();
+        let positions = position_columns(self.robot, "m");
+        if positions.iter().any(|name| header_mistakes::probably_meant(name, &unclaimed).is_some()) {
+            return Ok(());
+        }
+        let message = "the file has no poses: parameters are found by comparing recorded lengths with measured poses, \
+                       and self-calibration, which does without, is not there yet";
+        let help = format!(
+            "give the tracker's log with --merge FILE, or say which columns are the pose with --columns {}=…; \
+             robot \"{}\" needs {}",
+            positions.join("=…,"),
+            self.robot.name,
+            self.needed_columns()
+        );
+        Err(self.header_error("csv::no-poses", message).with_help(help))
     }
 
     /// The columns that data of this robot must have, for people.
@@ -92,6 +114,26 @@ impl CsvFile<'_> {
         self.at(row, found.min(expected).saturating_sub(1), "csv::ragged-row", message).with_help(help)
     }
 
+    /// How to mend a field that is not a number.
+    pub(super) fn help_for_text(&self, written: &str, row: &Row<'_>, decimals: Decimals) -> String {
+        let is_text = |field: &[u8]| !field.iter().any(u8::is_ascii_digit);
+        if row.line == self.layout.header_line + 1 && row.record.iter().all(is_text) {
+            return "is the second line one of units? remove it: the unit is part of the column's name".to_owned();
+        }
+        let (mark, other) = if decimals.mark == b',' { ("comma", '.') } else { ("point", ',') };
+        let is_number = |text: &str| text.replacen(other, ".", 1).replace(',', ".").parse::<f64>().is_ok();
+        match (written.matches(other).count(), is_number(written.trim())) {
+            (0, _) => format!("numbers are written with a decimal {mark}, without unit"),
+            (_, true) if decimals.mark == b'.' && self.layout.separator == b',' => {
+                "numbers are written with a decimal point, not with a comma".to_owned()
+            }
+            _ => format!(
+                "line {} has a decimal {mark}, so all numbers have one, and none a separator of thousands",
+                decimals.line
+            ),
+        }
+    }
+
     pub(super) fn unreadable(&self, error: &csv::Error) -> ReadError {
         let place = error.position().map(|position| {
             let line = position.line() as usize;
@@ -99,18 +141,6 @@ impl CsvFile<'_> {
         });
         let error = self.error("csv::unreadable", error.to_string());
         place.map_or(error.clone(), |place| error.at(place))
-    }
-}
-
-/// How to mend a field that is not a number.
-pub(super) fn help_for_text(written: &str, row: &Row<'_>) -> &'static str {
-    let is_text = |field: &[u8]| !field.iter().any(u8::is_ascii_digit);
-    if row.line == 2 && row.record.iter().all(is_text) {
-        return "is the second line one of units? remove it: the unit is part of the column's name";
-    }
-    match written.trim().replacen(',', ".", 1).parse::<f64>() {
-        Ok(_) => "numbers are written with a decimal point, not with a comma",
-        Err(_) => "numbers are written with a decimal point, without unit",
     }
 }
 

@@ -1,6 +1,7 @@
 //! Positions of planar robots: their columns carry the names of the plane's axes.
 
-use super::rows::{Columns, CsvFile, Row};
+use super::content::Columns;
+use super::rows::{CsvFile, Row};
 use crate::measurement::columns::{Quantity, position_columns};
 use crate::reading::ReadError;
 

@@ -1,20 +1,24 @@
 //! A measurement file, and one row of it.
 
-use std::collections::BTreeMap;
-
 use csv::ByteRecord;
 
-use crate::measurement::columns::Quantity;
+use super::content::{Columns, Content};
+use super::layout::{Decimals, Layout, line_of};
+use super::options::ReadingOptions;
+use super::skipping::Skipped;
+use crate::reading::ReadError;
 use crate::robot::Robot;
-
-/// Columns of a file by quantity: their index and factor to SI.
-pub(super) type Columns = BTreeMap<Quantity, (usize, f64)>;
 
 /// A file as it is read.
 pub(super) struct CsvFile<'a> {
     pub(super) text: &'a str,
     pub(super) file_name: &'a str,
     pub(super) robot: &'a Robot,
+    pub(super) options: &'a ReadingOptions,
+    pub(super) content: Content,
+    pub(super) layout: Layout<'a>,
+    /// Encoding of the bytes where it is not UTF-8.
+    pub(super) encoding: Option<&'static str>,
 }
 
 /// One data row with its place in the file.
@@ -22,4 +26,49 @@ pub(super) struct Row<'a> {
     pub(super) record: &'a ByteRecord,
     pub(super) header: &'a ByteRecord,
     pub(super) line: usize,
+    /// Byte of the text at which the line starts.
+    pub(super) start: usize,
+}
+
+/// Columns of a file and the mark of its decimals: how numbers are taken from a row.
+pub(super) struct Format {
+    pub(super) columns: Columns,
+    pub(super) decimals: Decimals,
+}
+
+/// Receiver of one row.
+pub(super) type TakeRow<'a> = &'a mut dyn FnMut(&Format, &Row<'_>) -> Result<(), ReadError>;
+
+impl CsvFile<'_> {
+    /// Reads the header, checks it, hands over every row, and returns the columns and the rows left out.
+    pub(super) fn rows(&self, notices: &mut Vec<String>, take: TakeRow<'_>) -> Result<(Format, Skipped), ReadError> {
+        if self.text.trim().is_empty() {
+            return Err(self.error("csv::empty", "the file is empty").with_help("the first line names the columns"));
+        }
+        let mut reader = self.layout.reader(self.text);
+        let header = reader.byte_headers().map_err(|error| self.unreadable(&error))?.clone();
+        let columns = self.columns(&header, notices)?;
+        self.check_columns(&columns)?;
+        let decimals = self.layout.decimals(self.text, &columns);
+        let read_as = self.layout.remark(decimals, self.encoding);
+        notices.extend(read_as.map(|remark| format!("{}: {remark}", self.file_name)));
+        let format = Format { columns, decimals };
+        let mut record = ByteRecord::new();
+        let (mut count, mut skipped) = (0, Skipped::default());
+        while reader.read_byte_record(&mut record).map_err(|error| self.unreadable(&error))? {
+            let (line, start) = line_of(self.text, &record);
+            let row = Row { record: &record, header: &header, line, start };
+            let taken = if record.len() == header.len() { take(&format, &row) } else { Err(self.ragged(&row)) };
+            match taken {
+                Err(error) if self.options.skip_invalid => skipped.add(error),
+                other => other?,
+            }
+            count += 1;
+        }
+        match skipped.first() {
+            _ if count == 0 => Err(self.error("csv::no-rows", "the file has column names but no rows")),
+            Some(first) if skipped.count() == count => Err(first.clone()),
+            _ => Ok((format, skipped)),
+        }
+    }
 }

@@ -63,13 +63,13 @@ impl Experiment {
         Sidecar {
             layout_version: 1,
             sigmas: self.study.noise.unwrap_or_default(),
-            frames: None,
             provenance: Some(Provenance {
                 source: Some(source.into()),
                 robot: Some(self.machine.robot().name.clone()),
                 seed: Some(seed),
                 ..Provenance::default()
             }),
+            ..Sidecar::default()
         }
     }
 

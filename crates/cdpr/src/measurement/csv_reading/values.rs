@@ -1,0 +1,122 @@
+//! Numbers of a row: its pose, its angles, and whether they are beyond the robot.
+
+use std::num::ParseFloatError;
+
+use super::complaints::shortened;
+use super::rows::{CsvFile, Format, Row};
+use crate::geometry::{MotionPattern, Pose};
+use crate::measurement::columns::Quantity;
+use crate::reading::{MAGNITUDE_LIMIT, ReadError};
+
+impl CsvFile<'_> {
+    pub(super) fn pose(&self, format: &Format, row: &Row<'_>) -> Result<Pose, ReadError> {
+        let pattern = self.robot.motion_pattern;
+        let mut components = Vec::with_capacity(6);
+        for axis in 0..pattern.translations() {
+            components.push(self.number(format, row, Quantity::Position(axis))?);
+        }
+        match pattern {
+            MotionPattern::Planar => components.push(self.number(format, row, Quantity::Angle)?),
+            MotionPattern::Spatial if format.columns.contains_key(&Quantity::Euler(0)) => {
+                for k in 0..3 {
+                    components.push(self.number(format, row, Quantity::Euler(k))?);
+                }
+            }
+            MotionPattern::Spatial => components.extend([0.0; 3]),
+            _ => {}
+        }
+        let place_of_mistake = |message: String| self.at(row, 0, "csv::pose", message);
+        let pose = pattern.pose(self.robot.plane, &components).map_err(|error| place_of_mistake(error.to_string()))?;
+        if pattern != MotionPattern::Spatial || format.columns.contains_key(&Quantity::Euler(0)) {
+            return Ok(pose);
+        }
+        let mut xyzw = [0.0; 4];
+        for (k, value) in xyzw.iter_mut().enumerate() {
+            *value = self.number(format, row, Quantity::Quaternion(k))?;
+        }
+        let Some(rotation) = Pose::rotation_from_xyzw(xyzw) else {
+            let norm = xyzw.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let index = format.columns.get(&Quantity::Quaternion(0)).map_or(0, |column| column.0);
+            let message = format!("the quaternion has norm {norm}; a rotation has norm 1 (within 1 %)");
+            return Err(self
+                .at(row, index, "csv::quaternion", message)
+                .with_help("columns are qx, qy, qz, qw, scalar last"));
+        };
+        Ok(Pose { rotation, ..pose })
+    }
+
+    /// The angles of a row as the file gives them (rad), which a pose knows only within a turn.
+    pub(super) fn angles(&self, format: &Format, row: &Row<'_>) -> Result<Option<[f64; 3]>, ReadError> {
+        match self.robot.motion_pattern {
+            MotionPattern::Planar => Ok(Some([self.number(format, row, Quantity::Angle)?, 0.0, 0.0])),
+            MotionPattern::Spatial if format.columns.contains_key(&Quantity::Euler(0)) => {
+                let angle = |k| self.number(format, row, Quantity::Euler(k));
+                Ok(Some([angle(0)?, angle(1)?, angle(2)?]))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The first length or coordinate of a row that is beyond all measure of the robot (m).
+    pub(super) fn too_far(&self, format: &Format, row: &Row<'_>, farthest: f64) -> Option<(Quantity, f64)> {
+        let lengths = (0..self.robot.cable_count()).map(Quantity::Length);
+        let positions = (0..self.robot.motion_pattern.translations()).map(Quantity::Position);
+        let given = positions.chain(lengths).filter(|quantity| format.columns.contains_key(quantity));
+        let mut values = given.filter_map(|quantity| Some((quantity, self.number(format, row, quantity).ok()?)));
+        values.find(|(_, value)| value.abs() > farthest)
+    }
+
+    /// The error for such a value.
+    pub(super) fn too_far_error(
+        &self,
+        format: &Format,
+        row: &Row<'_>,
+        (quantity, value): (Quantity, f64),
+    ) -> ReadError {
+        let index = format.columns.get(&quantity).map_or(0, |column| column.0);
+        let column = String::from_utf8_lossy(&row.header[index]).trim().to_owned();
+        let message = format!("column `{column}`: {value} m is more than 50 times the size of the robot");
+        let help = "is this value in another unit than its column, or is its decimal point lost?";
+        self.at(row, index, "csv::magnitude", message).with_help(help)
+    }
+
+    /// A finite number in SI units.
+    pub(super) fn number(&self, format: &Format, row: &Row<'_>, quantity: Quantity) -> Result<f64, ReadError> {
+        let Some(&(index, factor)) = format.columns.get(&quantity) else {
+            return Err(self.header_error("csv::missing-column", format!("a column for {quantity:?} is missing")));
+        };
+        let written = String::from_utf8_lossy(&row.record[index]);
+        let column = String::from_utf8_lossy(&row.header[index]);
+        let error = |message: String| self.at(row, index, "csv::not-a-number", message);
+        match self.parsed(format, written.trim()) {
+            Ok(value) if value.is_finite() && value.abs() <= MAGNITUDE_LIMIT => Ok(value * factor),
+            Ok(value) => Err(error(format!("column `{column}`: {value} is not a number to calculate with"))
+                .with_help("remove the row, or leave it out with --skip-invalid")),
+            Err(_) if written.trim().is_empty() => Err(error(format!("column `{column}` is empty here"))
+                .with_help("remove the row, or leave it out with --skip-invalid")),
+            Err(_) => Err(error(format!("column `{column}`: `{}` is not a number", shortened(&written)))
+                .with_help(self.help_for_text(&written, row, format.decimals))),
+        }
+    }
+
+    /// A number with the decimal mark of the file; the other mark is none of it.
+    fn parsed(&self, format: &Format, written: &str) -> Result<f64, ParseFloatError> {
+        if format.decimals.mark == b'.' {
+            return written.parse();
+        }
+        // both marks in one number, or the other one than before, is not guessed at
+        let swapped: String = written
+            .chars()
+            .map(|c| {
+                if c == ',' {
+                    '.'
+                } else if c == '.' {
+                    ','
+                } else {
+                    c
+                }
+            })
+            .collect();
+        swapped.parse()
+    }
+}

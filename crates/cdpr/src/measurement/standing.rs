@@ -1,0 +1,221 @@
+//! Logs cut into samples at rest: rows of one pose become one sample, their mean.
+
+use std::fmt;
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
+
+use crate::geometry::Pose;
+use crate::robot::Robot;
+
+use super::{DataError, Samples, SensorSigmas};
+
+/// A pose is held when it stays for this long (s) …
+const HELD: f64 = 1.0;
+/// … within this share of the diagonal of the anchors' box, or this many times its noise.
+const STILL_SHARE: f64 = 3e-4;
+const STILL_NOISE: f64 = 8.0;
+/// The first and last rows at rest are no farther than this many times the noise from the middle ones.
+const EDGE_NOISE: f64 = 4.0;
+/// Difference of positions that are equal but for rounding, as a share of the diagonal.
+const ROUNDING: f64 = 1e-12;
+/// A platform that moves is quasi-static within this share of the diagonal: the mean of an arc lies off it by 1e-5 of its
+/// radius.
+const WINDOW_SHARE: f64 = 0.01;
+/// Fewest poses held that make the rest of a log the ways between them.
+const FEWEST_HELD: usize = 2;
+/// Rows of different poses are told apart by time, too: longer pauses end a sample (typical intervals).
+const LONGEST_PAUSE: f64 = 20.0;
+
+/// Outcome of a log cut into samples at rest.
+#[derive(Clone, Debug)]
+pub struct StaticSamples {
+    /// One sample for each pose: the means of its rows; line and set of the first row, time their mean.
+    pub samples: Samples,
+    /// Whether the poses were held; otherwise the platform moved, and the rows of short ways are averaged.
+    pub is_held: bool,
+    /// Rows that are averaged, and rows of the ways between held poses, which are left out.
+    pub rows: (usize, usize),
+    /// Scatter of single rows about the means of their samples, per axis; `None` for a quantity that does not scatter.
+    pub scatter: SensorSigmas,
+    /// Whether the scatter stands for accuracies, of which none were stated. It is that of a row, not of a mean: what keeps poses from
+    /// being repeatable does not average out while they are held.
+    pub takes_scatter: bool,
+}
+
+impl fmt::Display for StaticSamples {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (count, (averaged, left_out)) = (self.samples.len(), self.rows);
+        if !self.is_held {
+            return write!(
+                formatter,
+                "fewer than {FEWEST_HELD} poses are held for {HELD} s: the motion is cut into {count} quasi-static samples, means of {averaged} rows"
+            );
+        }
+        write!(formatter, "{count} poses are held, each the mean of {:.0} rows", averaged as f64 / count as f64)?;
+        write!(formatter, "; {left_out} rows of the ways between are left out; a row scatters about its pose by")?;
+        let SensorSigmas { position, rotation, length, tension } = self.scatter;
+        let known =
+            [(position, 1e3, "mm"), (rotation, 1e3, "mrad"), (length, 1e3, "mm of length"), (tension, 1.0, "N")];
+        let parts =
+            known.iter().filter_map(|(value, factor, unit)| Some(format!(" {:.2e} {unit}", (*value)? * factor)));
+        write!(formatter, "{}", parts.collect::<Vec<_>>().join(","))?;
+        if self.takes_scatter {
+            write!(formatter, ", taken for the accuracy of the sensors since none is stated")
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl Samples {
+    /// The samples of a log over time: poses held for a second or more, each the mean of its rows; where fewer than two are held,
+    /// the motion cut into pieces within a hundredth of the robot's size.
+    pub fn at_rest(&self, robot: &Robot) -> Result<StaticSamples, DataError> {
+        let Some(time) = self.time.as_ref().filter(|_| !self.is_empty()) else { return Err(DataError::NoTimes) };
+        let diagonal = robot.anchor_diagonal();
+        let cutter = Cutter { samples: self, time, pause: LONGEST_PAUSE * typical_interval(time) };
+        let noise = cutter.noise();
+        let mut held = cutter.pieces((STILL_SHARE * diagonal).max(STILL_NOISE * noise), f64::INFINITY);
+        held.retain(|&(start, end)| time[end - 1] - time[start] >= HELD);
+        let edge = EDGE_NOISE * noise + ROUNDING * diagonal;
+        held.iter_mut().for_each(|piece| *piece = cutter.without_edges(*piece, edge));
+        let is_held = held.len() >= FEWEST_HELD;
+        let pieces = if is_held { held } else { cutter.pieces(WINDOW_SHARE * diagonal, HELD) };
+        let averaged: usize = pieces.iter().map(|(start, end)| end - start).sum();
+        let mut samples = self.averaged(&pieces);
+        let scatter = self.scatter(&samples, &pieces, robot);
+        let is_whole = scatter.position.is_some() && scatter.length.is_some();
+        let takes_scatter = is_held && is_whole && self.sigmas == SensorSigmas::default();
+        if takes_scatter {
+            samples.sigmas = scatter;
+        }
+        Ok(StaticSamples { samples, is_held, rows: (averaged, self.len() - averaged), scatter, takes_scatter })
+    }
+
+    /// One sample for each range of rows.
+    fn averaged(&self, pieces: &[(usize, usize)]) -> Self {
+        let m = self.cable_count;
+        let mean = |data: &[f64], width: usize| -> Vec<f64> {
+            let of_piece = |&(start, end): &(usize, usize)| {
+                (0..width)
+                    .map(move |k| (start..end).map(|row| data[row * width + k]).sum::<f64>() / (end - start) as f64)
+            };
+            pieces.iter().flat_map(of_piece).collect()
+        };
+        let starts: Vec<usize> = pieces.iter().map(|(start, _)| *start).collect();
+        Self {
+            poses: pieces.iter().map(|&(start, end)| mean_pose(&self.poses[start..end])).collect(),
+            lengths: mean(&self.lengths, m),
+            motor_angles: self.motor_angles.as_deref().map(|angles| mean(angles, m)),
+            tensions: self.tensions.as_deref().map(|tensions| mean(tensions, m)),
+            time: self.time.as_deref().map(|time| mean(time, 1)),
+            ..self.subset(&starts)
+        }
+    }
+
+    /// Pooled standard deviations of rows about their sample's mean.
+    fn scatter(&self, means: &Self, pieces: &[(usize, usize)], robot: &Robot) -> SensorSigmas {
+        let freedom: usize = pieces.iter().map(|(start, end)| end - start - 1).sum();
+        let rows =
+            || pieces.iter().enumerate().flat_map(|(sample, &(start, end))| (start..end).map(move |row| (sample, row)));
+        let pooled = |squares: f64, axes: usize| {
+            let variance = squares / (freedom * axes).max(1) as f64;
+            (freedom > 0 && axes > 0 && variance > 0.0).then(|| variance.sqrt())
+        };
+        let pattern = robot.motion_pattern;
+        let turns = pattern.dof() - pattern.translations();
+        let apart = |(sample, row): (usize, usize)| means.poses[sample].displacement_to(&self.poses[row]);
+        let part = |from: usize| rows().map(|at| apart(at).fixed_rows::<3>(from).norm_squared()).sum::<f64>();
+        let m = self.cable_count;
+        let of_cables = |mean: &[f64], all: &[f64]| {
+            let square = |(sample, row): (usize, usize)| {
+                (0..m).map(|k| (all[row * m + k] - mean[sample * m + k]).powi(2)).sum::<f64>()
+            };
+            pooled(rows().map(square).sum(), m)
+        };
+        SensorSigmas {
+            position: pooled(part(0), pattern.translations()),
+            rotation: pooled(part(3), turns),
+            length: of_cables(&means.lengths, &self.lengths),
+            tension: means
+                .tensions
+                .as_deref()
+                .zip(self.tensions.as_deref())
+                .and_then(|(mean, all)| of_cables(mean, all)),
+        }
+    }
+}
+
+/// A log to be cut.
+struct Cutter<'a> {
+    samples: &'a Samples,
+    time: &'a [f64],
+    /// Longer intervals end a piece (s).
+    pause: f64,
+}
+
+impl Cutter<'_> {
+    /// Ranges of rows that stay within a distance of their first one (m) and last no longer than a time (s).
+    fn pieces(&self, distance: f64, longest: f64) -> Vec<(usize, usize)> {
+        let (mut pieces, mut start) = (Vec::new(), 0);
+        for row in 1..=self.samples.len() {
+            let goes_on = row < self.samples.len()
+                && (0.0..=self.pause).contains(&(self.time[row] - self.time[row - 1]))
+                && self.time[row] - self.time[start] <= longest
+                && self.is_near(start, row, distance);
+            if !goes_on {
+                pieces.push((start, row));
+                start = row;
+            }
+        }
+        pieces
+    }
+
+    /// A piece without the first and last rows in which the platform still comes or already goes.
+    fn without_edges(&self, (mut start, mut end): (usize, usize), farthest: f64) -> (usize, usize) {
+        let quarter = (end - start) / 4;
+        let (first, last) = (start + quarter, end - quarter);
+        let middle = mean_pose(&self.samples.poses[first..last]).position;
+        let is_edge = |row: usize| (self.samples.poses[row].position - middle).norm() > farthest;
+        while start < first && is_edge(start) {
+            start += 1;
+        }
+        while end > last && is_edge(end - 1) {
+            end -= 1;
+        }
+        (start, end)
+    }
+
+    /// Whether lengths and position of two rows are alike; where motor angles stand for lengths, the position.
+    fn is_near(&self, first: usize, second: usize, distance: f64) -> bool {
+        let [a, b] = [first, second].map(|row| self.samples.poses[row].position);
+        let [q, r] = [first, second].map(|row| self.samples.lengths_of(row));
+        (a - b).norm() <= distance && q.iter().zip(r).all(|(q, r)| !((q - r).abs() > distance))
+    }
+
+    /// Standard deviation of a coordinate by second differences, in which a smooth motion cancels (m).
+    fn noise(&self) -> f64 {
+        let positions: Vec<&Vector3<f64>> = self.samples.poses.iter().map(|pose| &pose.position).collect();
+        let mut sizes: Vec<f64> = positions.windows(3).map(|p| (p[0] - 2.0 * p[1] + p[2]).amax()).collect();
+        sizes.sort_by(f64::total_cmp);
+        // variance 1 + 4 + 1 of a second difference
+        sizes.get(sizes.len() / 2).map_or(0.0, |median| median / 6.0_f64.sqrt())
+    }
+}
+
+fn typical_interval(time: &[f64]) -> f64 {
+    let mut intervals: Vec<f64> = time.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    intervals.sort_by(f64::total_cmp);
+    intervals.get(intervals.len() / 2).copied().unwrap_or(f64::INFINITY)
+}
+
+/// Mean of poses that are close to each other.
+fn mean_pose(poses: &[Pose]) -> Pose {
+    let count = poses.len() as f64;
+    let position = poses.iter().map(|pose| pose.position).sum::<Vector3<f64>>() / count;
+    let first = poses[0].rotation.coords;
+    // q and −q are the same orientation
+    let signed = poses.iter().map(|pose| pose.rotation.coords * pose.rotation.coords.dot(&first).signum());
+    let rotation = UnitQuaternion::new_normalize(Quaternion::from(signed.sum::<Vector4<f64>>()));
+    Pose { position, rotation: if poses.len() == 1 { poses[0].rotation } else { rotation } }
+}
