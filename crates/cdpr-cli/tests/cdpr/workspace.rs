@@ -21,6 +21,21 @@ fn the_three_methods_give_the_area_of_the_planar_example_within_their_bounds() {
     assert!((few["area_m2"].as_f64().unwrap() - 69.6).abs() < 0.05, "{few}");
 }
 
+/// `Model::workspace(&load).wrench_feasible().volume()` says of itself that it is this number.
+#[test]
+fn the_library_answers_the_command_s_question_in_one_line() {
+    for (name, key) in [("planar-example", "area_m2"), ("cogiro", "volume_m3")] {
+        let answer = cdpr(&format!("workspace {name} --format json")).json();
+        let robot = ::cdpr::Robot::builtin(name).unwrap();
+        let load = ::cdpr::Load::of(&robot).unwrap();
+        let model = ::cdpr::Model::new(robot, "standard".parse().unwrap()).unwrap();
+        let found = model.workspace(&load).wrench_feasible().volume().unwrap();
+        assert_eq!(answer[key].as_f64(), Some(found.size), "{name}");
+        assert_eq!(answer["error_bound"].as_f64(), Some(found.error_bound), "{name}");
+        assert_eq!(answer["reaches_bounds"].as_bool(), Some(found.reaches_bounds), "{name}");
+    }
+}
+
 #[test]
 fn a_load_too_heavy_leaves_nothing_and_the_reason_is_told() {
     let run = cdpr("workspace planar-example --wrench 0,-60000 --format json");

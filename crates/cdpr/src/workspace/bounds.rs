@@ -147,6 +147,7 @@ mod tests {
     use crate::model::Composition;
     use crate::robot::Robot;
     use crate::workspace::Region;
+    use crate::workspace::refine::Goal;
     use crate::workspace::{Archetype, Criterion, Verdict};
 
     #[test]
@@ -224,7 +225,7 @@ mod tests {
             let criterion = Ball(radius);
             let upright = Archetype::ConstantOrientation(UnitQuaternion::identity());
             let region = Region::new(&model, &criterion, &upright).unwrap();
-            Bounds::about(&region, &model, 1e6).unwrap().ends()
+            Bounds::about(&region, &model, &Goal::usual()).unwrap().ends()
         };
         let frame = [-5.461, 5.218, -6.509, 7.677, -1.242, 6.642];
         assert_eq!(ends(0.9), frame);

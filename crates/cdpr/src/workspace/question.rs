@@ -1,5 +1,7 @@
 //! Size of the set of positions at which criteria hold, asked of a model in one line.
 
+use nalgebra::UnitQuaternion;
+
 use super::criterion::registry::{self, CriterionRequest, Setting};
 use super::refine::{ByGrid, Goal, refine};
 use super::{Archetype, Bounds, Region, WorkspaceError};
@@ -7,12 +9,13 @@ use crate::model::Model;
 use crate::statics::Load;
 use crate::tension::Limits;
 
-/// Criteria asked of a model under a load, in the orientation of its home pose.
+/// Criteria asked of a model under a load, in one orientation of the platform.
 #[derive(Clone, Debug)]
 pub struct WorkspaceQuestion<'a> {
     model: &'a Model,
     load: &'a Load,
     requests: Vec<CriterionRequest>,
+    orientation: UnitQuaternion<f64>,
 }
 
 /// Size of a workspace.
@@ -22,10 +25,12 @@ pub struct WorkspaceSize {
     pub size: f64,
     /// Bound of its error with the probability [`CONFIDENCE`](super::CONFIDENCE) (m², m³).
     pub error_bound: f64,
+    /// True where the set reaches the faces of the box that was searched, so that more of it may lie outside.
+    pub reaches_bounds: bool,
 }
 
 impl Model {
-    /// Positions of the platform under a load; criteria follow, then [`WorkspaceQuestion::volume`].
+    /// Positions of the platform under a load, its axes along those of the world; criteria follow, then [`WorkspaceQuestion::volume`].
     ///
     /// ```
     /// use cdpr::{Load, Model, Robot};
@@ -38,7 +43,7 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn workspace<'a>(&'a self, load: &'a Load) -> WorkspaceQuestion<'a> {
-        WorkspaceQuestion { model: self, load, requests: Vec::new() }
+        WorkspaceQuestion { model: self, load, requests: Vec::new(), orientation: UnitQuaternion::identity() }
     }
 }
 
@@ -49,27 +54,35 @@ impl WorkspaceQuestion<'_> {
         self.criterion(CriterionRequest::wrench_feasible())
     }
 
-    /// One more criterion, as the command reads it: `"stiffness:translation=1e5".parse()?`. All have to hold.
+    /// One more criterion, as the command reads it: `"stiffness:least=1e5".parse()?`. All have to hold.
     #[must_use]
     pub fn criterion(mut self, request: CriterionRequest) -> Self {
         self.requests.push(request);
         self
     }
 
+    /// Another orientation of the platform.
+    #[must_use]
+    pub fn orientation(mut self, orientation: UnitQuaternion<f64>) -> Self {
+        self.orientation = orientation;
+        self
+    }
+
     /// Size of the set, on a grid that is refined until the bound of its error is 1 % or a second of work is done: the number of
     /// `cdpr workspace`. Without a criterion there is no set ([`WorkspaceError::NoCriterion`]).
     pub fn volume(&self) -> Result<WorkspaceSize, WorkspaceError> {
-        let robot = self.model.robot();
-        let limits = Limits::of(robot, None, None);
+        let limits = Limits::of(self.model.robot(), None, None);
         let setting = Setting { model: self.model, load: Ok(*self.load), limits };
         let criterion = registry::all(&self.requests, &setting)?;
-        let archetype = Archetype::ConstantOrientation(robot.home_or_middle().rotation);
+        let archetype = Archetype::ConstantOrientation(self.orientation);
         let region = Region::new(self.model, criterion.as_ref(), &archetype)?;
         let goal = Goal::usual();
-        let bounds = Bounds::about(&region, self.model, 0.25 * goal.poses(&region))?;
+        let bounds = Bounds::about(&region, self.model, &goal)?;
         let mut search = ByGrid { region: &region, bounds: &bounds, step: bounds.usual_step() };
         let refined = refine(&region, &bounds, &goal, &mut search)?;
         let (cells, count) = &refined.found;
-        Ok(WorkspaceSize { size: count.outcome(cells).size, error_bound: refined.audit.error_bound() })
+        let outcome = count.outcome(cells);
+        let error_bound = refined.audit.error_bound();
+        Ok(WorkspaceSize { size: outcome.size, error_bound, reaches_bounds: outcome.reaches_bounds })
     }
 }

@@ -83,9 +83,8 @@ impl<'a> Question<'a> {
     /// Looks closer around the region, unless a box was given, or a center that lies further out.
     pub(super) fn look_closer(&mut self, arguments: &Arguments, region: &Region<'_>) -> Result<(), Failure> {
         if arguments.bounds.is_none() {
-            let most_points = 0.25 * self.goal.poses(region);
             let closer =
-                Bounds::about(region, self.model, most_points).map_err(|error| Failure::refused("--bounds", &error))?;
+                Bounds::about(region, self.model, &self.goal).map_err(|error| Failure::refused("--bounds", &error))?;
             if self.given.is_none_or(|pose| closer.contain(&region.point(&pose.position))) {
                 self.step = arguments.step.unwrap_or(closer.usual_step());
                 self.bounds = closer;
