@@ -35,6 +35,8 @@
 //! [`statics`], [`equilibrium`], [`workspace`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
 //! file reader, [`error_code`] the stable name of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
+#![warn(unnameable_types)]
+
 #[cfg(test)]
 extern crate self as cdpr;
 

@@ -6,7 +6,7 @@ use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Bounds, Point, Polygon, Region, Side};
+use cdpr::workspace::{Bounds, Point, Region, Side};
 
 use super::{Finding, Shape, WorkspacePage, render};
 use crate::PageError;
@@ -119,7 +119,10 @@ fn start(asked: &Asked<'_>, hull: Option<&Hull>) -> Pose {
 fn finding(answer: &WorkspaceAnswer, region: &Region<'_>, shape: &Outline, limits: Option<&str>) -> Option<Finding> {
     let method = answer.method().to_owned();
     let shape = match shape {
-        Outline::Hull(hull) if hull.dimension() == 2 => Shape::Areas(vec![Polygon::of(hull)?.vertices]),
+        Outline::Hull(hull) if hull.dimension() == 2 => {
+            let corners = hull.vertices().iter().map(|point| [point[0], point[1]]).collect();
+            Shape::Areas(hull.is_star_shaped().then_some(vec![corners])?)
+        }
         Outline::Hull(hull) => Shape::Surface { mesh: hull.mesh(region), method },
         Outline::Surface(mesh) if region.dimension() == 3 && (1..=MOST_TRIANGLES).contains(&mesh.triangles.len()) => {
             Shape::Surface { mesh: mesh.clone(), method }

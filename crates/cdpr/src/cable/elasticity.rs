@@ -5,7 +5,7 @@ pub use cdpr_core::cable::elasticity::{ControlledLength, Elasticity, StiffnessBa
 use crate::robot::{Cable, CableStiffness};
 
 /// The linear law of a robot's cable; `None` when its file says nothing about stiffness.
-pub fn linear_elasticity(cable: &Cable) -> Option<Elasticity<f64>> {
+pub(crate) fn linear_elasticity(cable: &Cable) -> Option<Elasticity<f64>> {
     let series = cable.series_compliance.unwrap_or(0.0);
     let compliance = match cable.stiffness {
         Some(CableStiffness::Spring(spring)) => return Some(Elasticity::spring(spring, series)),

@@ -19,7 +19,7 @@ use crate::statics::Load;
 use crate::tension::{InputError, Limits, closed_form};
 
 /// Tensions (N) nearest to the middle of the limits that balance the load at each pose, a row per cable, whether or not they keep
-/// the limits ([`Limits::contain`] tells); NaN where a cable has no path, and for sagging cables, whose directions follow
+/// the limits (`Limits::contain` tells); NaN where a cable has no path, and for sagging cables, whose directions follow
 /// their tensions.
 ///
 /// Claims no memory in lanes once `tensions` has had as many poses before.

@@ -96,19 +96,19 @@ pub struct Solver<'a> {
 
 impl<'a> Solver<'a> {
     /// A solver for this model, load and limits.
-    pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Self {
+    pub(crate) fn new(model: &'a Model, load: &Load, limits: &Limits) -> Self {
         Self::by(TensionMethod::Qp, model, load, limits)
     }
 
     /// One that chooses by another method than the nearest to the middle of the limits.
-    pub fn by(method: TensionMethod, model: &'a Model, load: &Load, limits: &Limits) -> Self {
+    pub(crate) fn by(method: TensionMethod, model: &'a Model, load: &Load, limits: &Limits) -> Self {
         let chooser = tension::Solver::new(method, model.cable_count(), model.dof());
         Self { model, load: *load, limits: limits.clone(), chooser }
     }
 
     /// The tensions that keep the limits and balance the load at a pose: the nearest to the middle of the limits, or those of the
     /// method.
-    pub fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
+    pub(crate) fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
         let wrench = self.load.in_pattern(self.model, pose);
         let (chooser, limits) = (&mut self.chooser, &self.limits);
         let mut found = (Vec::new(), None);

@@ -135,7 +135,7 @@ impl Model {
 
     /// True where [`Model::forward_batch`] solves many problems side by side: of straight, linear or rigid cables, no fewer than degrees of
     /// freedom. Others are solved one by one.
-    pub fn has_forward_batch(&self) -> bool {
+    pub(crate) fn has_forward_batch(&self) -> bool {
         matches!(self.cables(), Cables::Rigid | Cables::Linear) && self.cable_count() >= self.dof()
     }
 

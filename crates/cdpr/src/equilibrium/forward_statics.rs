@@ -105,7 +105,7 @@ pub fn solve(
 
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
-    pub fn validate(&self) -> Result<(), InputError> {
+    pub(crate) fn validate(&self) -> Result<(), InputError> {
         for (name, value) in [("pose_tolerance", self.pose_tolerance), ("wrench_tolerance", self.wrench_tolerance)] {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(LengthError::Setting { name, value }.into());

@@ -85,7 +85,7 @@ pub struct NoSolution {
 
 impl Solution {
     /// The solution where it has converged.
-    pub fn converged(&self) -> Result<&Self, NoSolution> {
+    pub(crate) fn converged(&self) -> Result<&Self, NoSolution> {
         match self.status {
             Status::Converged => Ok(self),
             status => Err(NoSolution { status, reason: self.reason.clone() }),
@@ -151,7 +151,7 @@ impl Solutions {
     }
 
     /// How the search ended; the single problem says it in words.
-    pub fn status(&self, item: usize) -> Status {
+    pub(crate) fn status(&self, item: usize) -> Status {
         Status::of_code(self.table.get(STATUS, item))
     }
 

@@ -16,7 +16,7 @@ use crate::model::Model;
 /// State of a robot under one model, owned by whoever drives it.
 ///
 /// [`Model::inverse`] and [`Model::forward`] read the memories of the cables and write their answer into the state; neither moves the
-/// robot: any number of them may be asked before [`State::settle_forward`] or [`State::settle_inverse`] says that the robot went there.
+/// robot: any number of them may be asked before `State::settle_forward` or `State::settle_inverse` says that the robot went there.
 /// The same state and the same input give the same bytes; a clone is a snapshot, and putting it back restores the robot.
 ///
 /// ```
@@ -69,7 +69,7 @@ impl State {
     }
 
     /// Memory of every cable (strain and stops of its hysteresis); none where the laws have none.
-    pub fn memories(&self) -> &[Memory] {
+    pub(crate) fn memories(&self) -> &[Memory] {
         &self.memories
     }
 
@@ -79,19 +79,19 @@ impl State {
     }
 
     /// Answer of the last [`Model::forward`]; nothing before the first.
-    pub fn forward_solution(&self) -> Option<&Solution> {
+    pub(crate) fn forward_solution(&self) -> Option<&Solution> {
         self.scratch.as_ref().map(Scratch::solution)
     }
 
     /// The robot went where the last [`Model::forward`] led: its pose, and what its cables remember of the way.
-    pub fn settle_forward(&mut self, model: &Model) {
+    pub(crate) fn settle_forward(&mut self, model: &Model) {
         let Some(solution) = self.scratch.as_ref().map(Scratch::solution) else { return };
         self.pose = solution.pose;
         remember(&mut self.memories, model, solution.tensions.iter().copied());
     }
 
     /// The robot went to the pose of the last [`Model::inverse`], with its tensions.
-    pub fn settle_inverse(&mut self, model: &Model) {
+    pub(crate) fn settle_inverse(&mut self, model: &Model) {
         self.pose = self.inverse.pose;
         remember(&mut self.memories, model, self.inverse.cables.iter().map(|cable| cable.outlet_tension));
     }

@@ -60,7 +60,7 @@ impl MotionPattern {
     }
 
     /// Names of the pose components, as `--pose` takes them.
-    pub fn pose_components(self) -> &'static str {
+    pub(crate) fn pose_components(self) -> &'static str {
         match self {
             Self::PlanarPoint => "x,y",
             Self::SpatialPoint => "x,y,z",
@@ -169,7 +169,7 @@ impl MotionPattern {
     }
 
     /// Names of the pose components, of a planar robot with the letters of its plane.
-    pub fn component_names(self, plane: Plane) -> Vec<String> {
+    pub(crate) fn component_names(self, plane: Plane) -> Vec<String> {
         let mut names: Vec<String> = self.pose_components().split(',').map(str::to_owned).collect();
         if self.is_planar() {
             plane.axes().chars().zip(&mut names).for_each(|(axis, name)| *name = axis.to_string());
@@ -189,7 +189,7 @@ impl MotionPattern {
         forces.chain(moments.iter().map(|name| (*name).to_owned())).collect()
     }
 
-    /// Pose from the components of [`MotionPattern::component_names`] (m, rad).
+    /// Pose from the components of `MotionPattern::component_names` (m, rad).
     pub fn pose(self, plane: Plane, components: &[f64]) -> Result<Pose, PatternError> {
         let (expected, found) = (self.dof(), components.len());
         if expected != found {

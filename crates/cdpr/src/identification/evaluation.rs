@@ -230,14 +230,8 @@ impl Evaluation {
         self.position.is_empty()
     }
 
-    /// Root mean square of one sample's length errors (m).
-    pub fn length_rms_of(&self, sample: usize) -> f64 {
-        let errors = &self.length[sample * self.cable_count..][..self.cable_count];
-        (errors.iter().map(|x| x * x).sum::<f64>() / errors.len() as f64).sqrt()
-    }
-
     /// 2-norm over the cables of one sample's tension errors (N); NaN where there are none.
-    pub fn tension_norm_of(&self, sample: usize) -> f64 {
+    pub(crate) fn tension_norm_of(&self, sample: usize) -> f64 {
         let errors = self.tension.get(sample * self.cable_count..(sample + 1) * self.cable_count);
         errors.map_or(f64::NAN, |errors| errors.iter().map(|x| x * x).sum::<f64>().sqrt())
     }

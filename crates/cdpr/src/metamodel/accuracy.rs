@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::control::Control;
 use super::errors::{LengthErrorStatistics, PoseErrorStatistics};
 use super::input_error::InputError;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;
@@ -74,7 +74,10 @@ pub fn assess<'a>(
 }
 
 /// [`assess`] of an operation, as one with history is.
-pub fn assess_operation(operation: &mut Operation<'_>, poses: &[CommandedPose]) -> Result<Assessment, InputError> {
+pub(crate) fn assess_operation(
+    operation: &mut Operation<'_>,
+    poses: &[CommandedPose],
+) -> Result<Assessment, InputError> {
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::control::Control;
 use super::errors::PoseErrorStatistics;
 use super::input_error::InputError;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::{CommandedPose, History, Reach};

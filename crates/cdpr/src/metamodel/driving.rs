@@ -2,7 +2,7 @@
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::outcome::Outcome;
 use super::study::{CommandedPose, History, Reach};
 use crate::geometry::Pose;
@@ -33,7 +33,7 @@ impl<'a> Driving<'a> {
 
     /// Cables that remember come to every pose from this one in steps, as [`Operation::with_history`] says.
     #[must_use]
-    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+    pub(crate) fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         let Some(history) = history.into() else { return self };
         let history = History { reach: Reach::FromInitial, ..*history };
         self.operation = self.operation.with_history(&history, start);
@@ -43,23 +43,23 @@ impl<'a> Driving<'a> {
 
     /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
     #[must_use]
-    pub fn without_restarts(mut self) -> Self {
+    pub(crate) fn without_restarts(mut self) -> Self {
         self.operation = self.operation.without_restarts();
         self
     }
 
     /// The control model.
-    pub fn control(&self) -> Control<'a> {
+    pub(crate) fn control(&self) -> Control<'a> {
         self.control
     }
 
     /// The machine.
-    pub fn machine(&self) -> &'a Model {
+    pub(crate) fn machine(&self) -> &'a Model {
         self.operation.machine()
     }
 
     /// Winch offsets, added to the control model's lengths (m).
-    pub fn offsets(&self) -> &[f64] {
+    pub(crate) fn offsets(&self) -> &[f64] {
         &self.offsets
     }
 
@@ -74,7 +74,7 @@ impl<'a> Driving<'a> {
     }
 
     /// Outcome of one commanded pose.
-    pub fn outcome(&self, pose: &Pose) -> Outcome {
+    pub(crate) fn outcome(&self, pose: &Pose) -> Outcome {
         self.operation().answer(&CommandedPose::at(*pose))
     }
 

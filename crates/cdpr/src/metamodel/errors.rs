@@ -45,7 +45,7 @@ pub struct TensionErrorStatistics {
 
 impl PoseErrorStatistics {
     /// Statistics of magnitudes; NaN without any.
-    pub fn of(values: &[f64]) -> Self {
+    pub(crate) fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
         Self {
@@ -60,7 +60,7 @@ impl PoseErrorStatistics {
 
 impl LengthErrorStatistics {
     /// Statistics of signed errors; NaN without any.
-    pub fn of(values: &[f64]) -> Self {
+    pub(crate) fn of(values: &[f64]) -> Self {
         let mut sorted: Vec<f64> = values.iter().map(|x| x.abs()).collect();
         sorted.sort_by(f64::total_cmp);
         Self {
@@ -74,7 +74,7 @@ impl LengthErrorStatistics {
 
 impl TensionErrorStatistics {
     /// Statistics of signed errors, sample by sample; NaN without any.
-    pub fn of(values: &[f64], cable_count: usize) -> Self {
+    pub(crate) fn of(values: &[f64], cable_count: usize) -> Self {
         let norm = |errors: &[f64]| errors.iter().map(|x| x * x).sum::<f64>().sqrt();
         let norms: Vec<f64> = values.chunks(cable_count.max(1)).map(norm).collect();
         let magnitudes: Vec<f64> = values.iter().map(|x| x.abs()).collect();

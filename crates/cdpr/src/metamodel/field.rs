@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::accuracy::outside_reach;
 use super::driving::Driving;
 use super::errors::PoseErrorStatistics;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;

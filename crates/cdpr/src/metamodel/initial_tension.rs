@@ -105,7 +105,7 @@ pub struct Optimum {
 }
 
 /// Winch offsets that bring the machine to x_ini with these tensions (m).
-pub fn offsets_of(task: &Task<'_>, tensions: &[f64]) -> Result<Vec<f64>, InputError> {
+pub(crate) fn offsets_of(task: &Task<'_>, tensions: &[f64]) -> Result<Vec<f64>, InputError> {
     winch_offsets(&given(tensions), task.set_with, task.machine, &task.pose)
 }
 

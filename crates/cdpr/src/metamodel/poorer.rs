@@ -27,7 +27,7 @@ pub(super) fn richness(stretch: StretchEffect) -> u8 {
 }
 
 /// Remark on a machine that is poorer than its control model; nothing on one that is not.
-pub fn remark_on_poorer(control: Composition, machine: Composition) -> Option<String> {
+pub(crate) fn remark_on_poorer(control: Composition, machine: Composition) -> Option<String> {
     let missing = missing_effects(control, machine);
     let effects: Vec<String> = missing.iter().map(|effect| format!("`{effect}`")).collect();
     let (which, them) = match effects.len() {

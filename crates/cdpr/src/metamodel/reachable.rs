@@ -16,7 +16,7 @@ pub use emerging::{Image, emerging_size, image_of};
 
 use super::driving::Driving;
 use super::input_error::InputError;
-use super::operate::Emerged;
+use super::operation::Emerged;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;
@@ -64,7 +64,7 @@ impl<'a> Reachable<'a> {
     }
 
     /// Control model, machine and winches.
-    pub fn driving(&self) -> &Driving<'a> {
+    pub(crate) fn driving(&self) -> &Driving<'a> {
         &self.driving
     }
 
@@ -258,7 +258,7 @@ impl Reachable<'_> {
     }
 
     /// Positions at which the platform comes to rest, as points of a region; nothing where the machine has no answer.
-    pub fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
+    pub(crate) fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
         self.of_emerging(commanded, false, |_, emerging, _| region.point(&emerging.position))
     }
 }

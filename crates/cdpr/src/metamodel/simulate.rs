@@ -7,7 +7,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;
@@ -26,7 +26,7 @@ pub struct Simulation {
     pub left_out: Vec<(usize, String)>,
 }
 
-/// Sends every commanded pose through the control model to the machine (see [`super::operate()`]) and records what emerges,
+/// Sends every commanded pose through the control model to the machine (see [`Operation`]) and records what emerges,
 /// with sensor noise: pose, lengths, and the tensions of a machine that rests in equilibrium.
 ///
 /// Recorded lengths are what the encoders of the machine read, length_scale · q_θ + length_offset − q_off with the length q_θ
@@ -48,7 +48,7 @@ pub fn simulate<'a>(
 }
 
 /// [`simulate`] of an operation, as one with history is.
-pub fn simulate_operation(
+pub(crate) fn simulate_operation(
     operation: &mut Operation<'_>,
     poses: &[CommandedPose],
     noise: &SensorSigmas,

@@ -7,6 +7,7 @@ mod tolerances;
 
 use serde::{Deserialize, Serialize};
 
+pub use crate::tension::Method as TensionMethod;
 pub use poses::{CommandedPose, Shortening};
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
@@ -89,7 +90,7 @@ pub struct ControlModel {
 
 impl ControlModel {
     /// Without the choice of tensions.
-    pub fn robot_model(&self) -> RobotModel {
+    pub(crate) fn robot_model(&self) -> RobotModel {
         RobotModel { robot: self.robot.clone(), model: self.model.clone() }
     }
 }
@@ -141,8 +142,6 @@ pub struct Initial {
     /// The robot whose model was in use when the winches were set.
     pub offset_robot: Option<String>,
 }
-
-pub use crate::tension::Method as TensionMethod;
 
 /// Limits of the machine; they replace those of the robot files.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
@@ -291,7 +290,7 @@ impl Study {
 
     /// Puts the limits of the study in the place of those in a robot's file.
     #[must_use]
-    pub fn limited(&self, mut robot: Robot) -> Robot {
+    pub(crate) fn limited(&self, mut robot: Robot) -> Robot {
         let Some(limits) = &self.limits else { return robot };
         for cable in &mut robot.cables {
             cable.tension_min = limits.tension_min_N.or(cable.tension_min);
@@ -301,7 +300,7 @@ impl Study {
     }
 
     /// Leaves out what `[poses] only` does not want.
-    pub fn keep_wanted(&self, machine: &Model, poses: &mut Vec<CommandedPose>) -> Result<(), InputError> {
+    pub(crate) fn keep_wanted(&self, machine: &Model, poses: &mut Vec<CommandedPose>) -> Result<(), InputError> {
         let Some(PoseFilter::WrenchFeasible) = self.poses.as_ref().and_then(|poses| poses.only) else { return Ok(()) };
         let limits = tension::Limits::of(machine.robot(), None, None)?;
         let (expected, found, poses_before) = (machine.cable_count(), limits.cable_count(), poses.len());

@@ -13,7 +13,8 @@ mod tests;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-pub use key::{Key, KeyError, KeyReason};
+pub(crate) use key::Key;
+pub use key::{KeyError, KeyReason};
 pub use point::Row;
 pub use point_error::PointError;
 pub use set_up::{PreparedSweep, check};
@@ -122,7 +123,7 @@ impl Sweep {
 /// Values of a parameter that make no sweep.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{key}: {reason}")]
-pub struct ValuesError {
+pub(crate) struct ValuesError {
     /// Key of the parameter.
     pub key: String,
     /// Its values' fault.
@@ -131,7 +132,7 @@ pub struct ValuesError {
 
 /// Fault of a parameter's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum ValuesReason {
+pub(crate) enum ValuesReason {
     /// Neither a list nor a range, or both.
     #[error("give either `values`, or `from`, `to` and `count`")]
     Form,
@@ -148,7 +149,7 @@ pub enum ValuesReason {
 
 impl Parameter {
     /// The values, listed or spaced.
-    pub fn all_values(&self) -> Result<Vec<f64>, ValuesError> {
+    pub(crate) fn all_values(&self) -> Result<Vec<f64>, ValuesError> {
         self.values_or_reason().map_err(|reason| ValuesError { key: self.key.clone(), reason })
     }
 

@@ -88,7 +88,7 @@ impl Composition {
     }
 
     /// Number of effects: the first measure of how complex a model is.
-    pub fn effect_count(self) -> usize {
+    pub(crate) fn effect_count(self) -> usize {
         self.effects().count()
     }
 
@@ -98,7 +98,7 @@ impl Composition {
     }
 
     /// Laws that the cables obey.
-    pub fn cables(self) -> Cables {
+    pub(crate) fn cables(self) -> Cables {
         match (self.span, self.stretch) {
             (SpanEffect::Straight, StretchEffect::Rigid) => Cables::Rigid,
             (SpanEffect::Straight, StretchEffect::Linear) => Cables::Linear,
@@ -109,7 +109,7 @@ impl Composition {
 
     /// True where a controlled length belongs to a tension: who tells winches lengths has to choose tensions, and limits and initial values
     /// of tensions have a meaning.
-    pub fn needs_tensions(self) -> bool {
+    pub(crate) fn needs_tensions(self) -> bool {
         self.cables() != Cables::Rigid
     }
 

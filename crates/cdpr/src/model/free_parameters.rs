@@ -96,7 +96,7 @@ impl FreeParameters {
     }
 
     /// True when nothing is free.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.selections.is_empty()
     }
 

@@ -32,21 +32,6 @@ pub struct Model {
     pub(super) winches: Vec<Option<Winch>>,
 }
 
-/// Derivatives of one recorded length by the parameters of its own cable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CableGradient {
-    /// By the frame anchor (world): s u.
-    pub frame_anchor: Vector3<f64>,
-    /// By the platform anchor (platform frame): −s Rᵀ u.
-    pub platform_anchor: Vector3<f64>,
-    /// By the length offset: 1.
-    pub length_offset: f64,
-    /// By the length scale: q.
-    pub length_scale: f64,
-    /// By the pulley radius: s (β − sin β); 0 in a model without pulleys.
-    pub pulley_radius: f64,
-}
-
 impl Model {
     /// A model of this robot with these effects.
     pub fn new(robot: Robot, composition: Composition) -> Result<Self, ModelError> {
@@ -99,7 +84,7 @@ impl Model {
         self.composition.cables()
     }
 
-    /// True where a controlled length belongs to a tension, see [`Composition::needs_tensions`].
+    /// True where a controlled length belongs to a tension, see `Composition::needs_tensions`.
     pub fn needs_tensions(&self) -> bool {
         self.composition.needs_tensions()
     }
@@ -137,7 +122,7 @@ impl Model {
     }
 
     /// The law of one cable (0-based) with all its effects.
-    pub fn law(&self, cable: usize) -> &CableLaw {
+    pub(crate) fn law(&self, cable: usize) -> &CableLaw {
         &self.laws[cable]
     }
 
@@ -155,7 +140,7 @@ impl Model {
     }
 
     /// A tension as robots measure it, at the outlet, or where the file says.
-    pub fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
+    pub(crate) fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
         match self.robot.cables[cable].tension_at {
             Some(TensionPlace::Platform) => CableInput::PlatformTension(tension),
             _ => CableInput::OutletTension(tension),
@@ -252,27 +237,13 @@ impl Model {
     }
 
     /// Tension that the robot records for a real one: tension_scale · f + tension_offset (N).
-    pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
+    pub(crate) fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
         self.laws[cable].recording.tension(tension)
     }
 
-    /// Real tension behind a recorded one: the inverse of [`Model::recorded_tension`] (N).
+    /// Real tension behind a recorded one: the inverse of `Model::recorded_tension` (N).
     pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
         self.laws[cable].recording.real_tension(recorded)
-    }
-
-    /// Derivatives of the recorded length of a cable by that cable's parameters.
-    pub fn cable_gradient(&self, cable: usize, pose: &Pose) -> Result<CableGradient, GeometryError> {
-        let (path, _) = self.path(cable, pose)?;
-        let scale = self.laws[cable].recording.length_scale;
-        let row = path.recorded_length_row(&pose.rotation_rows(), 1.0, scale);
-        Ok(CableGradient {
-            frame_anchor: Vector3::new(row[0], row[1], row[2]),
-            platform_anchor: Vector3::new(row[3], row[4], row[5]),
-            length_offset: row[6],
-            length_scale: row[7],
-            pulley_radius: row[8],
-        })
     }
 
     /// Mean distance of the platform anchors from the platform origin (m): what makes an angle a length.

@@ -20,7 +20,7 @@ pub use composition::{Cables, Composition, CompositionError, SpanEffect, Stretch
 pub use error::ModelError;
 pub(crate) use free_parameters::identified_kind;
 pub use free_parameters::{FreeParameters, ParameterError};
-pub use kinematics::{CableGradient, Model};
+pub use kinematics::Model;
 pub use placement::{PlacePulleysError, place_pulleys};
 pub use supported::Supported;
 pub use winching::WinchError;

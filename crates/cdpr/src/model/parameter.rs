@@ -11,12 +11,12 @@ use crate::scalar::cross;
 
 impl ParameterKind {
     /// True for what only a model with elastic cables and recorded tensions can tell.
-    pub fn needs_elasticity(self) -> bool {
+    pub(crate) fn needs_elasticity(self) -> bool {
         matches!(self, Self::Compliance | Self::HiddenLength | Self::TensionScale | Self::TensionOffset | Self::Wrench)
     }
 
     /// True for what only recorded motor angles can tell.
-    pub fn needs_motor_angles(self) -> bool {
+    pub(crate) fn needs_motor_angles(self) -> bool {
         matches!(self, Self::DrumRadius | Self::StartLength)
     }
 }

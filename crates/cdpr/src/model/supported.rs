@@ -20,7 +20,7 @@ pub struct Supported {
 
 impl Supported {
     /// The composition with an alternative in place of the effect that excludes it.
-    pub fn with_alternative(&self, alternative: &str) -> Composition {
+    pub(crate) fn with_alternative(&self, alternative: &str) -> Composition {
         self.richest.with(alternative).unwrap_or(self.richest)
     }
 }

@@ -45,7 +45,7 @@ pub enum WinchError {
 impl Model {
     /// The winch of one cable (0-based): its drum in a model with the effect `drum`, otherwise an ideal winch of the drum's
     /// radius; `None` where the robot states no radius.
-    pub fn winch(&self, cable: usize) -> Option<&Winch> {
+    pub(crate) fn winch(&self, cable: usize) -> Option<&Winch> {
         self.winches[cable].as_ref()
     }
 
@@ -53,12 +53,12 @@ impl Model {
     ///
     /// Drum angles stand for recorded lengths, length_scale · q_θ + length_offset: calibrated scale and offset hold for robots
     /// that record angles as they do for those that record lengths. Without the effect `drum` the winch is an ideal one.
-    pub fn motor_angle(&self, cable: usize, controlled_length: f64) -> Result<f64, WinchError> {
+    pub(crate) fn motor_angle(&self, cable: usize, controlled_length: f64) -> Result<f64, WinchError> {
         self.recorded_motor_angle(cable, self.recorded_length(cable, controlled_length))
     }
 
     /// Controlled length at a motor angle: the inverse of [`Model::motor_angle`] (rad → m).
-    pub fn controlled_length_of_motor_angle(&self, cable: usize, motor_angle: f64) -> Result<f64, WinchError> {
+    pub(crate) fn controlled_length_of_motor_angle(&self, cable: usize, motor_angle: f64) -> Result<f64, WinchError> {
         Ok(self.controlled_length(cable, self.recorded_length_of_motor_angle(cable, motor_angle)?))
     }
 
@@ -85,19 +85,19 @@ impl Model {
     }
 
     /// Motor angle at a recorded length (m → rad).
-    pub fn recorded_motor_angle(&self, cable: usize, recorded_length: f64) -> Result<f64, WinchError> {
+    pub(crate) fn recorded_motor_angle(&self, cable: usize, recorded_length: f64) -> Result<f64, WinchError> {
         let winch = self.known_winch(cable)?;
         winch.motor_angle(recorded_length).map_err(|reason| self.groove(cable, reason))
     }
 
     /// Recorded length at a motor angle (rad → m).
-    pub fn recorded_length_of_motor_angle(&self, cable: usize, motor_angle: f64) -> Result<f64, WinchError> {
+    pub(crate) fn recorded_length_of_motor_angle(&self, cable: usize, motor_angle: f64) -> Result<f64, WinchError> {
         let winch = self.known_winch(cable)?;
         winch.controlled_length(motor_angle).map_err(|reason| self.groove(cable, reason))
     }
 
     /// [`Model::recorded_length_of_motor_angle`] with its derivatives by the drum.
-    pub fn motor_angle_gradient(&self, cable: usize, motor_angle: f64) -> Result<DrumLength, WinchError> {
+    pub(crate) fn motor_angle_gradient(&self, cable: usize, motor_angle: f64) -> Result<DrumLength, WinchError> {
         let winch = self.known_winch(cable)?;
         winch.drum.gradient(motor_angle / winch.gear_ratio).map_err(|reason| self.groove(cable, reason))
     }

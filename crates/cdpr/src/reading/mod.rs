@@ -9,14 +9,15 @@ mod xml_document;
 
 pub use file::{FileError, bytes_of};
 pub(crate) use table_text::table_text;
-pub use toml_document::{Step, TomlDocument};
+pub use toml_document::Step;
+pub(crate) use toml_document::TomlDocument;
 pub(crate) use xml_document::{Element, XmlDocument, numbers};
 
 use std::fmt;
 use std::ops::Range;
 
 /// Numbers beyond this are refused in files: squares and cubes of what is accepted stay finite.
-pub const MAGNITUDE_LIMIT: f64 = 1e30;
+pub(crate) const MAGNITUDE_LIMIT: f64 = 1e30;
 
 /// Kinds of files, which differ in how large they may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +30,7 @@ pub enum Size {
 
 impl Size {
     /// The largest file of this kind that is read (bytes).
-    pub fn limit(self) -> usize {
+    pub(crate) fn limit(self) -> usize {
         match self {
             Self::Text => 16 << 20,
             Self::Table => 256 << 20,
@@ -37,7 +38,7 @@ impl Size {
     }
 
     /// Refuses files above the limit.
-    pub fn check(self, bytes: u64, file_name: &str) -> Result<(), ReadError> {
+    pub(crate) fn check(self, bytes: u64, file_name: &str) -> Result<(), ReadError> {
         if bytes <= self.limit() as u64 {
             return Ok(());
         }
@@ -218,7 +219,7 @@ pub fn did_you_mean<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -
 const LISTED: usize = 12;
 
 /// Help for a name that is not known: the probable one, and all that are allowed unless they are many.
-pub fn help_for_unknown(wrong: &str, known: &[&str]) -> String {
+pub(crate) fn help_for_unknown(wrong: &str, known: &[&str]) -> String {
     let allowed = format!("allowed: {}", known.join(", "));
     match did_you_mean(wrong, known.iter().copied()) {
         Some(meant) if known.len() > LISTED => format!("did you mean `{meant}`?"),

@@ -19,7 +19,7 @@ pub enum Step<'a> {
 
 /// A TOML file: it becomes any type by serde, and mistakes found afterwards are placed by the path of their key.
 #[derive(Clone, Debug)]
-pub struct TomlDocument<'a> {
+pub(crate) struct TomlDocument<'a> {
     text: &'a str,
     file_name: &'a str,
     root: Spanned<DeTable<'a>>,
@@ -27,7 +27,7 @@ pub struct TomlDocument<'a> {
 
 impl<'a> TomlDocument<'a> {
     /// Parses a file that says something, with numbers that can be calculated with.
-    pub fn parse(text: &'a str, file_name: &'a str) -> Result<Self, ReadError> {
+    pub(crate) fn parse(text: &'a str, file_name: &'a str) -> Result<Self, ReadError> {
         Size::Text.check(text.len() as u64, file_name)?;
         let root = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(text.len()..text.len());
@@ -45,13 +45,13 @@ impl<'a> TomlDocument<'a> {
     }
 
     /// The file as a value of `T`; unknown keys, missing keys and wrong types are errors with their place.
-    pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, ReadError> {
+    pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, ReadError> {
         let deserializer = toml::de::Deserializer::from(self.root.clone());
         T::deserialize(deserializer).map_err(|error| self.explain(&error))
     }
 
     /// The value at a path, where there is one.
-    pub fn value(&self, path: &[Step<'_>]) -> Option<&DeValue<'a>> {
+    pub(crate) fn value(&self, path: &[Step<'_>]) -> Option<&DeValue<'a>> {
         let (first, rest) = path.split_first()?;
         let Step::Key(name) = first else { return None };
         let mut value = self.root.get_ref().get(*name)?;
@@ -62,7 +62,7 @@ impl<'a> TomlDocument<'a> {
     }
 
     /// An error at the value of a path, or at the innermost part of the path that exists.
-    pub fn error_at(&self, path: &[Step<'_>], code: &'static str, message: impl Into<String>) -> ReadError {
+    pub(crate) fn error_at(&self, path: &[Step<'_>], code: &'static str, message: impl Into<String>) -> ReadError {
         ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, self.span(path)))
     }
 

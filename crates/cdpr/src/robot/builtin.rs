@@ -1,7 +1,6 @@
 //! Robots that come with the library; sources and licences are in `robots/NOTICE.md`.
 
 use super::Robot;
-use crate::reading::did_you_mean;
 
 /// Name and file of each built-in robot.
 macro_rules! built_in {
@@ -47,11 +46,6 @@ pub fn find(name: &str) -> Option<&'static str> {
     ROBOTS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
-/// The built-in name that a wrong one probably meant.
-pub fn suggestion(name: &str) -> Option<&'static str> {
-    did_you_mean(name, names())
-}
-
 impl Robot {
     /// The built-in robot of this name; see [`names`].
     pub fn builtin(name: &str) -> Option<Self> {
@@ -72,13 +66,5 @@ mod tests {
             assert_eq!(Robot::from_toml(&robot.to_toml(), name).unwrap(), robot);
         }
         assert_eq!(names().count(), 23);
-    }
-
-    #[test]
-    fn a_wrong_name_is_answered_by_the_one_meant() {
-        assert!(Robot::builtin("cogirro").is_none());
-        assert_eq!(suggestion("cogirro"), Some("cogiro"));
-        assert_eq!(suggestion("planar_example"), Some("planar-example"));
-        assert_eq!(suggestion("?"), None);
     }
 }

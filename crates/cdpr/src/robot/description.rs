@@ -274,7 +274,7 @@ impl Cable {
     }
 
     /// Specific compliance 1/(E·A) (1/N), stated in either way; `None` for a constant spring.
-    pub fn specific_compliance(&self) -> Option<f64> {
+    pub(crate) fn specific_compliance(&self) -> Option<f64> {
         match self.stiffness? {
             CableStiffness::Axial(stiffness) => Some(1.0 / stiffness),
             CableStiffness::Compliance(compliance) => Some(compliance),
@@ -298,12 +298,12 @@ impl Robot {
     }
 
     /// Number of degrees of freedom n.
-    pub fn dof(&self) -> usize {
+    pub(crate) fn dof(&self) -> usize {
         self.motion_pattern.dof()
     }
 
     /// x_A of a pulley that does not swivel, from D to its centre (unit, world); `None` for one that does, or without an axis.
-    pub fn pulley_side(&self, cable: &Cable) -> Option<Vector3<f64>> {
+    pub(crate) fn pulley_side(&self, cable: &Cable) -> Option<Vector3<f64>> {
         let side = cable.pulley_wrap_side?;
         Some(self.side_of(&cable.pulley_swivel_axis()?, side))
     }

@@ -25,7 +25,8 @@ pub use description::{
 pub(crate) use parameter::{Head, axis_name};
 pub use parameter::{Parameter, ParameterKind};
 pub use parts::{CableStiffness, Pulley};
-pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT, rising_range};
+pub(crate) use stretch::rising_range;
+pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT};
 pub use surroundings::{Obstacle, ObstacleShape};
 pub use winch::{CableWinch, DrumSide, Groove, GrooveEnds};
 

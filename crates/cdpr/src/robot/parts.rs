@@ -22,7 +22,7 @@ pub enum Pulley {
 
 impl Pulley {
     /// The pulley that a radius (m) and a swivel axis make; `None` without either.
-    pub fn of(radius: Option<f64>, swivel_axis: Option<Vector3<f64>>) -> Option<Self> {
+    pub(crate) fn of(radius: Option<f64>, swivel_axis: Option<Vector3<f64>>) -> Option<Self> {
         match (radius, swivel_axis) {
             (Some(radius), Some(swivel_axis)) => Some(Self::Whole { radius, swivel_axis }),
             (Some(radius), None) => Some(Self::Radius(radius)),

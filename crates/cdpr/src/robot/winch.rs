@@ -50,34 +50,34 @@ pub struct GrooveEnds {
 
 impl CableWinch {
     /// Pitch of the groove (m per turn).
-    pub fn pitch(&self) -> Option<f64> {
+    pub(crate) fn pitch(&self) -> Option<f64> {
         self.groove.map(|groove| groove.pitch)
     }
 
     /// Length of the groove along the axis (m).
-    pub fn groove_length(&self) -> Option<f64> {
+    pub(crate) fn groove_length(&self) -> Option<f64> {
         self.groove?.ends.map(|ends| ends.length)
     }
 
     /// Radius that each further layer adds (m).
-    pub fn layer_height(&self) -> Option<f64> {
+    pub(crate) fn layer_height(&self) -> Option<f64> {
         self.groove?.ends?.layer_height
     }
 
     /// Gives the groove a pitch (m per turn); its ends stay.
-    pub fn set_pitch(&mut self, pitch: f64) {
+    pub(crate) fn set_pitch(&mut self, pitch: f64) {
         self.groove = Some(Groove { pitch, ends: self.groove.and_then(|groove| groove.ends) });
     }
 
     /// Gives the groove a length (m), its layers stay; a drum without groove stays without.
-    pub fn set_groove_length(&mut self, length: f64) {
+    pub(crate) fn set_groove_length(&mut self, length: f64) {
         if let Some(groove) = &mut self.groove {
             groove.ends = Some(GrooveEnds { length, layer_height: groove.ends.and_then(|ends| ends.layer_height) });
         }
     }
 
     /// Gives further layers a height (m); a groove without ends stays without.
-    pub fn set_layer_height(&mut self, height: f64) {
+    pub(crate) fn set_layer_height(&mut self, height: f64) {
         if let Some(ends) = self.groove.as_mut().and_then(|groove| groove.ends.as_mut()) {
             ends.layer_height = Some(height);
         }
@@ -99,7 +99,7 @@ pub enum DrumSide {
 
 impl DrumSide {
     /// Sense in which the drum turns about its axis when it pays out: +1 where the cable leaves on the left.
-    pub fn sign(self) -> f64 {
+    pub(crate) fn sign(self) -> f64 {
         match self {
             Self::Left => 1.0,
             Self::Right => -1.0,

@@ -101,19 +101,19 @@ impl LaneTable {
     }
 
     /// Number of groups of eight items, the last one perhaps not full.
-    pub fn groups(&self) -> usize {
+    pub(crate) fn groups(&self) -> usize {
         self.len.div_ceil(LANES)
     }
 
     /// The rows of one group of eight items.
     #[inline(always)]
-    pub fn group(&self, group: usize) -> &[Line] {
+    pub(crate) fn group(&self, group: usize) -> &[Line] {
         &self.lines[group * self.rows..(group + 1) * self.rows]
     }
 
     /// The rows of one group of eight items, to be written.
     #[inline(always)]
-    pub fn group_mut(&mut self, group: usize) -> &mut [Line] {
+    pub(crate) fn group_mut(&mut self, group: usize) -> &mut [Line] {
         &mut self.lines[group * self.rows..(group + 1) * self.rows]
     }
 

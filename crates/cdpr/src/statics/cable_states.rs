@@ -1,20 +1,13 @@
 //! States and lengths of a model's cables at a pose with given tensions.
 
-use super::error::{StaticsError, check_tensions};
+use super::error::StaticsError;
 use crate::cable::law::{CableLengths, unit_spring};
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::{CableInput, CableState};
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// All cables of a model at a pose with these tensions (N), which are those at the outlets, or where the file says that they
-/// are measured.
-pub fn cable_states(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<CableState>, StaticsError> {
-    check_tensions(model, tensions)?;
-    tensions.iter().enumerate().map(|(index, &tension)| cable_state(model, pose, index, tension)).collect()
-}
-
-/// One cable of [`cable_states`] (0-based).
+/// One cable (0-based) of a model at a pose with a tension (N), which is that at the outlet, or where the file says that it is measured.
 pub fn cable_state(model: &Model, pose: &Pose, index: usize, tension: f64) -> Result<CableState, StaticsError> {
     state_of(model, pose, index, model.measured_tension(index, tension))
 }

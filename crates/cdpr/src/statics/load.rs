@@ -73,7 +73,7 @@ impl Load {
     }
 
     /// ∂w/∂\[δr; δφ\] at a pose: only the weight's moment changes, by m \[g\]× \[R c\]× δφ.
-    pub fn gradient(&self, pose: &Pose) -> Matrix6<f64> {
+    pub(crate) fn gradient(&self, pose: &Pose) -> Matrix6<f64> {
         let moment_arm = pose.rotation * self.center_of_mass;
         let moment: Matrix3<f64> = self.weight.cross_matrix() * moment_arm.cross_matrix();
         let mut gradient = Matrix6::zeros();
@@ -82,12 +82,12 @@ impl Load {
     }
 
     /// The constant part (world axes, moment about the platform origin; N, N·m).
-    pub fn constant_part(&self) -> &Wrench {
+    pub(crate) fn constant_part(&self) -> &Wrench {
         &self.constant
     }
 
     /// The weight m g (world, N) and the centre of mass c it acts in (platform frame, m).
-    pub fn weight(&self) -> (&Vector3<f64>, &Vector3<f64>) {
+    pub(crate) fn weight(&self) -> (&Vector3<f64>, &Vector3<f64>) {
         (&self.weight, &self.center_of_mass)
     }
 
@@ -99,17 +99,9 @@ impl Load {
     }
 
     /// [`Load::in_pattern`] into memory of the caller, as many of the n rows as it has.
-    pub fn write_in_pattern(&self, model: &Model, pose: &Pose, rows: &mut [f64]) {
+    pub(crate) fn write_in_pattern(&self, model: &Model, pose: &Pose, rows: &mut [f64]) {
         let wrench = self.wrench(pose);
         rows.iter_mut().zip(model.twist_basis()).for_each(|(row, twist)| *row = twist.dot(&wrench));
-    }
-
-    /// Work that the load does when the platform moves from one pose to another (N·m) by a displacement `twist`: exact for
-    /// forces and weight, and for a constant moment along the straight turn between the poses.
-    pub fn work(&self, from: &Pose, to: &Pose) -> f64 {
-        let twist = from.displacement_to(to);
-        let moment_arm = |pose: &Pose| pose.rotation * self.center_of_mass;
-        self.constant.dot(&twist) + self.weight.dot(&(twist.fixed_rows::<3>(0) + moment_arm(to) - moment_arm(from)))
     }
 }
 
@@ -136,16 +128,6 @@ mod tests {
             let slope = (load.wrench(&pose.displaced(&step)) - load.wrench(&pose.displaced(&-step))) / (2.0 * h);
             assert!((slope - load.gradient(&pose).column(axis)).amax() < 1e-7, "axis {axis}");
         }
-    }
-
-    #[test]
-    fn the_work_of_small_steps_is_the_wrench_times_the_step() {
-        let (load, pose) = (offset_weight(), turned());
-        let step = Twist::new(1.0, -2.0, 0.5, 0.3, 0.2, -0.7) * 1e-6;
-        let work = load.work(&pose, &pose.displaced(&step));
-        // second order in the step: 200 N · 0.4 m · (1e-6)²
-        assert!((work - load.wrench(&pose).dot(&step)).abs() < 1e-9);
-        assert!(work.abs() > 1e-5);
     }
 
     #[test]

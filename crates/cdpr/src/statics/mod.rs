@@ -13,9 +13,10 @@ mod stiffness;
 mod tests;
 
 pub use balance::{TensionSplit, balanced_wrench, controlled_lengths, split, wrench_residual};
+pub use cable_states::cable_state;
 pub(crate) use cable_states::{cable_lengths, cable_state_at_outlet, unit_spring_state};
-pub use cable_states::{cable_state, cable_states};
 pub use error::{StaticsError, check_tensions};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
-pub use stiffness::{Stability, Stiffness, geometric_stiffness};
+pub(crate) use stiffness::geometric_stiffness;
+pub use stiffness::{Stability, Stiffness};

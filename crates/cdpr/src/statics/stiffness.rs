@@ -120,7 +120,7 @@ impl Stiffness {
 
     /// Displacement of the platform per change of the controlled lengths, −K_wx⁻¹ K_wq, n × m (eq. 2.80); `None` as for
     /// [`Stiffness::compliance`].
-    pub fn pose_by_controlled_lengths(&self) -> Option<DMatrix<f64>> {
+    pub(crate) fn pose_by_controlled_lengths(&self) -> Option<DMatrix<f64>> {
         Some(-(self.compliance()? * &self.by_controlled_length))
     }
 
@@ -157,7 +157,7 @@ impl Stiffness {
 /// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x, n × n: how the wrench of constant tensions changes with the pose (eq. 2.67).
 ///
 /// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
-pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
+pub(crate) fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     check_tensions(model, tensions)?;
     let mut turning = Matrix6::zeros();
     for (index, &tension) in tensions.iter().enumerate() {

@@ -14,7 +14,7 @@ pub enum Status {
     Feasible,
     /// No tensions do: proved, see [`Answer::certificate`] and [`Answer::reason`].
     Infeasible,
-    /// Some tensions do, but the method did not find them: see [`Method::is_exact`].
+    /// Some tensions do, but the method did not find them: see `Method::is_exact`.
     NotFound,
     /// Rounding or overflow kept the search from a verdict: matrices with entries at the ends of their range.
     Undecided,

@@ -140,14 +140,14 @@ impl Limits {
     }
 
     /// True when every tension keeps its limits, within `tolerance` (N).
-    pub fn contain(&self, tensions: &[f64], tolerance: f64) -> bool {
+    pub(crate) fn contain(&self, tensions: &[f64], tolerance: f64) -> bool {
         let within =
             |(index, &f): (usize, &f64)| f >= self.minimum[index] - tolerance && f <= self.maximum[index] + tolerance;
         tensions.len() == self.cable_count() && tensions.iter().enumerate().all(within)
     }
 
     /// Rounding of tensions (N): a limit missed by less is kept.
-    pub fn tolerance(&self) -> f64 {
+    pub(crate) fn tolerance(&self) -> f64 {
         1e-10 * self.scale
     }
 

@@ -72,7 +72,7 @@ impl Method {
 
     /// True when the method finds tensions wherever there are any. The others may miss them, and then say so
     /// ([`super::Status::NotFound`]).
-    pub fn is_exact(self) -> bool {
+    pub(crate) fn is_exact(self) -> bool {
         !matches!(self, Self::ClosedForm | Self::ImprovedClosedForm | Self::Puncture | Self::Dykstra)
     }
 }

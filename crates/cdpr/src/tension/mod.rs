@@ -33,5 +33,6 @@ pub use error::InputError;
 pub use limits::{Limits, LimitsError};
 pub use method::{Method, UnknownMethod};
 pub use options::{Options, Reference};
-pub use response::{NotSmooth, Response};
+pub use response::NotSmooth;
+pub use response::Response;
 pub use solver::{Solver, solve};

@@ -61,7 +61,7 @@ pub(super) fn strata(bounds: &Bounds, cells: u64) -> [usize; 3] {
 
 impl Audit {
     /// Compares the region with a finding at so many points, about; every seed draws others.
-    pub fn of(
+    pub(crate) fn of(
         region: &Region<'_>,
         bounds: &Bounds,
         [points, seed]: [u64; 2],
@@ -110,13 +110,13 @@ impl Audit {
     }
 
     /// Width that chance leaves to the difference (m², m³): more points make it smaller, a better finding does not.
-    pub fn uncertainty(&self) -> f64 {
+    pub(crate) fn uncertainty(&self) -> f64 {
         let [least, largest] = self.difference();
         0.5 * (largest - least)
     }
 
     /// Between which numbers the size of the region less the size found lies (m², m³), with [`CONFIDENCE`].
-    pub fn difference(&self) -> [f64; 2] {
+    pub(crate) fn difference(&self) -> [f64; 2] {
         let surprise = surprise();
         let [missed, added] = [self.missed, self.added].map(|count| limits(count as f64, surprise));
         let apart = [missed[0] - added[1], missed[1] - added[0]];
@@ -128,7 +128,7 @@ impl Audit {
     }
 
     /// Least size of the part of the region that was missed (m², m³), with [`CONFIDENCE`].
-    pub fn missed_at_least(&self) -> f64 {
+    pub(crate) fn missed_at_least(&self) -> f64 {
         limits(self.missed as f64, surprise())[0] * self.share()
     }
 }

@@ -76,7 +76,7 @@ impl Bounds {
     }
 
     /// Length of the longest side (m).
-    pub fn longest(&self) -> f64 {
+    pub(crate) fn longest(&self) -> f64 {
         (0..self.dimension).map(|axis| self.extent(axis)).fold(0.0, f64::max)
     }
 
@@ -91,7 +91,7 @@ impl Bounds {
     }
 
     /// Upper corner (m).
-    pub fn largest(&self) -> &Point {
+    pub(crate) fn largest(&self) -> &Point {
         &self.largest
     }
 
@@ -111,7 +111,7 @@ impl Bounds {
     }
 
     /// Area (m²) or volume (m³).
-    pub fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         (0..self.dimension).map(|axis| self.extent(axis)).product()
     }
 
@@ -126,7 +126,7 @@ impl Bounds {
     }
 
     /// How far a ray from a point in the box runs until it leaves it (m), for a direction of length 1.
-    pub fn way_out(&self, from: &Point, direction: &Point) -> f64 {
+    pub(crate) fn way_out(&self, from: &Point, direction: &Point) -> f64 {
         let mut way = f64::INFINITY;
         for axis in 0..self.dimension {
             let end = if direction[axis] > 0.0 { self.largest[axis] } else { self.least[axis] };

@@ -61,7 +61,7 @@ impl Grid {
     }
 
     /// The box.
-    pub fn bounds(&self) -> &Bounds {
+    pub(crate) fn bounds(&self) -> &Bounds {
         &self.bounds
     }
 
@@ -71,7 +71,7 @@ impl Grid {
     }
 
     /// Area (m²) or volume (m³) of a cell.
-    pub fn cell_size(&self) -> f64 {
+    pub(crate) fn cell_size(&self) -> f64 {
         self.bounds.size() / self.points() as f64
     }
 

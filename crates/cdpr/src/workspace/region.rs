@@ -172,7 +172,7 @@ impl<'a> Region<'a> {
 
     /// Spans (m) of a ray from a point, in a direction of length 1 and so far (m), that belong to the region, in closed form;
     /// `None` where the criterion has none, or where several orientations count.
-    pub fn holds_along(&self, from: &Point, direction: &Point, length: f64) -> Option<Spans> {
+    pub(crate) fn holds_along(&self, from: &Point, direction: &Point, length: f64) -> Option<Spans> {
         let [rotation] = self.orientations[..] else { return None };
         let start = Pose { position: self.position(from), rotation };
         self.criterion.holds_along(&start, &self.position(direction), length)
@@ -181,7 +181,7 @@ impl<'a> Region<'a> {
     /// Whether each of many points belongs to the region; `answers` has one entry per point.
     ///
     /// Threads share the points with the feature `parallel`; the answers do not depend on it.
-    pub fn holds_all(&self, points: &[Point], answers: &mut [bool]) {
+    pub(crate) fn holds_all(&self, points: &[Point], answers: &mut [bool]) {
         #[cfg(feature = "parallel")]
         {
             use rayon::prelude::*;

@@ -14,17 +14,17 @@ pub struct Verdict {
 
 impl Verdict {
     /// The criterion holds with this margin; below zero only by rounding.
-    pub fn held(margin: f64, cable: Option<usize>) -> Self {
+    pub(crate) fn held(margin: f64, cable: Option<usize>) -> Self {
         Self { margin: margin.max(0.0), reason: None, cable }
     }
 
     /// The criterion fails by this margin, for a reason in words; zero or above only by rounding.
-    pub fn failed(margin: f64, reason: impl Into<String>, cable: Option<usize>) -> Self {
+    pub(crate) fn failed(margin: f64, reason: impl Into<String>, cable: Option<usize>) -> Self {
         Self { margin: margin.min(-f64::MIN_POSITIVE), reason: Some(reason.into()), cable }
     }
 
     /// The criterion has no meaning at the pose, so that it fails whatever would be changed: no path of a cable, say.
-    pub fn impossible(reason: impl Into<String>, cable: Option<usize>) -> Self {
+    pub(crate) fn impossible(reason: impl Into<String>, cable: Option<usize>) -> Self {
         Self::failed(f64::NEG_INFINITY, reason, cable)
     }
 

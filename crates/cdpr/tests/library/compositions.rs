@@ -1,5 +1,6 @@
 //! Every composition of effects on one machine: the inverse problem and the forward problem lead to each other.
 
+use super::support::operate;
 use cdpr::equilibrium::{State, distribution, elastostatics};
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::evaluate;
@@ -7,7 +8,7 @@ use cdpr::identification::fit::{Settings, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::branches::branches;
 use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMethod};
-use cdpr::metamodel::{Operation, initial_tensions, operate, winch_offsets};
+use cdpr::metamodel::{Operation, initial_tensions, winch_offsets};
 use cdpr::model::{Cables, Composition, FreeParameters, Model};
 use cdpr::robot::{HysteresisTable, Robot};
 use cdpr::statics::{self, Load};

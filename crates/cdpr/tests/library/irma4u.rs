@@ -1,5 +1,5 @@
 //! A real robot with swivelling pulleys: motion capture, swivel encoders and inclinometer of the University of Bologna's IRMA4U,
-//! read where they may be read. `cargo test -p cdpr --test library irma4u -- --nocapture` prints the figures of the book's page.
+//! read where they may be read. `cargo test -p cdpr --lib irma4u -- --nocapture` prints the figures of the book's page.
 
 use std::path::PathBuf;
 

@@ -1,5 +1,4 @@
-//! The library's tests through its public interface, in the program of its unit tests (`src/lib.rs`): the library is compiled for tests
-//! once. As a program of its own, which `cargo clippy` checks and nobody runs, they see what users see.
+//! The library's tests of whole questions, in the program of its unit tests (`src/lib.rs`): the library is compiled for tests once.
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,

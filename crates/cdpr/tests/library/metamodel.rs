@@ -1,12 +1,12 @@
 //! Control models on machines: identity, winch offsets, initial tensions, what is recorded.
 
-use super::support::{builtin, random_poses, simulator, with_pulleys};
+use super::support::{builtin, operate, random_poses, simulator, with_pulleys};
 use cdpr::geometry::Pose;
 use cdpr::measurement::SensorSigmas;
 use cdpr::metamodel::accuracy::assess;
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::study::{CommandedPose, Initial, Shortening, TensionMethod};
-use cdpr::metamodel::{InputError, Operation, Status, initial_tensions, operate, winch_offsets};
+use cdpr::metamodel::{InputError, Operation, Status, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DVector, Vector3};
 use cdpr::robot::Robot;

@@ -3,16 +3,16 @@
 //!
 //! Readers refuse most of these; programs that build a robot in memory do not pass through a reader.
 
-use super::support::{builtin, property, simulator, with_pulleys};
+use super::support::{builtin, operate, property, simulator, with_pulleys};
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::identification::candidate::{Ladder, defaults};
 use cdpr::identification::selection::{self, select};
 use cdpr::identification::{Prior, evaluate, fit};
 use cdpr::measurement::{Samples, SensorSigmas, Split};
+use cdpr::metamodel::accuracy::assess;
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::study::CommandedPose;
-use cdpr::metamodel::{accuracy::assess, operate};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{CableStiffness, ParameterKind, Robot};

@@ -1,11 +1,11 @@
 //! Drums between motors and cables: control models that know them and those that do not, and data of motor angles.
 
-use super::support::{random_poses, simulator};
+use super::support::{operate, random_poses, simulator};
 use cdpr::identification::evaluate;
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::accuracy::assess;
 use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::{InputError, Status, operate, with_motor_angles};
+use cdpr::metamodel::{InputError, Status, with_motor_angles};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
 

@@ -32,7 +32,8 @@ fn by_grid(region: &Region<'_>, bounds: &Bounds, step: f64) -> (Outcome, Mesh) {
 /// Size, bound and surface of grid and octree.
 fn both(region: &Region<'_>, bounds: &Bounds, step: f64) -> [(f64, f64, Mesh); 2] {
     let (grid, of_grid) = by_grid(region, bounds, step);
-    let (octree, of_octree) = octree::solve_with_surface(region, bounds, &octree::Settings::new(step)).unwrap();
+    let searched = octree::search(region, bounds, &octree::Settings::new(step)).unwrap();
+    let (octree, of_octree) = (searched.outcome(), searched.surface());
     [(grid.size, grid.error_bound, of_grid), (octree.size, octree.error_bound, of_octree)]
 }
 

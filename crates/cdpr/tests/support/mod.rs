@@ -7,6 +7,7 @@ use cdpr::geometry::{Pose, Twist};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::study::CommandedPose;
+use cdpr::metamodel::{Control, InputError, Operation, Outcome};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{DrumSide, Robot};
@@ -25,6 +26,17 @@ pub(crate) fn builtin(name: &str) -> Robot {
 /// The nominal CableRobot Simulator (eq. 6.1).
 pub(crate) fn simulator() -> Robot {
     builtin("cablerobot-simulator-helicopter")
+}
+
+/// What emerges at each pose that a control model commands to a machine.
+pub(crate) fn operate<'a>(
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
+    offsets: &[f64],
+    poses: &[CommandedPose],
+) -> Result<Vec<Outcome>, InputError> {
+    let mut operation = Operation::new(control, machine, offsets)?;
+    Ok(poses.iter().map(|command| operation.answer(command)).collect())
 }
 
 /// Pulleys with +z axes whose contact points at the home pose are the published anchors.

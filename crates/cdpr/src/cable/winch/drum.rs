@@ -81,13 +81,13 @@ impl Drum {
     }
 
     /// Cable that the first layer holds (m); `None` for a groove without ends.
-    pub fn capacity(&self) -> Option<f64> {
+    pub(crate) fn capacity(&self) -> Option<f64> {
         let (_, longest) = self.lengths()?;
         Some(longest - self.parameters.start_length)
     }
 
     /// Least and largest controlled length that the groove allows (m); `None` for a groove without ends.
-    pub fn lengths(&self) -> Option<(f64, f64)> {
+    pub(crate) fn lengths(&self) -> Option<(f64, f64)> {
         self.parameters.groove_length?;
         let (first, last) = (self.layers.first()?, self.layers.last()?);
         Some((last.full().length, first.empty().length))

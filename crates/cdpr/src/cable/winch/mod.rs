@@ -29,13 +29,13 @@ impl Winch {
     /// without a radius.
     ///
     /// It is what a controller assumes that knows a radius only, and the limit of a drum without pitch.
-    pub fn ideal(cable: &Cable) -> Option<Result<Self, DrumError>> {
+    pub(crate) fn ideal(cable: &Cable) -> Option<Result<Self, DrumError>> {
         let radius = cable.winch.radius?;
         Some(Self::with(cable, Parameters { radius, ..parameters(cable, radius, 0.0, None, None) }))
     }
 
     /// The winch of a robot's cable; `None` when its file lacks what [`missing_key`] names.
-    pub fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
+    pub(crate) fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
         let winch = &cable.winch;
         let (radius, groove) = (winch.radius?, winch.groove?);
         let mounting = match winch.guided {
@@ -60,23 +60,18 @@ impl Winch {
     }
 
     /// Motor angle at a controlled length (m → rad).
-    pub fn motor_angle(&self, controlled_length: f64) -> Result<f64, GrooveError> {
+    pub(crate) fn motor_angle(&self, controlled_length: f64) -> Result<f64, GrooveError> {
         Ok(self.gear_ratio * self.drum.angle(controlled_length)?)
     }
 
     /// Controlled length at a motor angle (rad → m).
-    pub fn controlled_length(&self, motor_angle: f64) -> Result<f64, GrooveError> {
+    pub(crate) fn controlled_length(&self, motor_angle: f64) -> Result<f64, GrooveError> {
         self.drum.length(motor_angle / self.gear_ratio)
     }
 
     /// Encoder counts at a motor angle (rad), from zero at the angle zero; `None` when the counts per turn are unknown.
-    pub fn encoder_counts(&self, motor_angle: f64) -> Option<f64> {
+    pub(crate) fn encoder_counts(&self, motor_angle: f64) -> Option<f64> {
         Some(motor_angle / TAU * self.counts_per_turn?)
-    }
-
-    /// Motor angle at an encoder count (rad); `None` when the counts per turn are unknown.
-    pub fn motor_angle_of_counts(&self, counts: f64) -> Option<f64> {
-        Some(counts * TAU / self.counts_per_turn?)
     }
 }
 
@@ -99,7 +94,7 @@ fn parameters(
 }
 
 /// The robot-file key that a cable lacks for the effect `drum`; `None` when it has all.
-pub fn missing_key(cable: &Cable) -> Option<&'static str> {
+pub(crate) fn missing_key(cable: &Cable) -> Option<&'static str> {
     let winch = &cable.winch;
     let guided = winch.guided == Some(true);
     [

@@ -12,7 +12,7 @@ use crate::scalar::Real;
 /// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the pulley from
 /// the drum's axis. A drum whose guide travels with the contact point keeps s constant: F = h φ. Without pitch both are r φ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turns<T> {
+pub(crate) struct Turns<T> {
     /// Radius r of the cable's centre line (m).
     pub radius: T,
     /// Travel c of the contact point along the drum's axis (m/rad), signed.
@@ -23,7 +23,7 @@ pub struct Turns<T> {
 
 /// Place of the first pulley seen from the drum: distance from its axis, and offset along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FirstPulley<T> {
+pub(crate) struct FirstPulley<T> {
     /// Square of its distance d from the drum's axis (m²).
     pub distance_squared: T,
     /// Place w of the contact point along the axis where φ = 0, counted from the pulley (m).
@@ -32,7 +32,7 @@ pub struct FirstPulley<T> {
 
 /// A paid-out length with its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PaidOut<T> {
+pub(crate) struct PaidOut<T> {
     /// F (m).
     pub value: T,
     /// ∂F/∂φ (m/rad), above zero.
@@ -50,19 +50,13 @@ pub struct PaidOut<T> {
 impl<T: Real> Turns<T> {
     /// Cable that one radian unwinds, h = √(r² + c²) (m/rad).
     #[inline(always)]
-    pub fn wound_per_radian(&self) -> T {
+    pub(crate) fn wound_per_radian(&self) -> T {
         (self.radius * self.radius + self.travel * self.travel).sqrt()
-    }
-
-    /// Length s of the free part between drum and first pulley at a turn (m); `None` behind a travelling guide.
-    #[inline(always)]
-    pub fn free_length(&self, turn: T) -> Option<T> {
-        self.pulley.map(|pulley| pulley.free_length(self.radius, pulley.contact + self.travel * turn))
     }
 
     /// Length paid out beyond the first pulley by a turn from φ = 0 (m), negative where cable is reeled in.
     #[inline(always)]
-    pub fn paid_out(&self, turn: T) -> T {
+    pub(crate) fn paid_out(&self, turn: T) -> T {
         let wound = self.wound_per_radian() * turn;
         let Some(pulley) = self.pulley else { return wound };
         let (w, along) = (pulley.contact, self.travel * turn);
@@ -73,7 +67,7 @@ impl<T: Real> Turns<T> {
 
     /// [`Turns::paid_out`] with its derivatives.
     #[inline(always)]
-    pub fn gradient(&self, turn: T) -> PaidOut<T> {
+    pub(crate) fn gradient(&self, turn: T) -> PaidOut<T> {
         let (r, c, h) = (self.radius, self.travel, self.wound_per_radian());
         let zero = r.constant(0.0);
         let wound = PaidOut {
@@ -105,7 +99,7 @@ impl<T: Real> Turns<T> {
     /// s = h φ − K with K = Δ − s(0), squared, is r² φ² − 2 (h K + w c) φ − Δ (2 s(0) − Δ) = 0; the root with s ≥ 0 is the
     /// larger one, and its discriminant (c K + h w)² + r² t² is a sum of squares. One Newton step takes out its rounding.
     #[inline(always)]
-    pub fn turn(&self, paid_out: T) -> T {
+    pub(crate) fn turn(&self, paid_out: T) -> T {
         let h = self.wound_per_radian();
         let Some(pulley) = self.pulley else { return paid_out / h };
         let (r, c, w) = (self.radius, self.travel, pulley.contact);

@@ -137,18 +137,6 @@ impl<'a> Solver<'a> {
         self.scratch
     }
 
-    /// Seeks from the guess alone from now on: an answer is what the platform comes to from there.
-    #[must_use]
-    pub fn without_restarts(mut self) -> Self {
-        self.settings.max_restarts = 0;
-        self
-    }
-
-    /// Another load from now on.
-    pub fn set_load(&mut self, load: &Load) {
-        self.load = *load;
-    }
-
     /// Cables that start from these memories, one per cable; without effect where laws have none.
     #[must_use]
     pub(super) fn with_memories(mut self, memories: &[Memory]) -> Self {

@@ -58,7 +58,7 @@ pub enum InputError {
 
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
-    pub fn validate(&self) -> Result<(), InputError> {
+    pub(crate) fn validate(&self) -> Result<(), InputError> {
         for (name, value) in [
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),

@@ -60,7 +60,7 @@ pub struct Solver<'a> {
 
 impl<'a> Solver<'a> {
     /// A solver for this model, load and limits.
-    pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Result<Self, InputError> {
+    pub(crate) fn new(model: &'a Model, load: &Load, limits: &Limits) -> Result<Self, InputError> {
         let (cables, dof) = (model.cable_count(), model.dof());
         if limits.cable_count() != cables {
             return Err(InputError::LimitCount { expected: cables, found: limits.cable_count() });
@@ -80,7 +80,7 @@ impl<'a> Solver<'a> {
     }
 
     /// One answer per pose; [`feasible`] says of what.
-    pub fn solve(&mut self, poses: &[Pose], answers: &mut [bool]) -> Result<(), InputError> {
+    pub(crate) fn solve(&mut self, poses: &[Pose], answers: &mut [bool]) -> Result<(), InputError> {
         if poses.len() != answers.len() {
             return Err(InputError::AnswerCount { expected: poses.len(), found: answers.len() });
         }

@@ -22,7 +22,7 @@ impl Solver<'_> {
     /// (`suspicious_residual`); nothing where no other start leads to a better fit.
     ///
     /// It takes as many descents as `max_restarts`, each as long as that of a solution.
-    pub fn alternative(&mut self) -> Option<Alternative> {
+    pub(crate) fn alternative(&mut self) -> Option<Alternative> {
         let (model, settings) = (self.model, &self.settings);
         let Scratch { solution, targets, residuals, .. } = &self.scratch;
         let rms = solution.residual_rms;

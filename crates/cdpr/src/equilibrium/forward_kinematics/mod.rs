@@ -5,7 +5,7 @@
 //! m = n only a vanishing residual is; with m < n lengths do not determine the pose.
 //!
 //! The pose that the descent from the guess leads to is the answer: lengths carry errors, so a residual alone is no reason to
-//! leave it for a pose elsewhere that happens to fit better. [`Solver::alternative`] tells of such a pose. Only where the
+//! leave it for a pose elsewhere that happens to fit better. `Solver::alternative` tells of such a pose. Only where the
 //! descent from the guess ends without an answer, the search starts again from other poses before it gives up.
 
 mod alternative;
@@ -70,7 +70,7 @@ pub enum InputError {
 
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
-    pub fn validate(&self) -> Result<(), InputError> {
+    pub(crate) fn validate(&self) -> Result<(), InputError> {
         for (name, value) in [
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),

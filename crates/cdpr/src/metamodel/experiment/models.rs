@@ -52,13 +52,13 @@ impl From<InputError> for ExperimentError {
 
 impl Study {
     /// A robot with the effects of one side and the limits of the study.
-    pub fn model_of(&self, side: &RobotModel, robot: Robot) -> Result<Model, InputError> {
+    pub(crate) fn model_of(&self, side: &RobotModel, robot: Robot) -> Result<Model, InputError> {
         Ok(Model::new(self.limited(robot), side.model.parse::<Composition>()?)?)
     }
 
     /// The robot that was in use when the winches were set, with the effects of the control model; nothing where it is the
     /// control model's own.
-    pub fn former(&self) -> Option<RobotModel> {
+    pub(crate) fn former(&self) -> Option<RobotModel> {
         let robot = self.initial.offset_robot.clone()?;
         Some(RobotModel { robot, model: self.control.model.clone() })
     }
@@ -66,7 +66,7 @@ impl Study {
 
 impl History {
     /// How a machine comes to the poses: as stated, or from the initial pose; nothing where its cables do not remember.
-    pub fn of(machine: &Model, stated: Option<Self>) -> Option<Self> {
+    pub(crate) fn of(machine: &Model, stated: Option<Self>) -> Option<Self> {
         let remembers = machine.composition().stretch == StretchEffect::Hysteresis;
         remembers.then(|| stated.unwrap_or_default())
     }
@@ -74,12 +74,12 @@ impl History {
 
 impl Experiment {
     /// The control model with its way to choose tensions.
-    pub fn controller(&self) -> Control<'_> {
+    pub(crate) fn controller(&self) -> Control<'_> {
         Control { model: &self.control, tension_method: self.study.control.tension_method.unwrap_or_default() }
     }
 
     /// The model in use when the winches are set.
-    pub fn set_with(&self) -> &Model {
+    pub(crate) fn set_with(&self) -> &Model {
         self.former.as_ref().unwrap_or(&self.control)
     }
 

@@ -31,7 +31,7 @@ impl Experiment {
     }
 
     /// How the winches were set, and what deviations do to it.
-    pub fn setting(&self, offsets: Offsets) -> Setting<'_> {
+    pub(crate) fn setting(&self, offsets: Offsets) -> Setting<'_> {
         Setting { initial: &self.study.initial, pose: self.start, former: self.former.as_ref(), offsets }
     }
 
@@ -41,7 +41,7 @@ impl Experiment {
     }
 
     /// How pose and tensions follow all that may deviate.
-    pub fn sensitivity(&self, offsets: Offsets) -> Result<Sensitivity<'_>, InputError> {
+    pub(crate) fn sensitivity(&self, offsets: Offsets) -> Result<Sensitivity<'_>, InputError> {
         let setting = self.setting(offsets);
         let sensitivity = Sensitivity::new(self.controller(), &self.machine, &self.offsets, &setting)?;
         Ok(sensitivity.with_history(self.history().as_ref(), &self.start))

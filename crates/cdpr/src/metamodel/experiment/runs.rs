@@ -7,7 +7,7 @@ use crate::metamodel::accuracy::{Assessment, assess_operation};
 use crate::metamodel::branches::{Branches, branches};
 use crate::metamodel::driving::Driving;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Operation;
+use crate::metamodel::operation::Operation;
 use crate::metamodel::simulate::{Simulation, simulate_operation};
 use crate::metamodel::study::CommandedPose;
 use crate::metamodel::winding::with_motor_angles;
@@ -17,7 +17,7 @@ const BRANCHED: usize = 100;
 
 impl Experiment {
     /// The machine under its control model, to be asked pose by pose.
-    pub fn operation(&self) -> Result<Operation<'_>, InputError> {
+    pub(crate) fn operation(&self) -> Result<Operation<'_>, InputError> {
         let operation = Operation::new(self.controller(), &self.machine, &self.offsets)?;
         Ok(operation.with_history(self.history().as_ref(), &self.start))
     }
@@ -49,7 +49,7 @@ impl Experiment {
     }
 
     /// Virtual measurements by sensors without noise.
-    pub fn record_exactly(&self, commands: &[CommandedPose]) -> Result<Simulation, InputError> {
+    pub(crate) fn record_exactly(&self, commands: &[CommandedPose]) -> Result<Simulation, InputError> {
         simulate_operation(&mut self.operation()?, commands, &SensorSigmas::default(), 0)
     }
 

@@ -46,7 +46,7 @@ impl Experiment {
     }
 
     /// Reachable workspace by requirements of one's own.
-    pub fn reachable_with(&self, requirements: Requirements) -> Result<Reachable<'_>, InputError> {
+    pub(crate) fn reachable_with(&self, requirements: Requirements) -> Result<Reachable<'_>, InputError> {
         Reachable::new(self.driving()?, requirements)
     }
 

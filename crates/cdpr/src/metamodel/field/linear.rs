@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::cable::CableInput;
 use crate::geometry::{Pose, Twist};
-use crate::metamodel::operate::Operation;
+use crate::metamodel::operation::Operation;
 use crate::model::{Cables, Model};
 use crate::statics::{Load, Stiffness};
 use crate::tension::Limits;

@@ -11,7 +11,7 @@ impl Sensitivity<'_> {
     ///
     /// Machines whose cables remember have them by differences, with an estimate of their error, where their path is not smooth
     /// ([`Differentiation`](super::Differentiation)).
-    pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
+    pub(crate) fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
         match remembers(self.machine) {
             true => remembering::along(self, commands),
             false => commands.iter().map(|command| self.at(command)).collect(),

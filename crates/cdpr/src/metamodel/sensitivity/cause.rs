@@ -46,7 +46,7 @@ const OF_CABLES: [ParameterKind; 9] = [
 
 impl Kind {
     /// The name in results.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Parameter(kind) => kind.name(),
             Self::WinchOffset => "winch-offset",
@@ -122,7 +122,7 @@ impl ParameterDeviation {
     }
 
     /// The number of the robot that deviates; `None` for what the winches have.
-    pub fn parameter(&self) -> Option<Parameter> {
+    pub(crate) fn parameter(&self) -> Option<Parameter> {
         match self.kind {
             Kind::Parameter(kind) => Some(Parameter { cable: self.cable, kind, axis: self.axis }),
             Kind::WinchOffset | Kind::InitialTension => None,
@@ -162,7 +162,7 @@ impl ParameterDeviation {
 }
 
 /// Deviations possible on one side, ordered by cable, kind and axis; those of the load on the platform last.
-pub fn causes_of(side: Side, model: &Model) -> Vec<ParameterDeviation> {
+pub(crate) fn causes_of(side: Side, model: &Model) -> Vec<ParameterDeviation> {
     let mut causes = Vec::new();
     let has_tensions = model.needs_tensions();
     for cable in 0..model.cable_count() {

@@ -32,7 +32,7 @@ pub enum Differentiation {
 
 impl Derivatives {
     /// Largest error that a component of each column of `pose` may have (its units); `None` for exact ones.
-    pub fn errors(&self) -> Option<&DVector<f64>> {
+    pub(crate) fn errors(&self) -> Option<&DVector<f64>> {
         match &self.differentiation {
             Differentiation::Exact => None,
             Differentiation::Differences { errors, .. } => Some(errors),
@@ -40,12 +40,12 @@ impl Derivatives {
     }
 
     /// Distance that the platform origin moves per unit of a cause (m).
-    pub fn position(&self, translations: usize, cause: usize) -> f64 {
+    pub(crate) fn position(&self, translations: usize, cause: usize) -> f64 {
         self.pose.column(cause).rows(0, translations).norm()
     }
 
     /// Angle that the platform turns per unit of a cause (rad); 0 for patterns without turns.
-    pub fn rotation(&self, translations: usize, cause: usize) -> f64 {
+    pub(crate) fn rotation(&self, translations: usize, cause: usize) -> f64 {
         self.pose.column(cause).rows(translations, self.pose.nrows() - translations).norm()
     }
 }

@@ -12,7 +12,7 @@ use super::kink::Kink;
 use super::{Derivatives, Differentiation, Sensitivity};
 use crate::metamodel::control::Control;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Operation;
+use crate::metamodel::operation::Operation;
 use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::outcome::Outcome;
 use crate::metamodel::study::{CommandedPose, Reach};

@@ -23,7 +23,8 @@ mod windings;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use cause::{Kind, ParameterDeviation, Side, causes_of};
+pub(crate) use cause::causes_of;
+pub use cause::{Kind, ParameterDeviation, Side};
 pub use derivatives::{Derivatives, Differentiation};
 pub use kink::Kink;
 pub use offsets::Offsets;
@@ -32,7 +33,7 @@ pub use setting::Setting;
 
 use super::control::Control;
 use super::input_error::InputError;
-use super::operate::Operation;
+use super::operation::Operation;
 use super::operation_error::OperationError;
 use super::outcome::Outcome;
 use super::study::{CommandedPose, History};
@@ -95,7 +96,7 @@ impl<'a> Sensitivity<'a> {
     /// A machine whose cables remember comes to the poses on this way from a start, as [`Operation::with_history`] says. Without it
     /// every pose is reached at once by cables that were never loaded.
     #[must_use]
-    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+    pub(crate) fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         self.history = history.into().map(|history| (*history, *start));
         self
     }

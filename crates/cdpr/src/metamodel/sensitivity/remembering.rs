@@ -11,7 +11,7 @@ use super::kink::Kink;
 use super::memories::{Motions, Remembered};
 use super::{Derivatives, Differentiation, PoseSensitivity, Sensitivity};
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::{Lent, Operation, Place};
+use crate::metamodel::operation::{Lent, Operation, Place};
 use crate::metamodel::operation_error::OperationError;
 use crate::metamodel::outcome::Outcome;
 use crate::metamodel::status::Status;

@@ -131,13 +131,13 @@ pub struct WinchTolerances {
 
 impl Tolerances {
     /// Standard deviation of a cause, in its unit.
-    pub fn sigma(&self, cause: &ParameterDeviation) -> f64 {
+    pub(crate) fn sigma(&self, cause: &ParameterDeviation) -> f64 {
         let same = |&(side, kind, ..): &(Side, Kind, &str, f64)| (side, kind) == (cause.side, cause.kind);
         self.entries().find(same).map_or(0.0, |(.., sigma)| sigma)
     }
 
     /// Largest deviation of the worst case, in standard deviations.
-    pub fn reach(&self) -> f64 {
+    pub(crate) fn reach(&self) -> f64 {
         match self.distribution {
             Distribution::Normal => self.sigmas,
             Distribution::Uniform => 3.0_f64.sqrt(),
@@ -145,7 +145,7 @@ impl Tolerances {
     }
 
     /// All keys with their kinds and values.
-    pub fn entries(&self) -> impl Iterator<Item = (Side, Kind, &'static str, f64)> {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (Side, Kind, &'static str, f64)> {
         let sided = |side: Side, of_model: &ModelTolerances| {
             of_model.entries().into_iter().map(move |(kind, key, sigma)| (side, Kind::Parameter(kind), key, sigma))
         };

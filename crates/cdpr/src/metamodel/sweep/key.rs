@@ -8,7 +8,7 @@ use toml::{Table, Value};
 
 /// The place of a number in robot or study files.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Key {
+pub(crate) struct Key {
     /// Files that hold it.
     pub place: Place,
     steps: Vec<Word>,
@@ -16,7 +16,7 @@ pub struct Key {
 
 /// Files that a key changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub(crate) enum Place {
     /// The robot of the control model.
     Control,
     /// The robot of the machine.
@@ -165,7 +165,7 @@ impl Key {
     }
 
     /// Writes a number at the key's place of a file; a key that the last table lacks is added.
-    pub fn set(&self, file: &mut Table, value: f64) -> Result<(), KeyError> {
+    pub(crate) fn set(&self, file: &mut Table, value: f64) -> Result<(), KeyError> {
         let nowhere = |reason| KeyError::Nowhere { key: self.to_string(), reason };
         let mut whole = Value::Table(std::mem::take(file));
         let done = set(&mut whole, &self.steps, value).map_err(nowhere);

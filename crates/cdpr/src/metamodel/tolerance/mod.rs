@@ -30,7 +30,13 @@ pub struct Spread {
 
 impl Spread {
     /// Of deviations with these standard deviations (a number per cause, in its unit), and of such with `reach` times these.
-    pub fn of(poses: &[PoseSensitivity], errors: &[f64], sigmas: &[f64], reach: f64, translations: usize) -> Self {
+    pub(crate) fn of(
+        poses: &[PoseSensitivity],
+        errors: &[f64],
+        sigmas: &[f64],
+        reach: f64,
+        translations: usize,
+    ) -> Self {
         let mut spread = Self { deviation: Vec::new(), error: Vec::new(), worst_case: Vec::new() };
         for (at, error) in poses.iter().zip(errors) {
             let Ok(derivatives) = &at.derivatives else {

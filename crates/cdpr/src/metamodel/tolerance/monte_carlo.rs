@@ -8,7 +8,7 @@ use crate::geometry::{Pose, Twist};
 use crate::metamodel::control::Control;
 use crate::metamodel::errors::quantile;
 use crate::metamodel::input_error::InputError;
-use crate::metamodel::operate::Operation;
+use crate::metamodel::operation::Operation;
 use crate::metamodel::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
 use crate::metamodel::status::Status;
 use crate::metamodel::study::{CommandedPose, Distribution, History, TensionMethod};

@@ -172,7 +172,7 @@ impl ParameterKind {
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
-    pub const IDENTIFIED: [Self; 12] = [
+    pub(crate) const IDENTIFIED: [Self; 12] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
@@ -253,7 +253,7 @@ impl ParameterKind {
     }
 
     /// True for the anchors, which have a component along each axis of the pattern.
-    pub fn is_anchor(self) -> bool {
+    pub(crate) fn is_anchor(self) -> bool {
         matches!(self, Self::FrameAnchor | Self::PlatformAnchor)
     }
 

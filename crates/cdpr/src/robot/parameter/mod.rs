@@ -29,7 +29,7 @@ pub struct Parameter {
 
 impl ParameterKind {
     /// Components that a parameter of this kind has in a robot.
-    pub fn components(self, robot: &Robot) -> usize {
+    pub(crate) fn components(self, robot: &Robot) -> usize {
         let (dof, translations) = (robot.dof(), robot.motion_pattern.translations());
         match self {
             Self::FrameAnchor | Self::PlatformAnchor | Self::Force | Self::CenterOfMass | Self::Gravity => translations,

@@ -9,10 +9,9 @@ mod polynomial;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use cubic::Cubic;
-pub use polynomial::rising_range;
-
 pub use cdpr_core::cable::stretch::hysteresis::TRANSITION_LIMIT;
+use cubic::Cubic;
+pub(crate) use polynomial::rising_range;
 
 /// How far the branches may cross by rounding of their printed digits, as a share of the largest tension.
 const CROSSING_TOLERANCE: f64 = 1e-9;
@@ -156,7 +155,7 @@ impl StretchError {
     }
 
     /// The key whose value is wrong.
-    pub fn key(&self) -> &'static str {
+    pub(crate) fn key(&self) -> &'static str {
         match self {
             Self::NoCoefficients | Self::NoStiffness { .. } | Self::Turns { .. } => "tension_of_strain_N",
             Self::Crossing { .. } => "unloading_N",
@@ -170,7 +169,7 @@ impl StretchError {
     }
 
     /// How to mend it.
-    pub fn help(&self) -> &'static str {
+    pub(crate) fn help(&self) -> &'static str {
         match self {
             Self::NoCoefficients => {
                 "write [c1, c2, …] in N for f = c1 ε + c2 ε² + …; a cable of constant E·A has [E·A]"
@@ -243,12 +242,12 @@ impl HysteresisTable {
     }
 
     /// Refuses what is no law; see [`StretchError`].
-    pub fn check(&self) -> Result<(), StretchError> {
+    pub(crate) fn check(&self) -> Result<(), StretchError> {
         self.pieces().map(|_| ())
     }
 
     /// Shares of the transitions, equal when the table has none.
-    pub fn shares(&self) -> Vec<f64> {
+    pub(crate) fn shares(&self) -> Vec<f64> {
         let count = self.transition_strain.len();
         self.transition_share.clone().unwrap_or_else(|| vec![1.0 / count as f64; count])
     }

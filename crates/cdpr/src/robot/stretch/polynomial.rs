@@ -13,7 +13,7 @@ const FLATNESS: f64 = 1e-12;
 ///
 /// That is any strain, up to 1000, for a polynomial that rises everywhere. One whose slope turns is accepted when it
 /// first reaches the largest tension in use, and used up to there.
-pub fn rising_range(coefficients: &[f64], largest_tension: Option<f64>) -> Result<f64, StretchError> {
+pub(crate) fn rising_range(coefficients: &[f64], largest_tension: Option<f64>) -> Result<f64, StretchError> {
     let &stiffness = coefficients.first().ok_or(StretchError::NoCoefficients)?;
     if !coefficients.iter().all(|c| c.is_finite()) {
         return Err(StretchError::NotFinite { key: "tension_of_strain_N" });

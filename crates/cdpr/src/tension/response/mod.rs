@@ -116,7 +116,11 @@ impl Response {
     }
 
     /// The derivative of the balanced tensions nearest to a reference (N), whatever the limits.
-    pub fn of_nearest(structure_matrix: &DMatrix<f64>, tensions: &[f64], reference: &[f64]) -> Result<Self, NotSmooth> {
+    pub(crate) fn of_nearest(
+        structure_matrix: &DMatrix<f64>,
+        tensions: &[f64],
+        reference: &[f64],
+    ) -> Result<Self, NotSmooth> {
         let all = (0..tensions.len()).collect();
         let optimum = Optimum::nearest(structure_matrix, tensions, all, &|cable| reference[cable]);
         Ok(Self { rule: Rule::Optimum(optimum.ok_or(NotSmooth::Pinned)?) })
@@ -132,7 +136,7 @@ impl Response {
     }
 
     /// Change of all tensions (N) per newton of one cable's reference; zero for methods that are near to none.
-    pub fn change_by_reference(&self, cable: usize) -> DVector<f64> {
+    pub(crate) fn change_by_reference(&self, cable: usize) -> DVector<f64> {
         match &self.rule {
             Rule::Optimum(optimum) => optimum.change_by_slope(cable),
             // the way from the minimum-norm tensions and the centroid keep no reference that could be moved cable by cable

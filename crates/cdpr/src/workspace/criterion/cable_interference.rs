@@ -14,7 +14,7 @@ use crate::workspace::WorkspaceError;
 /// there by design and are not compared. The margin (m) is the least distance left; cables of a planar robot count as lying in one
 /// plane, and where two cross it is below zero by how far they have to be pulled apart.
 #[derive(Clone, Debug)]
-pub struct CableInterference<'a> {
+pub(crate) struct CableInterference<'a> {
     model: &'a Model,
     pairs: Vec<Pair>,
     clearance: f64,
@@ -31,7 +31,7 @@ const NAME: &str = "cable-interference";
 
 impl<'a> CableInterference<'a> {
     /// The criterion for a clearance between the cables' surfaces (m), with the file's diameters or this one for all cables (m).
-    pub fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
         let diameters = per_cable(robot, (NAME, "diameter_m"), diameter, |cable| cable.diameter)?;

@@ -17,7 +17,7 @@ const SINGULAR: f64 = 1e12;
 ///
 /// The margin is κ_max − κ. A matrix that has lost rank counts as κ = 10¹².
 #[derive(Clone, Debug)]
-pub struct JacobianConditioning<'a> {
+pub(crate) struct JacobianConditioning<'a> {
     matrix: ScaledMatrix<'a>,
     largest: f64,
 }
@@ -27,7 +27,7 @@ pub struct JacobianConditioning<'a> {
 ///
 /// It is 1 where the cables act alike in all directions and 0 where in some direction none acts. The margin is its excess.
 #[derive(Clone, Debug)]
-pub struct Dexterity<'a> {
+pub(crate) struct Dexterity<'a> {
     matrix: ScaledMatrix<'a>,
     least: f64,
 }
@@ -71,7 +71,7 @@ impl ScaledMatrix<'_> {
 impl<'a> JacobianConditioning<'a> {
     /// The criterion for the largest condition number allowed, 1 or more, with the platform radius as length scale (m) where none
     /// is given.
-    pub fn new(model: &'a Model, largest: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, largest: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         if !(largest >= 1.0 && largest.is_finite()) {
             let (setting, wanted) = ("largest condition number", "it is a finite number of 1 or more");
             return Err(WorkspaceError::Setting { criterion: "condition", setting, value: largest, wanted });
@@ -83,7 +83,7 @@ impl<'a> JacobianConditioning<'a> {
 
 impl<'a> Dexterity<'a> {
     /// The criterion for the least dexterity allowed, 0 to 1, with the platform radius as length scale (m) where none is given.
-    pub fn new(model: &'a Model, least: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, least: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         let wanted = "it is a number from 0 to 1";
         not_negative("dexterity", "least dexterity", least, wanted)?;
         not_negative("dexterity", "least dexterity", 1.0 - least, wanted)?;

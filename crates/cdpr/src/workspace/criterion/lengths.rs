@@ -14,7 +14,7 @@ use crate::workspace::WorkspaceError;
 /// The margin (m) is the least distance of a length from its limits. Between points, without pulleys, drums and sag, the limits are
 /// spheres: where they hold along a straight way follows from quadratic equations.
 #[derive(Clone, Debug)]
-pub struct LengthLimits<'a> {
+pub(crate) struct LengthLimits<'a> {
     model: &'a Model,
     limits: Vec<[f64; 2]>,
 }
@@ -25,7 +25,7 @@ impl<'a> LengthLimits<'a> {
     /// The criterion with the limits of the robot's file, or these for all cables (m).
     ///
     /// A limit that neither is given nor stands at any cable is none; one of both must be there.
-    pub fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
         let (keys, of) =
             (["length_min_m", "length_max_m"], [|cable: &Cable| cable.length_min, |cable: &Cable| cable.length_max]);
         Ok(Self { model, limits: limits(model.robot(), NAME, keys, [minimum, maximum], of)? })

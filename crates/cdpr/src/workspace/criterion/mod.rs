@@ -29,22 +29,23 @@ mod wrench_feasible;
 mod wrench_set_feasible;
 
 pub use any_all::{All, Any};
-pub use cable_interference::CableInterference;
-pub use dexterity::{Dexterity, JacobianConditioning};
-pub use lengths::LengthLimits;
-pub use natural_frequency::NaturalFrequency;
-pub use obstacles::CableObstacles;
-pub use platform_interference::PlatformInterference;
-pub use platform_obstacles::PlatformObstacles;
+pub(crate) use cable_interference::CableInterference;
+pub(crate) use dexterity::{Dexterity, JacobianConditioning};
+pub(crate) use lengths::LengthLimits;
+pub(crate) use natural_frequency::NaturalFrequency;
+pub(crate) use obstacles::CableObstacles;
+pub(crate) use platform_interference::PlatformInterference;
+pub(crate) use platform_obstacles::PlatformObstacles;
 pub use spans::Spans;
-pub use stability::StaticStability;
-pub use stiffness::MinimumStiffness;
-pub use validity::ModelValidity;
-pub use wrap::WrapLimits;
-pub use wrench_closure::WrenchClosure;
+pub(crate) use stability::StaticStability;
+pub(crate) use stiffness::MinimumStiffness;
+pub(crate) use validity::ModelValidity;
+pub(crate) use wrap::WrapLimits;
+pub(crate) use wrench_closure::WrenchClosure;
 pub(super) use wrench_closure::rank;
 pub use wrench_feasible::WrenchFeasible;
-pub use wrench_set_feasible::{Requirement, WrenchSetFeasible};
+pub use wrench_set_feasible::Requirement;
+pub(crate) use wrench_set_feasible::WrenchSetFeasible;
 
 use nalgebra::Vector3;
 

@@ -20,7 +20,7 @@ use crate::workspace::WorkspaceError;
 /// of √(λ_min)/2π for the least eigenvalue of M⁻¹ K_wx, with the sign of an unstable λ_min before the root; −∞ where no tensions
 /// within limits hold the load.
 #[derive(Clone, Debug)]
-pub struct NaturalFrequency<'a> {
+pub(crate) struct NaturalFrequency<'a> {
     held: HeldPlatform<'a>,
     least: f64,
     /// About the platform origin, platform axes (kg, kg·m, kg·m²).
@@ -32,7 +32,7 @@ const NAME: &str = "natural-frequency";
 impl<'a> NaturalFrequency<'a> {
     /// The criterion for the least frequency (Hz), elastic cables and a platform with mass, centre of mass and inertia as far as it
     /// turns.
-    pub fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
         let least = not_negative(NAME, "least frequency", least, "it is a finite number of 0 or more (Hz)")?;
         let mass_matrix = mass_matrix(model.robot())?;
         let held = HeldPlatform::new(model, load, limits, NAME)?;

@@ -18,7 +18,7 @@ use crate::workspace::WorkspaceError;
 /// against it. The margin (m) is the least distance left, below zero by the depth where a cable goes through. Of a strut in a plane
 /// that is its radius and the way by which the crossing axes have to be drawn apart.
 #[derive(Clone, Debug)]
-pub struct CableObstacles<'a> {
+pub(crate) struct CableObstacles<'a> {
     model: &'a Model,
     pairs: Vec<Pair>,
     clearance: f64,
@@ -43,7 +43,7 @@ const NAME: &str = "obstacles";
 
 impl<'a> CableObstacles<'a> {
     /// The criterion for a clearance (m), with the file's cable diameters or this one for all cables (m).
-    pub fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
         if robot.obstacles.is_empty() {

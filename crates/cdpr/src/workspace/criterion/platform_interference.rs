@@ -15,7 +15,7 @@ use crate::workspace::WorkspaceError;
 /// angle beside a side of the cone and inside it, at most the angle off its edges; in a plane too, from 90° off a side on. Anchors inside the hull of the anchors are not judged:
 /// where they sit the hull says nothing about the body.
 #[derive(Clone, Debug)]
-pub struct PlatformInterference<'a> {
+pub(crate) struct PlatformInterference<'a> {
     model: &'a Model,
     /// In platform axes, one per cable; none where the anchor is not judged.
     cones: Vec<Option<Cone>>,
@@ -26,7 +26,7 @@ const NAME: &str = "platform-interference";
 
 impl<'a> PlatformInterference<'a> {
     /// The criterion for the least angle between cable and platform (rad), 0 for a touch.
-    pub fn new(model: &'a Model, angle: f64) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, angle: f64) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         let wanted = "it is a finite angle of 0 or more (rad)";
         not_negative(NAME, "least angle", angle, wanted)?;

@@ -16,7 +16,7 @@ use crate::workspace::WorkspaceError;
 /// margin (m) is the exact distance of the nearest obstacle less the clearance; where they overlap, minus the shortest way that
 /// would part them. Without a clearance and among boxes only, where it holds along a straight way has a closed form.
 #[derive(Clone, Debug)]
-pub struct PlatformObstacles<'a> {
+pub(crate) struct PlatformObstacles<'a> {
     model: &'a Model,
     /// In platform axes.
     solid: Solid,
@@ -29,7 +29,7 @@ const NAME: &str = "platform-obstacles";
 
 impl<'a> PlatformObstacles<'a> {
     /// The criterion for a clearance (m).
-    pub fn new(model: &'a Model, clearance: f64) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, clearance: f64) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
         if robot.obstacles.is_empty() {

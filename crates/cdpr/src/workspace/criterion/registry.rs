@@ -85,13 +85,8 @@ fn no_number(part: &str, entry: &Entry) -> WantedError {
 
 impl CriterionRequest {
     /// Wrench feasibility (eq. 3.29).
-    pub fn wrench_feasible() -> Self {
+    pub(crate) fn wrench_feasible() -> Self {
         Self { name: WRENCH_FEASIBLE, numbers: Vec::new() }
-    }
-
-    /// The criterion of this name without numbers.
-    pub fn named(name: &str) -> Result<Self, WantedError> {
-        name.parse()
     }
 
     /// Name of the criterion.
@@ -100,17 +95,17 @@ impl CriterionRequest {
     }
 
     /// A number that was given.
-    pub fn number(&self, name: &str) -> Option<f64> {
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.numbers.iter().rev().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
 
     /// A number that [`Number::is_required`]; NaN, which every criterion refuses, where it is missing all the same.
-    pub fn required(&self, name: &str) -> f64 {
+    pub(crate) fn required(&self, name: &str) -> f64 {
         self.number(name).unwrap_or(f64::NAN)
     }
 
     /// The criterion for a robot.
-    pub fn make<'a>(&self, setting: &Setting<'a>) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
+    pub(crate) fn make<'a>(&self, setting: &Setting<'a>) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
         let entry = ENTRIES.iter().find(|entry| entry.name == self.name).ok_or(WorkspaceError::NoCriterion)?;
         (entry.make)(setting, self)
     }

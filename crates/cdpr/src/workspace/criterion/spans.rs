@@ -8,12 +8,12 @@ pub struct Spans {
 
 impl Spans {
     /// All of a way.
-    pub fn whole(length: f64) -> Self {
+    pub(crate) fn whole(length: f64) -> Self {
         Self { parts: vec![[0.0, length]] }
     }
 
     /// Union of these intervals (m).
-    pub fn of(parts: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub(crate) fn of(parts: impl IntoIterator<Item = [f64; 2]>) -> Self {
         let mut all: Vec<[f64; 2]> = parts.into_iter().collect();
         all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut parts: Vec<[f64; 2]> = Vec::new();
@@ -27,19 +27,19 @@ impl Spans {
     }
 
     /// The intervals, in order.
-    pub fn parts(&self) -> &[[f64; 2]] {
+    pub(crate) fn parts(&self) -> &[[f64; 2]] {
         &self.parts
     }
 
     /// Intersection with the interval.
     #[must_use]
-    pub fn within(&self, [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn within(&self, [from, to]: [f64; 2]) -> Self {
         self.and(&Self { parts: vec![[from, to]] })
     }
 
     /// Difference: the parts outside the interval; its ends stay. NaN takes nothing away.
     #[must_use]
-    pub fn without(&self, [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn without(&self, [from, to]: [f64; 2]) -> Self {
         if !(from < to) {
             return self.clone();
         }
@@ -48,14 +48,14 @@ impl Spans {
 
     /// Intersection of both.
     #[must_use]
-    pub fn and(&self, other: &Self) -> Self {
+    pub(crate) fn and(&self, other: &Self) -> Self {
         let pairs = self.parts.iter().flat_map(|a| other.parts.iter().map(move |b| [a[0].max(b[0]), a[1].min(b[1])]));
         Self { parts: pairs.filter(|[from, to]| from <= to).collect() }
     }
 
     /// Union of both.
     #[must_use]
-    pub fn or(&self, other: &Self) -> Self {
+    pub(crate) fn or(&self, other: &Self) -> Self {
         Self::of(self.parts.iter().chain(&other.parts).copied())
     }
 }

@@ -16,7 +16,7 @@ use crate::workspace::WorkspaceError;
 /// margin (N/m) is the smallest eigenvalue, turns counted as the way of a point at the length scale; its sign does not depend on
 /// that length. −∞ where no tensions within limits hold the load.
 #[derive(Clone, Debug)]
-pub struct StaticStability<'a> {
+pub(crate) struct StaticStability<'a> {
     held: HeldPlatform<'a>,
     length_scale: f64,
 }
@@ -28,7 +28,12 @@ const ROUNDING: f64 = 1e-13;
 
 impl<'a> StaticStability<'a> {
     /// The criterion for elastic cables, with the platform radius as length scale (m) where none is given.
-    pub fn new(model: &'a Model, load: &Load, limits: &Limits, scale: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(
+        model: &'a Model,
+        load: &Load,
+        limits: &Limits,
+        scale: Option<f64>,
+    ) -> Result<Self, WorkspaceError> {
         let length_scale = length_scale(model, NAME, scale)?;
         Ok(Self { held: HeldPlatform::new(model, load, limits, NAME)?, length_scale })
     }

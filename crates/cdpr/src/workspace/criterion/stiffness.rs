@@ -20,7 +20,7 @@ use crate::workspace::WorkspaceError;
 /// Tensions are the ones nearest to the middle of their limits that balance the load. The margin (N/m) is the eigenvalue's excess;
 /// −∞ where no tensions within limits hold the load, which then is the reason.
 #[derive(Clone, Debug)]
-pub struct MinimumStiffness<'a> {
+pub(crate) struct MinimumStiffness<'a> {
     held: HeldPlatform<'a>,
     least: f64,
     length_scale: f64,
@@ -30,7 +30,7 @@ const NAME: &str = "stiffness";
 
 impl<'a> MinimumStiffness<'a> {
     /// The criterion for the least stiffness (N/m), with the platform radius as length scale (m) where none is given.
-    pub fn new(
+    pub(crate) fn new(
         model: &'a Model,
         load: &Load,
         limits: &Limits,

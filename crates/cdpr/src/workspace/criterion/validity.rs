@@ -14,13 +14,13 @@ use crate::model::Model;
 /// The margin (m) is the least distance of a platform anchor from where its cable has no path: from the outlet, or from the
 /// pulley's circle and swivel axis. Inside the pulley it is below zero by the depth; on outlet or axis it is zero and fails.
 #[derive(Clone, Debug)]
-pub struct ModelValidity<'a> {
+pub(crate) struct ModelValidity<'a> {
     model: &'a Model,
 }
 
 impl<'a> ModelValidity<'a> {
     /// The criterion for any model.
-    pub fn new(model: &'a Model) -> Self {
+    pub(crate) fn new(model: &'a Model) -> Self {
         Self { model }
     }
 

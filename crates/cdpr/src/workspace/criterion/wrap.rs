@@ -12,7 +12,7 @@ use crate::workspace::WorkspaceError;
 ///
 /// The margin (rad) is the least distance of an angle from its limits.
 #[derive(Clone, Debug)]
-pub struct WrapLimits<'a> {
+pub(crate) struct WrapLimits<'a> {
     model: &'a Model,
     limits: Vec<[f64; 2]>,
 }
@@ -23,7 +23,7 @@ impl<'a> WrapLimits<'a> {
     /// The criterion with the limits of the robot's file, or these for all cables (rad); for a model with pulleys.
     ///
     /// A limit that neither is given nor stands at any cable is none; one of both must be there.
-    pub fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
         if !model.composition().pulley {
             return Err(WorkspaceError::MissingEffect {
                 criterion: NAME,

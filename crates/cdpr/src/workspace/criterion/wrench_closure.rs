@@ -22,7 +22,7 @@ use crate::workspace::WorkspaceError;
 /// Between points, without pulleys, closure changes along a straight way only where a minor of the structure matrix does its
 /// sign, and minors times cable lengths are polynomials there: rays are exact then.
 #[derive(Clone, Debug)]
-pub struct WrenchClosure<'a> {
+pub(crate) struct WrenchClosure<'a> {
     model: &'a Model,
 }
 
@@ -33,7 +33,7 @@ const LOST: f64 = 1e-9;
 
 impl<'a> WrenchClosure<'a> {
     /// The criterion for a model of straight cables.
-    pub fn new(model: &'a Model) -> Result<Self, WorkspaceError> {
+    pub(crate) fn new(model: &'a Model) -> Result<Self, WorkspaceError> {
         fixed_directions(model, "wrench-closure").map(|()| Self { model })
     }
 

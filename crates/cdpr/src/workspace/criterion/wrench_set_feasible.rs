@@ -27,7 +27,7 @@ pub enum Requirement {
 /// The margin is the capacity margin (N; see [`Margin::distance`]): the radius of the largest ball that can be added to every required
 /// wrench, moments divided by the length scale; below zero what the worst facet lacks.
 #[derive(Clone, Debug)]
-pub struct WrenchSetFeasible<'a> {
+pub(crate) struct WrenchSetFeasible<'a> {
     model: &'a Model,
     limits: Limits,
     requirement: Requirement,
@@ -38,7 +38,7 @@ const NAME: &str = "wrench-set-feasible";
 
 impl<'a> WrenchSetFeasible<'a> {
     /// The criterion for straight cables, with the platform radius as length scale (m) where none is given.
-    pub fn new(
+    pub(crate) fn new(
         model: &'a Model,
         limits: &Limits,
         requirement: Requirement,
@@ -65,7 +65,7 @@ impl<'a> WrenchSetFeasible<'a> {
 
     /// The criterion for a load and every further force F and moment M in any direction that share an ellipsoid,
     /// (|F|/force)² + (|M|/moment)² ≤ 1 (N, N·m).
-    pub fn with_ball(
+    pub(crate) fn with_ball(
         model: &'a Model,
         limits: &Limits,
         load: &Load,
@@ -81,7 +81,7 @@ impl<'a> WrenchSetFeasible<'a> {
     }
 
     /// The available wrench set at a pose, or the verdict that there is none.
-    pub fn available(&self, pose: &Pose) -> Result<Zonotope, Verdict> {
+    pub(crate) fn available(&self, pose: &Pose) -> Result<Zonotope, Verdict> {
         let matrix = self
             .model
             .structure_matrix(pose)
@@ -91,7 +91,7 @@ impl<'a> WrenchSetFeasible<'a> {
     }
 
     /// The wrenches that the task asks for at a pose (rows of the structure matrix; N, N·m).
-    pub fn required(&self, pose: &Pose) -> RequiredSet {
+    pub(crate) fn required(&self, pose: &Pose) -> RequiredSet {
         match &self.requirement {
             Requirement::AroundLoad(load, set) => set.shifted(load.in_pattern(self.model, pose).as_slice()),
             Requirement::Payload(payload) => payload.required(self.model, pose),

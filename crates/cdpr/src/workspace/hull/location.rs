@@ -4,7 +4,7 @@ use super::sphere::{cross, dot, icosahedron, unit};
 use super::{Hull, Point};
 
 /// Tells which points a hull encloses.
-pub struct Locator<'a> {
+pub(crate) struct Locator<'a> {
     hull: &'a Hull,
     /// Faces of the icosahedron that the hull's faces refine; none in a plane.
     coarsest: Vec<[Point; 3]>,
@@ -14,7 +14,7 @@ pub struct Locator<'a> {
 
 impl<'a> Locator<'a> {
     /// A locator of this hull.
-    pub fn new(hull: &'a Hull) -> Self {
+    pub(crate) fn new(hull: &'a Hull) -> Self {
         if hull.dimension == 2 {
             return Self { hull, coarsest: Vec::new(), halvings: 0 };
         }
@@ -25,7 +25,7 @@ impl<'a> Locator<'a> {
     }
 
     /// Whether the point lies between the centre and a face.
-    pub fn contains(&self, point: &Point) -> bool {
+    pub(crate) fn contains(&self, point: &Point) -> bool {
         let away = [0, 1, 2].map(|axis| point[axis] - self.hull.center[axis]);
         let Some(face) = self.hull.faces.get(self.face(&away)) else { return false };
         let corner = |ray: u32| self.hull.directions[ray as usize].map(|part| part * self.hull.radii[ray as usize]);

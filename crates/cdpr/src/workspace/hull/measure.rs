@@ -45,7 +45,7 @@ impl Hull {
     }
 
     /// Area (m²) or volume (m³) between the centre and a face.
-    pub fn face_size(&self, face: &[u32; 3]) -> f64 {
+    pub(crate) fn face_size(&self, face: &[u32; 3]) -> f64 {
         self.part(face).0
     }
 

@@ -7,12 +7,12 @@ mod center;
 mod location;
 mod measure;
 pub use center::{Center, find_center};
-pub use location::Locator;
+pub(crate) use location::Locator;
 pub use measure::Measure;
+pub use settings::Settings;
 mod search;
 mod section;
 mod settings;
-pub use settings::Settings;
 mod sphere;
 mod surface;
 
@@ -135,11 +135,11 @@ fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settin
 }
 
 /// Most rays: as many as seven halvings of the icosahedron's edges make.
-pub const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
+pub(crate) const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
 
 impl Hull {
     /// End point of a ray (m).
-    pub fn vertex(&self, ray: usize) -> Point {
+    pub(crate) fn vertex(&self, ray: usize) -> Point {
         [0, 1, 2].map(|axis| self.center[axis] + self.radii[ray] * self.directions[ray][axis])
     }
 
@@ -169,7 +169,7 @@ impl Hull {
     }
 
     /// The same rays with other lengths (m).
-    pub fn with_radii(&self, radii: Vec<f64>) -> Self {
+    pub(crate) fn with_radii(&self, radii: Vec<f64>) -> Self {
         Self { radii, ..self.clone() }
     }
 }

@@ -31,7 +31,7 @@ impl Settings {
 
     /// As after so many refinements: in a plane twice the rays with each, in space the corners of triangles cut into four.
     #[must_use]
-    pub fn refined(&self, bounds: &Bounds, refinement: u32) -> Self {
+    pub(crate) fn refined(&self, bounds: &Bounds, refinement: u32) -> Self {
         let rays = match bounds.dimension() {
             2 => self.rays << refinement,
             _ => (self.rays.saturating_sub(2) << (2 * refinement)) + 2,

@@ -14,7 +14,6 @@ mod surface;
 
 use nodes::{Node, Nodes};
 pub use outcome::Outcome;
-pub use surface::solve_with_surface;
 
 use super::grid::cell_count;
 use super::{Bounds, Point, Region, WorkspaceError};

@@ -57,7 +57,7 @@ impl Octree<'_> {
     /// Whether a point in the box counts as one of the region: the answer of the corner nearest to it.
     ///
     /// A cell that the boundary passes has as large a part of such points as of its corners.
-    pub fn contains(&self, point: &Point) -> bool {
+    pub(crate) fn contains(&self, point: &Point) -> bool {
         self.nodes.holds([0, 1, 2].map(|axis| {
             if axis >= self.dimension {
                 return 0;

@@ -1,22 +1,8 @@
 //! The boundary that an octree followed, as a mesh.
 
-use super::{Octree, Outcome, Settings, search};
+use super::Octree;
 use crate::workspace::mesh::Mesh;
 use crate::workspace::surface::{self, Lattice};
-use crate::workspace::{Bounds, Region, WorkspaceError};
-
-/// Measures a region in a box, and gives its boundary as it runs through the smallest cells; in a plane the area.
-///
-/// The surface is closed, each part of the region has its own, and its vertices between a corner that belongs to the region and
-/// one that does not lie in the region, less than a thousandth of a smallest cell from the boundary.
-pub fn solve_with_surface(
-    region: &Region<'_>,
-    bounds: &Bounds,
-    settings: &Settings,
-) -> Result<(Outcome, Mesh), WorkspaceError> {
-    let octree = search(region, bounds, settings)?;
-    Ok((octree.outcome(), octree.surface()))
-}
 
 impl Octree<'_> {
     /// The boundary as it runs through the smallest cells, closed; in a plane the area.

@@ -8,7 +8,7 @@ use crate::workspace::{Bounds, Point, Region, WorkspaceError};
 
 /// Cells of a box, counted.
 #[derive(Clone, Copy)]
-pub struct ByGrid<'a> {
+pub(crate) struct ByGrid<'a> {
     /// Region to be measured.
     pub region: &'a Region<'a>,
     /// Box that is searched.

@@ -2,7 +2,8 @@
 
 mod methods;
 
-pub use methods::{ByGrid, ByHull, ByOctree, step_after};
+pub(crate) use methods::ByGrid;
+pub use methods::{ByHull, ByOctree, step_after};
 
 use super::audit::LOOKS;
 use super::{Audit, Bounds, Point, Region};

@@ -62,7 +62,7 @@ impl Zonotope {
     }
 
     /// Rounding of distances in this set (N).
-    pub fn tolerance(&self) -> f64 {
+    pub(crate) fn tolerance(&self) -> f64 {
         ROUNDING * (norm(&self.center) + self.generators.iter().map(norm).sum::<f64>())
     }
 
@@ -78,17 +78,17 @@ impl Zonotope {
     }
 
     /// True when every wrench of the required set is available, to rounding.
-    pub fn contains_set(&self, required: &RequiredSet) -> bool {
+    pub(crate) fn contains_set(&self, required: &RequiredSet) -> bool {
         self.distance(required) >= 0.0
     }
 
     /// [`Margin::distance`] alone (N); −∞ for a required set that does not fit.
-    pub fn distance(&self, required: &RequiredSet) -> f64 {
+    pub(crate) fn distance(&self, required: &RequiredSet) -> f64 {
         self.nearest(required).map_or(f64::NEG_INFINITY, |(distance, _)| distance)
     }
 
     /// The capacity margin of a required set; `None` for one that does not fit the rows (see [`RequiredSet::fits`]).
-    pub fn margin(&self, required: &RequiredSet) -> Option<Margin> {
+    pub(crate) fn margin(&self, required: &RequiredSet) -> Option<Margin> {
         let (distance, facet) = self.nearest(required)?;
         let half_space = self.half_space(&facet);
         let share = |index: &usize| dot(&facet.normal, &self.generators[*index]).abs();

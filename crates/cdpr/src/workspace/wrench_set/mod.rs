@@ -20,4 +20,5 @@ pub use payload::{Payload, PayloadError};
 pub use required::{Parallelotope, RequiredSet};
 pub use vertices::Vertex;
 pub(crate) use zonotope::most_hyperplanes;
-pub use zonotope::{CABLE_LIMIT, WrenchSetError, Zonotope, row_lengths};
+pub(crate) use zonotope::{CABLE_LIMIT, row_lengths};
+pub use zonotope::{WrenchSetError, Zonotope};

@@ -70,7 +70,7 @@ impl Payload {
     ///
     /// Centre of mass and inertia are asked for as far as the platform turns, the inertia only for angular accelerations, which
     /// are set here about every axis that the pattern turns about, as are accelerations (m/s², rad/s²).
-    pub fn of(
+    pub(crate) fn of(
         robot: &Robot,
         mass: Option<[f64; 2]>,
         acceleration: f64,
@@ -108,7 +108,7 @@ impl Payload {
     }
 
     /// Refuses what is no payload.
-    pub fn check(&self) -> Result<(), PayloadError> {
+    pub(crate) fn check(&self) -> Result<(), PayloadError> {
         let [least, largest] = self.mass;
         if !(0.0 <= least && least <= largest && largest.is_finite()) {
             return Err(PayloadError::Mass { least, largest });
@@ -127,7 +127,7 @@ impl Payload {
     /// The external wrenches at a pose, in the rows of a model's structure matrix.
     ///
     /// Accelerations across the plane of a planar robot, and turns that a pattern does not have, change nothing.
-    pub fn required(&self, model: &Model, pose: &Pose) -> RequiredSet {
+    pub(crate) fn required(&self, model: &Model, pose: &Pose) -> RequiredSet {
         let [least, largest] = self.mass;
         match least == largest {
             true => RequiredSet::Parallelotopes(vec![self.at(largest, model, pose)]),

@@ -40,7 +40,7 @@ pub struct Parallelotope {
 
 impl RequiredSet {
     /// True when each part has one number per row, all finite, with no extent below zero, and there is a point at all.
-    pub fn fits(&self, rows: usize) -> bool {
+    pub(crate) fn fits(&self, rows: usize) -> bool {
         let finite = |list: &[f64]| list.len() == rows && list.iter().all(|number| number.is_finite());
         let extent = |list: &[f64]| finite(list) && list.iter().all(|&number| number >= 0.0);
         match self {
@@ -58,7 +58,7 @@ impl RequiredSet {
 
     /// The same set about another middle: every wrench plus this one.
     #[must_use]
-    pub fn shifted(&self, by: &[f64]) -> Self {
+    pub(crate) fn shifted(&self, by: &[f64]) -> Self {
         let sum = |list: &Vec<f64>| list.iter().zip(by).map(|(a, b)| a + b).collect::<Vec<f64>>();
         match self {
             Self::Single(wrench) => Self::Single(sum(wrench)),
@@ -75,7 +75,7 @@ impl RequiredSet {
     }
 
     /// max normal · w over the set: how far it reaches along a direction.
-    pub fn support(&self, normal: &[f64]) -> f64 {
+    pub(crate) fn support(&self, normal: &[f64]) -> f64 {
         let along = |list: &[f64]| list.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
         match self {
             Self::Single(wrench) => along(wrench),
@@ -93,7 +93,7 @@ impl RequiredSet {
     }
 
     /// A wrench of the set that reaches furthest along a direction.
-    pub fn furthest(&self, normal: &[f64]) -> Vec<f64> {
+    pub(crate) fn furthest(&self, normal: &[f64]) -> Vec<f64> {
         let along = |list: &[f64]| list.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
         match self {
             Self::Single(wrench) => wrench.clone(),

@@ -8,14 +8,14 @@ use crate::model::Model;
 use crate::tension::Limits;
 
 /// Most cables of a set: facets grow with the fifth power of their number, and 24 cables take a tenth of a second a pose.
-pub const CABLE_LIMIT: usize = 24;
+pub(crate) const CABLE_LIMIT: usize = 24;
 
 /// A generator this small beside the largest adds nothing but rounding to the dimension of the set.
 const LOST: f64 = 1e-10;
 
 /// The available wrench set {−Aᵀ f | f_min ≤ f ≤ f_max} by its generators and facets.
 ///
-/// Rows are those of the structure matrix. Inside, each row is divided by its length (see [`row_lengths`]), so that all are
+/// Rows are those of the structure matrix. Inside, each row is divided by its length (see `row_lengths`), so that all are
 /// forces and distances are in newtons.
 #[derive(Clone, Debug)]
 pub struct Zonotope {
@@ -92,7 +92,7 @@ pub(crate) fn most_hyperplanes(cables: usize, dimension: usize) -> f64 {
 
 /// By what each row of a model's structure matrix is divided so that all are forces: 1 for forces, the length scale (m) for
 /// moments.
-pub fn row_lengths(model: &Model, length_scale: f64) -> Vec<f64> {
+pub(crate) fn row_lengths(model: &Model, length_scale: f64) -> Vec<f64> {
     let translations = model.robot().motion_pattern.translations();
     (0..model.dof()).map(|row| if row < translations { 1.0 } else { length_scale }).collect()
 }
@@ -103,7 +103,7 @@ impl Zonotope {
     /// `row_lengths` are the lengths that moments are divided by before they are compared with forces, see
     /// [`row_lengths`](row_lengths()). Any rank and any number of cables up to [`CABLE_LIMIT`] will do: fewer cables than rows,
     /// or cables without a range of tensions, make a flat set.
-    pub fn available(
+    pub(crate) fn available(
         structure_matrix: &DMatrix<f64>,
         limits: &Limits,
         row_lengths: &[f64],

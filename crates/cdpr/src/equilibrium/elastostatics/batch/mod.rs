@@ -38,7 +38,7 @@ impl Solver<'_> {
     ///
     /// Where the equilibrium of bars has one that pushes, the search ends with [`Status::NotConverged`] instead of looking for
     /// the cables that hang slack, which takes ten times as long.
-    pub fn solve_taut_batch(
+    pub(crate) fn solve_taut_batch(
         &mut self,
         controlled_lengths: &LaneTable,
         guesses: &PoseBatch,

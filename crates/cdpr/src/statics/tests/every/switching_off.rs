@@ -9,7 +9,8 @@ use crate::robot::CableStiffness;
 fn answers(model: &Model, pose: &Pose, tensions: &[f64]) -> Vec<f64> {
     let basis = model.twist_basis();
     let mut answers = Vec::new();
-    for state in cable_states(model, pose, tensions).unwrap() {
+    for (index, &tension) in tensions.iter().enumerate() {
+        let state = cable_state(model, pose, index, tension).unwrap();
         answers.extend([state.controlled_length, state.controlled_length_by_tension]);
         answers.extend(state.controlled_length_by_anchor);
         let by_pose = state.wrench_by_pose();

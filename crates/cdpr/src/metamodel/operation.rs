@@ -22,7 +22,8 @@ pub(super) struct Emerged {
     pub(super) solutions: Solutions,
 }
 
-/// Sends poses through a control model to a machine and tells what emerges, pose by pose.
+/// A control model on a machine whose winches are set, to be asked pose by pose. A clone is a snapshot: it goes on from the same states
+/// to the same bytes.
 ///
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
@@ -33,18 +34,6 @@ pub(super) struct Emerged {
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
 /// its own encoders away and answers by its forward problem ([`crate::equilibrium::forward_problem`]): elastic cables, and rigid
 /// ones too few to hold the platform, pull or are slack; other rigid ones fit best.
-pub fn operate<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
-    offsets: &[f64],
-    poses: &[CommandedPose],
-) -> Result<Vec<Outcome>, InputError> {
-    let mut operation = Operation::new(control, machine, offsets)?;
-    Ok(poses.iter().map(|command| operation.answer(command)).collect())
-}
-
-/// A control model on a machine whose winches are set, to be asked pose by pose (see [`operate`]). A clone is a snapshot: it goes on from
-/// the same states to the same bytes.
 #[derive(Clone, Debug)]
 pub struct Operation<'a> {
     control: Controller<'a>,
@@ -109,12 +98,12 @@ impl<'a> Operation<'a> {
     }
 
     /// Machine that answers.
-    pub fn machine(&self) -> &'a Model {
+    pub(crate) fn machine(&self) -> &'a Model {
         self.machine.model()
     }
 
     /// True when tensions emerge beside the pose.
-    pub fn knows_tensions(&self) -> bool {
+    pub(crate) fn knows_tensions(&self) -> bool {
         self.machine.knows_tensions()
     }
 
@@ -122,7 +111,7 @@ impl<'a> Operation<'a> {
     /// the control model as it commanded them; for machines without history this changes nothing. Without it every pose is reached at
     /// once by cables that were never loaded.
     #[must_use]
-    pub fn with_history<'h>(self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+    pub(crate) fn with_history<'h>(self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         self.with_history_along(history.into().map(|history| (history, start)), &mut |_| ())
     }
 
@@ -148,7 +137,7 @@ impl<'a> Operation<'a> {
 
     /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
     #[must_use]
-    pub fn without_restarts(mut self) -> Self {
+    pub(crate) fn without_restarts(mut self) -> Self {
         self.machine = self.machine.without_restarts();
         if let Some(way) = self.way.take() {
             self.begin(&way.history, &way.start_pose, &mut |_| ());
