@@ -228,6 +228,7 @@ impl Task<'_> {
             free: self.arguments.free.to_string(),
             data: self.arguments.data.name(),
             samples: train.len(),
+            sigmas: train.sigmas,
             train: [self.evaluate(&fit.model, &train)?.blocks(), self.evaluate_given(&train)?.blocks()],
             fit,
             validation_data: self.validation_name(),

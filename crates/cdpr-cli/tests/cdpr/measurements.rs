@@ -233,6 +233,9 @@ fn the_swinging_irma4u_is_read_as_it_is_and_gets_an_honest_answer() {
     let run = cdpr_in(folder.path(), &format!("identify robot.toml data.csv {free} --format json"));
     let answer = run.json();
     assert_eq!(answer["train"]["samples"], 4942, "{}", run.stderr);
+    // centimetres where the tracker is right to a third of a millimetre
+    assert_eq!((run.exit_code, &answer["trusted"]), (1, &serde_json::Value::Bool(false)));
+    assert!(answer["warnings"][0].as_str().unwrap().starts_with("not to be trusted: the mean position error"));
     assert!(answer["reason"].as_str().unwrap().contains("weakly"), "{}", answer["reason"]);
     assert_eq!(answer["weak_directions"].as_array().unwrap().len(), 4, "anchor and offset of each cable");
 }
@@ -282,4 +285,34 @@ fn a_log_without_poses_is_refused_and_merged_with_that_of_a_tracker() {
     for parameter in run.json()["parameters"].as_array().unwrap() {
         assert!((parameter["value"].as_f64().unwrap() - 0.1).abs() < 1e-9, "{parameter}");
     }
+}
+
+/// Poses that no model of the list explains: text, JSON and page say so before the good news, and the exit code is 1.
+#[test]
+fn what_is_wrong_by_more_than_a_hundredth_of_the_robot_is_never_announced_as_good() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    // every other pose is written down 0.5 m too far right: 0.25 m in the mean, 1.9 % of the diagonal
+    let shifted = |line: &str| match line.split_once(',') {
+        Some((x, rest)) if x.contains('5') => format!("{},{rest}\n", x.parse::<f64>().unwrap() + 0.5),
+        _ => format!("{line}\n"),
+    };
+    let text: String = samples_with(0.1).lines().map(shifted).collect();
+    std::fs::write(folder.path().join("data.csv"), text).unwrap();
+    let candidates = "--candidates standard;standard:length-offset";
+    let run = cdpr_in(folder.path(), &format!("select square.toml data.csv {candidates} --out result --format json"));
+    let answer = run.json_with(&["recommended", "trusted", "warnings"]);
+    assert_eq!((run.exit_code, answer["status"].as_str()), (1, Some("not-trusted")), "{answer}");
+    assert!(answer["warnings"][0].as_str().unwrap().contains("is above 1 % of the diagonal"), "{answer}");
+    let recommended = answer["candidates"].as_array().unwrap().iter().find(|one| one["name"] == answer["recommended"]);
+    assert_eq!(recommended.unwrap()["trusted"], false);
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    assert!(page.contains("verdict bad") && page.contains("not to be trusted"));
+    let text = cdpr_in(folder.path(), &format!("select square.toml data.csv {candidates}")).stdout;
+    assert!(!text.contains("recommended:") && text.contains("not to be trusted: standard"), "{text}");
+    let run = cdpr_in(folder.path(), "identify square.toml data.csv --free length-offset");
+    assert!(run.exit_code == 1 && run.stdout.contains("not to be trusted: the mean position error"), "{}", run.stdout);
+    // clean data as before
+    std::fs::write(folder.path().join("data.csv"), samples_with(0.1)).unwrap();
+    let run = cdpr_in(folder.path(), &format!("select square.toml data.csv {candidates} --format json"));
+    assert_eq!((run.exit_code, run.json()["trusted"].as_bool()), (0, Some(true)), "{}", run.stderr);
 }

@@ -2,7 +2,8 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
-use cdpr::identification::{Analysis, Basin, ErrorBlocks};
+use cdpr::identification::{Analysis, Basin, ErrorBlocks, distrust};
+use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
 
@@ -19,6 +20,7 @@ pub struct IdentificationAnswer {
     pub(super) data: String,
     pub(super) samples: usize,
     pub(super) status: Status,
+    pub(super) trusted: bool,
     pub(super) reason: String,
     pub(super) iterations: u32,
     pub(super) parameter_count: usize,
@@ -54,6 +56,8 @@ pub struct Identification<'a> {
     pub data: String,
     /// Samples that were fitted to.
     pub samples: usize,
+    /// Accuracies of their sensors.
+    pub sigmas: SensorSigmas,
     /// The fit.
     pub fit: Fit,
     /// Errors on the samples of the fit, after and before.
@@ -72,7 +76,9 @@ impl IdentificationAnswer {
         let Identification { model, free, data, samples, fit, validation_data, out, .. } = found;
         let ([train, train_before], validation) = (found.train, found.validation);
         let (validation, validation_before) = validation.map(|[after, before]| (after, before)).unzip();
-        let mut warnings = fit.warnings;
+        let mut warnings = distrust(model.robot(), &found.sigmas, &validation.unwrap_or(train));
+        let trusted = warnings.is_empty();
+        warnings.extend(fit.warnings);
         warnings.extend(convergence_remark(&train, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         Self {
@@ -82,6 +88,7 @@ impl IdentificationAnswer {
             data,
             samples,
             status: fit.status,
+            trusted,
             reason: fit.reason,
             iterations: fit.iterations,
             parameter_count: fit.parameters.len(),
@@ -109,7 +116,7 @@ impl IdentificationAnswer {
 
 impl Answer for IdentificationAnswer {
     fn is_negative(&self) -> bool {
-        self.status != Status::Converged
+        self.status != Status::Converged || !self.trusted
     }
 
     fn words(&self, width: Option<usize>) -> String {

@@ -19,6 +19,9 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
         "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n\
          {status} after {iterations} iterations: {reason}\n"
     );
+    if let Some(reason) = answer.warnings.first().filter(|_| !answer.trusted) {
+        text.push_str(&format!("{reason}\n"));
+    }
     if !answer.parameters.is_empty() {
         text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
     }

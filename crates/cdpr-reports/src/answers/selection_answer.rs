@@ -28,6 +28,8 @@ pub struct SelectionAnswer {
     pub best: Option<String>,
     /// Name of the recommended candidate.
     pub recommended: Option<String>,
+    /// False where the recommended candidate breaks a rule of plausibility; the warnings say which.
+    pub trusted: bool,
     /// Reason of the outcome, in words.
     pub reason: String,
     /// The model that the robot runs before any calibration, against the recommended, else the best one.
@@ -113,6 +115,11 @@ pub struct JudgedAnswer {
     pub parameters: Vec<Estimate>,
     /// Requirements with their outcomes.
     pub requirements: Vec<RequirementOutcome>,
+    /// False where errors break a rule of plausibility.
+    pub trusted: bool,
+    /// Reasons not to trust the candidate.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub distrust: Vec<String>,
     /// Warnings for the reader.
     pub warnings: Vec<String>,
     /// Cautions in few words.
@@ -168,10 +175,17 @@ impl SelectionAnswer {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
         let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let mut warnings = told.warnings.to_vec();
+        let mut warnings: Vec<String> = chosen.iter().flat_map(|judgement| &judgement.distrust).cloned().collect();
+        let trusted = warnings.is_empty();
+        warnings.extend_from_slice(told.warnings);
         warnings.extend(chosen.iter().flat_map(|judgement| &judgement.fit.warnings).cloned());
         Self {
-            status: if selection.recommended.is_some() { "recommended" } else { "none-good-enough" },
+            status: match selection.recommended {
+                Some(_) if trusted => "recommended",
+                Some(_) => "not-trusted",
+                None => "none-good-enough",
+            },
+            trusted: trusted && selection.recommended.is_some(),
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
             samples: told.data_count,
@@ -238,6 +252,8 @@ impl JudgedAnswer {
             history: fit.history.clone(),
             parameters: fit.parameters.clone(),
             requirements: judgement.requirements.clone(),
+            trusted: judgement.distrust.is_empty(),
+            distrust: judgement.distrust.clone(),
             warnings: fit.warnings.clone(),
             caution_words: fit.caution_words(),
         }

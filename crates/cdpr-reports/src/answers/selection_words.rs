@@ -18,7 +18,12 @@ impl Answer for SelectionAnswer {
             table(self, width)
         );
         match &self.recommended {
-            Some(name) => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
+            Some(name) if self.trusted => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
+            Some(name) => text.push_str(&format!(
+                "{}\nthe best that there is, not to be trusted: {name}\n  {}\n",
+                self.warnings.first().map_or("", String::as_str),
+                self.reason
+            )),
             None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
         }
         if let Some(AsGiven { name, criterion, ratio }) = &self.as_given {
@@ -40,7 +45,7 @@ impl Answer for SelectionAnswer {
     }
 
     fn is_negative(&self) -> bool {
-        self.recommended.is_none()
+        self.recommended.is_none() || !self.trusted
     }
 }
 

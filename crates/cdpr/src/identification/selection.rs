@@ -15,6 +15,7 @@ use thiserror::Error;
 use super::candidate::Candidate;
 use super::evaluation::{Evaluation, evaluate_fitted};
 use super::fit::{self, fit};
+use super::plausibility::distrust;
 use crate::measurement::{Fold, Samples};
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
@@ -161,6 +162,7 @@ fn judge(
         train: evaluate_fitted(&reported.model, &train)?.blocks(),
         fit: reported,
         requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
+        distrust: distrust(robot, &samples.sigmas, &validation),
         validation,
         folds: fold_blocks,
         criterion: f64::NAN,

@@ -16,6 +16,7 @@ mod values;
 use super::Samples;
 use super::columns::Quantity;
 use super::magnitudes::{self, Finding};
+use super::mix_ups;
 use crate::geometry::Pose;
 use crate::reading::{ReadError, table_text};
 use crate::robot::Robot;
@@ -195,7 +196,10 @@ impl CsvFile<'_> {
                     return Err(self.column_error(&format.columns, quantity, message).with_help(help));
                 }
                 Finding::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
-                Finding::Plausible => {}
+                Finding::Plausible => {
+                    let mix_up = mix_ups::found(self.robot, &samples, &angles);
+                    notices.extend(mix_up.map(|words| format!("{}: {words}", self.file_name)));
+                }
             }
         }
         samples = self.without_too_far(samples, too_far, &mut skipped)?;

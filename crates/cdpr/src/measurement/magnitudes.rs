@@ -49,8 +49,6 @@ struct Alternative {
 enum Rotation {
     AsWritten,
     Degrees,
-    ScalarFirst,
-    Inverse,
 }
 
 const fn lengths(position: f64, length: f64, words: &'static str, help: &'static str) -> Alternative {
@@ -117,18 +115,6 @@ const ALTERNATIVES: &[Alternative] = &[
         "the angles look like degrees: only so they fit the cable lengths",
         "name the column angle_deg, and it is converted",
     ),
-    rotations(
-        Quantity::Quaternion(0),
-        Rotation::ScalarFirst,
-        "the quaternions look as if the scalar came first: so read they fit the cable lengths much better",
-        "",
-    ),
-    rotations(
-        Quantity::Quaternion(0),
-        Rotation::Inverse,
-        "the quaternions look as if they turned the world into the platform: inverted they fit the cable lengths much better",
-        "",
-    ),
 ];
 
 /// Compares the samples with the robot; `angles` are those that the file gives (rad), if it gives angles.
@@ -151,8 +137,7 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Fi
         three_digits(as_written),
         three_digits(misfit)
     );
-    // orientations in quaternions have one unit only: a robot file that is wrong could look the same
-    if misfit > CERTAIN * as_written || alternative.help.is_empty() {
+    if misfit > CERTAIN * as_written {
         return Finding::Doubtful(words);
     }
     let help = alternative.help.replace("{positions_mm}", &position_columns(robot, "mm").join(", "));
@@ -179,7 +164,6 @@ impl Comparison<'_> {
         match alternative.quantity {
             Quantity::Angle => has_angles && pattern == MotionPattern::Planar,
             Quantity::Euler(_) => has_angles && pattern == MotionPattern::Spatial,
-            Quantity::Quaternion(_) => !has_angles && pattern == MotionPattern::Spatial,
             _ => true,
         }
     }
@@ -216,14 +200,8 @@ impl Comparison<'_> {
     fn pose(&self, alternative: &Alternative, sample: usize) -> Pose {
         let pose = self.samples.poses[sample];
         let read = Pose { position: pose.position * alternative.position, ..pose };
-        let q = pose.rotation.coords;
         match alternative.rotation {
             Rotation::AsWritten => read,
-            Rotation::Inverse => Pose { rotation: pose.rotation.inverse(), ..read },
-            Rotation::ScalarFirst => {
-                let rotation = Pose::rotation_from_xyzw([q[1], q[2], q[3], q[0]]).unwrap_or(pose.rotation);
-                Pose { rotation, ..read }
-            }
             Rotation::Degrees => {
                 let (pattern, plane) = (self.robot.motion_pattern, self.robot.plane);
                 let mut components = pattern.pose_to_components(plane, &read);
@@ -238,7 +216,7 @@ impl Comparison<'_> {
 }
 
 /// A number with three digits, for a message: a misfit is an order of magnitude.
-fn three_digits(number: f64) -> String {
+pub(super) fn three_digits(number: f64) -> String {
     match number.abs() {
         size if size >= 1e6 => format!("{number:.2e}"),
         size if size >= 100.0 => format!("{number:.0}"),

@@ -5,6 +5,7 @@ mod csv_reading;
 mod csv_writing;
 mod header_mistakes;
 mod magnitudes;
+mod mix_ups;
 mod pose_track;
 mod samples;
 mod sidecar;

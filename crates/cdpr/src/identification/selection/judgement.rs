@@ -44,6 +44,8 @@ pub struct Judgement {
     pub disqualified: Option<String>,
     /// The limits and how the candidate stands to them.
     pub requirements: Vec<RequirementOutcome>,
+    /// Reasons not to trust the candidate with these errors, recommended or not; empty where there is none.
+    pub distrust: Vec<String>,
 }
 
 impl Judgement {

@@ -1,0 +1,47 @@
+//! Whether a model is good enough to be announced at all.
+
+use super::evaluation::ErrorBlocks;
+use crate::measurement::SensorSigmas;
+use crate::robot::Robot;
+
+/// Largest mean error, as a share of the diagonal of the anchors' box.
+const LARGEST_SHARE: f64 = 0.01;
+/// Largest mean error, as a multiple of the stated accuracy of the poses.
+const LARGEST_MULTIPLE: f64 = 5.0;
+
+/// Reasons not to trust a model with these errors, a sentence each; empty where there is none.
+///
+/// A mean error above a hundredth of the robot's size, or above five times the accuracy that is stated for the measured poses, is no
+/// error of a model but of its data, of the robot file, or of what the model leaves out.
+pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> Vec<String> {
+    let position = errors.position_error_m.mean;
+    let (error, name) = match position.is_nan() {
+        true => (errors.length_error_m.mean_abs, "cable-length"),
+        false => (position, "position"),
+    };
+    let limit = LARGEST_SHARE * robot.anchor_diagonal();
+    let mut reasons = Vec::new();
+    if error > limit {
+        reasons.push(format!(
+            "not to be trusted: the mean {name} error, {:.1} mm, is above 1 % of the diagonal of the anchors' box, {:.1} mm: \
+             are the data, their frame, their clock and the robot file right?",
+            1e3 * error,
+            1e3 * limit
+        ));
+    }
+    let rotation = errors.rotation_error_rad.mean;
+    for (error, sigma, name, factor, unit) in [
+        (position, sigmas.position, "position", 1e3, " mm"),
+        (rotation, sigmas.rotation, "rotation", 1f64.to_degrees(), "°"),
+    ] {
+        let Some(sigma) = sigma.filter(|sigma| *sigma > 0.0 && error > LARGEST_MULTIPLE * sigma) else { continue };
+        reasons.push(format!(
+            "not to be trusted: the mean {name} error, {:.3}{unit}, is {:.1} times the accuracy that is stated for the poses, {:.3}{unit}: \
+             the model lacks something, or data or accuracy are wrong",
+            factor * error,
+            error / sigma,
+            factor * sigma
+        ));
+    }
+    reasons
+}

@@ -1,0 +1,166 @@
+//! Other ways to read poses.
+
+use std::f64::consts::PI;
+
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+
+use crate::geometry::{MotionPattern, Pose};
+use crate::robot::Robot;
+
+/// A way to read a pose, by its numbers and angles; `None` where it cannot be read so.
+type Read = Box<dyn Fn(&Pose, &[f64; 3]) -> Option<Pose>>;
+
+/// A way to read poses, and the words for it.
+pub(super) struct Reading {
+    pub(super) words: String,
+    pub(super) read: Read,
+}
+
+/// All ways that a robot's poses can be read in, but for the one that is right.
+pub(super) fn readings(robot: &Robot) -> Vec<Reading> {
+    let mut all = match robot.motion_pattern {
+        MotionPattern::Spatial => of_space(),
+        MotionPattern::Planar => of_plane(robot),
+        _ => Vec::new(),
+    };
+    all.extend(axes(robot));
+    all
+}
+
+fn rotated(
+    words: impl Into<String>,
+    rotation: impl Fn(&Pose, &[f64; 3]) -> Option<UnitQuaternion<f64>> + 'static,
+) -> Reading {
+    let read = move |pose: &Pose, angles: &[f64; 3]| Some(Pose { rotation: rotation(pose, angles)?, ..*pose });
+    Reading { words: words.into(), read: Box::new(read) }
+}
+
+/// Readings of orientations in space.
+fn of_space() -> Vec<Reading> {
+    let scalar_first = |pose: &Pose| {
+        let q = pose.rotation.coords;
+        Pose::rotation_from_xyzw([q[1], q[2], q[3], q[0]])
+    };
+    let fits = "so read they fit the cable lengths much better";
+    let mut all = vec![
+        rotated(format!("the quaternions look as if the scalar came first: {fits}"), move |pose, _| scalar_first(pose)),
+        rotated(
+            "the quaternions look as if they turned the world into the platform: inverted they fit the cable lengths much better",
+            |pose, _| Some(pose.rotation.inverse()),
+        ),
+        rotated(
+            format!(
+                "the quaternions look as if the scalar came first and they turned the world into the platform: {fits}"
+            ),
+            move |pose, _| Some(scalar_first(pose)?.inverse()),
+        ),
+        rotated(format!("the angles look like a rotation vector: {fits}"), |_, angles| {
+            Some(UnitQuaternion::from_scaled_axis(Vector3::from(*angles)))
+        }),
+    ];
+    for order in [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        let names: Vec<&str> = order.iter().map(|axis| ["Rx", "Ry", "Rz"][*axis]).collect();
+        let words = format!("the angles look like those of R = {}, not of R = Rx Ry Rz: {fits}", names.join(" "));
+        all.push(rotated(words, move |_, angles| Some(product(order, angles))));
+    }
+    all.push(rotated(
+        format!("the angles look like degrees: {fits}; name the columns rx_deg, ry_deg, rz_deg"),
+        |_, angles| Some(product([0, 1, 2], &angles.map(|angle| angle * PI / 180.0))),
+    ));
+    all.push(rotated(format!("the angles look like those of R = Rz Ry Rx in degrees: {fits}"), |_, angles| {
+        Some(product([2, 1, 0], &angles.map(|angle| angle * PI / 180.0)))
+    }));
+    all
+}
+
+/// Rotations about the axes in an order, each about its own angle.
+fn product(order: [usize; 3], angles: &[f64; 3]) -> UnitQuaternion<f64> {
+    let about = |axis: usize| UnitQuaternion::from_axis_angle(&Vector3::ith_axis(axis), angles[axis]);
+    about(order[0]) * about(order[1]) * about(order[2])
+}
+
+/// Readings of the angle in a plane.
+fn of_plane(robot: &Robot) -> Vec<Reading> {
+    let (pattern, plane) = (robot.motion_pattern, robot.plane);
+    let turned = move |words: &str, factor: f64| {
+        let read = move |pose: &Pose, angles: &[f64; 3]| {
+            let mut components = pattern.pose_to_components(plane, pose);
+            components[2] = factor * angles[0];
+            pattern.pose(plane, &components).ok()
+        };
+        Reading { words: words.to_owned(), read: Box::new(read) }
+    };
+    vec![
+        turned(
+            "the angles look like degrees: so read they fit the cable lengths much better; name the column angle_deg",
+            PI / 180.0,
+        ),
+        turned(
+            "the angles look as if they turned the other way: with the other sign they fit the cable lengths much better",
+            -1.0,
+        ),
+    ]
+}
+
+/// Readings of coordinates with axes swapped or mirrored: of positions alone, of both frames, of the world alone.
+fn axes(robot: &Robot) -> Vec<Reading> {
+    let own: Vec<usize> = if robot.motion_pattern.is_planar() { robot.plane.indices().to_vec() } else { vec![0, 1, 2] };
+    let mut all = Vec::new();
+    for matrix in signed_permutations(&own).into_iter().filter(|matrix| *matrix != Matrix3::identity()) {
+        let words = words_of(&matrix, &own);
+        let turns = robot.motion_pattern.has_rotation();
+        let moved = move |pose: &Pose, rotation| Some(Pose { position: matrix * pose.position, rotation });
+        all.push(Reading { words: words.clone(), read: Box::new(move |pose, _| moved(pose, pose.rotation)) });
+        if turns {
+            let both = move |pose: &Pose| rotation(matrix * pose.rotation_matrix() * matrix.transpose());
+            all.push(Reading {
+                words: format!("{words}, in the orientations too"),
+                read: Box::new(move |pose, _| moved(pose, both(pose))),
+            });
+        }
+        // a turn of the world about the normal of the plane, or in space
+        if turns && matrix.determinant() > 0.0 {
+            all.push(Reading {
+                words: format!("{words}: the world's axes, also under the orientations"),
+                read: Box::new(move |pose, _| moved(pose, rotation(matrix * pose.rotation_matrix()))),
+            });
+        }
+    }
+    all
+}
+
+fn rotation(matrix: Matrix3<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(matrix))
+}
+
+/// Matrices that swap and mirror the axes of a robot: 8 of a plane, 48 of space.
+fn signed_permutations(own: &[usize]) -> Vec<Matrix3<f64>> {
+    let orders: Vec<Vec<usize>> = match own {
+        &[a, b] => vec![vec![a, b], vec![b, a]],
+        _ => [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]].map(Vec::from).into(),
+    };
+    let mut all = Vec::new();
+    for order in orders {
+        for signs in 0..1_u32 << own.len() {
+            let mut matrix = Matrix3::identity();
+            for (place, (&row, &column)) in own.iter().zip(&order).enumerate() {
+                (0..3).for_each(|k| matrix[(row, k)] = 0.0);
+                matrix[(row, column)] = if signs >> place & 1 == 1 { -1.0 } else { 1.0 };
+            }
+            all.push(matrix);
+        }
+    }
+    all
+}
+
+/// Axes of the world by those of the file, e.g. "x, y, z of the robot look like −y, x, z of the data".
+fn words_of(matrix: &Matrix3<f64>, own: &[usize]) -> String {
+    let name = |axis: usize| ["x", "y", "z"][axis];
+    let of_data = own.iter().map(|&row| {
+        let column = (0..3).find(|&column| matrix[(row, column)] != 0.0).unwrap_or(row);
+        format!("{}{}", if matrix[(row, column)] < 0.0 { "−" } else { "" }, name(column))
+    });
+    let of_robot: Vec<&str> = own.iter().map(|&axis| name(axis)).collect();
+    let of_data = of_data.collect::<Vec<_>>().join(", ");
+    format!("axes look swapped or mirrored: {} of the robot fit {of_data} of the data", of_robot.join(", "))
+}
