@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
-use cdpr::identification::{Evaluation, EvaluationError, evaluate_fitted};
+use cdpr::identification::{Evaluation, EvaluationError, clock_warning, evaluate_fitted};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
 use cdpr::robot::ParameterKind;
@@ -35,7 +35,7 @@ Examples:
 const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius; \
 with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
-tension-scale, tension-offset; `frame-anchor[1,3]` frees cables 1 and 3 only";
+tension-scale, tension-offset; with times (t_s) clock-offset; `frame-anchor[1,3]` frees cables 1 and 3 only";
 
 /// Identify the parameters of a model from measured poses and recorded lengths.
 ///
@@ -148,7 +148,7 @@ impl Task<'_> {
     fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
         if let Some(other) = other {
             let fit = self.fit(self.samples)?;
-            let validation = Some((self.evaluate(&fit.model, other)?, self.evaluate_given(other)?));
+            let validation = Some((self.evaluate(&fit.model, &fit.synchronised(other))?, self.evaluate_given(other)?));
             return Ok(Identification { fit, train: self.samples.clone(), validation });
         }
         let Some(split) = self.arguments.split else {
@@ -163,7 +163,9 @@ impl Task<'_> {
         for fold in &folds {
             let (train, held) = (self.samples.subset(&fold.train), self.samples.subset(&fold.validation));
             let fit = self.fit(&train)?;
-            after.extend(&self.evaluate(&fit.model, &held)?);
+            // the whole recording has the neighbours of a pose at the edge of a part
+            let on_one_clock = fit.clock_offset.map(|_| fit.synchronised(self.samples).subset(&fold.validation));
+            after.extend(&self.evaluate(&fit.model, on_one_clock.as_ref().unwrap_or(&held))?);
             before.extend(&self.evaluate_given(&held)?);
             single = Some((fit, train));
         }
@@ -193,10 +195,13 @@ impl Task<'_> {
 
     fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
         let step = || self.progress.step();
-        fit_observed(self.model, samples, &self.arguments.free, &self.settings(), &step).map_err(|error| match error {
+        let (free, settings) = (&self.arguments.free, self.settings());
+        let mut fit = fit_observed(self.model, samples, free, &settings, &step).map_err(|error| match error {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&self.arguments.data.name(), &error),
-        })
+        })?;
+        fit.warnings.extend(clock_warning(&fit, samples, free, &settings));
+        Ok(fit)
     }
 
     /// Errors of a model that was fitted.
@@ -229,7 +234,10 @@ impl Task<'_> {
             data: self.arguments.data.name(),
             samples: train.len(),
             sigmas: train.sigmas,
-            train: [self.evaluate(&fit.model, &train)?.blocks(), self.evaluate_given(&train)?.blocks()],
+            train: [
+                self.evaluate(&fit.model, &fit.synchronised(&train))?.blocks(),
+                self.evaluate_given(&train)?.blocks(),
+            ],
             fit,
             validation_data: self.validation_name(),
             validation: validation.map(|(after, before)| [after.blocks(), before.blocks()]),

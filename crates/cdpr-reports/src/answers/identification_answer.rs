@@ -2,7 +2,7 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
-use cdpr::identification::{Analysis, Basin, ErrorBlocks, distrust};
+use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
@@ -21,6 +21,8 @@ pub struct IdentificationAnswer {
     pub(super) samples: usize,
     pub(super) status: Status,
     pub(super) trusted: bool,
+    #[serde(skip)]
+    pub(super) is_gross: bool,
     pub(super) reason: String,
     pub(super) iterations: u32,
     pub(super) parameter_count: usize,
@@ -30,6 +32,10 @@ pub struct IdentificationAnswer {
     pub(super) noise_factor: f64,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) basins: Vec<Basin>,
+    #[serde(rename = "clock_offset_s", skip_serializing_if = "Option::is_none")]
+    pub(super) clock_offset: Option<f64>,
+    #[serde(rename = "clock_offset_sigma_s", skip_serializing_if = "Option::is_none")]
+    pub(super) clock_sigma: Option<f64>,
     pub(super) history: Vec<f64>,
     pub(super) train: ErrorBlocks,
     pub(super) train_before: ErrorBlocks,
@@ -76,7 +82,8 @@ impl IdentificationAnswer {
         let Identification { model, free, data, samples, fit, validation_data, out, .. } = found;
         let ([train, train_before], validation) = (found.train, found.validation);
         let (validation, validation_before) = validation.map(|[after, before]| (after, before)).unzip();
-        let mut warnings = distrust(model.robot(), &found.sigmas, &validation.unwrap_or(train));
+        let Distrust { reasons: mut warnings, is_gross } =
+            distrust(model.robot(), &found.sigmas, &validation.unwrap_or(train));
         let trusted = warnings.is_empty();
         warnings.extend(fit.warnings);
         warnings.extend(convergence_remark(&train, "training samples"));
@@ -89,6 +96,7 @@ impl IdentificationAnswer {
             samples,
             status: fit.status,
             trusted,
+            is_gross,
             reason: fit.reason,
             iterations: fit.iterations,
             parameter_count: fit.parameters.len(),
@@ -96,6 +104,8 @@ impl IdentificationAnswer {
             parameters: fit.parameters,
             noise_factor: fit.noise_factor,
             basins: fit.basins,
+            clock_offset: fit.clock_offset.map(|clock| clock.seconds),
+            clock_sigma: fit.clock_offset.map(|clock| clock.sigma),
             history: fit.history,
             train,
             train_before,
@@ -116,7 +126,7 @@ impl IdentificationAnswer {
 
 impl Answer for IdentificationAnswer {
     fn is_negative(&self) -> bool {
-        self.status != Status::Converged || !self.trusted
+        self.status != Status::Converged || self.is_gross
     }
 
     fn words(&self, width: Option<usize>) -> String {

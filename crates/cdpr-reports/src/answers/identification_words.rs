@@ -25,6 +25,14 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     if !answer.parameters.is_empty() {
         text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
     }
+    if let (Some(offset), Some(sigma)) = (answer.clock_offset, answer.clock_sigma) {
+        let side = if offset > 0.0 { "late" } else { "early" };
+        text.push_str(&format!(
+            "\nclocks: poses are recorded {:.2} ± {:.2} ms {side}\n",
+            1e3 * offset.abs(),
+            1e3 * sigma
+        ));
+    }
     text.push_str(&format!("\n{}", errors(answer, width)));
     if !answer.warnings.is_empty() {
         text.push_str("\nwarnings\n");

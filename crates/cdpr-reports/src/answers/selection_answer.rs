@@ -30,6 +30,9 @@ pub struct SelectionAnswer {
     pub recommended: Option<String>,
     /// False where the recommended candidate breaks a rule of plausibility; the warnings say which.
     pub trusted: bool,
+    /// Whether its errors are such that the answer is no.
+    #[serde(skip)]
+    pub is_gross: bool,
     /// Reason of the outcome, in words.
     pub reason: String,
     /// The model that the robot runs before any calibration, against the recommended, else the best one.
@@ -113,6 +116,9 @@ pub struct JudgedAnswer {
     pub history: Vec<f64>,
     /// Identified parameters.
     pub parameters: Vec<Estimate>,
+    /// How late poses are recorded, where the offset of the clocks was free (s).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clock_offset_s: Option<f64>,
     /// Requirements with their outcomes.
     pub requirements: Vec<RequirementOutcome>,
     /// False where errors break a rule of plausibility.
@@ -175,17 +181,20 @@ impl SelectionAnswer {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
         let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let mut warnings: Vec<String> = chosen.iter().flat_map(|judgement| &judgement.distrust).cloned().collect();
+        let mut warnings: Vec<String> =
+            chosen.iter().flat_map(|judgement| &judgement.distrust.reasons).cloned().collect();
         let trusted = warnings.is_empty();
+        let is_gross = chosen.is_some_and(|judgement| judgement.distrust.is_gross);
         warnings.extend_from_slice(told.warnings);
         warnings.extend(chosen.iter().flat_map(|judgement| &judgement.fit.warnings).cloned());
         Self {
             status: match selection.recommended {
-                Some(_) if trusted => "recommended",
-                Some(_) => "not-trusted",
+                Some(_) if is_gross => "not-trusted",
+                Some(_) => "recommended",
                 None => "none-good-enough",
             },
             trusted: trusted && selection.recommended.is_some(),
+            is_gross,
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
             samples: told.data_count,
@@ -251,9 +260,10 @@ impl JudgedAnswer {
             noise_factor: fit.noise_factor,
             history: fit.history.clone(),
             parameters: fit.parameters.clone(),
+            clock_offset_s: fit.clock_offset.map(|clock| clock.seconds),
             requirements: judgement.requirements.clone(),
-            trusted: judgement.distrust.is_empty(),
-            distrust: judgement.distrust.clone(),
+            trusted: judgement.distrust.reasons.is_empty(),
+            distrust: judgement.distrust.reasons.clone(),
             warnings: fit.warnings.clone(),
             caution_words: fit.caution_words(),
         }

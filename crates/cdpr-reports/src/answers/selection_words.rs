@@ -45,7 +45,7 @@ impl Answer for SelectionAnswer {
     }
 
     fn is_negative(&self) -> bool {
-        self.recommended.is_none() || !self.trusted
+        self.recommended.is_none() || self.is_gross
     }
 }
 

@@ -207,7 +207,7 @@ fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     if let Some(shown) = shown {
         let judgement = shown.judgement;
         let new = |warning: &&String| !input.warnings.contains(warning);
-        warnings.splice(0..0, judgement.distrust.iter().cloned());
+        warnings.splice(0..0, judgement.distrust.reasons.iter().cloned());
         warnings.extend(judgement.fit.warnings.iter().filter(new).cloned());
         if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
             let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;

@@ -19,7 +19,7 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
     let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
     let cautious = !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
-    let trusted = judgement.distrust.is_empty();
+    let trusted = judgement.distrust.reasons.is_empty();
     let (class, heading) = match (report.selection.recommended.is_some(), single) {
         (true, false) if !trusted => ("bad", "Recommended control model, not to be trusted"),
         (_, true) if met && !trusted => ("bad", "Identified control model, not to be trusted"),

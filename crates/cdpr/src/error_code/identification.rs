@@ -44,6 +44,7 @@ impl ErrorCode for fit::InputError {
             Self::Model(error) => error.code(),
             Self::Winch(error) => error.code(),
             Self::NoSamples => "data::no-samples",
+            Self::NoClockOffset => "data::no-clock-offset",
             Self::CableCount { .. } => "data::cable-count",
             Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
             Self::Degenerate { reason, .. } => reason.code(),

@@ -15,6 +15,7 @@ pub use input_error::InputError;
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
 pub use settings::{Prior, Settings};
 
+use super::clock;
 use super::elastostatic;
 use super::identifiability::{Analysis, analyse};
 use super::weights::Weights;
@@ -41,6 +42,15 @@ pub fn fit_observed(
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
+    let frees_clock = free.names_clock() && !settings.hold.names_clock();
+    if frees_clock {
+        let free = free.without_clock();
+        let cost = |samples: &Samples| least_cost(model, samples, &free, settings);
+        let found =
+            clock::best_offset(model, samples, parameters.len(), 0.0, &cost).ok_or(InputError::NoClockOffset)?;
+        let fit = fit_observed(model, &clock::synchronised_within(samples, found.seconds), &free, settings, progress)?;
+        return Ok(Fit { clock_offset: Some(found), ..fit });
+    }
     let mut fit = if explains_tensions(model) {
         let optimum = elastostatic::find(model, samples, &parameters, settings, progress)?;
         elastostatic::report(samples, &parameters, optimum, settings)
@@ -107,6 +117,12 @@ pub fn optimal_parameters(
         iterations: optimum.iterations(),
         history: optimum.history(),
     })
+}
+
+/// Cost of the optimum from the values of a model, data and priors together; none where there is no fit.
+pub(super) fn least_cost(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Option<f64> {
+    let settings = Settings { starts: 1, ..settings.clone() };
+    optimal_parameters(model, samples, free, &settings).ok()?.history.last().copied()
 }
 
 fn checked_parameters(
@@ -184,6 +200,7 @@ fn report(
         analysis,
         noise_factor,
         basins: optimum.basins,
+        clock_offset: None,
         warnings,
     })
 }

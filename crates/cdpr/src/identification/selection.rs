@@ -13,6 +13,7 @@ pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 use thiserror::Error;
 
 use super::candidate::Candidate;
+use super::clock_test::clock_warning;
 use super::evaluation::{Evaluation, evaluate_fitted};
 use super::fit::{self, fit};
 use super::plausibility::distrust;
@@ -47,6 +48,16 @@ pub struct Selection {
 }
 
 impl Selection {
+    /// Adds a warning to the recommended, else the best candidate, where the clocks of poses and lengths differ.
+    fn test_clock(&mut self, samples: &Samples, settings: &fit::Settings) {
+        let Some(index) = self.recommended.or(self.best) else { return };
+        let judged = &mut self.candidates[index];
+        if let Ok(judgement) = &mut judged.outcome {
+            let warning = clock_warning(&judgement.fit, samples, &judged.candidate.free, settings);
+            judgement.fit.warnings.extend(warning);
+        }
+    }
+
     /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
     /// freed, else the first with nothing freed.
     pub fn as_given(&self) -> Option<usize> {
@@ -106,7 +117,9 @@ pub fn select(
         return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
     }
     comparison::compare(&mut judged, settings.criterion, settings.seed);
-    Ok(recommend(judged, settings.criterion))
+    let mut selection = recommend(judged, settings.criterion);
+    selection.test_clock(samples, &settings.fit);
+    Ok(selection)
 }
 
 /// Fits that [`select`] makes: one of each candidate and fold, and one of all samples where there are several folds.
@@ -147,7 +160,12 @@ fn judge(
     for fold in folds {
         let train = samples.subset(&fold.train);
         let fitted = fit_to(&train)?;
-        let evaluation = evaluate_fitted(&fitted.model, &samples.subset(&fold.validation))?;
+        let held = match fitted.clock_offset {
+            // the whole recording has the neighbours of a pose at the edge of a fold
+            Some(_) => fitted.synchronised(samples).subset(&fold.validation),
+            None => samples.subset(&fold.validation),
+        };
+        let evaluation = evaluate_fitted(&fitted.model, &held)?;
         fold_blocks.push((fold.name.clone(), evaluation.blocks()));
         errors.extend(&evaluation);
         validation_samples.extend(&fold.validation);
@@ -159,7 +177,7 @@ fn judge(
     };
     let validation = errors.blocks();
     Ok(Judgement {
-        train: evaluate_fitted(&reported.model, &train)?.blocks(),
+        train: evaluate_fitted(&reported.model, &reported.synchronised(&train))?.blocks(),
         fit: reported,
         requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
         distrust: distrust(robot, &samples.sigmas, &validation),

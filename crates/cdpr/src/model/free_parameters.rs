@@ -14,13 +14,18 @@ use crate::robot::{Head, Parameter, ParameterKind};
 pub struct FreeParameters {
     /// Kind and 0-based cables; `None` means every cable.
     selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
+    /// The offset of the clocks, a number of the recording and not of the robot.
+    clock_offset: bool,
 }
+
+/// Name of the offset of the clocks in lists of parameters.
+const CLOCK_OFFSET: &str = "clock-offset";
 
 /// A list of parameters that cannot be understood or does not fit the model.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, drum-radius, start-length, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are clock-offset, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, drum-radius, start-length, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -92,12 +97,22 @@ fn suggestion(name: &str) -> String {
 impl FreeParameters {
     /// These kinds for every cable.
     pub fn of(kinds: &[ParameterKind]) -> Self {
-        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect() }
+        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), clock_offset: false }
     }
 
     /// True when nothing is free.
     pub(crate) fn is_empty(&self) -> bool {
-        self.selections.is_empty()
+        self.selections.is_empty() && !self.clock_offset
+    }
+
+    /// True when the offset of the clocks is named.
+    pub fn names_clock(&self) -> bool {
+        self.clock_offset
+    }
+
+    /// The same without the offset of the clocks.
+    pub(crate) fn without_clock(&self) -> Self {
+        Self { clock_offset: false, ..self.clone() }
     }
 
     fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
@@ -190,7 +205,11 @@ impl fmt::Display for FreeParameters {
                 write!(f, "[{}]", numbers.join(","))?;
             }
         }
-        Ok(())
+        match (self.clock_offset, self.selections.is_empty()) {
+            (true, true) => f.write_str(CLOCK_OFFSET),
+            (true, false) => write!(f, ",{CLOCK_OFFSET}"),
+            _ => Ok(()),
+        }
     }
 }
 
@@ -205,16 +224,21 @@ impl FromStr for FreeParameters {
 
     /// Reads `frame-anchor[1,3],length-offset`; empty text frees nothing.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let mut selections = Vec::new();
+        let (mut selections, mut clock_offset) = (Vec::new(), false);
         let mut rest = text.trim();
         while !rest.is_empty() {
             let end = rest.find([',', '[']).unwrap_or(rest.len());
-            let kind = identified_kind(rest[..end].trim())?;
-            let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
-            let head = Head::read(rest).ok_or_else(syntax)?;
-            let cables = head.cables;
-            rest = head.rest.trim_start();
-            selections.push((kind, cables));
+            if rest[..end].trim() == CLOCK_OFFSET {
+                clock_offset = true;
+                rest = &rest[end..];
+            } else {
+                let kind = identified_kind(rest[..end].trim())?;
+                let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
+                let head = Head::read(rest).ok_or_else(syntax)?;
+                let cables = head.cables;
+                rest = head.rest.trim_start();
+                selections.push((kind, cables));
+            }
             rest = match rest.strip_prefix(',') {
                 Some(after) if !after.trim().is_empty() => after.trim_start(),
                 Some(_) => return Err(ParameterError::Syntax { item: text.to_owned() }),
@@ -222,7 +246,7 @@ impl FromStr for FreeParameters {
                 None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
             };
         }
-        Ok(Self { selections })
+        Ok(Self { selections, clock_offset })
     }
 }
 
@@ -238,6 +262,8 @@ mod tests {
             "frame-anchor[1,3],length-offset",
             "length-scale,pulley-radius[8]",
             "compliance,wrench",
+            "clock-offset",
+            "frame-anchor[2],clock-offset",
         ] {
             let free: FreeParameters = text.parse().unwrap();
             assert_eq!(free.to_string(), text);
@@ -256,6 +282,7 @@ mod tests {
             "frame-anchor[1]x",
             "complience",
             ",",
+            "clock-offset[1]",
             "frame-anchor[-1]",
             "frame-anchor[99999999999999999999999]",
         ] {

@@ -49,6 +49,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         analysis,
         noise_factor,
         basins: optimum.basins,
+        clock_offset: None,
         warnings: all_warnings,
         model: optimum.calibrated,
     }

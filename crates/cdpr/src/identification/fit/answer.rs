@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
 use crate::identification::starts::Basin;
 use crate::model::Model;
@@ -74,6 +75,8 @@ pub struct Fit {
     /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
     /// start: the best optimum may then be one that no start led all cables to.
     pub basins: Vec<Basin>,
+    /// Offset of the clocks, where it was free.
+    pub clock_offset: Option<ClockOffset>,
     /// Warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
 }

@@ -10,6 +10,11 @@ use crate::statics::LoadError;
 /// Data or settings that no fit can accept.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
+    /// No offset of the clocks that fits best.
+    #[error(
+        "`clock-offset` is free, but the samples tell none: it takes 30 samples with times (column t_s) of a platform that moves between them"
+    )]
+    NoClockOffset,
     /// The free parameters do not fit the model.
     #[error(transparent)]
     Parameters(#[from] ParameterError),

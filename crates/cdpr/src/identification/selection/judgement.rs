@@ -6,6 +6,7 @@ use super::requirement::RequirementOutcome;
 use crate::identification::candidate::Candidate;
 use crate::identification::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
 use crate::identification::fit::{self, Fit};
+use crate::identification::plausibility::Distrust;
 use crate::model::ModelError;
 
 /// One candidate with everything known about it.
@@ -44,8 +45,8 @@ pub struct Judgement {
     pub disqualified: Option<String>,
     /// The limits and how the candidate stands to them.
     pub requirements: Vec<RequirementOutcome>,
-    /// Reasons not to trust the candidate with these errors, recommended or not; empty where there is none.
-    pub distrust: Vec<String>,
+    /// Reasons not to trust the candidate with these errors, recommended or not.
+    pub distrust: Distrust,
 }
 
 impl Judgement {

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
-use super::Data;
+use super::data::Data;
 use crate::geometry::{Pose, Twist};
 use crate::robot::Robot;
 

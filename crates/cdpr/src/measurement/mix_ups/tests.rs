@@ -7,13 +7,11 @@ use rand::{RngExt, SeedableRng};
 
 use super::*;
 use crate::geometry::Pose;
-use crate::model::{Composition, Model};
 
 /// Samples whose platform turns by up to 30° about each axis, with lengths of points, offsets and noise of 0.3 mm; angles as a file
 /// would give them.
 fn recorded(robot: &Robot) -> (Samples, Vec<[f64; 3]>) {
     let mut chance = rand_chacha::ChaCha8Rng::seed_from_u64(11);
-    let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
     let (home, reach) = (robot.home_or_middle(), 0.12 * robot.anchor_diagonal());
     let (mut samples, mut all) = (Samples { cable_count: robot.cable_count(), ..Samples::default() }, Vec::new());
     for _ in 0..60 {
@@ -22,12 +20,16 @@ fn recorded(robot: &Robot) -> (Samples, Vec<[f64; 3]>) {
         // the middle of the workspace is nowhere near the origin, as that of a tracker's robot
         let shift = Vector3::new(uniform(reach), uniform(reach), uniform(reach));
         let pose = Pose::from_xyz_angles(home.position + shift, angles);
-        let lengths = model.cable_lengths(&pose).unwrap();
+        let lengths = lengths(robot, &pose);
         samples.lengths.extend(lengths.iter().enumerate().map(|(k, l)| l + 0.05 * k as f64 + uniform(3e-4)));
         samples.poses.push(pose);
         all.push(angles);
     }
     (samples, all)
+}
+
+fn lengths(robot: &Robot, pose: &Pose) -> Vec<f64> {
+    robot.cables.iter().map(|cable| (cable.frame_anchor - pose.transform(&cable.platform_anchor)).norm()).collect()
 }
 
 /// A robot whose anchors have no symmetry: those of a built-in one, each moved by up to a tenth of the size.
@@ -219,7 +221,6 @@ fn an_angle_in_the_plane_is_tried_in_degrees_and_the_other_way_round() {
         cable.frame_anchor += robot.plane.first_axis() * 0.2 * (k as f64).sin();
         cable.platform_anchor += robot.plane.second_axis() * 0.1 * (2.0 * k as f64).cos();
     });
-    let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
     let middle = robot.motion_pattern.pose_to_components(robot.plane, &robot.home_or_middle());
     let written = |factor: f64| {
         let (mut samples, mut angles) =
@@ -228,7 +229,7 @@ fn an_angle_in_the_plane_is_tried_in_degrees_and_the_other_way_round() {
             let (t, angle) = (0.3 * f64::from(k), 0.4 * (0.7 * f64::from(k)).sin());
             let at = [middle[0] + 0.2 * t.sin(), middle[1] + 0.15 * (1.3 * t).cos()];
             let pose = |angle: f64| robot.motion_pattern.pose(robot.plane, &[at[0], at[1], angle]).unwrap();
-            samples.lengths.extend(model.cable_lengths(&pose(angle)).unwrap());
+            samples.lengths.extend(lengths(&robot, &pose(angle)));
             samples.poses.push(pose(factor * angle));
             angles.push([factor * angle, 0.0, 0.0]);
         }
