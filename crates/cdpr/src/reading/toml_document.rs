@@ -50,6 +50,32 @@ impl<'a> TomlDocument<'a> {
         T::deserialize(deserializer).map_err(|error| self.explain(&error))
     }
 
+    /// The entries of a table become those of every table of a list that lacks them; of `alternatives`, which say one thing in
+    /// several ways, none where the list's table states one itself. They keep the place where they stand, for errors.
+    pub(crate) fn fill_in(&mut self, list: &str, defaults: &str, alternatives: &[&str]) {
+        let root = self.root.get_mut();
+        let Some(DeValue::Table(defaults)) = root.get(defaults).map(|value| value.get_ref().clone()) else { return };
+        let Some(DeValue::Array(tables)) = root.get_mut(list).map(Spanned::get_mut) else { return };
+        for entry in tables.iter_mut() {
+            let DeValue::Table(table) = entry.get_mut() else { continue };
+            let has_chosen = alternatives.iter().any(|key| table.contains_key(*key));
+            let lacks = |key: &str| !(table.contains_key(key) || has_chosen && alternatives.contains(&key));
+            let lacking: Vec<_> = defaults.iter().filter(|(key, _)| lacks(key.get_ref())).collect();
+            table.extend(lacking.into_iter().map(|(key, value)| (key.clone(), value.clone())));
+        }
+    }
+
+    /// True where one of the values of a table, or of those inside them, stands at this place.
+    pub(crate) fn stands_in(&self, table: &str, place: &Place) -> bool {
+        let is_here = |value: &Spanned<DeValue<'a>>| Place::of_span(self.text, value.span()) == *place;
+        self.root.get_ref().get(table).is_some_and(|table| any_inside(table, &is_here))
+    }
+
+    /// Number of values in a table, those inside them counted too.
+    pub(crate) fn values_in(&self, table: &str) -> usize {
+        self.root.get_ref().get(table).map_or(0, count_inside)
+    }
+
     /// The value at a path, where there is one.
     pub(crate) fn value(&self, path: &[Step<'_>]) -> Option<&DeValue<'a>> {
         let (first, rest) = path.split_first()?;
@@ -147,6 +173,25 @@ fn child<'t, 'a>(value: &'t Spanned<DeValue<'a>>, step: &Step<'_>) -> Option<&'t
     }
 }
 
+/// True where a condition holds for one of the values inside a table or a list.
+fn any_inside<'a>(value: &Spanned<DeValue<'a>>, condition: &impl Fn(&Spanned<DeValue<'a>>) -> bool) -> bool {
+    let holds = |inner: &Spanned<DeValue<'a>>| condition(inner) || any_inside(inner, condition);
+    match value.get_ref() {
+        DeValue::Array(array) => array.iter().any(holds),
+        DeValue::Table(table) => table.iter().any(|(_, inner)| holds(inner)),
+        _ => false,
+    }
+}
+
+/// Number of values inside a table or a list.
+fn count_inside(value: &Spanned<DeValue<'_>>) -> usize {
+    match value.get_ref() {
+        DeValue::Array(array) => array.iter().map(|inner| 1 + count_inside(inner)).sum(),
+        DeValue::Table(table) => table.iter().map(|(_, inner)| 1 + count_inside(inner)).sum(),
+        _ => 0,
+    }
+}
+
 /// The words between backticks: serde quotes the name it met and then the names it knows.
 fn quoted_words(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
@@ -154,7 +199,7 @@ fn quoted_words(message: &str) -> Vec<&str> {
 
 /// Names of Rust types replaced by words.
 fn in_plain_words(message: &str) -> String {
-    [("f64", "a number"), ("u32", "a whole number ≥ 0"), ("u64", "a whole number ≥ 0"), ("usize", "a whole number ≥ 0")]
+    [("a map", "a table"), ("f64", "a number"), ("u32", "a whole number ≥ 0"), ("u64", "a whole number ≥ 0"), ("usize", "a whole number ≥ 0")]
         .iter()
         .fold(message.to_owned(), |text, (rust, words)| {
             text.replace(&format!("expected {rust}"), &format!("expected {words}"))

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
+use super::cable_defaults::{STIFFNESS_KEYS, tell_default};
 use super::file::{CableSection, RobotFile};
 use super::parameter::{ParameterKind as Kind, Range};
 use super::reader::{Reader, key_name};
@@ -27,6 +28,7 @@ pub(super) fn read_cables(reader: &Reader<'_>, file: &RobotFile) -> Result<Vec<C
         .iter()
         .enumerate()
         .map(|(index, section)| CableReader { reader, section, index }.cable())
+        .map(|cable| cable.map_err(|error| tell_default(reader, error)))
         .collect::<Result<_, _>>()?;
     check_names(reader, file, &cables)?;
     let same_place = |cable: &Cable| cable.frame_anchor == cables[0].frame_anchor;
@@ -106,7 +108,7 @@ impl CableReader<'_> {
         Ok(Cable {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
-            platform_anchor: self.vector("platform_anchor_m", &section.platform_anchor_m)?,
+            platform_anchor: self.platform_anchor()?,
             pulley: self.pulley()?,
             pulley_wrap_side: section.pulley_wrap_side,
             pulley_wrap_min: section.pulley_wrap_min_rad,
@@ -131,6 +133,23 @@ impl CableReader<'_> {
             finite_elements: self.finite_elements(section.finite_elements)?,
             winch: self.winch()?,
         })
+    }
+
+    /// A point platform needs none; one that turns has no place to guess.
+    fn platform_anchor(&self) -> Result<Vector3<f64>, ReadError> {
+        let pattern = self.reader.pattern;
+        match &self.section.platform_anchor_m {
+            Some(values) => self.vector("platform_anchor_m", values),
+            None if pattern.dof() == pattern.translations() => Ok(Vector3::zeros()),
+            None => {
+                let message = "the key `platform_anchor_m` is missing here";
+                let help = format!(
+                    "add `platform_anchor_m = …`, the cable's end on the platform: only point platforms (2T, 3T) do without, a platform of motion pattern {} turns",
+                    pattern.name()
+                );
+                Err(self.error("platform_anchor_m", "toml::missing-key", message).with_help(help))
+            }
+        }
     }
 
     fn pulley(&self) -> Result<Option<Pulley>, ReadError> {
@@ -219,14 +238,10 @@ impl CableReader<'_> {
 
     /// Only one of the three stiffness keys can hold.
     fn check_stiffness(&self) -> Result<(), ReadError> {
-        let given: Vec<&str> = [
-            ("axial_stiffness_EA_N", self.section.axial_stiffness_EA_N),
-            ("axial_compliance_per_N", self.section.axial_compliance_per_N),
-            ("spring_constant_N_per_m", self.section.spring_constant_N_per_m),
-        ]
-        .iter()
-        .filter_map(|(key, value)| value.map(|_| *key))
-        .collect();
+        let section = self.section;
+        let stated = [section.axial_stiffness_EA_N, section.axial_compliance_per_N, section.spring_constant_N_per_m];
+        let given: Vec<&str> =
+            STIFFNESS_KEYS.into_iter().zip(stated).filter_map(|(key, value)| value.map(|_| key)).collect();
         match given[..] {
             [first, second, ..] => Err(self
                 .error(second, "robot::stiffness-twice", &format!("both {first} and {second} are given"))

@@ -1,5 +1,9 @@
 //! The robot file as it stands: keys, types and order of layout version 1. What is said twice or wrongly is found in `reading`.
 
+use std::collections::BTreeMap;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 use cdpr_core::cable::elasticity::StiffnessBasis;
@@ -7,10 +11,13 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
+/// Keys of a cable that `[cable_defaults]` cannot state: they make it this cable.
+pub(super) const OWN_KEYS: [&str; 3] = ["name", "frame_anchor_m", "platform_anchor_m"];
+
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
 #[derive(Clone, Debug, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "cdpr robot")]
+#[schemars(title = "cdpr robot", transform = require_platform_anchors)]
 pub(super) struct RobotFile {
     /// Version of this layout: 1.
     #[schemars(range(min = 1, max = 1))]
@@ -48,6 +55,11 @@ pub(super) struct RobotFile {
     /// Obstacles in the way of cables (world).
     #[serde(default)]
     pub(super) obstacle: Vec<ObstacleSection>,
+    /// Keys that hold for every cable that does not state them itself: all of a cable but `name`, `frame_anchor_m` and `platform_anchor_m`. A stiffness that a cable states in one way takes the place of one stated here in another. A file that `cdpr` writes states them at every cable.
+    #[serde(default)]
+    #[schemars(schema_with = "cable_defaults_schema")]
+    #[expect(dead_code, reason = "its keys are those of the cables by the time that the file is read")]
+    pub(super) cable_defaults: BTreeMap<String, IgnoredAny>,
     /// The cables, in the order of every per-cable list.
     #[serde(default)]
     #[schemars(length(min = 1))]
@@ -142,8 +154,8 @@ pub(super) struct CableSection {
     pub(super) name: String,
     /// Frame anchor (world, m); with a pulley the point where the cable enters the swivelling pulley on its swivel axis.
     pub(super) frame_anchor_m: Vec<f64>,
-    /// Platform anchor (platform frame, m).
-    pub(super) platform_anchor_m: Vec<f64>,
+    /// Platform anchor (platform frame, m). Cables of point platforms (2T, 3T) end at the origin when it is missing; other platforms need it.
+    pub(super) platform_anchor_m: Option<Vec<f64>>,
     /// Radius of the pulley at the frame (m).
     #[schemars(range(min = 0))]
     pub(super) pulley_radius_m: Option<f64>,
@@ -253,4 +265,23 @@ pub(super) struct ObstacleSection {
     /// Strut: half its diameter (m).
     #[schemars(range(min = 0))]
     pub(super) radius_m: Option<f64>,
+}
+
+/// The schema of `[cable_defaults]`: a cable's without its own keys.
+fn cable_defaults_schema(generator: &mut SchemaGenerator) -> Schema {
+    let mut schema = CableSection::json_schema(generator);
+    schema.remove("required");
+    schema.remove("description");
+    if let Some(properties) = schema.get_mut("properties").and_then(|properties| properties.as_object_mut()) {
+        OWN_KEYS.iter().for_each(|key| drop(properties.remove(*key)));
+    }
+    schema
+}
+
+/// Adds to the schema of the file that platforms that turn need their anchors.
+fn require_platform_anchors(schema: &mut Schema) {
+    let turns = json_schema!({ "properties": { "motion_pattern": { "enum": ["1R2T", "3R3T"] } } });
+    let needs = json_schema!({ "properties": { "cable": { "items": { "required": ["platform_anchor_m"] } } } });
+    schema.insert("if".to_owned(), turns.to_value());
+    schema.insert("then".to_owned(), needs.to_value());
 }

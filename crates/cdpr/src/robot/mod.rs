@@ -1,6 +1,7 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
 pub mod builtin;
+mod cable_defaults;
 mod cable_reading;
 pub mod caspr;
 mod checks;

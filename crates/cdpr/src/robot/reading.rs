@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::{Matrix3, Vector3};
 use toml::de::DeValue;
 
+use super::cable_defaults::fill_in_cables;
 use super::cable_reading::read_cables;
 use super::file::{Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
 use super::home_reading::read_home;
@@ -23,8 +24,9 @@ const ASYMMETRY_LIMIT: f64 = 1e-6;
 impl Robot {
     /// Reads a robot file of layout version 1; `file_name` is only used in errors.
     pub fn from_toml(text: &str, file_name: &str) -> Result<Self, ReadError> {
-        let document = TomlDocument::parse(text, file_name)?;
+        let mut document = TomlDocument::parse(text, file_name)?;
         check_layout_version(&document)?;
+        fill_in_cables(&mut document)?;
         let file: RobotFile = document.deserialize()?;
         let reader = Reader::new(&document, &file)?;
         reader.robot(file)

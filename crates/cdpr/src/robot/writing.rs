@@ -28,7 +28,8 @@ struct TopKeys<'a> {
 impl Robot {
     /// The robot as a file that [`Robot::from_toml`] reads back to the same robot.
     ///
-    /// A planar robot is written by its components in the plane, a point platform without orientation.
+    /// A planar robot is written by its components in the plane, a point platform without orientation. Every cable states its own
+    /// keys, those too that a file had under `[cable_defaults]`: after a calibration they may differ.
     pub fn to_toml(&self) -> String {
         let mut text = HEADING.to_owned() + &lines(&self.top_keys());
         if !self.notes.is_empty() {
@@ -133,7 +134,7 @@ impl Robot {
         CableSection {
             name: cable.name.clone(),
             frame_anchor_m: self.components(&cable.frame_anchor),
-            platform_anchor_m: self.components(&cable.platform_anchor),
+            platform_anchor_m: Some(self.components(&cable.platform_anchor)),
             pulley_radius_m: cable.pulley_radius(),
             pulley_wrap_min_rad: cable.pulley_wrap_min,
             pulley_wrap_max_rad: cable.pulley_wrap_max,

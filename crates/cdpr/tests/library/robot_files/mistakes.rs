@@ -70,6 +70,36 @@ fn mistakes_of_planar_files_are_told_with_their_place() {
     }
 }
 
+/// What the defaults say wrongly is shown where they say it, not at the cable.
+#[test]
+fn mistakes_among_the_defaults_are_told_with_their_place() {
+    for (from, to, at, code) in [
+        ("tension_min_N = 2.0", "tension_min_N = 90.0", "90.0", "robot::tension-limits"),
+        ("tension_min_N = 2.0", "tension_min_N = -2.0", "-2.0", "robot::negative"),
+        ("axial_stiffness_EA_N = 5e4", "axial_stiffness_EA_N = 0.0", "0.0", "robot::not-positive"),
+        ("150.0", "450.0", "[0.0, 450", "stretch::branches-cross"),
+    ] {
+        let error = mistake(WITH_DEFAULTS, from, to, at, code);
+        assert!(error.message.contains("[cable_defaults]"), "{error}");
+    }
+    for (from, to, at, code) in [
+        ("tension_min_N = 2.0", "tension_mim_N = 2.0", "tension_mim_N", "toml::unknown-key"),
+        ("tension_min_N = 2.0", "tension_min_N = \"2\"", "\"2\"", "toml::wrong-type"),
+        ("tension_min_N = 2.0", "platform_anchor_m = [0.0, 0.0, 0.0]", "[0.0", "robot::cable-defaults"),
+        ("tension_min_N = 2.0", "name = \"all\"", "\"all\"", "robot::cable-defaults"),
+        ("[cable_defaults]", "[[cable_defaults]]", "[[cable_defaults]]", "toml::wrong-type"),
+        ("tension_max_N = 50.0", "tension_max_N = -50.0", "-50.0", "robot::negative"),
+        ("\"3T\"", "\"3R3T\"", "[[cable]]", "toml::missing-key"),
+    ] {
+        let error = mistake(WITH_DEFAULTS, from, to, at, code);
+        assert!(!error.message.contains("states this"), "{error}");
+    }
+    let error = mistake(WITH_DEFAULTS, "\"3T\"", "\"3R3T\"", "[[cable]]", "toml::missing-key");
+    assert!(error.message.contains("cable 1 (`a`)") && error.help.unwrap().contains("point platforms"));
+    let endless = format!("tension_of_strain_N = [{}]", "1.0, ".repeat(400_000));
+    mistake(WITH_DEFAULTS, "tension_min_N = 2.0", &endless, "[cable_defaults]", "robot::cable-defaults");
+}
+
 #[test]
 fn a_stretch_that_is_no_law_is_told_with_its_place() {
     for (from, to, at, code) in [

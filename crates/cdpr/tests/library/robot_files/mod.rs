@@ -228,6 +228,53 @@ fn the_schema_describes_every_key_of_the_files() {
         described(&cable["properties"], key);
     }
     assert_eq!(cable["additionalProperties"], false);
+    let defaults = &schema["properties"]["cable_defaults"];
+    assert_eq!(defaults["additionalProperties"], false);
+    let keys = |section: &serde_json::Value| section["properties"].as_object().unwrap().len();
+    assert_eq!(keys(defaults), keys(cable) - 3, "all but the cable's own: {defaults}");
+}
+
+const WITH_DEFAULTS: &str = r#"layout_version = 1
+name = "camera"
+motion_pattern = "3T"
+
+[cable_defaults]
+tension_min_N = 2.0
+tension_max_N = 80.0
+axial_stiffness_EA_N = 5e4
+hysteresis = { strain = [0.0, 0.1, 0.2], loading_N = [0.0, 200.0, 500.0], unloading_N = [0.0, 150.0, 500.0], transition_strain = [0.001, 0.003] }
+
+[[cable]]
+name = "a"
+frame_anchor_m = [0.0, 0.0, 3.0]
+
+[[cable]]
+name = "b"
+frame_anchor_m = [4.0, 0.0, 3.0]
+tension_max_N = 50.0
+axial_compliance_per_N = 0.0
+
+[[cable]]
+name = "c"
+frame_anchor_m = [2.0, 4.0, 3.0]
+platform_anchor_m = [0.1, 0.0, 0.0]
+"#;
+
+/// A file with defaults is the file in which every cable states them, and is written as that.
+#[test]
+fn keys_of_all_cables_hold_for_those_that_do_not_state_them() {
+    let robot = Robot::from_toml(WITH_DEFAULTS, "camera.toml").unwrap_or_else(|error| panic!("{error}"));
+    let limits = |index: usize| (robot.cables[index].tension_min, robot.cables[index].tension_max);
+    assert_eq!([limits(0), limits(1), limits(2)], [80.0, 50.0, 80.0].map(|max| (Some(2.0), Some(max))));
+    assert_eq!([0, 1, 2].map(|cable| robot.cables[cable].axial_stiffness()), [Some(5e4), None, Some(5e4)]);
+    assert_eq!(robot.cables[1].axial_compliance(), Some(0.0), "stated in another way");
+    assert!(robot.cables.iter().all(|cable| cable.hysteresis.is_some()));
+    let anchors = [0, 1, 2].map(|cable| robot.cables[cable].platform_anchor.x);
+    assert_eq!(anchors, [0.0, 0.0, 0.1], "a point platform's anchors are its origin");
+    let written = robot.to_toml();
+    assert!(!written.contains("cable_defaults"), "{written}");
+    assert_eq!(written.matches("tension_min_N = 2.0").count(), 3, "{written}");
+    assert_eq!(Robot::from_toml(&written, "camera.toml").unwrap(), robot);
 }
 
 #[test]
