@@ -47,6 +47,7 @@ struct CommandLine {
 const EXAMPLES: &str = "\
 Examples:
   cdpr robots
+  cdpr new suspended-camera --out my-robot
   cdpr ik planar-example --pose 0.5,4
   cdpr identify robot.toml samples.csv --free length-offset --out calibrated.toml
   cdpr identify --help";
@@ -81,15 +82,16 @@ fn robot_argument(matches: &ArgMatches) -> Option<&String> {
 
 /// The command as it was given, quoted for a shell, without the options that do not touch the result.
 fn command_line() -> String {
-    let quoted = |word: &String| {
-        let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
-        if !word.is_empty() && word.chars().all(plain) {
-            word.clone()
-        } else {
-            format!("'{}'", word.replace('\'', r"'\''"))
-        }
-    };
     let words: Vec<String> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
     let words = options::that_matter(&words);
-    ["cdpr".to_owned()].into_iter().chain(words.into_iter().map(quoted)).collect::<Vec<_>>().join(" ")
+    ["cdpr".to_owned()].into_iter().chain(words.iter().map(|word| quoted(word))).collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a shell takes it for one.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
 }

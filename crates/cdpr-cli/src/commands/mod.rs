@@ -22,6 +22,7 @@ mod initial_tension;
 mod load;
 mod man;
 mod model;
+mod new;
 mod place_pulleys;
 mod reachable;
 mod robots;
@@ -57,6 +58,7 @@ macro_rules! commands {
 
 commands! {
     robots: Robots,
+    new: New,
     check: Check,
     ik: Ik,
     fk: Fk,

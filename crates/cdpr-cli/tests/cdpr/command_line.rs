@@ -16,6 +16,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "simulate",
     "demo",
     "robots",
+    "new",
     "check",
     "ik",
     "fk",

@@ -26,6 +26,7 @@ mod reachable;
 mod selection;
 mod sensitivity;
 mod shells;
+mod starting;
 mod statics;
 mod studies;
 mod study_page;

@@ -199,11 +199,17 @@ fn quoted_words(message: &str) -> Vec<&str> {
 
 /// Names of Rust types replaced by words.
 fn in_plain_words(message: &str) -> String {
-    [("a map", "a table"), ("f64", "a number"), ("u32", "a whole number ≥ 0"), ("u64", "a whole number ≥ 0"), ("usize", "a whole number ≥ 0")]
-        .iter()
-        .fold(message.to_owned(), |text, (rust, words)| {
-            text.replace(&format!("expected {rust}"), &format!("expected {words}"))
-        })
+    [
+        ("a map", "a table"),
+        ("f64", "a number"),
+        ("u32", "a whole number ≥ 0"),
+        ("u64", "a whole number ≥ 0"),
+        ("usize", "a whole number ≥ 0"),
+    ]
+    .iter()
+    .fold(message.to_owned(), |text, (rust, words)| {
+        text.replace(&format!("expected {rust}"), &format!("expected {words}"))
+    })
 }
 
 #[cfg(test)]
