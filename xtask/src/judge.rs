@@ -8,11 +8,15 @@ use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 
 /// What each judge is given: the example that writes its cases, and the script that judges them.
-const JUDGES: [(&str, &str); 2] = [("judge_cases", "judges/mujoco/judge.py"), (TIMED, "judges/tensions/judge.py")];
+const JUDGES: [(&str, &str); 3] = [
+    ("judge_cases", "judges/mujoco/judge.py"),
+    (TIMED, "judges/tensions/judge.py"),
+    ("judge_losses", "judges/losses/judge.py"),
+];
 /// The judge that also compares times.
 const TIMED: &str = "judge_tensions";
 
-/// Passes when MuJoCo finds our lengths and equilibria, and DAQP and SciPy our tensions; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, and SciPy our robust calibrations; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)

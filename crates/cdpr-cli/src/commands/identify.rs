@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
-use cdpr::identification::{Evaluation, EvaluationError, clock_warning, evaluate_fitted};
+use cdpr::identification::{ErrorBlocks, Evaluation, EvaluationError, Loss, clock_warning, evaluate_fitted};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
 use cdpr::robot::ParameterKind;
@@ -19,6 +19,7 @@ use crate::files;
 use crate::inputs::ModelArguments;
 use crate::measurements::DataArguments;
 use crate::progress::Progress;
+use crate::selecting::losses;
 use cdpr_reports::answers::{self, IdentificationAnswer};
 
 const EXAMPLES: &str = "\
@@ -77,6 +78,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "METHOD", default_value = Minimizer::default().name(), value_parser = minimizers())]
     minimizer: Minimizer,
 
+    /// Loss of a sample's residuals. Auto: squared, unless samples lie beyond 8 robust standard deviations; Huber then.
+    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
+    loss: Loss,
+
     /// Seed of the split kfold:K and of other starts.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
@@ -129,10 +134,13 @@ struct Task<'a> {
     progress: &'a Progress,
 }
 
-/// The reported fit, what it was fitted to, and errors on data that it was not fitted to (after, before).
+/// The reported fit, how many samples it was fitted to, those of them that are no outliers, and errors on data that it was not fitted
+/// to (after, before).
 struct Identification {
     fit: Fit,
+    samples: usize,
     train: Samples,
+    train_on_one_clock: Samples,
     validation: Option<(Evaluation, Evaluation)>,
 }
 
@@ -144,45 +152,64 @@ impl Task<'_> {
         }
     }
 
+    /// A fit to all samples.
+    fn of_all(&self, fit: Fit, validation: Option<(Evaluation, Evaluation)>) -> Identification {
+        self.of(fit, self.samples, validation)
+    }
+
+    /// A fit to these samples.
+    fn of(&self, fit: Fit, samples: &Samples, validation: Option<(Evaluation, Evaluation)>) -> Identification {
+        let trusted = fit.trusted_samples(samples.len());
+        let train_on_one_clock = fit.synchronised(samples).subset(&trusted);
+        let train = samples.subset(&trusted);
+        Identification { fit, samples: samples.len(), train, train_on_one_clock, validation }
+    }
+
     /// Fits to all samples or to those of the one fold; several folds are only fitted to for judging.
     fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
         if let Some(other) = other {
             let fit = self.fit(self.samples)?;
             let validation = Some((self.evaluate(&fit.model, &fit.synchronised(other))?, self.evaluate_given(other)?));
-            return Ok(Identification { fit, train: self.samples.clone(), validation });
+            return Ok(self.of_all(fit, validation));
         }
         let Some(split) = self.arguments.split else {
-            return Ok(Identification { fit: self.fit(self.samples)?, train: self.samples.clone(), validation: None });
+            return Ok(self.of_all(self.fit(self.samples)?, None));
         };
         let folds = split
             .folds(self.samples, self.arguments.seed)
             .map_err(|error| Failure::refused(&format!("{}: --split", self.arguments.data.name()), &error))?;
         self.progress.expect(self.descents(if folds.len() == 1 { 1 } else { folds.len() + 1 }));
         let (mut after, mut before) = (Evaluation::default(), Evaluation::default());
-        let mut single = None;
+        // the loss is chosen once, by all data of the reported fit
+        let everything: Vec<usize> = (0..self.samples.len()).collect();
+        let part = if let [fold] = &folds[..] { &fold.train } else { &everything };
+        let train = self.samples.subset(part);
+        let reported = self.fit(&train)?;
         for fold in &folds {
-            let (train, held) = (self.samples.subset(&fold.train), self.samples.subset(&fold.validation));
-            let fit = self.fit(&train)?;
+            let held = self.samples.subset(&fold.validation);
+            let of_fold = match folds.len() {
+                1 => None,
+                _ => Some(self.fit_under(reported.loss, &self.samples.subset(&fold.train))?),
+            };
+            let fit = of_fold.as_ref().unwrap_or(&reported);
             // the whole recording has the neighbours of a pose at the edge of a part
             let on_one_clock = fit.clock_offset.map(|_| fit.synchronised(self.samples).subset(&fold.validation));
             after.extend(&self.evaluate(&fit.model, on_one_clock.as_ref().unwrap_or(&held))?);
             before.extend(&self.evaluate_given(&held)?);
-            single = Some((fit, train));
         }
-        let (fit, train) = match single {
-            Some(single) if folds.len() == 1 => single,
-            _ => (self.fit(self.samples)?, self.samples.clone()),
-        };
-        Ok(Identification { fit, train, validation: Some((after, before)) })
+        let mut result = self.of(reported, &train, Some((after, before)));
+        result.fit.renumber_outliers(part);
+        Ok(result)
     }
 
     fn settings(&self) -> fit::Settings {
-        let Arguments { hold, prior, starts, minimizer, seed, .. } = self.arguments;
+        let Arguments { hold, prior, starts, minimizer, loss, seed, .. } = self.arguments;
         fit::Settings {
             hold: hold.clone(),
             priors: prior.clone(),
             starts: *starts,
             minimizer: *minimizer,
+            loss: *loss,
             seed: *seed,
             ..fit::Settings::default()
         }
@@ -194,8 +221,12 @@ impl Task<'_> {
     }
 
     fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
+        self.fit_under(self.arguments.loss, samples)
+    }
+
+    fn fit_under(&self, loss: Loss, samples: &Samples) -> Result<Fit, Failure> {
         let step = || self.progress.step();
-        let (free, settings) = (&self.arguments.free, self.settings());
+        let (free, settings) = (&self.arguments.free, fit::Settings { loss, ..self.settings() });
         let mut fit = fit_observed(self.model, samples, free, &settings, &step).map_err(|error| match error {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&self.arguments.data.name(), &error),
@@ -219,6 +250,21 @@ impl Task<'_> {
         }
     }
 
+    /// Error figures without the samples that neither model explains, which a warning counts.
+    fn blocks(&self, after: Evaluation, before: Evaluation, warnings: &mut Vec<String>) -> [ErrorBlocks; 2] {
+        let aside = if self.arguments.loss == Loss::Squared { Vec::new() } else { after.unexplained_with(&before) };
+        if aside.is_empty() {
+            return [after.blocks(), before.blocks()];
+        }
+        let (count, all) = (aside.len(), after.len());
+        warnings.push(format!(
+            "outliers: {count} of {all} validation samples are left out of the errors, since neither the model as given nor the \
+             identified one explains them"
+        ));
+        let kept: Vec<usize> = (0..all).filter(|place| !aside.contains(place)).collect();
+        [&after, &before].map(|errors| if errors.is_empty() { errors.blocks() } else { errors.subset(&kept).blocks() })
+    }
+
     /// What the validation errors are of.
     fn validation_name(&self) -> Option<String> {
         let Arguments { validation, split, .. } = self.arguments;
@@ -227,20 +273,20 @@ impl Task<'_> {
     }
 
     fn answer(&self, result: Identification) -> Result<IdentificationAnswer, Failure> {
-        let Identification { fit, train, validation } = result;
+        let Identification { fit, samples, train, train_on_one_clock, validation } = result;
+        let mut warnings = Vec::new();
+        let validation = validation.map(|(after, before)| self.blocks(after, before, &mut warnings));
         Ok(IdentificationAnswer::new(answers::Identification {
             model: self.model,
             free: self.arguments.free.to_string(),
             data: self.arguments.data.name(),
-            samples: train.len(),
+            samples,
             sigmas: train.sigmas,
-            train: [
-                self.evaluate(&fit.model, &fit.synchronised(&train))?.blocks(),
-                self.evaluate_given(&train)?.blocks(),
-            ],
+            train: [self.evaluate(&fit.model, &train_on_one_clock)?.blocks(), self.evaluate_given(&train)?.blocks()],
             fit,
             validation_data: self.validation_name(),
-            validation: validation.map(|(after, before)| [after.blocks(), before.blocks()]),
+            validation,
+            warnings,
             out: self.arguments.out.as_ref().map(|path| path.display().to_string()),
         }))
     }

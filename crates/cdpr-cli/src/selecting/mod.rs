@@ -4,6 +4,7 @@ mod folder;
 
 use std::time::Instant;
 
+use cdpr::identification::Loss;
 use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
 use cdpr::identification::selection::{Requirement, SelectionCriterion, Settings, fit_count, select};
@@ -11,6 +12,7 @@ use cdpr::measurement::{Fold, Samples, Split};
 use cdpr::model::FreeParameters;
 use cdpr::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 pub(crate) use folder::write_folder;
@@ -41,6 +43,10 @@ pub(crate) struct SelectionArguments {
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     pub(crate) prior: Vec<Prior>,
 
+    /// Loss of a sample's residuals in every fit. Auto: squared, unless samples lie beyond 8 robust standard deviations; Huber then.
+    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
+    loss: Loss,
+
     /// Seed of the bootstrap and of random splits.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
@@ -52,6 +58,12 @@ struct CandidateList(Vec<Candidate>);
 
 fn candidate_list(text: &str) -> Result<CandidateList, CandidateError> {
     candidate::parse_list(text).map(CandidateList)
+}
+
+/// Losses by their names.
+pub(crate) fn losses() -> impl TypedValueParser<Value = Loss> {
+    let named = |name: String| Loss::ALL.into_iter().find(|loss| loss.name() == name);
+    PossibleValuesParser::new(Loss::ALL.map(Loss::name)).map(move |name| named(name).unwrap_or_default())
 }
 
 /// `--criterion`.
@@ -93,10 +105,12 @@ impl SelectionArguments {
             ("require", joined(self.require.iter().map(ToString::to_string).collect(), ",")),
             ("hold", self.hold.to_string()),
             ("prior", joined(self.prior.iter().map(|prior| format!("{}={}", prior.kind, prior.sigma)).collect(), ",")),
+            ("loss", self.loss.name().to_owned()),
             ("seed", self.seed.to_string()),
         ];
         let is_default = |name: &str, value: &String| match name {
             "criterion" => value == "position",
+            "loss" => self.loss == Loss::default(),
             "seed" => self.seed == 0,
             _ => value.is_empty(),
         };
@@ -129,7 +143,12 @@ impl SelectionArguments {
                 "add the columns tension_N_1, tension_N_2, …, or use another criterion",
             ));
         }
-        let fit = fit::Settings { hold: self.hold.clone(), priors: self.prior.clone(), ..fit::Settings::default() };
+        let fit = fit::Settings {
+            hold: self.hold.clone(),
+            priors: self.prior.clone(),
+            loss: self.loss,
+            ..fit::Settings::default()
+        };
         let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };
         let progress = Progress::of(fit_count(&candidates, &data.folds), "comparing candidates");
         let start = Instant::now();

@@ -2,7 +2,7 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
-use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, distrust};
+use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
@@ -30,6 +30,9 @@ pub struct IdentificationAnswer {
     pub(super) analysis: Analysis,
     pub(super) parameters: Vec<Estimate>,
     pub(super) noise_factor: f64,
+    pub(super) loss: Loss,
+    pub(super) loss_threshold: f64,
+    pub(super) outliers: Vec<Outlier>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) basins: Vec<Basin>,
     #[serde(rename = "clock_offset_s", skip_serializing_if = "Option::is_none")]
@@ -72,6 +75,8 @@ pub struct Identification<'a> {
     pub validation_data: Option<String>,
     /// Errors on these, after and before.
     pub validation: Option<[ErrorBlocks; 2]>,
+    /// Warnings about the data, before those of the fit.
+    pub warnings: Vec<String>,
     /// Name of the calibrated robot's file.
     pub out: Option<String>,
 }
@@ -85,7 +90,7 @@ impl IdentificationAnswer {
         let Distrust { reasons: mut warnings, is_gross } =
             distrust(model.robot(), &found.sigmas, &validation.unwrap_or(train));
         let trusted = warnings.is_empty();
-        warnings.extend(fit.warnings);
+        warnings.extend(found.warnings.into_iter().chain(fit.warnings));
         warnings.extend(convergence_remark(&train, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         Self {
@@ -103,6 +108,9 @@ impl IdentificationAnswer {
             analysis: fit.analysis,
             parameters: fit.parameters,
             noise_factor: fit.noise_factor,
+            loss: fit.loss,
+            loss_threshold: fit.loss_threshold,
+            outliers: fit.outliers,
             basins: fit.basins,
             clock_offset: fit.clock_offset.map(|clock| clock.seconds),
             clock_sigma: fit.clock_offset.map(|clock| clock.sigma),

@@ -15,10 +15,12 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
         Status::NotPredictive => "no forward problem",
         _ => "not converged",
     };
-    let mut text = format!(
-        "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n\
-         {status} after {iterations} iterations: {reason}\n"
-    );
+    let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");
+    // what must be known before the outcome
+    let (of_data, others): (Vec<_>, Vec<_>) =
+        answer.warnings.iter().partition(|warning| warning.starts_with("outliers: "));
+    of_data.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+    text.push_str(&format!("{status} after {iterations} iterations: {reason}\n"));
     if let Some(reason) = answer.warnings.first().filter(|_| !answer.trusted) {
         text.push_str(&format!("{reason}\n"));
     }
@@ -34,9 +36,12 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
         ));
     }
     text.push_str(&format!("\n{}", errors(answer, width)));
-    if !answer.warnings.is_empty() {
+    if !answer.outliers.is_empty() {
+        text.push_str(&format!("\n{}", outliers(answer, width)));
+    }
+    if !others.is_empty() {
         text.push_str("\nwarnings\n");
-        answer.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
+        others.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
     }
     if answer.basins.len() > 1 {
         text.push_str("\nthe starts led to different optima; the one with the lowest cost is reported\n");
@@ -79,6 +84,27 @@ fn parameters(answer: &Identified, width: Option<usize>) -> String {
         ]);
     }
     table.text(width)
+}
+
+/// Outliers that a table shows before it refers to the others.
+const MOST_OUTLIERS: usize = 20;
+
+fn outliers(answer: &Identified, width: Option<usize>) -> String {
+    let mut table = Table::new(["outlier", "line", "residual mm", "weight", ""]).left_column(4);
+    for outlier in answer.outliers.iter().take(MOST_OUTLIERS) {
+        table.row(vec![
+            format!("sample {}", outlier.sample),
+            outlier.line.map_or_else(String::new, |line| line.to_string()),
+            cell(Some(1e3 * outlier.residual_m), 1),
+            cell(Some(outlier.weight), 3),
+            outlier.reason.clone(),
+        ]);
+    }
+    let more = match answer.outliers.len().saturating_sub(MOST_OUTLIERS) {
+        0 => String::new(),
+        more => format!("and {more} more (see --format json)\n"),
+    };
+    table.text(width) + &more
 }
 
 fn identifiability(answer: &Identified) -> String {

@@ -2,7 +2,7 @@
 
 use cdpr::identification::fit::{Estimate, Status};
 use cdpr::identification::selection::{JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion};
-use cdpr::identification::{Coverage, ErrorBlocks, coverage};
+use cdpr::identification::{Coverage, ErrorBlocks, Loss, Outlier, coverage};
 use serde::Serialize;
 
 use crate::report::Report;
@@ -40,6 +40,8 @@ pub struct SelectionAnswer {
     pub as_given: Option<AsGiven>,
     /// Poses of the fit and of the validation.
     pub coverage: Coverage,
+    /// Outliers of the recommended candidate's fit, else of the best one's.
+    pub outliers: Vec<Outlier>,
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Warnings for the reader.
@@ -112,6 +114,12 @@ pub struct JudgedAnswer {
     pub cautions: Vec<String>,
     /// Residuals in units of the sensor accuracies.
     pub noise_factor: f64,
+    /// The loss of the fit.
+    pub loss: Loss,
+    /// Its outliers.
+    pub outliers: Vec<Outlier>,
+    /// Validation samples that no candidate explains and no figure counts.
+    pub set_aside_samples: usize,
     /// Weighted sum of squares after each step of the fit.
     pub history: Vec<f64>,
     /// Identified parameters.
@@ -181,12 +189,21 @@ impl SelectionAnswer {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
         let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
+        let shown = selection
+            .recommended
+            .or(selection.best)
+            .and_then(|index| selection.candidates[index].outcome.as_ref().ok());
         let mut warnings: Vec<String> =
             chosen.iter().flat_map(|judgement| &judgement.distrust.reasons).cloned().collect();
         let trusted = warnings.is_empty();
         let is_gross = chosen.is_some_and(|judgement| judgement.distrust.is_gross);
-        warnings.extend_from_slice(told.warnings);
-        warnings.extend(chosen.iter().flat_map(|judgement| &judgement.fit.warnings).cloned());
+        warnings.extend(selection.outlier_warnings(told.samples));
+        let of_fit = chosen.iter().flat_map(|judgement| &judgement.fit.warnings);
+        for warning in told.warnings.iter().chain(of_fit) {
+            if !warnings.contains(warning) {
+                warnings.push(warning.clone());
+            }
+        }
         Self {
             status: match selection.recommended {
                 Some(_) if is_gross => "not-trusted",
@@ -206,6 +223,7 @@ impl SelectionAnswer {
             reason: selection.reason.clone(),
             as_given: AsGiven::of(selection),
             coverage: coverage(told.robot, told.samples, told.folds),
+            outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
             seed: told.seed,
             warnings,
             out: None,
@@ -258,6 +276,9 @@ impl JudgedAnswer {
             weak_direction_deviation_m: fit.analysis.weak_deviation,
             cautions: fit.cautions(),
             noise_factor: fit.noise_factor,
+            loss: fit.loss,
+            outliers: fit.outliers.clone(),
+            set_aside_samples: judgement.set_aside.len(),
             history: fit.history.clone(),
             parameters: fit.parameters.clone(),
             clock_offset_s: fit.clock_offset.map(|clock| clock.seconds),

@@ -9,14 +9,13 @@ use crate::table::Table;
 
 impl Answer for SelectionAnswer {
     fn words(&self, width: Option<usize>) -> String {
-        let mut text = format!(
-            "{}: {} samples of {}\njudged on {}\n\n{}\n",
-            self.robot,
-            self.samples,
-            self.data,
-            self.validation,
-            table(self, width)
-        );
+        let mut text =
+            format!("{}: {} samples of {}\njudged on {}\n", self.robot, self.samples, self.data, self.validation);
+        // what must be known before the outcome
+        let (of_data, others): (Vec<_>, Vec<_>) =
+            self.warnings.iter().partition(|warning| warning.starts_with("outliers: "));
+        of_data.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        text.push_str(&format!("\n{}\n", table(self, width)));
         match &self.recommended {
             Some(name) if self.trusted => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
             Some(name) => text.push_str(&format!(
@@ -35,7 +34,7 @@ impl Answer for SelectionAnswer {
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
         }
-        for (index, remark) in self.warnings.iter().enumerate() {
+        for (index, remark) in others.iter().enumerate() {
             text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
         }
         if let Some(out) = &self.out {

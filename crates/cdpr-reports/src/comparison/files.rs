@@ -36,6 +36,7 @@ impl Comparison {
             NamedFile::new("candidates.csv", candidates_table(self)),
             NamedFile::new("parameters.csv", parameters_table(self)),
             NamedFile::new("validation-errors.csv", errors_table(self)),
+            NamedFile::new("outliers.csv", outliers_table(self)),
             NamedFile::new("singular-values.csv", figure_tables::singular_values(self)),
             NamedFile::new("convergence.csv", figure_tables::convergence(self)),
             NamedFile::new("correlations.csv", figure_tables::correlations(self)),
@@ -59,6 +60,7 @@ struct Run<'a> {
     criterion: &'a str,
     candidates: Vec<String>,
     hold: String,
+    loss: &'a str,
     weak_direction_limit_m: f64,
     max_iterations: u32,
     prior: Vec<PriorEntry>,
@@ -109,6 +111,7 @@ fn run_file(comparison: &Comparison) -> Result<String, UnwritableFile> {
         criterion: &settings.criterion.to_string(),
         candidates: comparison.candidates.iter().map(ToString::to_string).collect(),
         hold: settings.fit.hold.to_string(),
+        loss: settings.fit.loss.name(),
         weak_direction_limit_m: settings.fit.weak_direction_limit,
         max_iterations: settings.fit.max_iterations,
         prior: settings.fit.priors.iter().map(|p| PriorEntry { parameter: p.kind.name(), sigma: p.sigma }).collect(),
@@ -144,7 +147,7 @@ fn candidates_table(comparison: &Comparison) -> String {
     let mut text = String::from(
         "candidate,parameter_count,criterion,standard_error,train_position_mean_m,validation_position_mean_m,\
          validation_rotation_mean_rad,validation_length_rms_m,rank,condition,validation_samples,answered,at_bound,\
-         weak_direction_count,weak_direction_deviation_m\n",
+         weak_direction_count,weak_direction_deviation_m,loss,outliers\n",
     );
     for (candidate, judgement) in judged(comparison) {
         let (train, validation, analysis) = (&judgement.train, &judgement.validation, &judgement.fit.analysis);
@@ -158,7 +161,7 @@ fn candidates_table(comparison: &Comparison) -> String {
         ];
         let _ = writeln!(
             text,
-            "\"{}\",{},{},{},{},{},{},{},{},{}",
+            "\"{}\",{},{},{},{},{},{},{},{},{},{},{}",
             candidate.name,
             judgement.fit.parameters.len(),
             errors.map(field).join(","),
@@ -169,6 +172,8 @@ fn candidates_table(comparison: &Comparison) -> String {
             judgement.fit.at_bound().count(),
             analysis.weak_direction_count,
             analysis.weak_deviation,
+            judgement.fit.loss.name(),
+            judgement.fit.outliers.len(),
         );
     }
     text
@@ -192,6 +197,19 @@ fn parameters_table(comparison: &Comparison) -> String {
                 optional(estimate.prior_sigma),
                 estimate.at_bound,
             );
+        }
+    }
+    text
+}
+
+/// Outliers of every judged candidate's fit.
+fn outliers_table(comparison: &Comparison) -> String {
+    let mut text = String::from("candidate,sample,line,residual_m,weight,reason\n");
+    for (candidate, judgement) in judged(comparison) {
+        for outlier in &judgement.fit.outliers {
+            let line = outlier.line.map(|line| line.to_string()).unwrap_or_default();
+            let (sample, residual, weight) = (outlier.sample, field(outlier.residual_m), outlier.weight);
+            let _ = writeln!(text, "\"{}\",{sample},{line},{residual},{weight},\"{}\"", candidate.name, outlier.reason);
         }
     }
     text

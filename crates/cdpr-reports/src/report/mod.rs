@@ -203,12 +203,13 @@ fn sigma_words(sigmas: &SensorSigmas) -> String {
 }
 
 fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let mut warnings = input.warnings.to_vec();
+    let mut warnings = input.selection.outlier_warnings(input.samples);
+    warnings.extend(input.warnings.iter().cloned());
     if let Some(shown) = shown {
         let judgement = shown.judgement;
-        let new = |warning: &&String| !input.warnings.contains(warning);
         warnings.splice(0..0, judgement.distrust.reasons.iter().cloned());
-        warnings.extend(judgement.fit.warnings.iter().filter(new).cloned());
+        let known = warnings.clone();
+        warnings.extend(judgement.fit.warnings.iter().filter(|warning| !known.contains(warning)).cloned());
         if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
             let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;
             let count = judgement.validation_errors.not_converged.len();

@@ -13,12 +13,13 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let reason = prose(report.selection.reason.trim_end_matches('.'));
     let Some(shown) = shown else {
         return context! { class => "bad", heading => "No candidate could be identified", name => "", line => "",
-        comparison => "", requirements => Vec::<Value>::new().into_iter().collect::<Value>(), reason };
+        comparison => "", doubts => no_values(), requirements => no_values(), reason };
     };
     let judgement = shown.judgement;
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
     let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
-    let cautious = !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
+    let doubts: Vec<String> = report.selection.outlier_warnings(report.samples);
+    let cautious = !doubts.is_empty() || !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
     let trusted = judgement.distrust.reasons.is_empty();
     let (class, heading) = match (report.selection.recommended.is_some(), single) {
         (true, false) if !trusted => ("bad", "Recommended control model, not to be trusted"),
@@ -33,8 +34,13 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     };
     let requirements: Value = judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
-    context! { class, heading, name, line => line(report, shown), comparison => prose(&comparison(report, shown)), requirements,
+    let doubts: Value = doubts.iter().map(|doubt| prose(doubt)).collect();
+    context! { class, heading, name, doubts, line => line(report, shown), comparison => prose(&comparison(report, shown)), requirements,
     reason }
+}
+
+fn no_values() -> Value {
+    Vec::<Value>::new().into_iter().collect()
 }
 
 /// The criterion, its limit where there is one, and whether it is kept, e.g. "Validation mean position error 4.1 mm, limit 5 mm:

@@ -54,6 +54,19 @@ impl Block {
         self.weights.copy_from_slice(weights.of_cable(self.cable));
     }
 
+    /// Weighs the residuals anew, those of each sample times a factor.
+    pub(super) fn set_weights_times(&mut self, weights: &Weights, factors: &[f64]) {
+        let own = weights.of_cable(self.cable).iter().zip(factors);
+        self.weights.iter_mut().zip(own).for_each(|(target, (weight, factor))| *target = weight * factor);
+    }
+
+    /// Adds the squares of the residuals at `values` with other weights to those of each sample, padding included.
+    pub(super) fn add_squares(&self, poses: &PoseLanes, values: &CableValues, weights: &Weights, squares: &mut [f64]) {
+        let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
+        let recorded = recordings.as_ref().map_or(&self.recorded, |changed| &changed.lengths);
+        dispatch(AddSquares { poses, values, recorded, weights: weights.of_cable(self.cable), squares });
+    }
+
     /// Mean recorded length (m).
     pub(super) fn mean_length(&self) -> f64 {
         self.recorded.iter().sum::<f64>() / self.recorded.len() as f64
@@ -168,6 +181,33 @@ impl Block {
             row[10] = -weight;
         }
         (weight * (scale * path.length + l.constant(values.offset) - recorded), row)
+    }
+}
+
+/// Squares of one cable's weighted residuals, added to those of each sample.
+struct AddSquares<'a> {
+    poses: &'a PoseLanes,
+    values: &'a CableValues,
+    recorded: &'a [f64],
+    weights: &'a [f64],
+    squares: &'a mut [f64],
+}
+
+impl Kernel for AddSquares<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let Self { poses, values, recorded, weights, squares } = self;
+        let (scale, offset) = (l.constant(values.scale), l.constant(values.offset));
+        for group in 0..poses.groups() {
+            let first = group * LANES;
+            let (position, rotation) = poses.at(l, group);
+            let (path, _) = values.path(position, &rotation);
+            let residual = scale * path.length + offset - l.load(&recorded[first..]);
+            let weighted = l.load(&weights[first..]) * residual;
+            (l.load(&squares[first..]) + weighted * weighted).store(&mut squares[first..]);
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use thiserror::Error;
 
+use super::outliers::unexplained;
 use crate::equilibrium::{
     ForwardError, ForwardProblem, ForwardSettings, InverseSolution, NoSolution, State, elastostatics,
 };
@@ -234,6 +235,34 @@ impl Evaluation {
     pub(crate) fn tension_norm_of(&self, sample: usize) -> f64 {
         let errors = self.tension.get(sample * self.cable_count..(sample + 1) * self.cable_count);
         errors.map_or(f64::NAN, |errors| errors.iter().map(|x| x * x).sum::<f64>().sqrt())
+    }
+
+    /// The samples at these places, in this order.
+    #[must_use]
+    pub fn subset(&self, places: &[usize]) -> Self {
+        let rows = |data: &[f64]| -> Vec<f64> {
+            let row = |&place: &usize| data[place * self.cable_count..][..self.cable_count].iter().copied();
+            if data.is_empty() { Vec::new() } else { places.iter().flat_map(row).collect() }
+        };
+        let reason = |(index, place): (usize, &usize)| {
+            let (_, why) = self.not_converged.iter().find(|(sample, _)| sample == place)?;
+            Some((index, why.clone()))
+        };
+        Self {
+            position: places.iter().map(|&place| self.position[place]).collect(),
+            position_vector: places.iter().map(|&place| self.position_vector[place]).collect(),
+            rotation: places.iter().map(|&place| self.rotation[place]).collect(),
+            length: rows(&self.length),
+            tension: rows(&self.tension),
+            cable_count: self.cable_count,
+            not_converged: places.iter().enumerate().filter_map(reason).collect(),
+        }
+    }
+
+    /// Places of the samples whose position error lies beyond 8 robust standard deviations for both models.
+    pub fn unexplained_with(&self, other: &Self) -> Vec<usize> {
+        let error = |place: usize| self.position[place].min(*other.position.get(place).unwrap_or(&f64::NAN));
+        unexplained((0..self.len()).map(error))
     }
 
     /// Appends the samples of another evaluation.

@@ -5,6 +5,7 @@ mod cautions;
 mod descent;
 mod input_error;
 mod optimum;
+mod robust;
 mod settings;
 #[cfg(test)]
 mod tests;
@@ -17,7 +18,11 @@ pub use settings::{Prior, Settings};
 
 use super::clock;
 use super::elastostatic;
-use super::identifiability::{Analysis, analyse};
+use super::identifiability::{Analysis, KinematicState as State, analyse};
+use super::loss::{Loss, RobustLoss};
+use super::misfit::Misfit;
+use super::norms::Norms;
+use super::outliers;
 use super::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model};
@@ -27,7 +32,7 @@ pub use crate::solve::Minimizer;
 /// Fits the free parameters of a model to samples.
 ///
 /// Minimises Σ (ρ/σ)² + Σ ((p − p_start)/σ_prior)², ρ the modelled minus the recorded length (eq. 4.8), cable by cable,
-/// within the parameters' bounds. Without free parameters it only tells how well the model fits.
+/// within the parameters' bounds; under a robust [`Loss`] the cables' squares of a sample count together. Without free parameters it only tells how well the model fits.
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
     fit_observed(model, samples, free, settings, &|| ())
 }
@@ -176,19 +181,23 @@ fn report(
     settings: &Settings,
 ) -> Result<Fit, InputError> {
     let calibrated = optimum.calibrated(model)?;
-    let misfit = optimum.misfit(samples, settings).factor();
-    let inflation = inflation(misfit, weights.absolute);
+    let noise = Noise::of(&optimum.misfit(samples, settings), &optimum.norms, weights.absolute);
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
-    let analysis = analyse(&calibrated, samples, &optimum.poses, &optimum.blocks, &values, inflation, settings);
+    let state = State { model: &calibrated, samples, poses: &optimum.poses, blocks: &optimum.blocks, values: &values };
+    let analysis = analyse(&state, &optimum.norms, noise.inflation, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, optimum.converged(), settings);
-    let mut warnings = analysis.warnings.clone();
+    let recorded = calibrated.with_lengths(samples)?;
+    let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&calibrated, &recorded, sample));
+    let loss = used(optimum.norms.loss);
+    let mut warnings: Vec<String> = outliers::warning(&outliers, samples.len(), loss).into_iter().collect();
+    warnings.extend(analysis.warnings.clone());
     warnings.extend(warnings::suspicious_units(model, samples));
-    let noise_factor = weights.noise * misfit;
+    let noise_factor = weights.noise * noise.factor;
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
@@ -199,14 +208,55 @@ fn report(
         parameters: estimates,
         analysis,
         noise_factor,
+        loss,
+        loss_threshold: weights.noise * threshold(optimum.norms.loss),
+        outliers,
         basins: optimum.basins,
         clock_offset: None,
         warnings,
     })
 }
 
+/// Modelled minus recorded lengths of a sample (from 0) at its measured pose (m).
+fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+    let modelled = |cable: usize| {
+        let path = model.path(cable, &samples.poses[sample]);
+        path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))
+    };
+    samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
+}
+
+/// Noise that residuals tell, in units of the weights.
+pub(super) struct Noise {
+    pub(super) factor: f64,
+    /// Factor of the standard deviations that the weights give by least squares.
+    pub(super) inflation: f64,
+}
+
+impl Noise {
+    pub(super) fn of(misfit: &Misfit, norms: &Norms, absolute: bool) -> Self {
+        match norms.loss {
+            None => Self { factor: misfit.factor(), inflation: inflation(misfit.factor(), absolute) },
+            Some(loss) => Self {
+                factor: norms.own_deviation,
+                inflation: norms.inflation(&loss, misfit.prior_cost, misfit.freedom),
+            },
+        }
+    }
+}
+
+/// The loss of an optimum.
+pub(super) fn used(loss: Option<RobustLoss>) -> Loss {
+    loss.map_or(Loss::Squared, |loss| loss.tail.loss())
+}
+
+/// C of the loss; infinite for least squares.
+pub(super) fn threshold(loss: Option<RobustLoss>) -> f64 {
+    loss.map_or(f64::INFINITY, |loss| loss.threshold)
+}
+
 /// Factor of the standard deviations that the weights give: residuals that are smaller than stated accuracies are luck.
-pub(super) fn inflation(misfit: f64, absolute: bool) -> f64 {
+fn inflation(misfit: f64, absolute: bool) -> f64 {
     match misfit.is_finite() {
         true if absolute => misfit.max(1.0),
         true => misfit,

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::autocorrelation::correlation_time;
 use super::blocks::Block;
 use super::fit::{Settings, prior_sigma};
+use super::norms::Norms;
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::words::{Direction, describe};
 use crate::measurement::Samples;
@@ -82,16 +83,18 @@ pub(super) struct Spectrum {
     vectors: DMatrix<f64>,
 }
 
+/// Cables of a kinematic model at their optimum.
+pub(super) struct KinematicState<'a> {
+    pub(super) model: &'a Model,
+    pub(super) samples: &'a Samples,
+    pub(super) poses: &'a PoseLanes,
+    pub(super) blocks: &'a [Block],
+    pub(super) values: &'a [CableValues],
+}
+
 /// Analyses all blocks at their optimum. `inflation` multiplies the noise of every row.
-pub(super) fn analyse(
-    model: &Model,
-    samples: &Samples,
-    poses: &PoseLanes,
-    blocks: &[Block],
-    values: &[CableValues],
-    inflation: f64,
-    settings: &Settings,
-) -> Analysis {
+pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64, settings: &Settings) -> Analysis {
+    let KinematicState { model, samples, poses, blocks, values } = *state;
     let mut analysis = Analysis::default();
     let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
     let mut directions = Vec::new();
@@ -100,7 +103,8 @@ pub(super) fn analyse(
         if block.parameters.is_empty() {
             continue;
         }
-        let (residuals, columns) = block.rows(poses, values, samples.len());
+        let (mut residuals, columns) = block.rows(poses, values, samples.len());
+        norms.weigh(&mut residuals);
         let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
         let mut plain = weighted.clone();
         for (mut row, weight) in plain.row_iter_mut().zip(block.weights()) {

@@ -16,7 +16,9 @@ use super::candidate::Candidate;
 use super::clock_test::clock_warning;
 use super::evaluation::{Evaluation, evaluate_fitted};
 use super::fit::{self, fit};
-use super::plausibility::distrust;
+use super::loss::Loss;
+use super::outliers::set_aside_warning;
+use super::plausibility::{Distrust, distrust};
 use crate::measurement::{Fold, Samples};
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
@@ -58,6 +60,17 @@ impl Selection {
         }
     }
 
+    /// Warnings that stand before the choice: about outliers of the chosen fit (else of the best), and about samples that no candidate
+    /// explains.
+    pub fn outlier_warnings(&self, samples: &Samples) -> Vec<String> {
+        let shown = self.recommended.or(self.best).and_then(|index| self.candidates[index].outcome.as_ref().ok());
+        let Some(judgement) = shown else { return Vec::new() };
+        let places: Vec<usize> = judgement.set_aside.iter().map(|&place| judgement.validation_samples[place]).collect();
+        let of_fit = judgement.fit.warnings.first().filter(|_| !judgement.fit.outliers.is_empty());
+        let of_validation = set_aside_warning(&places, judgement.validation_samples.len(), samples);
+        of_fit.cloned().into_iter().chain(of_validation).collect()
+    }
+
     /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
     /// freed, else the first with nothing freed.
     pub fn as_given(&self) -> Option<usize> {
@@ -90,6 +103,9 @@ pub enum InputError {
 /// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
 /// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
 ///
+/// Validation samples that no candidate explains, beyond 8 robust standard deviations for all of them, are set aside for all alike unless
+/// the loss is squared: an outlier in the data is nobody's error.
+///
 /// With one fold the reported fit is that of its training part; with several, of all samples. `progress` is called after
 /// each fit, from any thread; there are [`fit_count`] of them when every candidate can be fitted.
 pub fn select(
@@ -116,7 +132,10 @@ pub fn select(
     {
         return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
     }
-    comparison::compare(&mut judged, settings.criterion, settings.seed);
+    comparison::compare(&mut judged, settings);
+    for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
+        judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
+    }
     let mut selection = recommend(judged, settings.criterion);
     selection.test_clock(samples, &settings.fit);
     Ok(selection)
@@ -148,47 +167,48 @@ fn judge(
     progress: &(dyn Fn() + Sync),
 ) -> Result<Judgement, CandidateFailure> {
     let model = Model::new(robot.clone(), candidate.composition)?;
-    let fit_to = |part: &Samples| {
-        let fitted = fit(&model, part, &candidate.free, &settings.fit);
+    let fit_to = |part: &[usize], loss: Loss| {
+        let train = samples.subset(part);
+        let fitted = fit(&model, &train, &candidate.free, &fit::Settings { loss, ..settings.fit.clone() });
         progress();
-        fitted
+        fitted.map(|fitted| (fitted, train))
     };
+    // the loss is chosen once, by all data of the reported fit
+    let everything: Vec<usize> = (0..samples.len()).collect();
+    let reported_part = if let [fold] = folds { &fold.train } else { &everything };
+    let (mut reported, train) = fit_to(reported_part, settings.fit.loss)?;
+    let train = reported.synchronised(&train).subset(&reported.trusted_samples(train.len()));
+    let train = evaluate_fitted(&reported.model, &train)?.blocks();
+    reported.renumber_outliers(reported_part);
     let mut errors = Evaluation::default();
-    let mut fold_blocks = Vec::new();
-    let mut validation_samples = Vec::new();
-    let mut single = None;
+    let (mut validation_samples, mut fold_sizes) = (Vec::new(), Vec::new());
     for fold in folds {
-        let train = samples.subset(&fold.train);
-        let fitted = fit_to(&train)?;
+        let of_fold = if folds.len() == 1 { None } else { Some(fit_to(&fold.train, reported.loss)?.0) };
+        let fitted = of_fold.as_ref().unwrap_or(&reported);
         let held = match fitted.clock_offset {
             // the whole recording has the neighbours of a pose at the edge of a fold
             Some(_) => fitted.synchronised(samples).subset(&fold.validation),
             None => samples.subset(&fold.validation),
         };
-        let evaluation = evaluate_fitted(&fitted.model, &held)?;
-        fold_blocks.push((fold.name.clone(), evaluation.blocks()));
-        errors.extend(&evaluation);
+        errors.extend(&evaluate_fitted(&fitted.model, &held)?);
         validation_samples.extend(&fold.validation);
-        single = Some((fitted, train));
+        fold_sizes.push((fold.name.clone(), fold.validation.len()));
     }
-    let (reported, train) = match single {
-        Some(pair) if folds.len() == 1 => pair,
-        _ => (fit_to(samples)?, samples.clone()),
-    };
-    let validation = errors.blocks();
     Ok(Judgement {
-        train: evaluate_fitted(&reported.model, &reported.synchronised(&train))?.blocks(),
+        train,
         fit: reported,
-        requirements: settings.requirements.iter().map(|requirement| requirement.judge(&validation)).collect(),
-        distrust: distrust(robot, &samples.sigmas, &validation),
-        validation,
-        folds: fold_blocks,
+        requirements: Vec::new(),
+        distrust: Distrust::default(),
+        validation: errors.blocks(),
+        folds: Vec::new(),
         criterion: f64::NAN,
         standard_error: f64::NAN,
         compared_samples: 0,
+        set_aside: Vec::new(),
         disqualified: None,
         validation_errors: errors,
         validation_samples,
+        fold_sizes,
     })
 }
 

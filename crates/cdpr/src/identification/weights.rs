@@ -26,6 +26,11 @@ impl Weights {
         &self.inverse_sigma[cable * self.rows..][..self.rows]
     }
 
+    /// Samples with the padding to whole groups of lanes.
+    pub(super) fn padded_samples(&self) -> usize {
+        self.rows
+    }
+
     /// The same weights for a noise that is some times as large.
     pub(super) fn for_noise(&self, factor: f64) -> Self {
         let inverse_sigma = self.inverse_sigma.iter().map(|weight| weight / factor).collect();

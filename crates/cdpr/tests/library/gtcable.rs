@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use cdpr::identification::candidate::parse_list;
-use cdpr::identification::fit::Status;
+use cdpr::identification::fit::{Fit, Status};
 use cdpr::identification::selection::{Judgement, Selection, Settings, select};
-use cdpr::identification::{clock_warning, evaluate, fit};
+use cdpr::identification::{Loss, clock_warning, evaluate, fit};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 /// Robot and samples; `None` with a word where the data are absent, a failure where they must be there.
 fn data() -> Option<(Robot, Samples)> {
@@ -67,6 +69,57 @@ fn poses_that_are_late_are_told_and_the_offset_is_found() {
     assert!((found.seconds - 0.05).abs() < 0.003, "{found:?}");
     assert!((mended / clean - 1.0).abs() < 0.1, "{mended} {clean}");
     assert!(words.contains(&format!("poses recorded {:.1} ms late", 1e3 * found.seconds)), "{words}");
+}
+
+/// Displaces 3 % of the rows by 0.1 to 0.3 m in random directions of the plane; the rows.
+fn displace(samples: &mut Samples, seed: u64) -> Vec<usize> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let rows = rand::seq::index::sample(&mut rng, samples.len(), samples.len() * 3 / 100).into_vec();
+    for &row in &rows {
+        let (size, angle) = (rng.random_range(0.1..0.3_f64), rng.random_range(0.0..std::f64::consts::TAU));
+        let position = &mut samples.poses[row].position;
+        (position.x, position.y) = (position.x + size * angle.cos(), position.y + size * angle.sin());
+    }
+    rows
+}
+
+/// Displaced rows neither spoil a fit nor stay unnamed: the squared fit errs twice as much and more.
+#[test]
+fn displaced_rows_are_named_and_the_fit_is_that_of_the_clean_rows() {
+    let Some((robot, clean)) = data() else { return };
+    let model = Model::new(robot, Composition::STANDARD).unwrap();
+    let free = parse_list(FULL).unwrap()[0].free.clone();
+    let identified = |samples: &Samples, loss| {
+        let settings = fit::Settings { loss, ..Default::default() };
+        fit::fit(&model, samples, &free, &settings).unwrap()
+    };
+    let mean = |fit: &Fit| 1e3 * evaluate(&fit.model, &clean).unwrap().blocks().position_error_m.mean;
+    let of_clean = identified(&clean, Loss::Auto);
+    println!("clean: {:.3} mm, {} outliers", mean(&of_clean), of_clean.outliers.len());
+    assert_eq!((of_clean.loss, of_clean.outliers.len()), (Loss::Squared, 0));
+    assert!((mean(&of_clean) - 1.95).abs() < 0.01, "{}", mean(&of_clean));
+    for seed in 1..=5 {
+        let mut dirty = clean.clone();
+        let rows = displace(&mut dirty, seed);
+        let squared = mean(&identified(&dirty, Loss::Squared));
+        assert!(squared > 3.5, "{squared} mm: these rows spoil no fit");
+        for loss in [Loss::Auto, Loss::Huber, Loss::Cauchy] {
+            let found = identified(&dirty, loss);
+            let named: Vec<usize> = found.outliers.iter().map(|outlier| outlier.sample - 1).collect();
+            let right = rows.iter().filter(|row| named.contains(row)).count();
+            let (share, spurious) = (right as f64 / rows.len() as f64, named.len() - right);
+            println!(
+                "seed {seed}, {loss:?}: {:.3} mm (squared {squared:.2}), {share:.3} named, {spurious} others",
+                mean(&found)
+            );
+            assert!(mean(&found) < 1.05 * mean(&of_clean), "{loss:?}: {} mm", mean(&found));
+            assert!(share >= 0.95, "{loss:?}: {share}");
+            assert!(spurious * 100 <= clean.len() - rows.len(), "{loss:?}: {spurious}");
+            // the header is the first line
+            assert!(found.outliers.iter().all(|outlier| outlier.line == Some(outlier.sample + 1)));
+            assert!(found.outliers.iter().all(|outlier| outlier.weight < 0.5 && outlier.residual_m > 0.01));
+        }
+    }
 }
 
 const FULL: &str = "standard:frame-anchor,length-offset,length-scale";

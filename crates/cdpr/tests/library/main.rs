@@ -35,6 +35,7 @@ mod irma4u;
 mod metamodel;
 mod no_allocation;
 mod no_panic;
+mod outliers;
 mod planar_pulleys;
 mod random_workspaces;
 mod reader_properties;

@@ -45,6 +45,7 @@ pub(super) fn page(
         hold: arguments.hold.clone(),
         priors: arguments.prior.clone(),
         starts: arguments.starts,
+        loss: arguments.loss,
         seed: arguments.seed,
         ..fit::Settings::default()
     };

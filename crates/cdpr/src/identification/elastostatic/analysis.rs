@@ -4,14 +4,17 @@ use nalgebra::{DMatrix, DVector};
 
 use super::descent::Problem;
 use super::optimum::Optimum;
-use super::rows::{RowModel, SampleRows};
+use super::rows::{Recorded, RowModel, SampleRows};
 use crate::equilibrium::elastostatics;
 use crate::identification::autocorrelation::correlation_time;
-use crate::identification::fit::{Estimate, Fit, Settings, Status, estimate, inflation, verdict, warnings};
+use crate::identification::fit::{
+    Estimate, Fit, Noise, Settings, Status, estimate, threshold, used, verdict, warnings,
+};
 use crate::identification::identifiability::{
     Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
     with_unit_columns,
 };
+use crate::identification::outliers;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
@@ -23,9 +26,9 @@ const CONFLICT: f64 = 2.0;
 /// The fit in full: uncertainty, weak directions, warnings.
 pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optimum, settings: &Settings) -> Fit {
     let model = &optimum.start_model;
-    let misfit = optimum.misfit.factor();
-    let noise_factor = optimum.noise * misfit;
-    let analysis = analyse(&optimum, samples, parameters, inflation(misfit, optimum.absolute), settings);
+    let noise = Noise::of(&optimum.misfit, &optimum.norms, optimum.absolute);
+    let noise_factor = optimum.noise * noise.factor;
+    let analysis = analyse(&optimum, samples, parameters, noise.inflation, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -35,7 +38,10 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     if let Some(why) = without_forward_problem(&optimum.calibrated, &estimates) {
         (status, reason) = (Status::NotPredictive, why);
     }
-    let mut all_warnings = analysis.warnings.clone();
+    let loss = used(optimum.norms.loss);
+    let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
+    let mut all_warnings: Vec<String> = outliers::warning(&outliers, samples.len(), loss).into_iter().collect();
+    all_warnings.extend(analysis.warnings.clone());
     all_warnings.extend(warnings::suspicious_units(model, samples));
     all_warnings.extend(noise_warnings(samples, &optimum, noise_factor, parameters.len()));
     all_warnings.extend(warnings::of_bounds(&estimates));
@@ -48,11 +54,24 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         parameters: estimates,
         analysis,
         noise_factor,
+        loss,
+        loss_threshold: optimum.noise * threshold(optimum.norms.loss),
+        outliers,
         basins: optimum.basins,
         clock_offset: None,
         warnings: all_warnings,
         model: optimum.calibrated,
     }
+}
+
+/// Modelled minus recorded lengths of a sample (from 0) at its measured pose and tensions (m).
+fn length_residuals(optimum: &Optimum, samples: &Samples, sample: usize) -> Vec<f64> {
+    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Vec::new() };
+    let (model, m) = (&optimum.calibrated, samples.cable_count);
+    let mut rows = SampleRows::new(model, 0);
+    let tensions = &optimum.tensions[sample * m..][..m];
+    RowModel::new(model, load, &[]).write(&samples.poses[sample], tensions, Recorded::of(samples, sample), &mut rows);
+    (0..m).map(|cable| rows.residual(rows.count - m + cable)).collect()
 }
 
 /// Warnings about accuracies, stated or assumed.
@@ -169,7 +188,8 @@ fn stacked(
         copy(&rows, sample, &mut plain);
         optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
         copy(&rows, sample, &mut weighted);
-        (0..count).for_each(|row| residuals[row].push(rows.residual(row)));
+        let weight = optimum.norms.weight(sample);
+        (0..count).for_each(|row| residuals[row].push(weight * rows.residual(row)));
     }
     (plain, weighted, residuals)
 }

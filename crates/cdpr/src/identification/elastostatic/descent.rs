@@ -6,6 +6,7 @@ use super::linearization::Linearization;
 use super::normal::NormalEquations;
 use super::rows::{RowModel, SampleRows, first_columns};
 use crate::identification::fit::{Settings, prior_sigma};
+use crate::identification::loss::RobustLoss;
 use crate::identification::misfit::Misfit;
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -17,6 +18,7 @@ use crate::solve::{
 use crate::statics::Load;
 
 /// The problem that a descent solves.
+#[derive(Clone)]
 pub(super) struct Problem<'a> {
     /// The model at its start values.
     pub(super) model: &'a Model,
@@ -24,6 +26,8 @@ pub(super) struct Problem<'a> {
     pub(super) tensions: &'a [f64],
     pub(super) parameters: &'a [Parameter],
     pub(super) settings: &'a Settings,
+    /// A loss other than least squares.
+    pub(super) loss: Option<RobustLoss>,
     /// The file's values, where priors are centred.
     pub(super) start: Vec<f64>,
     /// Metres that one unit of each parameter is worth.
@@ -78,6 +82,7 @@ impl<'a> Problem<'a> {
             tensions,
             parameters,
             settings,
+            loss: None,
             start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
             scale: parameters.iter().map(scale).collect(),
         }
@@ -86,6 +91,11 @@ impl<'a> Problem<'a> {
     /// Metres that one unit of each parameter is worth.
     pub(super) fn scale(&self) -> &[f64] {
         &self.scale
+    }
+
+    /// The same under another loss.
+    pub(super) fn under(&self, loss: RobustLoss) -> Self {
+        Self { loss: Some(loss), ..self.clone() }
     }
 
     /// The model at other parameter values.
@@ -109,7 +119,7 @@ impl<'a> Problem<'a> {
         let Some(model) = self.model_at(values) else { return false };
         let Ok(load) = Load::of(model.robot()) else { return false };
         let row_model = RowModel::new(&model, load, self.parameters);
-        at.add_to(&row_model, self.samples, rows, equations);
+        at.add_to(&row_model, self.samples, self.loss, (rows, equations));
         for (k, sigma) in self.priors() {
             let (weight, change) = (1.0 / (sigma * sigma), values[k] - self.start[k]);
             equations.add_to_cost(weight * change * change);

@@ -10,6 +10,7 @@ use super::noise::{Noise, Sigmas};
 use super::normal::{NormalEquations, whiten};
 use super::rows::{Recorded, RowModel, SampleRows};
 use crate::geometry::{Pose, Twist};
+use crate::identification::loss::RobustLoss;
 use crate::measurement::Samples;
 use crate::scalar::LANES;
 
@@ -129,19 +130,37 @@ impl Linearization {
         whiten(self.factor(sample), rows);
     }
 
-    /// Adds all samples to normal equations.
+    /// Adds all samples to normal equations, under a robust loss with the weights of this place.
     pub(super) fn add_to(
         &self,
         model: &RowModel<'_>,
         samples: &Samples,
-        rows: &mut SampleRows,
-        equations: &mut NormalEquations,
+        loss: Option<RobustLoss>,
+        (rows, equations): (&mut SampleRows, &mut NormalEquations),
     ) {
         let size = self.count * self.count.next_multiple_of(LANES);
         for (sample, weight) in self.weights.chunks(size).enumerate() {
             self.write(model, samples, sample, rows);
+            if let Some(loss) = loss {
+                let square = rows.square(weight);
+                let share = loss.weight(square);
+                rows.scale(share.sqrt());
+                equations.add_to_cost(loss.cost(square) - share * square);
+            }
             equations.add(weight, rows);
         }
+    }
+
+    /// Squared norms rᵀ Σ⁻¹ r of all samples.
+    pub(super) fn squares(&self, model: &RowModel<'_>, samples: &Samples) -> Vec<f64> {
+        let size = self.count * self.count.next_multiple_of(LANES);
+        let mut rows = SampleRows::new(model.model, 0);
+        let bare = RowModel::new(model.model, model.load, &[]);
+        let square = |(sample, weight): (usize, &[f64])| {
+            self.write(&bare, samples, sample, &mut rows);
+            rows.square(weight)
+        };
+        self.weights.chunks(size).enumerate().map(square).collect()
     }
 
     fn factor(&self, sample: usize) -> &[f64] {

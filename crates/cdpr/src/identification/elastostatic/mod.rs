@@ -11,6 +11,7 @@ mod measurement_noise;
 mod noise;
 mod normal;
 mod optimum;
+mod robust;
 mod rows;
 #[cfg(test)]
 mod tests;

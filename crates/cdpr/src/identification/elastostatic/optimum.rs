@@ -4,10 +4,13 @@ use super::descent::{End, Problem};
 use super::linearization::Linearization;
 use super::measurement_noise::sigmas;
 use super::noise::Sigmas;
+use super::robust;
 use super::rows::{RowModel, recorded_state};
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
+use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
+use crate::identification::norms::{Extent, Norms};
 use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -24,7 +27,7 @@ const RESCALINGS: u32 = 30;
 const SAME_NOISE: f64 = 1e-7;
 /// Share of the cost that the next step may still promise when a descent stops: near the optimum, near enough to compare
 /// optima, and far below any standard deviation.
-const NEAR_PROMISE: f64 = 1e-1;
+pub(super) const NEAR_PROMISE: f64 = 1e-1;
 const SEARCH_PROMISE: f64 = 1e-9;
 const FINAL_REDUCTION: f64 = 1e-7;
 /// The optimum and what belongs to it.
@@ -40,6 +43,8 @@ pub(crate) struct Optimum {
     pub(super) noise: f64,
     /// Misfit in units of the weights.
     pub(super) misfit: Misfit,
+    /// Norms of the samples' residuals, with the loss.
+    pub(super) norms: Norms,
     pub(super) end: End,
     pub(super) basins: Vec<Basin>,
 }
@@ -84,17 +89,29 @@ pub(crate) fn find(
             adjust.agree_with_noise(&mut end, &mut linearization)?;
         }
     }
-    let (misfit, noise) = (problem.misfit(&end, &linearization), adjust.noise);
+    let mut norms = Norms::default();
+    let mut misfit = problem.misfit(&end, &linearization);
+    if !parameters.is_empty() {
+        norms = adjust.norms(&end, &linearization, absolute)?;
+        if let Some(tail) = settings.loss.to_ask(&norms, end.converged) {
+            let found = robust::minimise(tail, &adjust, (&end, &linearization, &norms))?;
+            if settings.loss != Loss::Auto || found.norms.any_beyond(1.0) {
+                misfit = found.misfit;
+                (end, linearization, norms, adjust.noise) = (found.end, found.linearization, found.norms, found.noise);
+            }
+        }
+    }
+    let noise = adjust.noise;
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { calibrated, linearization, absolute, noise, misfit, end, basins, tensions, start_model })
+    Ok(Optimum { calibrated, linearization, absolute, noise, misfit, norms, end, basins, tensions, start_model })
 }
 
 /// Weights and points of linearisation that agree with the optimum they lead to.
-struct Adjust<'a> {
-    problem: &'a Problem<'a>,
-    sigmas: Sigmas,
+pub(super) struct Adjust<'a> {
+    pub(super) problem: &'a Problem<'a>,
+    pub(super) sigmas: Sigmas,
     /// Noise that the weights stand for, as a multiple of `sigmas`.
-    noise: f64,
+    pub(super) noise: f64,
 }
 
 impl Adjust<'_> {
@@ -102,6 +119,15 @@ impl Adjust<'_> {
         let Problem { parameters, samples, tensions, .. } = *self.problem;
         let rows = RowModel::new(model, Load::of(model.robot())?, parameters);
         Linearization::measured(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)
+    }
+
+    /// Norms of the samples' residuals where a descent ended.
+    pub(super) fn norms(&self, end: &End, at: &Linearization, absolute: bool) -> Result<Norms, InputError> {
+        let Problem { parameters, samples, loss, .. } = *self.problem;
+        let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
+        let squares = at.squares(&RowModel::new(&here, Load::of(here.robot())?, &[]), samples);
+        let extent = Extent { rows: at.informative_rows(), parameters: parameters.len(), absolute };
+        Ok(Norms::new(squares, loss, extent))
     }
 
     /// Corrects the linearisation for the parameters where a descent ended.
@@ -115,7 +141,7 @@ impl Adjust<'_> {
     }
 
     /// The optimum with corrections that agree with it.
-    fn settle(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
+    pub(super) fn settle(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
         match self.polish(end, linearization)? {
             true => Ok(()),
             false => self.repeat(end, linearization),

@@ -95,6 +95,20 @@ impl SampleRows {
         self.entries[row * self.stride + self.parameter_count]
     }
 
+    /// rᵀ W r for a symmetric weight whose rows are rounded up to whole lanes.
+    pub(super) fn square(&self, weight: &[f64]) -> f64 {
+        let stride = self.count.next_multiple_of(LANES);
+        let product = |row: usize| (0..self.count).map(|k| weight[row * stride + k] * self.residual(k)).sum::<f64>();
+        (0..self.count).map(|row| self.residual(row) * product(row)).sum()
+    }
+
+    /// Multiplies residuals and derivatives.
+    pub(super) fn scale(&mut self, factor: f64) {
+        if factor != 1.0 {
+            self.entries.iter_mut().for_each(|entry| *entry *= factor);
+        }
+    }
+
     pub(super) fn add_to_residual(&mut self, row: usize, amount: f64) {
         self.entries[row * self.stride + self.parameter_count] += amount;
     }

@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
+use crate::identification::loss::Loss;
+use crate::identification::outliers::Outlier;
 use crate::identification::starts::Basin;
 use crate::model::Model;
 use crate::robot::Parameter;
@@ -61,18 +63,26 @@ pub struct Fit {
     pub reason: String,
     /// Steps of the cable that needed most.
     pub iterations: u32,
-    /// Weighted sum of squared residuals and priors after each step, all cables together.
+    /// Weighted sum of squared residuals (of their loss) and priors after each step, all cables together.
     pub history: Vec<f64>,
     /// The free parameters, ordered by cable.
     pub parameters: Vec<Estimate>,
     /// Rank, singular values, weak directions, correlations.
     pub analysis: Analysis,
     /// Noise that residuals and priors tell, in units of the stated accuracies, or of the assumed ones where none is stated
-    /// (1 mm for lengths, 1 % of the mean for tensions): √((data + prior cost)/(rows + priors − parameters)) at that noise.
+    /// (1 mm for lengths, 1 % of the mean for tensions): √((data + prior cost)/(rows + priors − parameters)) at that noise; the robust
+    /// deviation of the residuals where the loss is no square.
     /// Near 1 when model and sensors agree with the data; standard deviations of parameters grow with it when it exceeds 1 or
     /// no accuracy is stated. NaN where there are as many parameters as rows and priors.
     pub noise_factor: f64,
-    /// The optima that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
+    /// The loss of the optimum, as chosen or found.
+    pub loss: Loss,
+    /// Norm of a sample's residuals, in units of the stated or assumed accuracies, from which on it counts less: C of the loss;
+    /// infinite for least squares.
+    pub loss_threshold: f64,
+    /// Samples beyond 8 robust standard deviations.
+    pub outliers: Vec<Outlier>,
+    /// The optima of least squares that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
     /// start: the best optimum may then be one that no start led all cables to.
     pub basins: Vec<Basin>,
     /// Offset of the clocks, where it was free.

@@ -15,6 +15,9 @@ impl Fit {
     pub fn cautions(&self) -> Vec<String> {
         let analysis = &self.analysis;
         let mut cautions = Vec::new();
+        if !self.outliers.is_empty() {
+            cautions.push(format!("{} of its samples lie beyond 8 robust standard deviations", self.outliers.len()));
+        }
         match self.status {
             Status::Converged => {}
             Status::NotConverged => cautions.push("the fit did not converge".to_owned()),
@@ -40,7 +43,9 @@ impl Fit {
     pub fn caution_words(&self) -> String {
         let bounds = self.at_bound().count();
         let weak = self.analysis.weak_direction_count;
+        let outliers = self.outliers.len();
         let words = [
+            (outliers > 0).then(|| format!("{outliers} {}", if outliers == 1 { "outlier" } else { "outliers" })),
             (self.status == Status::NotConverged).then(|| "not converged".to_owned()),
             (self.status == Status::NotIdentifiable).then(|| "not identifiable".to_owned()),
             (self.status == Status::NotPredictive).then(|| "no forward problem".to_owned()),

@@ -13,6 +13,7 @@ use crate::solve::{
 const HISTORY_CAPACITY: usize = 16;
 
 /// End of the descent of one block.
+#[derive(Clone)]
 pub(super) struct End {
     pub(super) values: CableValues,
     /// Change of the parameters from the block's start values.
@@ -23,22 +24,35 @@ pub(super) struct End {
     pub(super) converged: bool,
 }
 
+/// Calls a method of the search that has as many parameters as the block.
+macro_rules! search {
+    ($block:ident, $poses:ident, $settings:ident, $method:ident($argument:expr)) => {
+        match $block.parameters.len() {
+            0 => Search::<0>::new($block, $poses, $settings).$method($argument),
+            1 => Search::<1>::new($block, $poses, $settings).$method($argument),
+            2 => Search::<2>::new($block, $poses, $settings).$method($argument),
+            3 => Search::<3>::new($block, $poses, $settings).$method($argument),
+            4 => Search::<4>::new($block, $poses, $settings).$method($argument),
+            5 => Search::<5>::new($block, $poses, $settings).$method($argument),
+            6 => Search::<6>::new($block, $poses, $settings).$method($argument),
+            7 => Search::<7>::new($block, $poses, $settings).$method($argument),
+            8 => Search::<8>::new($block, $poses, $settings).$method($argument),
+            9 => Search::<9>::new($block, $poses, $settings).$method($argument),
+            10 => Search::<10>::new($block, $poses, $settings).$method($argument),
+            _ => Search::<SLOTS>::new($block, $poses, $settings).$method($argument),
+        }
+    };
+}
+
 /// Descends from the block's start values, or from a change of them that an earlier descent found.
 pub(super) fn run(block: &Block, poses: &PoseLanes, settings: &Settings, from: Option<&[f64]>) -> End {
-    match block.parameters.len() {
-        0 => Search::<0>::new(block, poses, settings).run(from),
-        1 => Search::<1>::new(block, poses, settings).run(from),
-        2 => Search::<2>::new(block, poses, settings).run(from),
-        3 => Search::<3>::new(block, poses, settings).run(from),
-        4 => Search::<4>::new(block, poses, settings).run(from),
-        5 => Search::<5>::new(block, poses, settings).run(from),
-        6 => Search::<6>::new(block, poses, settings).run(from),
-        7 => Search::<7>::new(block, poses, settings).run(from),
-        8 => Search::<8>::new(block, poses, settings).run(from),
-        9 => Search::<9>::new(block, poses, settings).run(from),
-        10 => Search::<10>::new(block, poses, settings).run(from),
-        _ => Search::<SLOTS>::new(block, poses, settings).run(from),
-    }
+    search!(block, poses, settings, run(from))
+}
+
+/// Takes one undamped step from where a descent ended, without asking what it helped: the reduction of the weighted squares that it
+/// promises; `None`, and no step, where the normal equations do not determine it.
+pub(super) fn advance(block: &Block, poses: &PoseLanes, settings: &Settings, end: &mut End) -> Option<f64> {
+    search!(block, poses, settings, advance(end))
 }
 
 struct Search<'a, const P: usize> {
@@ -111,6 +125,17 @@ impl<'a, const P: usize> Search<'a, P> {
         }
         let Descent { here: Place { change, values, equations }, history, .. } = descent;
         End { values, change: change.to_vec(), cost: equations.cost, iterations, history, converged }
+    }
+
+    fn advance(&self, end: &mut End) -> Option<f64> {
+        let mut change = [0.0; P];
+        change.copy_from_slice(&end.change);
+        let (_, equations) = self.equations(&change);
+        let (step, _) = self.step(&change, &equations, &Control::none())?;
+        change = add(&change, &step);
+        end.change.copy_from_slice(&change);
+        end.values = self.block.moved(&self.block.start, &change);
+        Some(-(0..P).map(|k| step[k] * equations.gradient[k]).sum::<f64>())
     }
 
     /// A step that respects the bounds, and whether something cut it; nothing where the normal equations do not determine it.

@@ -3,6 +3,7 @@
 use super::{InputError, Settings, descent, prior_sigma};
 use crate::identification::blocks::Block;
 use crate::identification::misfit::Misfit;
+use crate::identification::norms::Norms;
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::identification::weights::{Weights, length_weights};
@@ -24,6 +25,20 @@ pub(super) struct Optimum {
     pub(super) ends: Vec<descent::End>,
     /// Optima that the starts led to, best first.
     pub(super) basins: Vec<Basin>,
+    /// Norms of the samples' residuals, with the loss.
+    pub(super) norms: Norms,
+    /// Rounds of reweighting under a robust loss.
+    pub(super) rounds: Rounds,
+}
+
+/// Rounds of reweighting under a robust loss.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rounds {
+    pub(super) count: u32,
+    /// False where the last descent ended at the limit of rounds.
+    pub(super) converged: bool,
+    /// Loss and priors after each round of the last descent.
+    pub(super) history: Vec<f64>,
 }
 
 /// Optimum and the weights it belongs to; `progress` is called after each start.
@@ -42,7 +57,8 @@ pub(super) fn find(
     };
     let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
     let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, None)).collect();
-    let mut optimum = Optimum { poses, blocks, ends, basins: Vec::new() };
+    let mut optimum =
+        Optimum { poses, blocks, ends, basins: Vec::new(), norms: Norms::default(), rounds: Rounds::default() };
     progress();
     optimum.try_other_starts(samples, settings, progress);
     match (weights.absolute, settings.priors.is_empty()) {
@@ -51,6 +67,9 @@ pub(super) fn find(
         (false, false) => optimum.agree_with_noise(samples, settings, &mut weights),
         // without priors the scale of the noise moves no parameter
         (false, true) => {}
+    }
+    if !parameters.is_empty() {
+        optimum.take_loss(model, samples, settings, &mut weights)?;
     }
     Ok((optimum, weights))
 }
@@ -133,20 +152,28 @@ impl Optimum {
     /// Misfit in units of the weights.
     pub(super) fn misfit(&self, samples: &Samples, settings: &Settings) -> Misfit {
         let parameters = || self.blocks.iter().flat_map(|block| &block.parameters);
+        let priors = parameters().filter(|parameter| prior_sigma(settings, parameter.kind).is_some()).count();
+        Misfit {
+            cost: self.ends.iter().map(|end| end.cost).sum(),
+            prior_cost: self.prior_cost(settings),
+            freedom: (samples.lengths.len() + priors).saturating_sub(parameters().count()),
+        }
+    }
+
+    /// Σ ((p − p_start)/σ_prior)².
+    pub(super) fn prior_cost(&self, settings: &Settings) -> f64 {
         let prior = |block: &Block, k: usize| prior_sigma(settings, block.parameters[k].kind);
         let squares = self.blocks.iter().zip(&self.ends).flat_map(|(block, end)| {
             let change = end.change.iter().enumerate();
             change.filter_map(move |(k, change)| Some((change / prior(block, k)?).powi(2)))
         });
-        let priors = parameters().filter(|parameter| prior_sigma(settings, parameter.kind).is_some()).count();
-        Misfit {
-            cost: self.ends.iter().map(|end| end.cost).sum(),
-            prior_cost: squares.sum(),
-            freedom: (samples.lengths.len() + priors).saturating_sub(parameters().count()),
-        }
+        squares.sum()
     }
 
     pub(super) fn history(&self) -> Vec<f64> {
+        if !self.rounds.history.is_empty() {
+            return self.rounds.history.clone();
+        }
         let steps = self.ends.iter().map(|end| end.history.len()).max().unwrap_or(0);
         let at = |end: &descent::End, step: usize| end.history[step.min(end.history.len() - 1)];
         (0..steps).map(|step| self.ends.iter().map(|end| at(end, step)).sum()).collect()
@@ -154,11 +181,12 @@ impl Optimum {
 
     /// Steps of the cable that needed most.
     pub(super) fn iterations(&self) -> u32 {
-        self.ends.iter().map(|end| end.iterations).max().unwrap_or(0)
+        self.ends.iter().map(|end| end.iterations).max().unwrap_or(0) + self.rounds.count
     }
 
     pub(super) fn converged(&self) -> bool {
-        self.ends.iter().all(|end| end.converged)
+        let is_settled = self.norms.loss.is_none() || self.rounds.converged;
+        is_settled && self.ends.iter().all(|end| end.converged)
     }
 
     /// The calibrated model.
@@ -174,7 +202,7 @@ impl Optimum {
 
     /// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance
     /// that grows with the moment arm would reward them for it.
-    fn with_given_levers(&self, model: &Model) -> Result<Model, ModelError> {
+    pub(super) fn with_given_levers(&self, model: &Model) -> Result<Model, ModelError> {
         let mut robot = self.calibrated(model)?.robot().clone();
         for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {
             cable.platform_anchor = given.platform_anchor;

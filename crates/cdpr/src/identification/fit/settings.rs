@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::input_error::InputError;
+use crate::identification::loss::Loss;
 use crate::model::{FreeParameters, identified_kind};
 use crate::robot::ParameterKind;
 use crate::solve::Minimizer;
@@ -20,6 +21,8 @@ pub struct Settings {
     pub hold: FreeParameters,
     /// Ridges towards the start value.
     pub priors: Vec<Prior>,
+    /// How samples count whose residuals are larger than noise.
+    pub loss: Loss,
     /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
     pub tolerance: f64,
     /// Way to the optimum.
@@ -39,6 +42,7 @@ impl Default for Settings {
         Self {
             hold: FreeParameters::default(),
             priors: Vec::new(),
+            loss: Loss::default(),
             tolerance: 1e-10,
             minimizer: Minimizer::default(),
             max_iterations: 200,

@@ -1,7 +1,9 @@
 //! Criterion of every candidate on the validation samples that all compared candidates answer.
 
-use super::{JudgedCandidate, Judgement, SelectionCriterion};
+use super::{JudgedCandidate, Judgement, SelectionCriterion, Settings};
 use crate::identification::bootstrap;
+use crate::identification::loss::Loss;
+use crate::identification::outliers::unexplained;
 
 /// Share of the validation samples that a candidate must answer: the mean of the rest alone would flatter it.
 const LEAST_ANSWERED: f64 = 0.95;
@@ -10,7 +12,8 @@ const LEAST_ANSWERED: f64 = 0.95;
 ///
 /// A sample that one of the compared candidates leaves without an answer counts for none of them, so that all means are
 /// over the same samples.
-pub(super) fn compare(candidates: &mut [JudgedCandidate], criterion: SelectionCriterion, seed: u64) {
+pub(super) fn compare(candidates: &mut [JudgedCandidate], settings: &Settings) {
+    let Settings { criterion, seed, .. } = *settings;
     let mut judgements: Vec<&mut Judgement> =
         candidates.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()).collect();
     let series: Vec<Vec<f64>> = judgements.iter().map(|judgement| criterion.of(&judgement.validation_errors)).collect();
@@ -19,9 +22,15 @@ pub(super) fn compare(candidates: &mut [JudgedCandidate], criterion: SelectionCr
     }
     let compared = || judgements.iter().zip(&series).filter(|(judgement, _)| judgement.disqualified.is_none());
     let samples = series.first().map_or(0, Vec::len);
+    let least: Vec<f64> =
+        (0..samples).map(|sample| compared().map(|(_, series)| series[sample]).fold(f64::NAN, f64::min)).collect();
+    let set_aside = if settings.fit.loss == Loss::Squared { Vec::new() } else { unexplained(least) };
+    let is_common = |sample: &usize| compared().all(|(_, series)| series[*sample].is_finite());
     let common: Vec<usize> =
-        (0..samples).filter(|&sample| compared().all(|(_, series)| series[sample].is_finite())).collect();
+        (0..samples).filter(is_common).filter(|sample| set_aside.binary_search(sample).is_err()).collect();
     for (judgement, series) in judgements.iter_mut().zip(&series) {
+        judgement.set_aside.clone_from(&set_aside);
+        judgement.take_figures(&settings.requirements);
         if judgement.disqualified.is_some() {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::requirement::RequirementOutcome;
+use super::requirement::{Requirement, RequirementOutcome};
 use crate::identification::candidate::Candidate;
 use crate::identification::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
 use crate::identification::fit::{self, Fit};
@@ -27,7 +27,7 @@ pub struct Judgement {
     pub fit: Fit,
     /// Errors on the data that `fit` was fitted to.
     pub train: ErrorBlocks,
-    /// Errors on data that the predicting fit had not seen, all folds together.
+    /// Errors on data that the predicting fit had not seen, all folds together, without the samples set aside.
     pub validation: ErrorBlocks,
     /// The same fold by fold.
     pub folds: Vec<(String, ErrorBlocks)>,
@@ -41,15 +41,38 @@ pub struct Judgement {
     pub standard_error: f64,
     /// Number of those samples.
     pub compared_samples: usize,
+    /// Places of the validation samples that no candidate explains; they are in no error figure but `validation_errors`.
+    pub set_aside: Vec<usize>,
     /// The reason against comparing the candidate at all: it answers too few validation samples.
     pub disqualified: Option<String>,
     /// The limits and how the candidate stands to them.
     pub requirements: Vec<RequirementOutcome>,
     /// Reasons not to trust the candidate with these errors, recommended or not.
     pub distrust: Distrust,
+    /// Names of the folds with their numbers of validation samples.
+    pub(super) fold_sizes: Vec<(String, usize)>,
 }
 
 impl Judgement {
+    /// Takes the error figures without the samples set aside, and holds them against the requirements.
+    pub(super) fn take_figures(&mut self, requirements: &[Requirement]) {
+        let kept = |range: std::ops::Range<usize>| -> Vec<usize> {
+            range.filter(|place| self.set_aside.binary_search(place).is_err()).collect()
+        };
+        let mut first = 0;
+        let mut of_fold = |(name, size): &(String, usize)| {
+            let blocks = self.validation_errors.subset(&kept(first..first + size)).blocks();
+            first += size;
+            (name.clone(), blocks)
+        };
+        let folds = self.fold_sizes.iter().map(&mut of_fold).collect();
+        if !self.set_aside.is_empty() {
+            self.validation = self.validation_errors.subset(&kept(0..self.validation_errors.len())).blocks();
+        }
+        self.folds = folds;
+        self.requirements = requirements.iter().map(|requirement| requirement.judge(&self.validation)).collect();
+    }
+
     pub(super) fn meets_requirements(&self) -> bool {
         self.requirements.iter().all(|requirement| requirement.met)
     }

@@ -25,6 +25,10 @@ pub(super) fn nobody(
 /// Doubts about a candidate as a sentence before what speaks for it.
 fn caution(judgement: &Judgement) -> String {
     let mut doubts = judgement.fit.cautions();
+    if !judgement.set_aside.is_empty() {
+        doubts
+            .push(format!("{} validation samples that no candidate explains are set aside", judgement.set_aside.len()));
+    }
     let (compared, samples) = (judgement.compared_samples, judgement.validation.samples);
     if compared < samples {
         doubts.push(format!(
