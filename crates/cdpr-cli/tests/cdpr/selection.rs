@@ -378,3 +378,62 @@ fn a_study_takes_its_poses_from_a_file() {
     let run = cdpr_in(folder.path(), "evaluate data/calibrated.toml again.csv --format json");
     assert!(run.json()["position_error_m"]["max"].as_f64().unwrap() < 1e-9, "{}", run.stdout);
 }
+
+/// Rows of a measurement file that are displaced by 0.2 m, with their lines.
+fn with_displaced_rows(csv: &str, lines: &[usize]) -> String {
+    let column = csv.lines().next().unwrap().split(',').position(|name| name == "x_m").unwrap();
+    let changed = |(index, text): (usize, &str)| {
+        let mut cells: Vec<String> = text.split(',').map(str::to_owned).collect();
+        if lines.contains(&(index + 1)) {
+            cells[column] = (cells[column].parse::<f64>().unwrap() + 0.2).to_string();
+        }
+        cells.join(",") + "\n"
+    };
+    csv.lines().enumerate().map(changed).collect()
+}
+
+/// Text, JSON, tables and page name the same rows, before they tell the good news.
+#[test]
+fn outliers_are_told_before_the_good_news_everywhere() {
+    const LINES: [usize; 3] = [12, 40, 77];
+    let folder = tempfile::tempdir().unwrap();
+    cdpr_in(folder.path(), "demo --out data");
+    let clean = std::fs::read_to_string(folder.path().join("data/training.csv")).unwrap();
+    std::fs::write(folder.path().join("dirty.csv"), with_displaced_rows(&clean, &LINES)).unwrap();
+    std::fs::copy(folder.path().join("data/training.meta.toml"), folder.path().join("dirty.meta.toml")).ok();
+    let arguments = "--candidates standard;standard:frame-anchor,length-offset --split blocks:5 --seed 1";
+    let run = cdpr_in(folder.path(), &format!("select data/robot.toml dirty.csv --out result {arguments}"));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let place = |text: &str, words: &str| text.find(words).unwrap_or_else(|| panic!("`{words}` is not in {text}"));
+    assert!(place(&run.stdout, "caution: outliers: 3 of") < place(&run.stdout, "recommended:"));
+    let lines = |outliers: &serde_json::Value| -> Vec<u64> {
+        let keys = |outlier: &serde_json::Value| {
+            assert!(outlier["residual_m"].as_f64().unwrap() > 0.05 && outlier["weight"].as_f64().unwrap() < 0.5);
+            assert!(outlier["reason"].as_str().unwrap().contains("robust standard deviations"));
+            assert_eq!(outlier["sample"].as_u64().unwrap() + 1, outlier["line"].as_u64().unwrap());
+            outlier["line"].as_u64().unwrap()
+        };
+        outliers.as_array().unwrap().iter().map(keys).collect()
+    };
+    let files = contents(&folder.path().join("result"));
+    let result: serde_json::Value = serde_json::from_slice(&files["result.json"]).unwrap();
+    assert_eq!(lines(&result["outliers"]), LINES.map(|line| line as u64));
+    assert!(result["warnings"][0].as_str().unwrap().starts_with("outliers: 3 of"), "{}", result["warnings"]);
+    assert!(result["reason"].as_str().unwrap().starts_with("Caution: 3 of its samples"), "{}", result["reason"]);
+    let table = String::from_utf8(files["outliers.csv"].clone()).unwrap();
+    assert_eq!(table.lines().count(), 1 + LINES.len(), "{table}");
+    let page = String::from_utf8(files["report.html"].clone()).unwrap();
+    assert!(place(&page, "<strong>Caution:</strong> outliers: 3 of") < place(&page, "<p class=\"heading\">"));
+
+    let identify = "identify data/robot.toml dirty.csv --free frame-anchor,length-offset";
+    let told = cdpr_in(folder.path(), identify).stdout;
+    assert!(place(&told, "caution: outliers: 3 of") < place(&told, "converged after"));
+    let answer =
+        cdpr_in(folder.path(), &format!("{identify} --format json")).json_with(&["outliers", "loss_threshold"]);
+    assert_eq!(
+        (lines(&answer["outliers"]), &answer["loss"]),
+        (LINES.map(|line| line as u64).to_vec(), &"huber".into())
+    );
+    let squared = cdpr_in(folder.path(), &format!("{identify} --loss squared --format json")).json();
+    assert_eq!((&squared["loss"], &squared["outliers"][0]["weight"]), (&"squared".into(), &1.0.into()));
+}
