@@ -6,8 +6,6 @@
 
 use serde::Serialize;
 
-use super::norms::Norms;
-
 /// Loss of a fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -35,20 +33,6 @@ impl Loss {
             Self::Squared => "squared",
             Self::Huber => "huber",
             Self::Cauchy => "cauchy",
-        }
-    }
-
-    /// The robust loss to ask after a fit of least squares with these norms; `None` where its answer stands.
-    ///
-    /// Least squares smear an outlier over all samples, which hides it and others: the automatic choice asks from half the limit on. A fit
-    /// that found no optimum has other troubles than outliers.
-    pub(super) fn to_ask(self, norms: &Norms, is_converged: bool) -> Option<Tail> {
-        match self {
-            _ if !norms.are_finite() || !is_converged => None,
-            Self::Auto => norms.any_beyond(0.5).then_some(Tail::Huber),
-            Self::Squared => None,
-            Self::Huber => Some(Tail::Huber),
-            Self::Cauchy => Some(Tail::Cauchy),
         }
     }
 }

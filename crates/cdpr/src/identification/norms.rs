@@ -1,6 +1,6 @@
 //! Norms of the samples' residuals, their robust size, and the samples that lie beyond it.
 
-use super::loss::{RobustLoss, median_norm};
+use super::loss::{Loss, RobustLoss, Tail, median_norm};
 
 /// Robust standard deviations beyond which a sample is named.
 pub(super) const OUTLIER_DEVIATIONS: f64 = 8.0;
@@ -48,6 +48,20 @@ impl Norms {
         let mut norms = Self { loss, extent, squares, ..Self::default() };
         norms.measure();
         norms
+    }
+
+    /// The robust loss to ask after a fit of least squares with these norms; `None` where its answer stands.
+    ///
+    /// Least squares smear an outlier over all samples, which hides it and others: the automatic choice asks from half the limit on. A fit
+    /// that found no optimum has other troubles than outliers.
+    pub(super) fn to_ask(&self, loss: Loss, is_converged: bool) -> Option<Tail> {
+        match loss {
+            _ if !self.are_finite() || !is_converged => None,
+            Loss::Auto => self.any_beyond(0.5).then_some(Tail::Huber),
+            Loss::Squared => None,
+            Loss::Huber => Some(Tail::Huber),
+            Loss::Cauchy => Some(Tail::Cauchy),
+        }
     }
 
     /// Takes deviation and limit from the squares anew.

@@ -57,7 +57,7 @@ fn reason(deviations: f64, residuals: &[f64]) -> String {
     format!("{deviations:.0} robust standard deviations; {who}")
 }
 
-/// What a reader must know of the outliers of a fit to so many samples before anything else; `None` without any.
+/// Warning about the outliers of a fit to so many samples, which stands before anything else; `None` without any.
 pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Option<String> {
     let largest = outliers.iter().max_by(|a, b| a.residual_m.total_cmp(&b.residual_m))?;
     let place =
@@ -125,17 +125,4 @@ pub(super) fn set_aside_warning(places: &[usize], of: usize, samples: &Samples) 
         "outliers: {count} of {of} validation samples {verb} set aside for every model, since none explains {them} ({}{more})",
         listed.join(", ")
     ))
-}
-
-impl super::Fit {
-    /// Indices of those of so many samples of the fit that are no outliers, where its loss lets these count less; all for least squares.
-    pub fn trusted_samples(&self, count: usize) -> Vec<usize> {
-        let is_named = |index: &usize| self.outliers.iter().any(|outlier| outlier.sample == index + 1);
-        (0..count).filter(|index| self.loss == Loss::Squared || !is_named(index)).collect()
-    }
-
-    /// Numbers the outliers by the data that the samples of the fit were taken from, at these indices.
-    pub fn renumber_outliers(&mut self, indices: &[usize]) {
-        self.outliers.iter_mut().for_each(|outlier| outlier.sample = indices[outlier.sample - 1] + 1);
-    }
 }

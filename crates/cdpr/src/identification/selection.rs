@@ -5,11 +5,13 @@ mod criterion;
 mod judgement;
 mod reason;
 mod requirement;
+mod settings;
 
 pub use criterion::SelectionCriterion;
 pub use judgement::{CandidateFailure, JudgedCandidate, Judgement};
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
+pub use settings::Settings;
 use thiserror::Error;
 
 use super::candidate::Candidate;
@@ -22,19 +24,6 @@ use super::plausibility::{Distrust, distrust};
 use crate::measurement::{Fold, Samples};
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
-
-/// How candidates are compared.
-#[derive(Clone, Debug, Default)]
-pub struct Settings {
-    /// The error that decides.
-    pub criterion: SelectionCriterion,
-    /// Limits that a recommended candidate must keep on validation data.
-    pub requirements: Vec<Requirement>,
-    /// Priors, held parameters and tolerances of every fit.
-    pub fit: fit::Settings,
-    /// Seed of the bootstrap.
-    pub seed: u64,
-}
 
 /// The comparison and its result.
 #[derive(Clone, Debug)]

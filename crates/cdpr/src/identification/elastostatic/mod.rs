@@ -4,6 +4,7 @@
 //! Pose and tension enter several rows of a sample, so their noise is shared: the rows are weighed with their full
 //! covariance, to first order Σ = N diag(σ²) Nᵀ with N the rows' derivatives by everything that is measured.
 
+mod adjust;
 mod analysis;
 mod descent;
 mod linearization;

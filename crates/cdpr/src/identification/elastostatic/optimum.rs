@@ -1,35 +1,25 @@
 //! The best optimum over several starts, with weights that agree with it.
 
+use super::adjust::{Adjust, NEAR_PROMISE};
 use super::descent::{End, Problem};
 use super::linearization::Linearization;
 use super::measurement_noise::sigmas;
-use super::noise::Sigmas;
 use super::robust;
-use super::rows::{RowModel, recorded_state};
+use super::rows::recorded_state;
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
 use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
-use crate::identification::norms::{Extent, Norms};
+use crate::identification::norms::Norms;
 use crate::identification::starts::{Basin, Starts, count, same_cost};
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{ExternalWrench, Parameter, ParameterKind, Robot};
 use crate::statics::{Load, StaticsError, cable_state};
 
-/// Most descents with corrections between them.
-const ADJUSTMENTS: u32 = 12;
-/// Most steps with corrections at each; each gains some digits.
-const POLISHING_STEPS: u32 = 15;
-/// Most repetitions with the noise that the residuals tell; near the end each doubles the digits.
-const RESCALINGS: u32 = 30;
-/// The noise is found when it changes by less than this share.
-const SAME_NOISE: f64 = 1e-7;
-/// Share of the cost that the next step may still promise when a descent stops: near the optimum, near enough to compare
-/// optima, and far below any standard deviation.
-pub(super) const NEAR_PROMISE: f64 = 1e-1;
+/// Share of the cost that the next step may still promise where optima of several starts are told apart.
 const SEARCH_PROMISE: f64 = 1e-9;
-const FINAL_REDUCTION: f64 = 1e-7;
+
 /// The optimum and what belongs to it.
 pub(crate) struct Optimum {
     /// The model before the fit; with a free wrench its robot states a constant one.
@@ -93,7 +83,7 @@ pub(crate) fn find(
     let mut misfit = problem.misfit(&end, &linearization);
     if !parameters.is_empty() {
         norms = adjust.norms(&end, &linearization, absolute)?;
-        if let Some(tail) = settings.loss.to_ask(&norms, end.converged) {
+        if let Some(tail) = norms.to_ask(settings.loss, end.converged) {
             let found = robust::minimise(tail, &adjust, (&end, &linearization, &norms))?;
             if settings.loss != Loss::Auto || found.norms.any_beyond(1.0) {
                 misfit = found.misfit;
@@ -104,100 +94,6 @@ pub(crate) fn find(
     let noise = adjust.noise;
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
     Ok(Optimum { calibrated, linearization, absolute, noise, misfit, norms, end, basins, tensions, start_model })
-}
-
-/// Weights and points of linearisation that agree with the optimum they lead to.
-pub(super) struct Adjust<'a> {
-    pub(super) problem: &'a Problem<'a>,
-    pub(super) sigmas: Sigmas,
-    /// Noise that the weights stand for, as a multiple of `sigmas`.
-    pub(super) noise: f64,
-}
-
-impl Adjust<'_> {
-    fn measured(&self, model: &Model) -> Result<Linearization, InputError> {
-        let Problem { parameters, samples, tensions, .. } = *self.problem;
-        let rows = RowModel::new(model, Load::of(model.robot())?, parameters);
-        Linearization::measured(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)
-    }
-
-    /// Norms of the samples' residuals where a descent ended.
-    pub(super) fn norms(&self, end: &End, at: &Linearization, absolute: bool) -> Result<Norms, InputError> {
-        let Problem { parameters, samples, loss, .. } = *self.problem;
-        let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-        let squares = at.squares(&RowModel::new(&here, Load::of(here.robot())?, &[]), samples);
-        let extent = Extent { rows: at.informative_rows(), parameters: parameters.len(), absolute };
-        Ok(Norms::new(squares, loss, extent))
-    }
-
-    /// Corrects the linearisation for the parameters where a descent ended.
-    fn correct(&self, end: &End, linearization: &mut Linearization) -> Result<(), InputError> {
-        let Problem { parameters, samples, tensions, .. } = *self.problem;
-        let here = self.problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-        let rows = RowModel::new(&here, Load::of(here.robot())?, parameters);
-        linearization.correct(&rows, samples, tensions, &self.sigmas).ok_or(InputError::NotFinite)?;
-        linearization.scale_weights(self.noise);
-        Ok(())
-    }
-
-    /// The optimum with corrections that agree with it.
-    pub(super) fn settle(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
-        match self.polish(end, linearization)? {
-            true => Ok(()),
-            false => self.repeat(end, linearization),
-        }
-    }
-
-    /// A prior needs the scale of the noise, which the residuals tell: weighs by it and repeats.
-    fn agree_with_noise(&mut self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
-        for _ in 0..RESCALINGS {
-            let noise = self.problem.misfit(end, linearization).noise();
-            if (noise - 1.0).abs() < SAME_NOISE {
-                break;
-            }
-            self.noise *= noise;
-            // costs in other units
-            end.history.clear();
-            self.settle(end, linearization)?;
-        }
-        Ok(())
-    }
-
-    /// Gauss–Newton steps with corrections at each; false when they do not contract, or need damping.
-    fn polish(&self, end: &mut End, linearization: &mut Linearization) -> Result<bool, InputError> {
-        let mut last_predicted_reduction = f64::INFINITY;
-        for _ in 0..POLISHING_STEPS {
-            self.correct(end, linearization)?;
-            let Some(step) = self.problem.plain_step(&end.values, linearization) else { return Ok(false) };
-            end.iterations += 1;
-            end.history.push(step.cost);
-            (end.values, end.cost) = (step.values, step.cost);
-            if step.predicted_reduction <= FINAL_REDUCTION * step.cost {
-                end.converged = true;
-                return Ok(true);
-            }
-            if !(step.predicted_reduction < 0.25 * last_predicted_reduction) {
-                return Ok(false);
-            }
-            last_predicted_reduction = step.predicted_reduction;
-        }
-        Ok(false)
-    }
-
-    /// Whole descents with corrections between them.
-    fn repeat(&self, end: &mut End, linearization: &mut Linearization) -> Result<(), InputError> {
-        for round in 0..ADJUSTMENTS {
-            let before = linearization.clone();
-            self.correct(end, linearization)?;
-            let more = self.problem.descend(&end.values, linearization, FINAL_REDUCTION);
-            let gained = (more.cost - end.cost).abs();
-            *end = End { iterations: end.iterations + more.iterations, ..more };
-            if round > 0 && before.distance_to(linearization) < 1e-6 && gained <= 1e-9 * end.cost {
-                break;
-            }
-        }
-        Ok(())
-    }
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.

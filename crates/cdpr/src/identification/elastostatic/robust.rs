@@ -1,8 +1,8 @@
 //! The optimum of an elastic model under a robust loss.
 
+use super::adjust::{Adjust, NEAR_PROMISE};
 use super::descent::End;
 use super::linearization::Linearization;
-use super::optimum::{Adjust, NEAR_PROMISE};
 use crate::identification::fit::InputError;
 use crate::identification::loss::Tail;
 use crate::identification::misfit::Misfit;

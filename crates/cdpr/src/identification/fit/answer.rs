@@ -92,6 +92,17 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// Indices of those of so many samples of the fit that are no outliers, where its loss lets these count less; all for least squares.
+    pub fn trusted_samples(&self, count: usize) -> Vec<usize> {
+        let is_named = |index: &usize| self.outliers.iter().any(|outlier| outlier.sample == index + 1);
+        (0..count).filter(|index| self.loss == Loss::Squared || !is_named(index)).collect()
+    }
+
+    /// Numbers the outliers by the data that the samples of the fit were taken from, at these indices.
+    pub fn renumber_outliers(&mut self, indices: &[usize]) {
+        self.outliers.iter_mut().for_each(|outlier| outlier.sample = indices[outlier.sample - 1] + 1);
+    }
+
     /// Correlations above the limit, for reports.
     pub fn correlations(&self) -> &[Correlation] {
         &self.analysis.correlations

@@ -40,7 +40,7 @@ impl Optimum {
         let extent = Extent { rows: samples.lengths.len(), parameters, absolute: weights.absolute };
         self.norms = Norms::new(vec![0.0; samples.len()], None, extent);
         self.measure(weights);
-        let Some(tail) = settings.loss.to_ask(&self.norms, self.converged()) else { return Ok(()) };
+        let Some(tail) = self.norms.to_ask(settings.loss, self.converged()) else { return Ok(()) };
         let squared = (self.ends.clone(), self.norms.clone(), weights.clone());
         self.minimise(tail, (model, samples), settings, weights)?;
         if settings.loss == Loss::Auto && !self.norms.any_beyond(1.0) {

@@ -1,6 +1,7 @@
 //! Criterion of every candidate on the validation samples that all compared candidates answer.
 
-use super::{JudgedCandidate, Judgement, SelectionCriterion, Settings};
+use super::settings::Settings;
+use super::{JudgedCandidate, Judgement, SelectionCriterion};
 use crate::identification::bootstrap;
 use crate::identification::loss::Loss;
 use crate::identification::outliers::unexplained;
