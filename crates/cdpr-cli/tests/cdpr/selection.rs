@@ -437,3 +437,38 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let squared = cdpr_in(folder.path(), &format!("{identify} --loss squared --format json")).json();
     assert_eq!((&squared["loss"], &squared["outliers"][0]["weight"]), (&"squared".into(), &1.0.into()));
 }
+
+/// The list of candidates is no more than that: its end, what is not on it, and what got worse are told in text, JSON and page.
+#[test]
+fn what_the_ladder_leaves_out_and_what_got_worse_are_told() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    let anchors = [[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]];
+    let mut text = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n".to_owned();
+    for row in 0..60 {
+        let t = f64::from(row);
+        let (x, z) = (5.0 + 2.0 * (1.7 * t).sin(), 4.0 + 2.0 * (2.3 * t).cos());
+        // one sample in five has the offsets of the others with the other sign: offsets mend the mean and harm these
+        let offset = if row % 5 == 0 { -0.03 } else { 0.03 };
+        text += &format!("{x},{z}");
+        for (cable, [a_x, a_z]) in anchors.into_iter().enumerate() {
+            text += &format!(",{}", (x - a_x).hypot(z - a_z) + if cable % 3 == 0 { offset } else { -offset });
+        }
+        text.push('\n');
+    }
+    std::fs::write(folder.path().join("samples.csv"), text).unwrap();
+    let arguments = "select square.toml samples.csv --candidates standard;standard:length-offset --loss squared";
+    let answer = cdpr_in(folder.path(), &format!("{arguments} --format json --out result")).json();
+    assert_eq!(answer["recommended"], "standard:length-offset");
+    assert!(answer["reason"].as_str().unwrap().contains("the list of candidates ends here"), "{answer}");
+    let words = |key: &str| answer[key].as_array().unwrap().iter().map(|one| one.as_str().unwrap().to_owned());
+    let untried: Vec<String> = words("untried").collect();
+    assert!(untried.iter().any(|words| words.starts_with("pulleys (")), "{untried:?}");
+    assert!(untried.iter().any(|words| words.contains("`frame-anchor`")), "{untried:?}");
+    let worse = words("warnings").find(|words| words.starts_with("worse than with `standard` as given")).unwrap();
+    assert!(worse.contains("largest position error"), "{worse}");
+    let text = cdpr_in(folder.path(), arguments).stdout;
+    assert!(text.contains("not among the candidates: pulleys (") && text.contains(&worse), "{text}");
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    assert!(page.contains("Not among the candidates: pulleys") && page.contains("worse than with"));
+    assert!(page.contains("Recommended control model, with a caution"));
+}

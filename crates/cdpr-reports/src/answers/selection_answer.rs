@@ -38,6 +38,8 @@ pub struct SelectionAnswer {
     /// The model that the robot runs before any calibration, against the recommended, else the best one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_given: Option<AsGiven>,
+    /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
+    pub untried: Vec<String>,
     /// Poses of the fit and of the validation.
     pub coverage: Coverage,
     /// Outliers of the recommended candidate's fit, else of the best one's.
@@ -198,6 +200,7 @@ impl SelectionAnswer {
         let trusted = warnings.is_empty();
         let is_gross = chosen.is_some_and(|judgement| judgement.distrust.is_gross);
         warnings.extend(selection.outlier_warnings(told.samples));
+        warnings.extend(selection.warnings.iter().cloned());
         let of_fit = chosen.iter().flat_map(|judgement| &judgement.fit.warnings);
         for warning in told.warnings.iter().chain(of_fit) {
             if !warnings.contains(warning) {
@@ -222,6 +225,7 @@ impl SelectionAnswer {
             recommended: name(selection.recommended),
             reason: selection.reason.clone(),
             as_given: AsGiven::of(selection),
+            untried: selection.untried.clone(),
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
             seed: told.seed,

@@ -29,6 +29,9 @@ impl Answer for SelectionAnswer {
             let value = self.criterion.format(*criterion);
             text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
         }
+        if !self.untried.is_empty() {
+            text.push_str(&format!("  not among the candidates: {}\n", self.untried.join("; ")));
+        }
         let chosen = self.candidates.iter().find(|candidate| Some(&candidate.name) == self.recommended.as_ref());
         let own = chosen.and_then(|candidate| candidate.judged.as_ref());
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {

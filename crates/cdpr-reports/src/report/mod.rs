@@ -128,6 +128,7 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
         facts => facts(input),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
+        untried => input.selection.untried.iter().map(|words| prose(words)).collect::<Value>(),
         is_selection => input.purpose == Purpose::Selection,
         data_words => input.data_words(),
         shown => shown.as_ref().map(|shown| details(input, shown)),
@@ -204,6 +205,7 @@ fn sigma_words(sigmas: &SensorSigmas) -> String {
 
 fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let mut warnings = input.selection.outlier_warnings(input.samples);
+    warnings.extend(input.selection.warnings.iter().cloned());
     warnings.extend(input.warnings.iter().cloned());
     if let Some(shown) = shown {
         let judgement = shown.judgement;

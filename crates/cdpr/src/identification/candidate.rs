@@ -83,16 +83,16 @@ pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
 pub struct Ladder {
     /// The data have recorded tensions: elastic models join where the robot's file states stiffness.
     pub with_tensions: bool,
-    /// Platform anchors have a prior: elastic models may free them.
+    /// Platform anchors have a prior: the largest rigid and the elastic models may free them.
     pub with_platform_anchors: bool,
 }
 
 /// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
-/// offsets, with both; then elastic models as given, with compliance and wrench, with offsets and with anchors too. Every
+/// offsets, with both, frame and platform anchors; then elastic models as given, with compliance and wrench, with offsets and with anchors too. Every
 /// rung also with pulleys where the robot's file describes them, and every elastic one with sag where it states the weight of
 /// the cables.
 ///
-/// Platform anchors stay out of it unless they have a prior: where the orientation varies little, they only repeat the frame
+/// Platform anchors stay out of it unless they have a prior ([`Ladder::with_platform_anchors`]): where the orientation varies little, they only repeat the frame
 /// anchors.
 pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
@@ -100,13 +100,19 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         robot.cables.iter().all(|cable| cable.pulley_swivel_axis().is_some() && cable.pulley_radius().is_some());
     let is_elastic = robot.cables.iter().all(|cable| linear_elasticity(cable).is_some_and(|law| !law.is_rigid()));
     let has_weight = robot.gravity.is_some() && robot.cables.iter().all(|cable| cable.linear_density.is_some());
-    let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 6] = [
+    let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 9] = [
         (&[], &[&[], &[PulleyRadius]]),
         (&[LengthOffset], &[&[LengthOffset], &[LengthOffset, PulleyRadius]]),
         (&[LengthOffset, LengthScale], &[&[LengthOffset, LengthScale]]),
         (&[FrameAnchor], &[&[FrameAnchor]]),
         (&[FrameAnchor, LengthOffset], &[&[FrameAnchor, LengthOffset]]),
         (&[FrameAnchor, LengthOffset, LengthScale], &[&[FrameAnchor, LengthOffset, LengthScale]]),
+        (&[FrameAnchor, PlatformAnchor], &[&[FrameAnchor, PlatformAnchor]]),
+        (&[FrameAnchor, PlatformAnchor, LengthOffset], &[&[FrameAnchor, PlatformAnchor, LengthOffset]]),
+        (
+            &[FrameAnchor, PlatformAnchor, LengthOffset, LengthScale],
+            &[&[FrameAnchor, PlatformAnchor, LengthOffset, LengthScale]],
+        ),
     ];
     let elastic: [&[ParameterKind]; 7] = [
         &[],
@@ -118,14 +124,18 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         &[FrameAnchor, PlatformAnchor, LengthOffset, Compliance, Wrench],
     ];
     let candidate = |composition, free| Candidate { composition, free: FreeParameters::of(free) };
+    let needs_prior = |free: &[ParameterKind]| free.contains(&PlatformAnchor) && !ladder.with_platform_anchors;
     let mut rungs = Vec::new();
     for (standard, pulley) in rigid {
+        if needs_prior(standard) {
+            continue;
+        }
         rungs.push(candidate(Composition::STANDARD, standard));
         rungs.extend(pulley.iter().filter(|_| has_pulleys).map(|free| candidate(Composition::PULLEY, free)));
     }
     if ladder.with_tensions && is_elastic {
         for free in elastic {
-            if free.contains(&PlatformAnchor) && !ladder.with_platform_anchors {
+            if needs_prior(free) {
                 continue;
             }
             rungs.push(candidate(Composition::ELASTIC, free));
@@ -149,6 +159,17 @@ mod tests {
         let list = parse_list(text).unwrap();
         let again: Vec<String> = list.iter().map(ToString::to_string).collect();
         assert_eq!(again.join(";"), text);
+    }
+
+    #[test]
+    fn platform_anchors_are_free_where_they_have_a_prior() {
+        let robot = Robot::builtin("cogiro").unwrap();
+        let rungs = |with_platform_anchors| defaults(&robot, Ladder { with_tensions: false, with_platform_anchors });
+        let frees = |candidate: &&Candidate| candidate.free.names(ParameterKind::PlatformAnchor);
+        assert_eq!(rungs(false).iter().filter(frees).count(), 0);
+        let names: Vec<String> = rungs(true).iter().filter(frees).map(ToString::to_string).collect();
+        assert!(names.contains(&"standard:frame-anchor,platform-anchor".to_owned()), "{names:?}");
+        assert_eq!(rungs(true).len(), rungs(false).len() + names.len());
     }
 
     #[test]

@@ -6,6 +6,8 @@ mod judgement;
 mod reason;
 mod requirement;
 mod settings;
+mod untried;
+mod worse;
 
 pub use criterion::SelectionCriterion;
 pub use judgement::{CandidateFailure, JudgedCandidate, Judgement};
@@ -36,6 +38,11 @@ pub struct Selection {
     pub recommended: Option<usize>,
     /// The reason in words and numbers.
     pub reason: String,
+    /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
+    pub untried: Vec<String>,
+    /// Doubts about the recommended candidate: errors on validation data that are larger than those of the model that the robot runs
+    /// today.
+    pub warnings: Vec<String>,
 }
 
 impl Selection {
@@ -67,6 +74,19 @@ impl Selection {
         let is_plain = |judged: &JudgedCandidate| judged.candidate.composition == Composition::STANDARD;
         let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
         plain.or_else(|| self.candidates.iter().position(is_given))
+    }
+
+    fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
+        Self { candidates, best, recommended, reason, untried: Vec::new(), warnings: Vec::new() }
+    }
+
+    fn worse_than_today(&self) -> Option<String> {
+        let judged = |index: usize| self.candidates[index].outcome.as_ref().ok();
+        let (given, chosen) = (self.as_given()?, self.recommended?);
+        let worse = worse::worse(&judged(given)?.validation, &judged(chosen)?.validation);
+        let today = &self.candidates[given].name;
+        (!worse.is_empty())
+            .then(|| format!("worse than with `{today}` as given, which the robot runs today: {}", worse.join("; ")))
     }
 }
 
@@ -127,6 +147,8 @@ pub fn select(
     }
     let mut selection = recommend(judged, settings.criterion);
     selection.test_clock(samples, &settings.fit);
+    selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
+    selection.warnings.extend(selection.worse_than_today());
     Ok(selection)
 }
 
@@ -207,7 +229,7 @@ fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) ->
     let finite = || judged.iter().filter(|(_, judgement)| judgement.criterion.is_finite());
     let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
         let reason = nobody(&judged, &candidates, criterion);
-        return Selection { candidates, best: None, recommended: None, reason };
+        return Selection::of(candidates, [None, None], reason);
     };
     let error = if best_judgement.standard_error.is_finite() { best_judgement.standard_error } else { 0.0 };
     let limit = best_judgement.criterion + error;
@@ -218,5 +240,5 @@ fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) ->
         Some(&(index, judgement)) => (Some(index), text.for_choice(index, judgement, &judged)),
         None => (None, text.for_none(&judged)),
     };
-    Selection { best: Some(best), recommended, reason, candidates }
+    Selection::of(candidates, [Some(best), recommended], reason)
 }

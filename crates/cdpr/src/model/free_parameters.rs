@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
-use super::{Model, StretchEffect};
+use super::{Composition, Model, StretchEffect};
 use crate::robot::{Head, Parameter, ParameterKind};
 
 /// Selection of parameters, free or held: kinds, each for all cables or for some.
@@ -86,6 +86,18 @@ pub(crate) fn identified_kind(name: &str) -> Result<ParameterKind, ParameterErro
     kind.ok_or_else(|| ParameterError::UnknownName { name: name.to_owned() })
 }
 
+/// Name of the effect without which a composition has no parameter of this kind; `None` where it has one.
+pub(crate) fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&'static str> {
+    match kind {
+        ParameterKind::PulleyRadius if !composition.pulley => Some("pulley"),
+        kind if kind.needs_motor_angles() && !composition.drum => Some("drum"),
+        ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => Some("elastic"),
+        ParameterKind::HiddenLength if !composition.is_elastic() => Some("elastic"),
+        kind if kind.needs_elasticity() && !composition.needs_tensions() => Some("elastic"),
+        _ => None,
+    }
+}
+
 fn suggestion(name: &str) -> String {
     let close = |kind: &ParameterKind| strsim::jaro_winkler(kind.name(), name);
     match ParameterKind::IDENTIFIED.into_iter().max_by(|a, b| close(a).total_cmp(&close(b))) {
@@ -161,15 +173,9 @@ impl FreeParameters {
         self.check_cables(model)?;
         let composition = model.composition();
         for &(kind, _) in &self.selections {
-            let effect = match kind {
-                ParameterKind::PulleyRadius if !composition.pulley => "pulley",
-                kind if kind.needs_motor_angles() && !composition.drum => "drum",
-                ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => "elastic",
-                ParameterKind::HiddenLength if !composition.is_elastic() => "elastic",
-                kind if kind.needs_elasticity() && !composition.needs_tensions() => "elastic",
-                _ => continue,
-            };
-            return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
+            if let Some(effect) = missing_effect(kind, composition) {
+                return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
+            }
         }
         for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
             let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant().is_some();

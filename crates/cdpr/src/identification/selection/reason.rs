@@ -74,6 +74,9 @@ impl Reason<'_> {
             };
             text.push_str(format!("; the next simpler one, `{}`, {has}", name(*other)).trim_end());
         }
+        if index + 1 == self.names.len() && index > 0 {
+            text.push_str("; the list of candidates ends here, so that a richer one may be better still");
+        }
         if let Some((_, other)) = judged.iter().find(|(other, _)| index != self.best && *other == self.best) {
             let doubts = other.fit.cautions();
             if !doubts.is_empty() {
