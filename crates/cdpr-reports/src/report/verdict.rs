@@ -18,9 +18,9 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let judgement = shown.judgement;
     let met = judgement.requirements.iter().all(|requirement| requirement.met);
     let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
-    let doubts: Vec<String> = report.selection.outlier_warnings(report.samples);
-    let told = doubts.len() + report.selection.warnings.len() + judgement.fit.cautions().len();
-    let cautious = told > 0 || judgement.validation.not_converged > 0;
+    let mut doubts: Vec<String> = report.selection.outlier_warnings(report.samples);
+    doubts.extend(report.selection.warnings.iter().cloned());
+    let cautious = !doubts.is_empty() || !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
     let trusted = judgement.distrust.reasons.is_empty();
     let (class, heading) = match (report.selection.recommended.is_some(), single) {
         (true, false) if !trusted => ("bad", "Recommended control model, not to be trusted"),

@@ -20,6 +20,7 @@ pub(crate) mod support;
 mod caspr_import;
 mod compositions;
 mod coverage;
+mod elastostatic_extremes;
 mod elastostatic_identification;
 mod elastostatic_oracle;
 mod elastostatics;

@@ -8,6 +8,7 @@
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
+use super::straight_machine::{FIRST_COMPLIANCE, straight_model};
 use super::{InputError, Load, Model, Settings, Solution, Status};
 use crate::cable::law::CableLaw;
 use crate::cable::span::State;
@@ -15,13 +16,11 @@ use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::{CableInput, CableState, CableStateError};
 use crate::geometry::{Pose, Twist};
-use crate::model::{Cables, Composition, SpanEffect, StretchEffect};
-use crate::robot::CableStiffness;
+use crate::model::{Cables, StretchEffect};
 use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
-/// Compliance with which the search for cables that do not stretch begins (1/N), and the last one before none.
-const FIRST_COMPLIANCE: f64 = 1e-7;
+/// Last compliance before none in the search for cables that do not stretch (1/N).
 const LAST_COMPLIANCE: f64 = 1e-14;
 /// Compliance with which it begins again where it ended early (1/N).
 const SOFT_COMPLIANCE: f64 = 1e-5;
@@ -380,27 +379,9 @@ fn smallest(symmetric: &Matrix6<f64>, dof: usize) -> f64 {
     }
 }
 
-/// Pose of rest when cables are straight and stretch linearly, as these do at half their largest tension; the guess when none
-/// is found.
+/// Pose of rest of the [straight machine](straight_model); the guess when none is found.
 fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError> {
-    let mut robot = problem.model.robot().clone();
-    for (cable, data) in robot.cables.iter_mut().enumerate() {
-        let law = problem.model.law(cable);
-        let tension = 0.5 * data.tension_max.unwrap_or(1e3);
-        let compliance = match &law.stretch {
-            Stretch::Rigid if law.series_compliance == 0.0 => FIRST_COMPLIANCE,
-            stretch => stretch.secant_compliance(tension).0,
-        };
-        data.stiffness = Some(CableStiffness::Compliance(compliance));
-        data.series_compliance = Some(law.series_compliance);
-    }
-    let composition = Composition {
-        stretch: StretchEffect::Linear,
-        span: SpanEffect::Straight,
-        drum: false,
-        ..problem.model.composition()
-    };
-    let Ok(model) = Model::new(robot, composition) else { return Ok(*guess) };
+    let Some(model) = straight_model(problem.model) else { return Ok(*guess) };
     let solution = (problem.solve_straight)(&model, problem.lengths, problem.load, guess, problem.settings)?;
     match solution.status {
         Status::NotConverged => Ok(*guess),

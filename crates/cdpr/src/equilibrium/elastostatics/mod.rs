@@ -23,6 +23,7 @@ mod settings;
 mod softening;
 mod springs;
 mod stability;
+mod straight_machine;
 #[cfg(test)]
 mod tests;
 mod unsymmetric;

@@ -28,6 +28,8 @@ struct File<T> {
     name: &'static str,
     table: Table,
     read: Option<T>,
+    /// Parameters of the robot that each parameter of the sweep sets; `None` where its key is another one.
+    parameters: Vec<Option<Vec<Parameter>>>,
 }
 
 /// The files with the values of some parameters.
@@ -43,21 +45,25 @@ impl<'a> Files<'a> {
             text.parse().map_err(|error: toml::de::Error| ReadError::new(name, "toml::syntax", error.to_string()))
         };
         let study = table(&subjects.study, "the study")?;
+        let keys: Vec<Key> = sweep.parameter.iter().map(|parameter| parameter.key.parse()).collect::<Result<_, _>>()?;
         let robot = |text: &str, place, known, name| -> Result<File<Robot>, ReadError> {
-            Ok(File { place, name, table: table(text, known)?, read: Robot::from_toml(text, known).ok() })
+            let read = Robot::from_toml(text, known).ok();
+            let set = |key: &Key| Parameter::named(&key.inside(), read.as_ref()?);
+            Ok(File { place, name, table: table(text, known)?, parameters: keys.iter().map(set).collect(), read })
         };
         Ok(Self {
-            keys: sweep.parameter.iter().map(|parameter| parameter.key.parse()).collect::<Result<_, _>>()?,
             axes: sweep.parameter.iter().map(|parameter| parameter.swivel_axis.as_deref()).collect(),
             study: File {
                 place: Place::Study,
                 name: "the study of this point",
                 table: study,
                 read: Study::from_toml_bytes(subjects.study.as_bytes(), "the study").ok(),
+                parameters: Vec::new(),
             },
             control: robot(&subjects.control, Place::Control, "the control model", "the control model of this point")?,
             machine: robot(&subjects.machine, Place::Machine, "the machine", "the machine of this point")?,
             offset_robot: subjects.offset_robot.as_deref(),
+            keys,
         })
     }
 
@@ -108,7 +114,7 @@ impl<'f> Changed<'f> {
     fn by_parameters(&self, file: &File<Robot>) -> Option<Robot> {
         let mut robot = file.read.clone()?;
         for (index, value) in self.of(file.place) {
-            for parameter in Parameter::named(&self.files.keys[index].inside(), &robot)? {
+            for parameter in file.parameters[index].as_ref()? {
                 parameter.set_alone(&mut robot, value)?;
             }
         }
