@@ -401,7 +401,7 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let clean = std::fs::read_to_string(folder.path().join("data/training.csv")).unwrap();
     std::fs::write(folder.path().join("dirty.csv"), with_displaced_rows(&clean, &LINES)).unwrap();
     std::fs::copy(folder.path().join("data/training.meta.toml"), folder.path().join("dirty.meta.toml")).ok();
-    let arguments = "--candidates standard;standard:frame-anchor,length-offset --split blocks:5 --seed 1";
+    let arguments = "--candidates standard;standard:frame-anchor,length-offset,length-scale --split blocks:5 --seed 1";
     let run = cdpr_in(folder.path(), &format!("select data/robot.toml dirty.csv --out result {arguments}"));
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let place = |text: &str, words: &str| text.find(words).unwrap_or_else(|| panic!("`{words}` is not in {text}"));
@@ -425,7 +425,7 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let page = String::from_utf8(files["report.html"].clone()).unwrap();
     assert!(place(&page, "<strong>Caution:</strong> outliers: 3 of") < place(&page, "<p class=\"heading\">"));
 
-    let identify = "identify data/robot.toml dirty.csv --free frame-anchor,length-offset";
+    let identify = "identify data/robot.toml dirty.csv --free frame-anchor,length-offset,length-scale";
     let told = cdpr_in(folder.path(), identify).stdout;
     assert!(place(&told, "caution: outliers: 3 of") < place(&told, "converged after"));
     let answer =
