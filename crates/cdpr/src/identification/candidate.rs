@@ -92,7 +92,8 @@ pub struct Ladder {
 /// rung also with pulleys where the robot's file describes them, and every elastic one with sag where it states the weight of
 /// the cables.
 ///
-/// Platform anchors stay out of it unless they have a prior ([`Ladder::with_platform_anchors`]): where the orientation varies little, they only repeat the frame
+/// Scales join no platform anchors: data hardly tell the two apart. Platform anchors stay out of it unless they have a prior
+/// ([`Ladder::with_platform_anchors`]): where the orientation varies little, they only repeat the frame
 /// anchors.
 pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
@@ -100,7 +101,7 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         robot.cables.iter().all(|cable| cable.pulley_swivel_axis().is_some() && cable.pulley_radius().is_some());
     let is_elastic = robot.cables.iter().all(|cable| linear_elasticity(cable).is_some_and(|law| !law.is_rigid()));
     let has_weight = robot.gravity.is_some() && robot.cables.iter().all(|cable| cable.linear_density.is_some());
-    let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 9] = [
+    let rigid: [(&[ParameterKind], &[&[ParameterKind]]); 8] = [
         (&[], &[&[], &[PulleyRadius]]),
         (&[LengthOffset], &[&[LengthOffset], &[LengthOffset, PulleyRadius]]),
         (&[LengthOffset, LengthScale], &[&[LengthOffset, LengthScale]]),
@@ -109,10 +110,6 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         (&[FrameAnchor, LengthOffset, LengthScale], &[&[FrameAnchor, LengthOffset, LengthScale]]),
         (&[FrameAnchor, PlatformAnchor], &[&[FrameAnchor, PlatformAnchor]]),
         (&[FrameAnchor, PlatformAnchor, LengthOffset], &[&[FrameAnchor, PlatformAnchor, LengthOffset]]),
-        (
-            &[FrameAnchor, PlatformAnchor, LengthOffset, LengthScale],
-            &[&[FrameAnchor, PlatformAnchor, LengthOffset, LengthScale]],
-        ),
     ];
     let elastic: [&[ParameterKind]; 7] = [
         &[],
