@@ -20,7 +20,7 @@ fn assert_answered(run: &Run, place: &str, words: &[&str]) {
     words.iter().for_each(|word| assert!(text.contains(word), "`{word}` is missing in:\n{text}"));
 }
 
-/// What spreadsheets write in countries with a decimal comma gives the answer of the plain file, and the way it was read is said.
+/// The file of a spreadsheet with decimal commas gives the answer of the plain file, and the way it was read is said.
 #[test]
 fn a_spreadsheet_with_semicolons_tabs_decimal_commas_utf_16_or_latin_1_is_read_as_it_is() {
     let text = format!("{HEADER}{ROW}");

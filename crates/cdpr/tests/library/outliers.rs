@@ -58,7 +58,7 @@ fn displaced_rows_of_an_eight_cable_robot_are_named() {
     }
 }
 
-/// Where nothing lies beyond the limit, the automatic choice is least squares to the last bit.
+/// The automatic choice is least squares to the last bit where nothing lies beyond the limit.
 #[test]
 fn clean_data_are_fitted_by_least_squares_to_the_bit() {
     let clean = record(3);

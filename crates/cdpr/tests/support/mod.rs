@@ -28,7 +28,7 @@ pub(crate) fn simulator() -> Robot {
     builtin("cablerobot-simulator-helicopter")
 }
 
-/// What emerges at each pose that a control model commands to a machine.
+/// Outcome of each pose that a control model commands to a machine.
 pub(crate) fn operate<'a>(
     control: impl Into<Control<'a>>,
     machine: &'a Model,

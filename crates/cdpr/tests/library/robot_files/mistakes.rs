@@ -70,7 +70,7 @@ fn mistakes_of_planar_files_are_told_with_their_place() {
     }
 }
 
-/// What the defaults say wrongly is shown where they say it, not at the cable.
+/// Mistakes of the defaults are shown where they stand, not at the cable.
 #[test]
 fn mistakes_among_the_defaults_are_told_with_their_place() {
     for (from, to, at, code) in [
