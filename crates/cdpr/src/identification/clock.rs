@@ -53,12 +53,13 @@ pub(super) fn synchronised(samples: &Samples, offset: f64) -> Samples {
     Samples { poses, ..samples.clone() }
 }
 
-/// The same without samples whose pose would lie beyond what was recorded: for fits, which such poses would draw aside.
-pub(super) fn synchronised_within(samples: &Samples, offset: f64) -> Samples {
-    let Some(track) = Track::of(samples) else { return samples.clone() };
+/// The same without samples whose pose would lie beyond what was recorded: for fits, which such poses would draw aside. The numbers of those
+/// kept (from 0) stand with them.
+pub(super) fn synchronised_within(samples: &Samples, offset: f64) -> (Samples, Vec<usize>) {
+    let Some(track) = Track::of(samples) else { return (samples.clone(), (0..samples.len()).collect()) };
     let kept: Vec<usize> = (0..samples.len()).filter(|&sample| track.moved(sample, offset).1).collect();
     let poses = kept.iter().map(|&sample| track.moved(sample, offset).0).collect();
-    Samples { poses, ..samples.subset(&kept) }
+    (Samples { poses, ..samples.subset(&kept) }, kept)
 }
 
 /// Samples over time, parted where an interval is long or time goes back.

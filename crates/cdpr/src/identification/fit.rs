@@ -53,7 +53,9 @@ pub fn fit_observed(
         let cost = |samples: &Samples| least_cost(model, samples, &free, settings);
         let found =
             clock::best_offset(model, samples, parameters.len(), 0.0, &cost).ok_or(InputError::NoClockOffset)?;
-        let fit = fit_observed(model, &clock::synchronised_within(samples, found.seconds), &free, settings, progress)?;
+        let (within, kept) = clock::synchronised_within(samples, found.seconds);
+        let mut fit = fit_observed(model, &within, &free, settings, progress)?;
+        fit.renumber_outliers(&kept);
         return Ok(Fit { clock_offset: Some(found), ..fit });
     }
     let mut fit = if explains_tensions(model) {

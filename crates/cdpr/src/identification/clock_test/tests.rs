@@ -3,6 +3,7 @@
 use rand::{RngExt, SeedableRng};
 
 use super::*;
+use crate::identification::clock::synchronised_within;
 use crate::identification::fit::fit;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
@@ -51,6 +52,20 @@ fn an_offset_is_found_within_its_deviation_and_told_where_it_matters() {
         }
         assert_eq!(clock_warning(&freed, &samples, &free, &settings), None);
     }
+}
+
+/// Poses recorded early lack the first samples; the fit numbers its outliers by the recording all the same.
+#[test]
+fn outliers_keep_their_numbers_where_samples_at_the_begin_are_left_out() {
+    let (model, mut samples) = recorded(-0.05, 5e-4);
+    let outlier = 500;
+    samples.lengths[4 * outlier + 2] += 0.3;
+    let fit = fit(&model, &samples, &"length-offset,clock-offset".parse().unwrap(), &Settings::default()).unwrap();
+    let (within, kept) = synchronised_within(&samples, fit.clock_offset.unwrap().seconds);
+    assert!(kept[0] > 0 && within.len() == kept.len(), "{:?}", &kept[..3]);
+    assert_eq!(fit.outliers.iter().map(|outlier| outlier.sample - 1).collect::<Vec<_>>(), [outlier]);
+    let trusted = fit.trusted_samples(samples.len());
+    assert!(trusted.len() == samples.len() - 1 && !trusted.contains(&outlier));
 }
 
 #[test]
