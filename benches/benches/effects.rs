@@ -15,7 +15,7 @@ use cdpr::robot::{HysteresisTable, Pulley, Robot};
 fn machine() -> Robot {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").expect("built in");
     for cable in &mut robot.cables {
-        cable.pulley = Some(Pulley::Whole { radius: 0.16, swivel_axis: Vector3::z() });
+        cable.pulley = Some(Pulley::Whole { radius: 0.16, swivel_axis: Vector3::z().into() });
         (cable.linear_density, cable.finite_elements) = (Some(0.8), Some(10));
         cable.tension_of_strain = Some(vec![2e6, 2e8]);
         cable.hysteresis = Some(HysteresisTable {

@@ -55,7 +55,7 @@ impl Data {
             cable.frame_anchor = Vector3::from_row_slice(&rows[index]);
             cable.platform_anchor = Vector3::from_row_slice(&rows[8 + index]);
             (cable.length_offset, cable.length_scale) = (None, None);
-            cable.pulley = Some(Pulley::Whole { radius: 0.161, swivel_axis: Vector3::z() });
+            cable.pulley = Some(Pulley::Whole { radius: 0.161, swivel_axis: Vector3::z().into() });
             (cable.series_compliance, cable.hidden_length) = (None, None);
             cable.stiffness = Some(CableStiffness::Axial(2e6));
             cable.stiffness_by = Some(StiffnessBasis::Actual);

@@ -158,7 +158,7 @@ impl ErrorCode for ParameterError {
             Self::UnknownName { .. } => "parameter::unknown-name",
             Self::Syntax { .. } | Self::WrenchOfCable => "parameter::syntax",
             Self::NoSuchCable { .. } => "parameter::no-such-cable",
-            Self::NotInModel { .. } => "parameter::not-in-model",
+            Self::NotInModel { .. } | Self::GuidedDrum { .. } => "parameter::not-in-model",
             Self::ConstantSpring { .. } => "parameter::constant-spring",
             Self::StartLengthTwice { .. } => "parameter::collinear",
         }

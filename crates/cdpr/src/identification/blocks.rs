@@ -1,22 +1,31 @@
 //! The least-squares problem of one cable: its own parameters, its own column of recorded lengths.
 
+#[cfg(test)]
+mod tests;
+
+use super::further::{Turns, further_place};
+use super::further_columns::further_column;
+use super::normal_equations::{Columns, NormalEquations, Sums};
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::recordings::{Recorder, Recordings};
 use super::weights::Weights;
+use super::worth::Worth;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 
-/// Parameters a cable can have: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
+/// Parameters a cable can have in the kernels: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
 pub(super) const SLOTS: usize = 11;
 
 /// The block of one cable.
 pub(super) struct Block {
     pub(super) cable: usize,
     pub(super) parameters: Vec<Parameter>,
-    /// Place of each parameter in a row of [`SLOTS`] derivatives.
+    /// Place of each parameter in a row of [`SLOTS`] derivatives, or behind it.
     slots: Vec<usize>,
+    turns: Turns,
+    worth: Worth,
     pub(super) start: CableValues,
     /// Recorded lengths, padded (m).
     recorded: Vec<f64>,
@@ -38,8 +47,11 @@ impl Block {
         let mut recorded = Vec::with_capacity(count.next_multiple_of(LANES));
         recorded.extend(samples.lengths.iter().skip(cable).step_by(model.cable_count()));
         recorded.resize(count.next_multiple_of(LANES), recorded.last().copied().unwrap_or(0.0));
+        let mean_length = recorded.iter().sum::<f64>() / recorded.len() as f64;
         Self {
             cable,
+            turns: Turns::of(model, cable, &parameters),
+            worth: Worth::of(&model.robot().cables[cable], mean_length),
             slots: parameters.iter().map(|parameter| slot(model, parameter)).collect(),
             recorder: Recorder::of(model, cable, &parameters, samples),
             parameters,
@@ -67,19 +79,9 @@ impl Block {
         dispatch(AddSquares { poses, values, recorded, weights: weights.of_cable(self.cable), squares });
     }
 
-    /// Mean recorded length (m).
-    pub(super) fn mean_length(&self) -> f64 {
-        self.recorded.iter().sum::<f64>() / self.recorded.len() as f64
-    }
-
     /// Metres that one unit of a parameter is worth.
     pub(super) fn scale(&self, kind: ParameterKind) -> f64 {
-        match kind {
-            ParameterKind::LengthScale => self.mean_length(),
-            // the radius turns with the whole length
-            ParameterKind::DrumRadius => self.mean_length() / self.start.drum_radius.max(1e-3),
-            _ => 1.0,
-        }
+        self.worth.metres(kind)
     }
 
     /// The cable's values after moving the block's parameters by `change`.
@@ -88,6 +90,7 @@ impl Block {
         for (&slot, &amount) in self.slots.iter().zip(change) {
             number(&mut values, slot).into_iter().for_each(|number| *number += amount);
         }
+        self.turns.turn_pulley(&mut values.outlet, &values.further);
         values
     }
 
@@ -101,6 +104,10 @@ impl Block {
     pub(super) fn normal<const P: usize>(&self, poses: &PoseLanes, values: &CableValues) -> NormalEquations<P> {
         let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
         let recordings = recordings.as_ref();
+        if self.is_wide() {
+            let (residuals, columns) = self.rows_at(poses, values, recordings);
+            return NormalEquations::of_columns(&residuals, &columns);
+        }
         let sums = Accumulate::<P> { block: self, poses, values, recordings };
         // what is chosen most often has a kernel of its own, where nothing is computed in vain
         match P {
@@ -110,9 +117,26 @@ impl Block {
     }
 
     /// Weighted residuals and the columns of the weighted Jacobian, for analysis after the fit.
-    pub(super) fn rows(&self, poses: &PoseLanes, values: &CableValues, count: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
+    pub(super) fn rows(&self, poses: &PoseLanes, values: &CableValues, count: usize) -> (Vec<f64>, Columns) {
         let recordings = self.recorder.as_ref().map(|recorder| recorder.at(values));
-        dispatch(WriteRows { block: self, poses, values, recordings: recordings.as_ref(), count })
+        let (mut residuals, mut columns) = self.rows_at(poses, values, recordings.as_ref());
+        residuals.truncate(count);
+        columns.iter_mut().for_each(|column| column.truncate(count));
+        (residuals, columns)
+    }
+
+    /// True where parameters are free that the kernels do not know.
+    fn is_wide(&self) -> bool {
+        self.slots.iter().any(|&slot| slot >= SLOTS)
+    }
+
+    /// [`Block::rows`] with those of the padding.
+    fn rows_at(&self, poses: &PoseLanes, values: &CableValues, recordings: Option<&Recordings>) -> (Vec<f64>, Columns) {
+        let (residuals, mut columns) = dispatch(WriteRows { block: self, poses, values, recordings });
+        for (column, &slot) in columns.iter_mut().zip(&self.slots).filter(|(_, slot)| **slot >= SLOTS) {
+            *column = further_column(slot - SLOTS, (&self.turns, values), (poses, &self.weights), recordings);
+        }
+        (residuals, columns)
     }
 
     /// 1/σ of each residual, padding included (1/m).
@@ -213,6 +237,9 @@ impl Kernel for AddSquares<'_> {
 
 /// Anchors of every motion pattern move along axes of the world: the component is the place.
 fn slot(model: &Model, parameter: &Parameter) -> usize {
+    if let Some(place) = further_place(parameter) {
+        return SLOTS + place;
+    }
     match parameter.kind {
         ParameterKind::FrameAnchor => model.axes()[parameter.axis].iamax(),
         ParameterKind::PlatformAnchor => 3 + model.axes()[parameter.axis].iamax(),
@@ -233,16 +260,9 @@ fn number(values: &mut CableValues, slot: usize) -> Option<&mut f64> {
         7 => Some(&mut values.scale),
         8 => values.outlet.radius_mut(),
         9 => Some(&mut values.drum_radius),
-        _ => Some(&mut values.start_length),
+        10 => Some(&mut values.start_length),
+        _ => Some(&mut values.further[slot - SLOTS]),
     }
-}
-
-/// JᵀWJ (lower triangle), JᵀWρ and ρᵀWρ of one block.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct NormalEquations<const P: usize> {
-    pub(super) cost: f64,
-    pub(super) gradient: [f64; P],
-    pub(super) matrix: [[f64; P]; P],
 }
 
 /// The sums over all samples.
@@ -255,44 +275,6 @@ pub(super) struct Accumulate<'a, const P: usize> {
 
 /// The same sums where the free parameters are the first P places of a row, in order.
 struct InOrder<'a, const P: usize>(Accumulate<'a, P>);
-
-/// Sums in lanes.
-struct Sums<L, const P: usize> {
-    cost: L,
-    gradient: [L; P],
-    matrix: [[L; P]; P],
-}
-
-impl<L: Lanes, const P: usize> Sums<L, P> {
-    #[inline(always)]
-    fn new(l: L) -> Self {
-        let zero = l.constant(0.0);
-        Self { cost: zero, gradient: [zero; P], matrix: [[zero; P]; P] }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, residual: L, entries: &[L; P]) {
-        self.cost = self.cost + residual * residual;
-        for i in 0..P {
-            self.gradient[i] = self.gradient[i] + entries[i] * residual;
-            for j in 0..=i {
-                self.matrix[i][j] = self.matrix[i][j] + entries[i] * entries[j];
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn total(self) -> NormalEquations<P> {
-        let mut sums = NormalEquations { cost: self.cost.sum(), gradient: [0.0; P], matrix: [[0.0; P]; P] };
-        for i in 0..P {
-            sums.gradient[i] = self.gradient[i].sum();
-            for j in 0..=i {
-                sums.matrix[i][j] = self.matrix[i][j].sum();
-            }
-        }
-        sums
-    }
-}
 
 impl<const P: usize> Kernel for InOrder<'_, P> {
     type Output = NormalEquations<P>;
@@ -342,27 +324,25 @@ struct WriteRows<'a> {
     poses: &'a PoseLanes,
     values: &'a CableValues,
     recordings: Option<&'a Recordings>,
-    count: usize,
 }
 
+/// Weighted residuals and columns of the slots of the kernels, padding included; columns of other slots stay empty.
 impl Kernel for WriteRows<'_> {
-    type Output = (Vec<f64>, Vec<Vec<f64>>);
+    type Output = (Vec<f64>, Columns);
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) -> Self::Output {
-        let Self { block, poses, values, recordings, count } = self;
+        let Self { block, poses, values, recordings } = self;
         let mut residuals = Vec::with_capacity(poses.groups() * LANES);
         let mut columns = vec![Vec::with_capacity(poses.groups() * LANES); block.slots.len()];
         let mut rows = vec![[[0.0; LANES]; 1 + SLOTS]; poses.groups()];
         l.apart(Rows { block, poses, values, recordings, first: 0, rows: &mut rows });
         for row in &rows {
             residuals.extend(row[0]);
-            for (column, &slot) in columns.iter_mut().zip(&block.slots) {
+            for (column, &slot) in columns.iter_mut().zip(&block.slots).filter(|(_, slot)| **slot < SLOTS) {
                 column.extend(row[1 + slot]);
             }
         }
-        residuals.truncate(count);
-        columns.iter_mut().for_each(|column| column.truncate(count));
         (residuals, columns)
     }
 }

@@ -1,5 +1,6 @@
 //! Measured poses in lanes, and cables computed over them.
 
+use super::further::{FURTHER, further_values};
 use crate::cable::outlet::Outlet;
 use crate::cable::{CableEnd, CablePath};
 use crate::measurement::Samples;
@@ -62,12 +63,15 @@ pub(super) struct CableValues {
     /// Radius of the winch's drum and length at its start; 0 where the file states none (m).
     pub(super) drum_radius: f64,
     pub(super) start_length: f64,
+    /// Values behind the slots of the kernels.
+    pub(super) further: [f64; FURTHER],
 }
 
 impl CableValues {
     /// The values that a cable (0-based) has in a model.
     pub(super) fn of(model: &Model, cable: usize) -> Self {
         let outlet = model.law(cable).outlet;
+        let further = further_values(model, cable);
         let cable = &model.robot().cables[cable];
         Self {
             outlet,
@@ -76,6 +80,7 @@ impl CableValues {
             scale: cable.length_scale.unwrap_or(1.0),
             drum_radius: cable.winch.radius.unwrap_or(0.0),
             start_length: cable.winch.start_length.unwrap_or(0.0),
+            further,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Lengths recorded as motor angles, where identification changes the drums that tell them.
 
+use super::further::{Turned, set_drum};
 use super::pose_lanes::CableValues;
 use crate::cable::winch::{DrumLength, Winch};
 use crate::measurement::Samples;
@@ -13,6 +14,8 @@ pub(super) struct Recorder {
     cable: Cable,
     /// Motor angles, padded (rad).
     angles: Vec<f64>,
+    /// Axis of the drum.
+    axis: Option<Turned>,
 }
 
 /// Recorded lengths at some values of the parameters, with derivatives; padded.
@@ -23,6 +26,8 @@ pub(super) struct Recordings {
     pub(super) by_radius: Vec<f64>,
     /// By the frame anchor, where the drum's cable runs to it (world).
     pub(super) by_anchor: [Vec<f64>; 3],
+    /// All derivatives by the drum.
+    pub(super) all: Vec<DrumLength>,
 }
 
 impl Recorder {
@@ -39,12 +44,13 @@ impl Recorder {
         }
         let mut angles: Vec<f64> = angles.iter().skip(cable).step_by(samples.cable_count).copied().collect();
         angles.resize(angles.len().next_multiple_of(LANES), angles.last().copied().unwrap_or(0.0));
-        Some(Self { cable: data.clone(), angles })
+        let axis = Turned::of(model, cable, ParameterKind::DrumAxis);
+        Some(Self { cable: data.clone(), angles, axis })
     }
 
     /// Lengths at the recorded angles; not numbers where the values make no drum, or the groove ends.
     pub(super) fn at(&self, values: &CableValues) -> Recordings {
-        let cable = Cable {
+        let mut cable = Cable {
             frame_anchor: (*values.outlet.frame_anchor()).into(),
             winch: CableWinch {
                 radius: Some(values.drum_radius),
@@ -53,6 +59,7 @@ impl Recorder {
             },
             ..self.cable.clone()
         };
+        set_drum(&mut cable, &values.further, self.axis.as_ref());
         let winch = Winch::of(&cable).and_then(Result::ok);
         let length = |winch: &Winch, angle: f64| winch.drum.gradient(angle / winch.gear_ratio).ok();
         let all: Vec<DrumLength> = self
@@ -67,6 +74,7 @@ impl Recorder {
             lengths: all.iter().map(|length| length.value).collect(),
             by_radius: all.iter().map(|length| length.by_radius).collect(),
             by_anchor: [by_anchor(0), by_anchor(1), by_anchor(2)],
+            all,
         }
     }
 }

@@ -25,7 +25,7 @@ const CLOCK_OFFSET: &str = "clock-offset";
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are clock-offset, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, drum-radius, start-length, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are clock-offset, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, swivel-axis, drum-radius, drum-pitch, drum-axis, start-length, start-angle, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -75,6 +75,15 @@ pub enum ParameterError {
         /// Number of the cable, from 1.
         cable: usize,
     },
+    /// The axis of a drum whose guide makes it mean nothing.
+    #[error(
+        "`drum-axis[{cable}]` is free, but the guide of cable {cable} travels with the contact point (`drum_guided`), so that no length tells \
+         where the drum's axis points: restrict the list to other cables, or leave `drum-axis` out"
+    )]
+    GuidedDrum {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
     /// The wrench belongs to no cable.
     #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
     WrenchOfCable,
@@ -89,7 +98,7 @@ pub(crate) fn identified_kind(name: &str) -> Result<ParameterKind, ParameterErro
 /// Name of the effect without which a composition has no parameter of this kind; `None` where it has one.
 pub(crate) fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&'static str> {
     match kind {
-        ParameterKind::PulleyRadius if !composition.pulley => Some("pulley"),
+        ParameterKind::PulleyRadius | ParameterKind::SwivelAxis if !composition.pulley => Some("pulley"),
         kind if kind.needs_motor_angles() && !composition.drum => Some("drum"),
         ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => Some("elastic"),
         ParameterKind::HiddenLength if !composition.is_elastic() => Some("elastic"),
@@ -151,8 +160,7 @@ impl FreeParameters {
         for cable in 0..model.cable_count() {
             for kind in ParameterKind::IDENTIFIED.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
                 if self.contains(kind, cable) && !hold.contains(kind, cable) {
-                    let components = 0..kind.components(model.robot());
-                    parameters.extend(components.map(|axis| Parameter { cable, kind, axis }));
+                    parameters.extend(Parameter::identified(kind, model.robot(), cable));
                 }
             }
         }
@@ -176,6 +184,11 @@ impl FreeParameters {
             if let Some(effect) = missing_effect(kind, composition) {
                 return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
             }
+        }
+        let is_guided = |cable: &usize| model.robot().cables[*cable].winch.guided == Some(true);
+        let mut turned = (0..model.cable_count()).filter(|&cable| self.contains(ParameterKind::DrumAxis, cable));
+        if let Some(cable) = turned.find(is_guided) {
+            return Err(ParameterError::GuidedDrum { cable: cable + 1 });
         }
         for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
             let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant().is_some();

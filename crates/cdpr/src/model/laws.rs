@@ -76,8 +76,8 @@ fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64>
     let frame_anchor = cable.frame_anchor.into();
     match (composition.pulley, cable.pulley) {
         (true, Some(Pulley::Whole { radius, swivel_axis: axis })) => match robot.pulley_side(cable) {
-            None => Outlet::Swivel { frame_anchor, swivel_axis: axis.into(), radius },
-            Some(side) => Outlet::Sided { frame_anchor, swivel_axis: axis.into(), side: side.into(), radius },
+            None => Outlet::Swivel { frame_anchor, swivel_axis: (*axis).into(), radius },
+            Some(side) => Outlet::Sided { frame_anchor, swivel_axis: (*axis).into(), side: side.into(), radius },
         },
         _ => Outlet::Point { frame_anchor },
     }

@@ -6,7 +6,7 @@ use super::Model;
 use crate::cable::CableState;
 use crate::cable::law::LawParameter;
 use crate::geometry::Wrench;
-use crate::robot::{Parameter, ParameterKind};
+use crate::robot::{Parameter, ParameterKind, Robot};
 use crate::scalar::cross;
 
 impl ParameterKind {
@@ -17,13 +17,17 @@ impl ParameterKind {
 
     /// True for what only recorded motor angles can tell.
     pub(crate) fn needs_motor_angles(self) -> bool {
-        matches!(self, Self::DrumRadius | Self::StartLength)
+        matches!(self, Self::DrumRadius | Self::DrumPitch | Self::DrumAxis | Self::StartLength | Self::StartAngle)
     }
 }
 
-/// The parameter of the cable's law behind a kind; `None` for what is none of the law: anchors, calibration, drums, the platform.
-fn law_parameter(kind: ParameterKind) -> Option<LawParameter> {
-    match kind {
+/// The parameter of the cable's law behind a robot's; `None` for what is none of the law: anchors, calibration, drums, the platform.
+fn law_parameter(parameter: &Parameter, robot: &Robot) -> Option<LawParameter> {
+    match parameter.kind {
+        ParameterKind::SwivelAxis => {
+            let (axis, about) = parameter.turned_axis(robot)?;
+            Some(LawParameter::PulleyTurn(axis.rotation_by_turn_about(&about).into()))
+        }
         ParameterKind::PulleyRadius => Some(LawParameter::PulleyRadius),
         ParameterKind::Compliance => Some(LawParameter::Compliance),
         ParameterKind::HiddenLength => Some(LawParameter::HiddenLength),
@@ -47,7 +51,7 @@ impl Model {
             let (pull, length) = state.at_given(change.pull, change.controlled_length);
             (state.wrench_of(pull), length)
         };
-        if let Some(of_law) = law_parameter(parameter.kind) {
+        if let Some(of_law) = law_parameter(parameter, self.robot()) {
             return law(of_law);
         }
         match parameter.kind {

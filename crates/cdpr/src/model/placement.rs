@@ -52,7 +52,7 @@ pub fn place_pulleys(robot: &Robot, pulleys: &[(f64, Vector3<f64>)], pose: &Pose
         };
         let entry = entry.map_err(|reason| PlacePulleysError::Cable { cable: number, reason })?;
         cable.frame_anchor = entry.into();
-        cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis });
+        cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis.into() });
     }
     Ok(placed)
 }

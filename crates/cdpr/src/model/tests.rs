@@ -6,7 +6,7 @@ use nalgebra::{Const, SVector, Vector3};
 use num_dual::DualVec;
 
 use super::*;
-use crate::cable::{CablePath, outlet};
+use crate::cable::{CableInput, CablePath, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
 use crate::robot::{Cable, ParameterKind, Platform, Pulley, Robot, WrapSide};
 use crate::scalar::{add, rotate};
@@ -29,7 +29,7 @@ fn tilted_pulley_cable() -> Cable {
         name: "1".to_owned(),
         frame_anchor: Vector3::new(-2.0, 1.5, 3.0),
         platform_anchor: Vector3::new(0.3, -0.2, 0.1),
-        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::new(0.2, -0.3, 0.9).normalize() }),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::new(0.2, -0.3, 0.9).normalize().into() }),
         length_scale: Some(1.03),
         length_offset: Some(-0.2),
         ..Cable::default()
@@ -156,7 +156,7 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
     let cable = Cable {
         frame_anchor: Vector3::zeros(),
         platform_anchor: Vector3::zeros(),
-        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z().into() }),
         ..tilted_pulley_cable()
     };
     let robot = robot_of(vec![cable]);
@@ -214,7 +214,7 @@ fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
 fn radius_zero_has_no_axis_to_avoid() {
     let cable = Cable {
         frame_anchor: Vector3::new(0.0, 0.0, 3.0),
-        pulley: Some(Pulley::Whole { radius: 0.0, swivel_axis: Vector3::z() }),
+        pulley: Some(Pulley::Whole { radius: 0.0, swivel_axis: Vector3::z().into() }),
         name: "1".to_owned(),
         ..Cable::default()
     };
@@ -274,7 +274,7 @@ fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
 #[test]
 fn degenerate_courses_are_named_and_never_nan() {
     let cable = Cable {
-        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z().into() }),
         frame_anchor: Vector3::zeros(),
         ..tilted_pulley_cable()
     };
@@ -337,6 +337,12 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
             ParameterKind::LengthOffset => row[6],
             ParameterKind::LengthScale => row[7],
             ParameterKind::PulleyRadius => row[8],
+            ParameterKind::SwivelAxis => {
+                let pose = tilted_pose();
+                let end = model.cable_end(0, pose.position.into(), &pose.rotation_rows());
+                let state = model.law(0).state(end, CableInput::OutletTension(0.0)).unwrap();
+                model.by_parameter((0, &state), &parameter, &pose.rotation_matrix()).1
+            }
             other => unreachable!("{other} is not free here"),
         };
         assert!((slope - analytic).abs() < 1e-8, "{}: {slope} {analytic}", parameter.name(&robot));

@@ -155,7 +155,7 @@ impl CableReader<'_> {
     fn pulley(&self) -> Result<Option<Pulley>, ReadError> {
         let radius = self.number(Kind::PulleyRadius, self.section.pulley_radius_m)?;
         let axis = self.section.pulley_swivel_axis.as_deref().map(|axis| self.direction(axis)).transpose()?;
-        Ok(Pulley::of(radius, axis))
+        Ok(Pulley::of(radius, axis.map(Into::into)))
     }
 
     /// The one of three ways in which the file states a stiffness.

@@ -103,10 +103,9 @@ impl Robot {
 
 /// Tangent of the angle between the cable from a drum at its start and the plane across the drum's axis; `None` behind a guide.
 fn fleet_tangent(cable: &Cable) -> Option<f64> {
-    let (axis, position) = (cable.winch.axis?, cable.winch.position.filter(|_| cable.winch.guided != Some(true))?);
-    let way = cable.winch.first_pulley.unwrap_or(cable.frame_anchor) - position;
+    let (axis, way) = (cable.winch.axis?, cable.way_to_first_pulley().filter(|_| cable.winch.guided != Some(true))?);
     let along = axis.dot(&way);
-    Some(along / (way - axis * along).norm())
+    Some(along / (way - *axis * along).norm())
 }
 
 /// In how many dimensions points extend: 0 one point, 1 a line, 2 a plane, 3 space.
@@ -147,10 +146,10 @@ mod tests {
     fn a_drum_that_stands_askew_is_noticed() {
         let mut robot = Robot::builtin("cucablerobot").unwrap();
         let cable = &mut robot.cables[0];
-        cable.winch.axis = Some(Vector3::x());
+        cable.winch.axis = Some(Vector3::x().into());
         cable.winch.position = Some(cable.frame_anchor - Vector3::new(0.1, 0.0, 2.0));
         assert_eq!(robot.warnings(), Vec::<String>::new());
-        robot.cables[0].winch.axis = Some(Vector3::z());
+        robot.cables[0].winch.axis = Some(Vector3::z().into());
         assert!(robot.warnings().join("\n").contains("drum_position_m"));
     }
 

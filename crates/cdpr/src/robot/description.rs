@@ -4,7 +4,7 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
+use super::{Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
@@ -241,6 +241,11 @@ impl Cable {
 
     /// Unit vector along the pulley's swivel axis (world), with or without a radius.
     pub fn pulley_swivel_axis(&self) -> Option<Vector3<f64>> {
+        self.swivel_axis().map(|axis| *axis)
+    }
+
+    /// [`Cable::pulley_swivel_axis`] with what it was turned by.
+    pub(crate) fn swivel_axis(&self) -> Option<Axis> {
         match self.pulley? {
             Pulley::Whole { swivel_axis, .. } | Pulley::SwivelAxis(swivel_axis) => Some(swivel_axis),
             Pulley::Radius(_) => None,
@@ -249,12 +254,21 @@ impl Cable {
 
     /// Gives the pulley a radius (m); its axis stays.
     pub fn set_pulley_radius(&mut self, radius: f64) {
-        self.pulley = Pulley::of(Some(radius), self.pulley_swivel_axis());
+        self.pulley = Pulley::of(Some(radius), self.swivel_axis());
     }
 
     /// Gives the pulley a swivel axis (unit, world); its radius stays.
     pub fn set_pulley_swivel_axis(&mut self, swivel_axis: Vector3<f64>) {
+        self.turn_swivel_axis(swivel_axis.into());
+    }
+
+    pub(crate) fn turn_swivel_axis(&mut self, swivel_axis: Axis) {
         self.pulley = Pulley::of(self.pulley_radius(), Some(swivel_axis));
+    }
+
+    /// Way from the drum's position to the first pulley (world, m).
+    pub(crate) fn way_to_first_pulley(&self) -> Option<Vector3<f64>> {
+        Some(self.winch.first_pulley.unwrap_or(self.frame_anchor) - self.winch.position?)
     }
 
     /// E·A (N), where it is stated as a stiffness.

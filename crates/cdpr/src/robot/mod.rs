@@ -1,5 +1,6 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
+mod axis;
 pub mod builtin;
 mod cable_defaults;
 mod cable_reading;
@@ -19,6 +20,7 @@ mod winch;
 mod winch_reading;
 mod writing;
 
+pub use axis::Axis;
 pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
     Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,

@@ -1,6 +1,6 @@
 //! Parts of a cable that several keys of the file make together: they are whole, or it is said which key is there alone.
 
-use nalgebra::Vector3;
+use super::Axis;
 
 /// Pulley at the frame.
 ///
@@ -12,17 +12,17 @@ pub enum Pulley {
         /// r_p (m).
         radius: f64,
         /// Unit vector along the swivel axis, from the winch into the pulley (world).
-        swivel_axis: Vector3<f64>,
+        swivel_axis: Axis,
     },
     /// Radius alone (m).
     Radius(f64),
     /// Unit vector along the swivel axis alone (world).
-    SwivelAxis(Vector3<f64>),
+    SwivelAxis(Axis),
 }
 
 impl Pulley {
     /// The pulley that a radius (m) and a swivel axis make; `None` without either.
-    pub(crate) fn of(radius: Option<f64>, swivel_axis: Option<Vector3<f64>>) -> Option<Self> {
+    pub(crate) fn of(radius: Option<f64>, swivel_axis: Option<Axis>) -> Option<Self> {
         match (radius, swivel_axis) {
             (Some(radius), Some(swivel_axis)) => Some(Self::Whole { radius, swivel_axis }),
             (Some(radius), None) => Some(Self::Radius(radius)),

@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::Axis;
+
 /// Winch of a cable: a drum with what drives it. The radius alone is an ideal winch; the effect `drum` needs groove and place too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CableWinch {
@@ -11,7 +13,7 @@ pub struct CableWinch {
     /// Groove of the drum.
     pub groove: Option<Groove>,
     /// Unit vector along the drum's axis, the way the contact point travels while cable is paid out (world).
-    pub axis: Option<Vector3<f64>>,
+    pub axis: Option<Axis>,
     /// Point of the drum's axis level with the contact point at the start angle (world, m).
     pub position: Option<Vector3<f64>>,
     /// Side on which the cable leaves the drum; left when unknown.

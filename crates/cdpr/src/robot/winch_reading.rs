@@ -22,7 +22,7 @@ impl CableReader<'_> {
         let winch = CableWinch {
             radius,
             groove: self.groove(pitch, length, layer_height)?,
-            axis,
+            axis: axis.map(Into::into),
             position,
             side: section.drum_side,
             guided: section.drum_guided,

@@ -29,7 +29,7 @@ fn equipped(name: &str, cables: &[usize]) -> Robot {
     for cable in &mut robot.cables {
         cable.stiffness = Some(CableStiffness::Axial(1e6));
         let swivel_axis = if robot.motion_pattern.is_planar() { Vector3::y() } else { Vector3::z() };
-        cable.pulley = Some(Pulley::Whole { radius: 0.05, swivel_axis });
+        cable.pulley = Some(Pulley::Whole { radius: 0.05, swivel_axis: swivel_axis.into() });
         cable.pulley_wrap_side = None;
         cable.linear_density = Some(0.1);
         cable.finite_elements = Some(4);

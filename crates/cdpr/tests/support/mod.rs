@@ -53,7 +53,7 @@ pub(crate) fn with_drums(robot: &Robot) -> Robot {
         let is_even = index % 2 == 0;
         cable.winch.radius = Some(0.1);
         cable.winch.set_pitch(0.008);
-        cable.winch.axis = Some(if is_even { Vector3::x() } else { -Vector3::y() });
+        cable.winch.axis = Some(if is_even { Vector3::x() } else { -Vector3::y() }.into());
         cable.winch.position = Some(cable.frame_anchor + Vector3::new(-0.1, 0.05, -2.0));
         cable.winch.side = Some(if is_even { DrumSide::Left } else { DrumSide::Right });
         (cable.winch.start_length, cable.winch.gear_ratio) = (Some(4.0), Some(10.0));

@@ -6,13 +6,15 @@ use crate::cable::elasticity::StiffnessBasis;
 use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Motion;
-use crate::scalar::{add, scale};
+use crate::scalar::{add, cross, dot, rotate, scale, sub};
 
 /// A parameter of one cable, beside its anchors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LawParameter {
     /// r_p (m).
     PulleyRadius,
+    /// Turn of the pulley with its swivel axis about its entry D, along this rotation vector (world, rad).
+    PulleyTurn([f64; 3]),
     /// κ = 1/EA of a linear law (1/N).
     Compliance,
     /// q_h (m).
@@ -51,6 +53,17 @@ impl CableLaw {
                 }
                 None => length_change(0.0),
             },
+            (_, LawParameter::PulleyTurn(turn)) => {
+                let path = self.path(state.end.anchor);
+                let by_length = self.length(path.length, state.outlet_tension).by_length;
+                // to turn the pulley is to turn the platform anchor the other way about D, and with it what is seen from there
+                let moved = cross(turn, sub(state.end.anchor, *self.outlet.frame_anchor()));
+                let direction = sub(cross(turn, path.direction), rotate(&path.direction_gradient, moved));
+                LawChange {
+                    pull: scale(state.outlet_tension, direction),
+                    controlled_length: by_length * dot(path.direction, moved),
+                }
+            }
             (Kind::Linear(law, Some(basis)), _) => {
                 let controlled = law.controlled_length_gradient(
                     state.strained_length,
@@ -89,7 +102,12 @@ impl CableLaw {
                 let (contact, wrapped) = outlet.by_radius(pulley);
                 (contact, ratio * wrapped)
             }
-            (LawParameter::PulleyRadius, None) => ([0.0; 3], 0.0),
+            (LawParameter::PulleyTurn(turn), Some((pulley, outlet))) => {
+                let against = scale(-1.0 / cable.outlet_tension, cross(turn, state.force));
+                let (contact, wrapped) = outlet.derivative(pulley, against);
+                (add(cross(turn, outlet.contact), contact), ratio * pulley.radius * wrapped)
+            }
+            (LawParameter::PulleyRadius | LawParameter::PulleyTurn(_), None) => ([0.0; 3], 0.0),
             (LawParameter::Compliance, _) if !matches!(self.stretch, Stretch::Linear(_)) => ([0.0; 3], 0.0),
             (LawParameter::Compliance, _) => {
                 // ∫ τ ds, of elements too

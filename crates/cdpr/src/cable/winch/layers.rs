@@ -33,6 +33,7 @@ pub(super) struct State {
     by_radius: f64,
     by_pitch: f64,
     by_pulley: Vector3<f64>,
+    by_axis: Vector3<f64>,
     /// Way of the contact point from the drum's position along the axis (m).
     along: f64,
 }
@@ -46,6 +47,7 @@ pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
         by_radius: 0.0,
         by_pitch: 0.0,
         by_pulley: Vector3::zeros(),
+        by_axis: Vector3::zeros(),
         along: 0.0,
     };
     let mut layers = vec![Layer::new(drum, 0, start)];
@@ -97,6 +99,7 @@ impl Layer {
             by_radius: at_fixed_angle.by_radius,
             by_pitch: at_fixed_angle.by_pitch + at_fixed_angle.by_angle * angle_by_pitch,
             by_pulley: at_fixed_angle.by_pulley,
+            by_axis: at_fixed_angle.by_axis,
             along: self.along(angle),
         }
     }
@@ -139,10 +142,13 @@ impl Layer {
     pub(super) fn gradient(&self, angle: f64) -> DrumLength {
         let paid = self.turns.gradient(angle - self.start.angle);
         let sign = self.turns.travel.signum();
-        let by_pulley = self.mounting.map_or_else(Vector3::zeros, |mounting| {
+        let (by_pulley, by_axis) = self.mounting.map_or_else(Default::default, |mounting| {
             let (_, place) = mounting.pulley_from_axis();
-            let across = mounting.pulley - mounting.position - mounting.axis * place;
-            across * (2.0 * paid.by_distance_squared) - mounting.axis * paid.by_contact
+            let from = mounting.pulley - mounting.position;
+            let across = from - mounting.axis * place;
+            let by_pulley = across * (2.0 * paid.by_distance_squared) - mounting.axis * paid.by_contact;
+            // d² = from² − (n·from)², w = … − n·from
+            (by_pulley, -from * (2.0 * place * paid.by_distance_squared + paid.by_contact))
         });
         DrumLength {
             value: self.start.length + paid.value,
@@ -151,6 +157,7 @@ impl Layer {
             by_pitch: self.start.by_pitch - paid.by_turn * self.start.angle_by_pitch + sign * paid.by_travel / TAU,
             by_start_length: 1.0,
             by_pulley: self.start.by_pulley + by_pulley,
+            by_axis: self.start.by_axis + by_axis,
         }
     }
 }

@@ -42,7 +42,7 @@ impl Winch {
             Some(true) => None,
             _ => Some(Mounting {
                 position: winch.position?,
-                axis: winch.axis?,
+                axis: *winch.axis?,
                 side: winch.side.unwrap_or_default(),
                 // the pulley's entry D, unless the cable runs over others before
                 pulley: winch.first_pulley.unwrap_or(cable.frame_anchor),

@@ -58,6 +58,8 @@ pub struct DrumLength {
     pub by_start_length: f64,
     /// By the point where the cable enters the first pulley (world): the direction of the free part at the start minus that now.
     pub by_pulley: Vector3<f64>,
+    /// By the vector along the drum's axis (world, m), which may only turn.
+    pub by_axis: Vector3<f64>,
 }
 
 impl DrumLength {
@@ -69,5 +71,6 @@ impl DrumLength {
         by_pitch: f64::NAN,
         by_start_length: f64::NAN,
         by_pulley: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
+        by_axis: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
     };
 }

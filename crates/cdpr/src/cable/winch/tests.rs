@@ -1,7 +1,9 @@
 //! The drum in the world: layers, ends of the groove, derivatives, the geometry of the free part.
 
-use nalgebra::Vector3;
+use nalgebra::{Const, SVector, Vector3};
+use num_dual::DualVec;
 
+use super::turns::{FirstPulley, Turns};
 use super::*;
 use crate::robot::{Cable, CableWinch, DrumSide, Groove};
 
@@ -116,6 +118,72 @@ fn derivatives_by_angle_radius_pitch_and_pulley_agree_with_differences() {
             for (index, (analytic, difference)) in pairs.into_iter().enumerate() {
                 let scale = analytic.abs().max(1.0);
                 assert!((analytic - difference).abs() < 2e-6 * scale, "{index} at {angle}: {analytic} {difference}");
+            }
+        }
+    }
+}
+
+/// Derivatives by angle, radius, pitch, the pulley and a turn of the axis.
+type Dual = DualVec<f64, Const<9>>;
+
+/// The first layer's law once more, from the drum's place in the world, in dual numbers.
+#[test]
+fn derivatives_by_the_drum_and_its_axis_agree_with_dual_numbers() {
+    let variable =
+        |value: f64, index: usize| Dual::new(value, num_dual::Derivative::some(SVector::<f64, 9>::ith(index, 1.0)));
+    for angle in [-50.0, 0.7, 33.0, 300.0] {
+        let parameters = drum(None, None);
+        let found = Drum::new(parameters).unwrap().gradient(angle).unwrap();
+        let mounting = parameters.mounting.unwrap();
+        let vector = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
+        let turn = vector(Vector3::zeros(), 6);
+        let axis = mounting.axis.map(Dual::from).into();
+        let axis = crate::scalar::add(axis, crate::scalar::cross(turn, axis));
+        let place = mounting.position.map(Dual::from).into();
+        let from = crate::scalar::sub(vector(mounting.pulley, 3), place);
+        let along = crate::scalar::dot(axis, from);
+        let pulley = FirstPulley { distance_squared: crate::scalar::dot(from, from) - along * along, contact: -along };
+        let turns = Turns {
+            radius: variable(parameters.radius, 1),
+            travel: variable(parameters.pitch, 2) / TAU,
+            pulley: Some(pulley),
+        };
+        let length = turns.paid_out(variable(angle, 0) - parameters.start_angle);
+        let expected = length.eps.unwrap_generic(Const, Const::<1>);
+        let mut all = vec![found.by_angle, found.by_radius, found.by_pitch];
+        all.extend(found.by_pulley.iter());
+        // a turn ω moves the axis by ω × n
+        all.extend((0..3).map(|k| found.by_axis.dot(&Vector3::ith(k, 1.0).cross(&mounting.axis))));
+        for (index, (found, expected)) in all.iter().zip(expected.iter()).enumerate() {
+            // rounding of lengths of 30 m
+            assert!(
+                (found - expected).abs() < 1e-12 * expected.abs().max(1.0),
+                "{index} at {angle}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// Turns of the axis in every layer, guided drums too, whose length does not depend on it.
+#[test]
+fn derivatives_by_the_axis_agree_with_differences_in_every_layer() {
+    for (drum, angles) in drums() {
+        for angle in angles.into_iter().filter(|angle| *angle != 0.7) {
+            let by_axis = drum.gradient(angle).unwrap().by_axis;
+            for k in 0..3 {
+                let Some(mounting) = drum.parameters().mounting else {
+                    assert_eq!(by_axis, Vector3::zeros());
+                    continue;
+                };
+                let across = Vector3::ith(k, 1.0).cross(&mounting.axis);
+                let at = |step: f64| {
+                    let turned = Mounting { axis: (mounting.axis + across * step).normalize(), ..mounting };
+                    let parameters = Parameters { mounting: Some(turned), ..*drum.parameters() };
+                    Drum::new(parameters).unwrap().length(angle).unwrap()
+                };
+                // central differences over 1e-5, as above
+                let slope = (at(1e-5) - at(-1e-5)) / 2e-5;
+                assert!((by_axis.dot(&across) - slope).abs() < 2e-6, "{k} at {angle}: {by_axis:?} {slope}");
             }
         }
     }

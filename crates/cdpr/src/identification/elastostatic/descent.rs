@@ -8,6 +8,7 @@ use super::rows::{RowModel, SampleRows, first_columns};
 use crate::identification::fit::{Settings, prior_sigma};
 use crate::identification::loss::RobustLoss;
 use crate::identification::misfit::Misfit;
+use crate::identification::worth::Worth;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
@@ -68,13 +69,11 @@ impl<'a> Problem<'a> {
             parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
         let compliance = compliance.fold(1e-7, f64::max);
         let scale = |parameter: &Parameter| match parameter.kind {
-            ParameterKind::LengthScale => length,
-            ParameterKind::DrumRadius => length / parameter.value(model.robot()).max(1e-3),
             ParameterKind::Compliance => tension * length,
             ParameterKind::HiddenLength => 1e-3,
             ParameterKind::TensionScale => compliance * tension * length,
             ParameterKind::TensionOffset | ParameterKind::Wrench => compliance * length,
-            _ => 1.0,
+            kind => Worth::of(&model.robot().cables[parameter.cable], length).metres(kind),
         };
         Self {
             model,

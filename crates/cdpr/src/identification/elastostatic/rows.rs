@@ -75,7 +75,13 @@ fn by_winch(wound: &DrumLength, parameter: &Parameter, model: &Model) -> f64 {
     let cable = &model.robot().cables[parameter.cable];
     match parameter.kind {
         ParameterKind::DrumRadius => wound.by_radius,
+        ParameterKind::DrumPitch => wound.by_pitch,
         ParameterKind::StartLength => wound.by_start_length,
+        ParameterKind::StartAngle => -wound.by_angle,
+        ParameterKind::DrumAxis => {
+            let turned = parameter.turned_axis(model.robot());
+            turned.map_or(0.0, |(axis, about)| wound.by_axis.dot(&axis.by_turn_about(&about)))
+        }
         // the first pulley moves with the anchor
         ParameterKind::FrameAnchor if cable.winch.first_pulley.is_none() => {
             wound.by_pulley.dot(&model.axes()[parameter.axis])

@@ -15,8 +15,9 @@ use crate::robot::{CableStiffness, Parameter, ParameterKind, Robot, StiffnessBas
 use crate::scalar::{add, cross, rotate};
 use crate::statics::Load;
 
-/// Derivatives by frame anchor, platform anchor, offset, scale, radius, compliance, hidden length, tension scale and offset.
-const PARAMETERS: usize = 13;
+/// Derivatives by frame anchor, platform anchor, offset, scale, radius, compliance, hidden length, tension scale and offset, turns of the
+/// swivel axis.
+const PARAMETERS: usize = 15;
 type Dual = DualVec<f64, Const<PARAMETERS>>;
 
 fn variable(value: f64, index: usize) -> Dual {
@@ -47,10 +48,15 @@ fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
     let moment_arm = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), numbers(cable.platform_anchor, 3));
     let anchor = add([0, 1, 2].map(|k| Dual::from(pose.position[k])), moment_arm);
-    let axis = cable.pulley_swivel_axis().unwrap();
+    // the axis' own derivatives have a test of their own
+    let mut axis = cable.pulley_swivel_axis().unwrap().map(Dual::from);
+    for turn in 0..2 {
+        let parameter = Parameter { cable: 0, kind: ParameterKind::SwivelAxis, axis: turn };
+        let (of, about) = parameter.turned_axis(robot).unwrap();
+        axis += of.by_turn_about(&about).map(|slope| variable(0.0, 13 + turn) * slope);
+    }
     let radius = variable(cable.pulley_radius().unwrap(), 8);
-    let path =
-        outlet::pulley::path(numbers(cable.frame_anchor, 0), [0, 1, 2].map(|k| Dual::from(axis[k])), radius, anchor);
+    let path = outlet::pulley::path(numbers(cable.frame_anchor, 0), axis.into(), radius, anchor);
     let tension = (Dual::from(recorded_tension) - variable(cable.tension_offset.unwrap(), 12))
         / variable(cable.tension_scale.unwrap(), 11);
     let specific = variable(1.0 / cable.axial_stiffness().unwrap(), 9);
@@ -78,7 +84,10 @@ fn dual_rows(robot: &Robot, pose: &Pose, recorded_tension: f64) -> [Dual; 7] {
 #[test]
 fn the_rows_derivatives_agree_with_dual_numbers() {
     for basis in [StiffnessBasis::Actual, StiffnessBasis::Unstrained] {
-        let robot = odd_robot(basis);
+        let mut robot = odd_robot(basis);
+        for (axis, turn) in [(0, 0.2), (1, -0.3)] {
+            Parameter { cable: 0, kind: ParameterKind::SwivelAxis, axis }.set(&mut robot, turn);
+        }
         let model = Model::new(robot.clone(), Composition::PULLEY_ELASTIC).unwrap();
         let kinds: Vec<_> = ParameterKind::IDENTIFIED.into_iter().filter(|kind| !kind.needs_motor_angles()).collect();
         let free = FreeParameters::of(&kinds);
@@ -95,6 +104,7 @@ fn the_rows_derivatives_agree_with_dual_numbers() {
                 ParameterKind::LengthOffset => 6,
                 ParameterKind::LengthScale => 7,
                 ParameterKind::PulleyRadius => 8,
+                ParameterKind::SwivelAxis => 13 + axis,
                 ParameterKind::Compliance => 9,
                 ParameterKind::HiddenLength => 10,
                 ParameterKind::TensionScale => 11,

@@ -1,7 +1,9 @@
 //! Damped Gauss–Newton descent of one cable's block, within bounds.
 
 use super::{Settings, prior_sigma};
-use crate::identification::blocks::{Block, NormalEquations, SLOTS};
+use crate::identification::blocks::{Block, SLOTS};
+use crate::identification::further::FURTHER;
+use crate::identification::normal_equations::NormalEquations;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::scalar::ldl;
 use crate::solve::{
@@ -39,7 +41,13 @@ macro_rules! search {
             8 => Search::<8>::new($block, $poses, $settings).$method($argument),
             9 => Search::<9>::new($block, $poses, $settings).$method($argument),
             10 => Search::<10>::new($block, $poses, $settings).$method($argument),
-            _ => Search::<SLOTS>::new($block, $poses, $settings).$method($argument),
+            11 => Search::<11>::new($block, $poses, $settings).$method($argument),
+            12 => Search::<12>::new($block, $poses, $settings).$method($argument),
+            13 => Search::<13>::new($block, $poses, $settings).$method($argument),
+            14 => Search::<14>::new($block, $poses, $settings).$method($argument),
+            15 => Search::<15>::new($block, $poses, $settings).$method($argument),
+            16 => Search::<16>::new($block, $poses, $settings).$method($argument),
+            _ => Search::<{ SLOTS + FURTHER }>::new($block, $poses, $settings).$method($argument),
         }
     };
 }

@@ -7,7 +7,7 @@ pub(super) fn planar_robot(side: WrapSide) -> Robot {
     let cable = Cable {
         frame_anchor: Vector3::new(-2.0, 0.0, 3.0),
         platform_anchor: Vector3::new(0.3, 0.0, 0.1),
-        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z() }),
+        pulley: Some(Pulley::Whole { radius: 0.12, swivel_axis: Vector3::z().into() }),
         pulley_wrap_side: Some(side),
         ..tilted_pulley_cable()
     };

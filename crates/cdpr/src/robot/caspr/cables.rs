@@ -220,7 +220,7 @@ fn pulley(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(
         let message = format!("the pulley of cable `{}` does not stand in the plane of the robot", cable.name);
         return Err(entry.content_error("caspr::out-of-plane", message));
     }
-    cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis });
+    cable.pulley = Some(Pulley::Whole { radius, swivel_axis: axis.into() });
     Ok(())
 }
 

@@ -77,6 +77,11 @@ pub enum ParameterKind {
     EncoderCounts,
     /// Gravity (world, m/s²).
     Gravity,
+    /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
+    DrumAxis,
+    /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
+    /// normal (rad).
+    SwivelAxis,
 }
 
 /// Owner of a parameter: the table of the robot file in which it stands.
@@ -134,7 +139,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub const ALL: [Self; 34] = [
+    pub(crate) const ALL: [Self; 36] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -169,17 +174,23 @@ impl ParameterKind {
         Self::GearRatio,
         Self::EncoderCounts,
         Self::Gravity,
+        Self::DrumAxis,
+        Self::SwivelAxis,
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
-    pub(crate) const IDENTIFIED: [Self; 12] = [
+    pub(crate) const IDENTIFIED: [Self; 16] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
         Self::LengthScale,
         Self::PulleyRadius,
+        Self::SwivelAxis,
         Self::DrumRadius,
+        Self::DrumPitch,
+        Self::DrumAxis,
         Self::StartLength,
+        Self::StartAngle,
         Self::Compliance,
         Self::HiddenLength,
         Self::TensionScale,
@@ -225,6 +236,9 @@ impl ParameterKind {
             Self::LayerHeight => of(Cable, "layer-height", "drum_layer_height_m", "m", Positive),
             Self::GearRatio => of(Cable, "gear-ratio", "gear_ratio", "", NotZero),
             Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
+            // the file states unit vectors, drum_axis and pulley_swivel_axis
+            Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),
+            Self::SwivelAxis => of(Cable, "swivel-axis", "", "rad", Real),
             Self::Gravity => of(Owner::Robot, "gravity", "gravity_m_s2", "m/s²", Real),
         }
     }
@@ -234,7 +248,7 @@ impl ParameterKind {
         self.entry().name
     }
 
-    /// Key in the robot file; empty for the wrench, whose keys are those of force and moment.
+    /// Key in the robot file; empty for the wrench, whose keys are those of force and moment, and for turns of axes, whose keys are vectors.
     pub(crate) fn key(self) -> &'static str {
         self.entry().key
     }
@@ -255,6 +269,11 @@ impl ParameterKind {
     /// True for the anchors, which have a component along each axis of the pattern.
     pub(crate) fn is_anchor(self) -> bool {
         matches!(self, Self::FrameAnchor | Self::PlatformAnchor)
+    }
+
+    /// True for turns of an axis.
+    pub(crate) fn is_turn(self) -> bool {
+        matches!(self, Self::DrumAxis | Self::SwivelAxis)
     }
 
     /// Value of a robot that states none: a scale of 1, an offset of 0.

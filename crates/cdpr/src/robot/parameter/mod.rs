@@ -9,11 +9,14 @@ mod tests;
 
 use nalgebra::Vector3;
 
-use super::{Cable, CableStiffness, ExternalWrench, Robot};
+use super::{Axis, Cable, CableStiffness, ExternalWrench, Robot};
 use crate::geometry::Wrench;
 pub use kind::ParameterKind;
 pub(crate) use kind::{Owner, Range};
 pub(crate) use naming::{Head, axis_name};
+
+/// Largest turn of an axis (rad): what is mounted farther from its drawing is drawn wrong.
+const LARGEST_TURN: f64 = 0.5;
 
 /// One number of a robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -22,8 +25,8 @@ pub struct Parameter {
     pub cable: usize,
     /// Kind.
     pub kind: ParameterKind,
-    /// Component of a vector along the pattern's axes (turns for moments), or of the wrench along its degrees of freedom, from 0; 0 for
-    /// the rest.
+    /// Component of a vector along the pattern's axes (turns for moments), of the wrench along its degrees of freedom, or of an axis' turn,
+    /// from 0; 0 for the rest.
     pub axis: usize,
 }
 
@@ -35,6 +38,14 @@ impl ParameterKind {
             Self::FrameAnchor | Self::PlatformAnchor | Self::Force | Self::CenterOfMass | Self::Gravity => translations,
             Self::Moment => dof - translations,
             Self::Wrench => dof,
+            Self::DrumAxis => 2,
+            Self::SwivelAxis => {
+                if robot.motion_pattern.is_planar() {
+                    1
+                } else {
+                    2
+                }
+            }
             _ => 1,
         }
     }
@@ -58,6 +69,9 @@ impl Parameter {
                 .map(|external| self.of_wrench(robot, &external.wrench)),
             Kind::FrameAnchor => Some(component(robot, &robot.cables[self.cable].frame_anchor, self.axis)),
             Kind::PlatformAnchor => Some(component(robot, &robot.cables[self.cable].platform_anchor, self.axis)),
+            Kind::DrumAxis | Kind::SwivelAxis => {
+                self.axis_of(robot).map(|axis| axis.turn_about(&self.turn_direction(robot, &axis)))
+            }
             kind => of_cable(kind, &robot.cables[self.cable]),
         }
     }
@@ -71,7 +85,8 @@ impl Parameter {
     }
 
     /// Writes a value into a robot; nothing else of it changes, but that stiffness, compliance and spring constant take each other's
-    /// place, and that a wrench includes the weight from then on. A groove without pitch gets no length, one without length no layers.
+    /// place, and that a wrench includes the weight from then on. A groove without pitch gets no length, one without length no layers; an axis
+    /// that the robot does not have is not turned.
     pub fn set(&self, robot: &mut Robot, value: f64) {
         use ParameterKind as Kind;
         let index = axis_index(robot, self.axis);
@@ -82,8 +97,60 @@ impl Parameter {
             Kind::Force | Kind::Moment | Kind::Wrench => self.set_wrench(robot, value),
             Kind::FrameAnchor => robot.cables[self.cable].frame_anchor[index] = value,
             Kind::PlatformAnchor => robot.cables[self.cable].platform_anchor[index] = value,
+            Kind::DrumAxis | Kind::SwivelAxis => self.set_turn(robot, value),
             kind => set_of_cable(kind, &mut robot.cables[self.cable], value),
         }
+    }
+
+    /// Parameters of a kind that a cable (0-based) has for identification: all components, but of the drum's axis the one turn by which it leans
+    /// more towards its first pulley. Lengths tell how far it leans there and nothing else of where it points.
+    pub(crate) fn identified(kind: ParameterKind, robot: &Robot, cable: usize) -> Vec<Self> {
+        let all = (0..kind.components(robot)).map(|axis| Self { cable, kind, axis });
+        let Some(towards) = robot.cables[cable].way_to_first_pulley() else {
+            return all.collect();
+        };
+        let lean = |parameter: &Self| {
+            let turned = parameter.turned_axis(robot);
+            turned.map_or(0.0, |(axis, about)| axis.by_turn_about(&about).dot(&towards).abs())
+        };
+        match kind {
+            ParameterKind::DrumAxis => all.reduce(|a, b| if lean(&b) > lean(&a) { b } else { a }).into_iter().collect(),
+            _ => all.collect(),
+        }
+    }
+
+    /// Axis that a turn belongs to.
+    fn axis_of(&self, robot: &Robot) -> Option<Axis> {
+        let cable = &robot.cables[self.cable];
+        match self.kind {
+            ParameterKind::DrumAxis => cable.winch.axis,
+            ParameterKind::SwivelAxis => cable.swivel_axis(),
+            _ => None,
+        }
+    }
+
+    /// Direction about which an axis turns.
+    fn turn_direction(&self, robot: &Robot, axis: &Axis) -> Vector3<f64> {
+        match self.kind {
+            ParameterKind::SwivelAxis if robot.motion_pattern.is_planar() => robot.plane.normal(),
+            _ => axis.directions()[self.axis],
+        }
+    }
+
+    fn set_turn(&self, robot: &mut Robot, value: f64) {
+        let Some(mut axis) = self.axis_of(robot) else { return };
+        axis.set_turn_about(&self.turn_direction(robot, &axis), value);
+        let cable = &mut robot.cables[self.cable];
+        match self.kind {
+            ParameterKind::DrumAxis => cable.winch.axis = Some(axis),
+            _ => cable.turn_swivel_axis(axis),
+        }
+    }
+
+    /// Axis that the parameter turns, and the direction about which it does; `None` for one that turns no axis of the robot.
+    pub(crate) fn turned_axis(&self, robot: &Robot) -> Option<(Axis, Vector3<f64>)> {
+        let axis = self.axis_of(robot)?;
+        Some((axis, self.turn_direction(robot, &axis)))
     }
 
     /// [`Parameter::set`] where the reader of robot files would accept the value whatever else the robot states; `None` for a value out of
@@ -108,6 +175,7 @@ impl Parameter {
             ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
             ParameterKind::DrumRadius | ParameterKind::DrumPitch => false,
             ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
+            ParameterKind::DrumAxis | ParameterKind::SwivelAxis => false,
             _ => true,
         };
         if !is_alone {
@@ -120,9 +188,11 @@ impl Parameter {
         is_apart.then_some(())
     }
 
-    /// Values that searches may give it: radii, compliances and hidden lengths not below 0, scales and radii of drums positive.
+    /// Values that searches may give it: radii, compliances and hidden lengths not below 0, scales and radii of drums positive, turns of axes up
+    /// to half a radian about each direction.
     pub fn bounds(&self) -> (f64, f64) {
         match self.kind.range() {
+            _ if self.kind.is_turn() => (-LARGEST_TURN, LARGEST_TURN),
             Range::NotNegative => (0.0, f64::INFINITY),
             Range::Positive => (1e-3, f64::INFINITY),
             Range::Real | Range::NotZero => (f64::NEG_INFINITY, f64::INFINITY),
@@ -219,7 +289,7 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::LayerHeight => cable.winch.layer_height(),
         Kind::GearRatio => cable.winch.gear_ratio,
         Kind::EncoderCounts => cable.winch.encoder_counts_per_turn,
-        Kind::FrameAnchor | Kind::PlatformAnchor => None,
+        Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
     }
 }
@@ -253,7 +323,7 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::LayerHeight => return cable.winch.set_layer_height(value),
         Kind::GearRatio => &mut cable.winch.gear_ratio,
         Kind::EncoderCounts => &mut cable.winch.encoder_counts_per_turn,
-        Kind::FrameAnchor | Kind::PlatformAnchor => return,
+        Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
     };
     *number = Some(value);

@@ -47,10 +47,10 @@ impl Parameter {
         format!("{}{cable}{}", self.kind, self.component_name(robot))
     }
 
-    /// Key in the robot file, e.g. `cable[1].frame_anchor_m[1]` or `platform.mass_kg`; `None` for the wrench, which has two.
+    /// Key in the robot file, e.g. `cable[1].frame_anchor_m[1]` or `platform.mass_kg`; `None` for the wrench, which has two, and for turns of axes.
     pub fn key(&self, robot: &Robot) -> Option<String> {
         let table = match self.kind.owner() {
-            _ if self.kind == ParameterKind::Wrench => return None,
+            _ if self.kind.key().is_empty() => return None,
             Owner::Cable => format!("cable[{}].", self.cable + 1),
             Owner::Platform => "platform.".to_owned(),
             Owner::ExternalWrench => "external_wrench.".to_owned(),
@@ -95,6 +95,7 @@ impl Parameter {
                 Some(axis) => format!(".moment_{}", axis_name(robot, axis)),
             },
             ParameterKind::Moment if is_planar => String::new(),
+            kind if kind.is_turn() && kind.components(robot) > 1 => format!(".turn_{}", self.axis + 1),
             kind if kind.is_vector() => format!(".{}", axis_name(robot, self.axis)),
             _ => String::new(),
         }

@@ -10,6 +10,11 @@ fn robots() -> Vec<Robot> {
     let of = |(motion_pattern, axes): (MotionPattern, &str)| {
         let mut robot = Robot { motion_pattern, plane: Plane::from_axes(axes).unwrap(), ..cube.clone() };
         robot.platform = Platform { mass: Some(0.0), ..Platform::default() };
+        // an axis of the world, in every plane, so that turns are read back to the bit
+        for cable in &mut robot.cables {
+            cable.set_pulley_swivel_axis(Vector3::x());
+            cable.winch.axis = Some(Vector3::x().into());
+        }
         for (index, parameter) in robot.parameters().collect::<Vec<_>>().into_iter().enumerate() {
             parameter.set(&mut robot, 0.25 + 0.125 * index as f64);
         }

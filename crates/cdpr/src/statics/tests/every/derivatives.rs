@@ -6,7 +6,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{Kind, LawParameter};
-use crate::cable::outlet::bent;
+use crate::cable::outlet::{Outlet, bent};
 use crate::cable::span::{Shape, State};
 use crate::cable::stretch::Stretch;
 use crate::cable::{CablePath, CableState};
@@ -22,7 +22,8 @@ const FRAME_ANCHOR: usize = 13;
 const RADIUS: usize = 16;
 const COMPLIANCE: usize = 17;
 const HIDDEN: usize = 18;
-const COUNT: usize = 19;
+const PULLEY_TURN: usize = 19;
+const COUNT: usize = 22;
 
 fn variable(value: f64, index: usize) -> Dual {
     Dual::new(value, num_dual::Derivative::some(SVector::<f64, COUNT>::ith(index, 1.0)))
@@ -34,6 +35,11 @@ fn vector(values: Vector3<f64>, first: usize) -> [Dual; 3] {
 
 fn constants(values: [f64; 3]) -> [Dual; 3] {
     values.map(Dual::from)
+}
+
+/// A unit vector of the pulley, turned by the variables of its turn.
+fn turned(unit: [Dual; 3]) -> [Dual; 3] {
+    add(unit, cross(vector(Vector3::zeros(), PULLEY_TURN), unit))
 }
 
 fn gradient(dual: &Dual) -> SVector<f64, COUNT> {
@@ -70,6 +76,13 @@ impl Twin {
         let mut outlet = law.outlet.map(|number| Dual::from(*number));
         *outlet.frame_anchor_mut() = vector(cable.frame_anchor, FRAME_ANCHOR);
         outlet.radius_mut().into_iter().for_each(|radius| *radius = variable(radius.re, RADIUS));
+        match &mut outlet {
+            Outlet::Point { .. } => {}
+            Outlet::Swivel { swivel_axis, .. } => *swivel_axis = turned(*swivel_axis),
+            Outlet::Sided { swivel_axis, side, .. } => {
+                (*swivel_axis, *side) = (turned(*swivel_axis), turned(*side));
+            }
+        }
         let path: CablePath<Dual> = outlet.path(anchor);
         let tension = variable(state.outlet_tension, STATE);
         let hidden = variable(law.hidden_length, HIDDEN);
@@ -121,7 +134,8 @@ impl Twin {
         let twin = |side: f64| {
             let (mut contact, mut wrapped) = (constants([0.0; 3]), Dual::from(0.0));
             if let Some((&axis, &radius)) = law.outlet.pulley() {
-                let pulley = bent::Pulley { swivel_axis: constants(axis), radius: variable(radius, RADIUS), side };
+                let swivel_axis = turned(constants(axis));
+                let pulley = bent::Pulley { swivel_axis, radius: variable(radius, RADIUS), side };
                 let outlet = bent::outlet(&pulley, scale(Dual::from(1.0) / tension, force));
                 (contact, wrapped) = (outlet.contact, pulley.radius * outlet.wrap_angle);
             }
@@ -260,6 +274,9 @@ fn check_by_parameters(model: &Model, index: usize, pose: &Pose, state: &CableSt
         (LawParameter::PulleyRadius, RADIUS),
         (LawParameter::Compliance, COMPLIANCE),
         (LawParameter::HiddenLength, HIDDEN),
+        (LawParameter::PulleyTurn([1.0, 0.0, 0.0]), PULLEY_TURN),
+        (LawParameter::PulleyTurn([0.0, 1.0, 0.0]), PULLEY_TURN + 1),
+        (LawParameter::PulleyTurn([0.0, 0.0, 1.0]), PULLEY_TURN + 2),
     ];
     for (parameter, column) in parameters {
         let change = law.by_parameter(state, parameter);

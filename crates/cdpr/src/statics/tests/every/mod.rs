@@ -57,7 +57,7 @@ fn random_robot(seed: u64) -> Robot {
         cable.tension_max = Some(2e4);
         cable.winch.radius = Some(0.1 + within(&mut rng, 0.03));
         cable.winch.set_pitch(0.012);
-        cable.winch.axis = Some(Vector3::x());
+        cable.winch.axis = Some(Vector3::x().into());
         cable.winch.position = Some(cable.frame_anchor + Vector3::new(0.1, 1.5, -2.0));
         cable.winch.gear_ratio = Some(5.0);
     }

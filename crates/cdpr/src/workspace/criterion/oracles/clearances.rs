@@ -174,7 +174,7 @@ fn validity_ends_where_courses_end() {
     let mut planar = complete("planar-example");
     let axis = planar.plane.second_axis();
     for cable in &mut planar.cables {
-        cable.pulley = Some(Pulley::Whole { radius: 0.2, swivel_axis: axis });
+        cable.pulley = Some(Pulley::Whole { radius: 0.2, swivel_axis: axis.into() });
         cable.pulley_wrap_side = Some(WrapSide::Right);
     }
     let models = [
