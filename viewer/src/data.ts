@@ -67,6 +67,8 @@ export interface Cable {
   frame_anchor_m: Vector;
   platform_anchor_nominal_m: Vector;
   platform_anchor_m: Vector;
+  /** Null where the file states no whole pulley. */
+  pulley: { radius_m: number; swivel_axis: Vector } | null;
 }
 
 export interface Robot {
@@ -97,6 +99,8 @@ export interface Samples {
   /** Recorded length minus that of the sample before; null for the first of the data. */
   length_change_m: (number[] | null)[];
   outside: boolean[];
+  /** Explained by no candidate: no figure counts these. */
+  set_aside: boolean[];
   calibrated: Errors;
   as_given: Errors | null;
 }

@@ -1,5 +1,6 @@
 // The place of a chart: it draws again when its width changes, and tells when there is nothing to draw.
 import { element } from "./controls";
+import { PAPER_WIDTH, onPrint } from "./printing";
 import { offerTips } from "./tips";
 
 /** Draws a chart of this width, or returns null where the data have nothing to show. */
@@ -32,6 +33,10 @@ export function fill(name: string, makeDraw: (figure: Figure) => Draw | null): v
   draw = makeDraw({ controls, redraw });
   width = widthOf(place);
   redraw();
+  onPrint((isPaper) => {
+    width = isPaper ? PAPER_WIDTH : widthOf(place);
+    redraw();
+  });
   new ResizeObserver(() => {
     const now = widthOf(place);
     if (now === width || now < 100) return;

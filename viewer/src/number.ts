@@ -20,6 +20,17 @@ function powers(size: number, digits: number): string {
   return `${mantissa} × 10${superscript(Number(exponent))}`;
 }
 
+/** The mean of numbers, no finer than the first digit of its standard error; "–" for none. */
+export function meanWords(values: number[]): string {
+  if (values.length < 2) return significant(values[0], 2);
+  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+  const spread = Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / (values.length - 1));
+  const error = spread / Math.sqrt(values.length);
+  if (!(error > 0)) return significant(mean, 3);
+  const text = Math.abs(mean).toFixed(Math.min(20, Math.max(0, -Math.floor(Math.log10(error)))));
+  return mean < 0 && Number(text) !== 0 ? `−${text}` : text;
+}
+
 /** A tick of an axis: as short as it is, without separators of thousands. */
 export function tick(value: number): string {
   return String(Number(value.toPrecision(10))).replace("-", "−");

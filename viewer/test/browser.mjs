@@ -81,10 +81,12 @@ async function checks(page, result) {
 
 /** The page wide and narrow, light and dark, and on paper, for people to look at. */
 async function pictures(page, name) {
-  for (const [width, colorScheme] of [[1280, "light"], [1280, "dark"], [600, "light"]]) {
+  for (const [width, height, colorScheme] of [[1440, 900, "light"], [1440, 900, "dark"], [390, 844, "light"]]) {
     await page.emulateMedia({ colorScheme });
-    await page.setViewportSize({ width, height: 900 });
+    await page.setViewportSize({ width, height });
+    await page.evaluate(() => scrollTo(0, 0));
     await page.waitForTimeout(300);
+    await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}-first.png`) });
     await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}.png`), fullPage: true });
   }
   await page.setViewportSize({ width: 1280, height: 900 });

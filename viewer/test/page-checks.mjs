@@ -7,6 +7,9 @@ export async function checkPage(page, result) {
   const data = JSON.parse(await page.locator("#cdpr-data").textContent());
   const found = [];
   if (result) found.push(...sameNumbers(data.result, result));
+  found.push(...(await verdict(page, data)));
+  found.push(...(await firstScreen(page, data)));
+  found.push(...(await folds(page)));
   found.push(...(await tables(page, data)));
   found.push(...(await charts(page, data)));
   found.push(...(await scene(page, data)));
@@ -14,7 +17,119 @@ export async function checkPage(page, result) {
   found.push(...(await tips(page)));
   found.push(...(await definitions(page)));
   found.push(...(await layout(page)));
+  found.push(...(await phone(page)));
+  found.push(...(await paper(page)));
   return found;
+}
+
+/** Green without warnings only, amber with any, red where nobody should trust the model; every warning of the answer is in the list. */
+async function verdict(page, data) {
+  const found = [];
+  const shown = page.locator(".verdict");
+  const classes = (await shown.getAttribute("class")).split(" ");
+  const { warnings, trusted, recommended } = data.result;
+  const told = await page.locator("#warnings li").allTextContents();
+  const plain = warnings.map((warning) => warning.replaceAll("`", ""));
+  if (JSON.stringify(told) !== JSON.stringify(plain)) found.push(`the page warns of ${JSON.stringify(told)}, the answer of ${JSON.stringify(plain)}`);
+  if (warnings.length > 0 && !(await page.locator("#warnings li").first().isVisible())) found.push("the first warning is folded");
+  const isRefused = !recommended || !trusted || (await page.locator(".verdict .broken").count()) > 0;
+  const expected = isRefused ? "bad" : warnings.length > 0 ? "warned" : "good";
+  if (!classes.includes(expected)) found.push(`the verdict is ${classes.join(" ")}, not ${expected}`);
+  const tint = await shown.evaluate((box) => getComputedStyle(box).backgroundColor.match(/[\d.]+/g).map(Number));
+  const isGreen = tint[1] > tint[0];
+  if (isGreen !== (expected === "good")) found.push(`a verdict that is ${expected} has the colour ${tint}`);
+  return found;
+}
+
+/** Verdict, first warning, ladder and map stand on the first screen of 1440 × 900, and the ladder is logarithmic with one threshold. */
+async function firstScreen(page, data) {
+  const found = [];
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.waitForTimeout(250);
+  const bottom = async (selector) => {
+    const box = await page.locator(selector).boundingBox();
+    return box ? box.y + box.height : null;
+  };
+  const parts = [".verdict", 'figure[data-chart="map"] .chart'];
+  const isLadder = data.result.candidates.length > 1;
+  if (isLadder) parts.push('figure[data-figure="ladder"] .beside');
+  for (const part of parts) {
+    const end = await bottom(part);
+    if (end === null || end > 900) found.push(`${part} ends at ${end}, below the first screen of 900`);
+  }
+  if (isLadder) {
+    const [ladder, map] = [await page.locator('figure[data-figure="ladder"]').boundingBox(), await page.locator('figure[data-chart="map"]').boundingBox()];
+    if (ladder.x + ladder.width > map.x) found.push("the map does not stand beside the ladder");
+    const drawing = page.locator('figure[data-figure="ladder"] .beside svg');
+    if ((await drawing.locator(".limit").count()) !== 1) found.push("the ladder has not one threshold");
+    if (!(await drawing.textContent()).includes("logarithmic")) found.push("the ladder is not logarithmic");
+  }
+  return found;
+}
+
+/** Every part but the robot is folded and says what it comes to; all open at once, and their figures have the width of the page. */
+async function folds(page) {
+  const found = [];
+  const closed = await page.locator("details.part:not([open])").count();
+  if (closed < 5) found.push(`only ${closed} parts are folded`);
+  const bare = await page.locator("details.part:not(:has(> summary .gist)) h2").allTextContents();
+  if (bare.some((title) => title !== "What the figures mean")) found.push(`${bare} do not say what they come to`);
+  await page.locator("button[data-fold-button]").click();
+  await page.waitForTimeout(500);
+  if ((await page.locator("details.part:not([open])").count()) > 0) found.push("a part stays folded when all are opened");
+  const narrow = await page.locator('details.part figure[data-chart]:not([hidden])').evaluateAll((all) =>
+    all.filter((figure) => (figure.querySelector("svg, canvas")?.getBoundingClientRect().width ?? 0) < 200).map((figure) => figure.dataset.chart));
+  if (narrow.length > 0) found.push(`the charts ${narrow} are not drawn when they are unfolded`);
+  await page.locator(".warnings details").evaluateAll((all) => all.forEach((one) => { one.open = true; }));
+  await page.setViewportSize({ width: 1280, height: 900 });
+  return found;
+}
+
+/** On a phone nothing sticks out, wide tables say that they scroll, and no mark is cut off at the edge of its drawing. */
+async function phone(page) {
+  const found = [];
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.waitForTimeout(300);
+  const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  if (over > 0) found.push(`the page is ${over} pixels wider than a phone`);
+  const silent = await page.locator(".scroll").evaluateAll((all) => all.filter((box) => box.checkVisibility() && box.scrollWidth > box.clientWidth + 4 && !box.hasAttribute("data-scrolls")).length);
+  if (silent > 0) found.push(`${silent} tables scroll without showing it`);
+  if (await page.locator('figure[data-figure="ladder"] .beside').isVisible()) found.push("a phone shows the wide ladder");
+  await page.setViewportSize({ width: 1280, height: 900 });
+  return found;
+}
+
+/** Paper has no controls, everything unfolded, nothing wider than the page, and no labels of the scene upon each other. */
+async function paper(page) {
+  const found = [];
+  await page.setViewportSize({ width: 688, height: 900 });
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  await page.waitForTimeout(400);
+  const controls = await page.locator("button, select, input, .controls").evaluateAll((all) => all.filter((one) => one.checkVisibility()).length);
+  if (controls > 0) found.push(`${controls} controls are printed`);
+  const folded = await page.locator("details:not([open], .notices)").count();
+  if (folded > 0) found.push(`${folded} parts are printed folded`);
+  const wide = await page.locator("svg, canvas, table").evaluateAll((all) => all.filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1).length);
+  if (wide > 0) found.push(`${wide} tables or figures are cut at the edge of the paper`);
+  found.push(...(await labels(page)));
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await page.emulateMedia({ media: "screen" });
+  await page.setViewportSize({ width: 1280, height: 900 });
+  return found;
+}
+
+/** Labels of the scene that overlap each other or reach out of the picture. */
+async function labels(page) {
+  return page.locator(".stage").evaluateAll((stages) =>
+    stages.flatMap((stage) => {
+      const outer = stage.getBoundingClientRect();
+      const boxes = [...stage.querySelectorAll(".labels span")].filter((one) => one.checkVisibility()).map((one) => ({ words: one.textContent, box: one.getBoundingClientRect() }));
+      const overlap = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 3 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3;
+      const upon = boxes.flatMap((a, k) => boxes.slice(k + 1).filter((b) => overlap(a.box, b.box)).map((b) => `the labels ${a.words} and ${b.words} lie upon each other`));
+      const out = boxes.filter(({ box }) => box.left < outer.left - 1 || box.right > outer.right + 1 || box.top < outer.top - 1).map(({ words }) => `the label ${words} is cut off`);
+      return [...(boxes.length === 0 ? ["the scene has no labels"] : []), ...upon, ...out];
+    }));
 }
 
 /** Arrow keys open the tips of a focused chart. */
@@ -32,6 +147,7 @@ async function tips(page) {
   await page.evaluate(() => document.activeElement?.blur());
   const found = text.trim() ? [] : ["an arrow key opens no tip in the map of errors"];
   for (const figure of await page.locator("svg.figure").all()) {
+    if (!(await figure.isVisible())) continue;
     await figure.focus();
     await page.keyboard.press("ArrowRight");
     if (!(await page.locator(".tip").innerText()).trim()) found.push(`an arrow key opens no tip in "${await figure.getAttribute("aria-label")}"`);
@@ -124,9 +240,9 @@ async function marks(page, name) {
     }, 0));
 }
 
-/** Marks of a figure that comes drawn in the page: circles, and cells that stand side by side in one rectangle. */
+/** Marks of a figure that comes drawn in the page, of its first drawing: circles, and cells that stand side by side in one rectangle. */
 async function drawnMarks(page, name) {
-  return page.locator(`figure[data-figure="${name}"] svg`).evaluateAll((figures) =>
+  return page.locator(`figure[data-figure="${name}"] .chart:first-child svg`).evaluateAll((figures) =>
     figures.reduce((sum, figure) => {
       const side = Number((figure.dataset.cells ?? "").split(" ")[2]);
       const widths = [...figure.querySelectorAll("path.cell")].flatMap((path) => [...path.getAttribute("d").matchAll(/h([\d.]+)v/g)].map((match) => Number(match[1])));
@@ -144,7 +260,7 @@ async function charts(page, data) {
   if (shown.parameter_count > 0) figures.spectrum = shown.singular_values.filter((value) => value > 0).length;
   if (shown.history.length > 1) figures.convergence = Math.min(200, shown.history.length);
   if (data.correlation?.names.length > 1) figures.correlation = (data.correlation.names.length * (data.correlation.names.length + 1)) / 2;
-  if (data.result.candidates.length > 1) figures.ladder = data.result.candidates.filter((candidate) => !candidate.failure).length;
+  if (data.result.candidates.length > 1) figures.ladder = data.result.candidates.filter((candidate) => Number.isFinite(candidate.criterion)).length;
   for (const [name, count] of Object.entries(figures)) {
     const drawn = await drawnMarks(page, name);
     if (drawn < 0.95 * count) found.push(`the figure ${name} has ${drawn} marks, not ${count}`);
@@ -227,7 +343,7 @@ async function definitions(page) {
 /** Nothing sticks out sideways, wide or narrow. */
 export async function layout(page) {
   const found = [];
-  for (const width of [1280, 600, 380]) {
+  for (const width of [1440, 1280, 600, 390]) {
     await page.setViewportSize({ width, height: 900 });
     await page.waitForTimeout(250);
     const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

@@ -28,6 +28,17 @@ fn rounds_up(value: f64, exponent: i32, digits: i32) -> bool {
     scaled.round() >= 10_f64.powi(digits)
 }
 
+/// A condition number, of which the first digits matter: powers of ten from 10 000.
+pub fn condition(number: f64) -> String {
+    match number >= 1e4 && number.is_finite() {
+        true => {
+            let exponent = (number.log10() + 0.002).floor() as i32;
+            format!("{} × 10{}", fixed(number / 10_f64.powi(exponent), 1), superscript(exponent))
+        }
+        false => significant(number, 3),
+    }
+}
+
 /// A number with this many decimals; a dash for none.
 pub fn cell(number: Option<f64>, decimals: usize) -> String {
     match number {
@@ -137,6 +148,12 @@ mod tests {
     fn chosen_numbers_are_written_as_short_as_they_are() {
         let texts = [5.0, 0.25, 1000.0, 0.1 + 0.2].map(short);
         assert_eq!(texts, ["5", "0.25", "1000", "0.3"]);
+    }
+
+    #[test]
+    fn condition_numbers_show_what_can_be_relied_on() {
+        let texts = [1.0, 353.8, 3_153_203.8, f64::INFINITY].map(condition);
+        assert_eq!(texts, ["1.00", "354", "3.2 × 10⁶", "∞"]);
     }
 
     #[test]

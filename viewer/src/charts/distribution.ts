@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { choice, element, type Option } from "../controls";
 import type { Errors, PageData } from "../data";
 import type { Draw, Figure } from "../figure";
-import { finite, quantile, significant, tick } from "../number";
+import { finite, meanWords, quantile, tick } from "../number";
 import { models, residuals } from "./quantities";
 import { ACCENT, BAD, MUTED, degrees, frame, mm } from "./style";
 
@@ -32,14 +32,14 @@ export function distribution(data: PageData, figure: Figure): Draw | null {
     const columns = both && width > 560 ? 2 : 1;
     grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
     const each = Math.floor((width - 16 * (columns - 1)) / columns);
-    grid.append(titled(`${values.length} values, mean ${significant(mean(values), 3)} ${chosen.unit}`, histogram(values, chosen, each)));
+    grid.append(titled(`${values.length} values, mean ${meanWords(values)} ${chosen.unit}`, histogram(values, chosen, each)));
     if (both) grid.append(titled("against a normal distribution", quantiles(values, chosen, each)));
     return grid;
   };
 }
 
 function options(data: PageData): Option<Quantity>[] {
-  const rows = data.samples.number.map((_, row) => row);
+  const rows = data.samples.number.map((_, row) => row).filter((row) => !data.samples.set_aside[row]);
   const cables = data.robot.cables;
   const found: Quantity[] = [];
   for (const { label, value } of residuals(data)) {
@@ -47,9 +47,9 @@ function options(data: PageData): Option<Quantity>[] {
     found.push({ label: `${label} residual, all cables`, unit: value.unit, magnitude: false, values: of(cables.map((_, index) => index)) });
     cables.forEach((cable, index) => found.push({ label: `${label} residual, ${cable.name}`, unit: value.unit, magnitude: false, values: of([index]) }));
   }
-  const length = (errors: Errors) => errors.position_error_m.map((error) => (error ? mm(Math.hypot(...error)) : Number.NaN));
+  const length = (errors: Errors) => rows.map((row) => errors.position_error_m[row]).map((error) => (error ? mm(Math.hypot(...error)) : Number.NaN));
   found.push({ label: "position error", unit: "mm", magnitude: true, values: length });
-  if (data.robot.turns) found.push({ label: "rotation error", unit: "°", magnitude: true, values: (errors) => errors.rotation_error_rad.map(degrees) });
+  if (data.robot.turns) found.push({ label: "rotation error", unit: "°", magnitude: true, values: (errors) => rows.map((row) => degrees(errors.rotation_error_rad[row])) });
   return found.map((value) => ({ label: value.label, value }));
 }
 

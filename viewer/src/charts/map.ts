@@ -5,7 +5,7 @@ import type { Errors, PageData, Vector } from "../data";
 import type { Draw, Figure } from "../figure";
 import { finite, quantile, significant } from "../number";
 import { models } from "./quantities";
-import { INK, MUTED, STEPS, degrees, frame, mm } from "./style";
+import { BAD, INK, MUTED, STEPS, degrees, frame, mm } from "./style";
 
 /** A projection of positions. */
 export interface View {
@@ -26,6 +26,7 @@ interface Sample {
   error: number;
   number: number;
   outside: boolean;
+  aside: boolean;
 }
 
 /** The plane of a planar robot; x–y, x–z and y–z of a spatial one. */
@@ -43,9 +44,9 @@ export function views(data: PageData): Option<View>[] {
 export function map(data: PageData, figure: Figure): Draw | null {
   const samples = data.samples;
   if (samples.number.length === 0) return null;
-  const quantity = choice(figure.controls, "Size of the", quantities(data), figure.redraw);
-  const view = choice(figure.controls, "in the plane", views(data), figure.redraw);
-  const model = choice(figure.controls, "of the model", models(data), figure.redraw);
+  const quantity = choice(figure.controls, "Show", quantities(data), figure.redraw);
+  const view = choice(figure.controls, "in", views(data), figure.redraw);
+  const model = choice(figure.controls, "of", models(data), figure.redraw);
   return (width) => {
     const { names, first, second } = view();
     const { words, unit, of } = quantity();
@@ -55,15 +56,18 @@ export function map(data: PageData, figure: Figure): Draw | null {
       error: of(model(), row),
       number: samples.number[row] ?? 0,
       outside: samples.outside[row] ?? false,
+      aside: samples.set_aside[row] ?? false,
     }));
-    const drawn = points.filter((point) => Number.isFinite(point.error)).sort((a, b) => a.error - b.error);
+    const known = points.filter((point) => Number.isFinite(point.error)).sort((a, b) => a.error - b.error);
+    const [drawn, aside] = [known.filter((point) => !point.aside), known.filter((point) => point.aside)];
     const top = topOf(drawn.map((point) => point.error));
     const fit = data.fit_position_m.map((position) => [dot(position, first), dot(position, second)] as [number, number]);
     const box = boxOf(fit);
     const many = drawn.length > 400;
     const limits = STEPS.slice(1).map((_, index) => ((index + 1) * top) / STEPS.length);
+    const bounds = boxOf([...known.map((point) => [point.x, point.y] as [number, number]), ...fit]);
     return Plot.plot(
-      frame(Math.min(width, 720), {
+      frame(fitting(width, bounds), {
         aspectRatio: 1,
         marginTop: 18,
         x: { label: `${names[0]}, m`, labelAnchor: "center", labelArrow: "none", grid: true, nice: true, inset: 10 },
@@ -75,11 +79,23 @@ export function map(data: PageData, figure: Figure): Draw | null {
           box ? Plot.rect([box], { x1: "x1", x2: "x2", y1: "y1", y2: "y2", stroke: MUTED, strokeDasharray: "6 4", fill: "none" }) : null,
           Plot.dot(thinned(fit), { x: "0", y: "1", symbol: "plus", r: 3, stroke: MUTED, strokeOpacity: 0.7, strokeWidth: 1 }),
           Plot.dot(drawn, { x: "x", y: "y", fill: "error", r: "error", symbol: (point: Sample) => (point.outside ? "outside" : "inside"), stroke: INK, strokeOpacity: many ? 0.2 : 0.55, strokeWidth: many ? 0.3 : 0.6 }),
-          Plot.tip(drawn, Plot.pointer({ x: "x", y: "y", title: (point: Sample) => `sample ${point.number}\n${words} ${significant(point.error, 3)} ${unit}${point.outside ? "\noutside the poses of the fit" : ""}` })),
+          Plot.dot(aside, { x: "x", y: "y", symbol: "times", r: 4, stroke: BAD, strokeWidth: 2 }),
+          Plot.tip([...drawn, ...aside], Plot.pointer({ x: "x", y: "y", title: (point: Sample) => `sample ${point.number}\n${words} ${significant(point.error, 3)} ${unit}${point.outside ? "\noutside the poses of the fit" : ""}${point.aside ? "\nset aside: no candidate explains it" : ""}` })),
         ],
       }),
     );
   };
+}
+
+/** Tallest plot (pixels): the whole map stands beside the ladder. */
+const TALLEST = 270;
+
+/** A width of the drawing at which the plot, both axes to one scale, is not too tall. */
+function fitting(width: number, bounds: ReturnType<typeof boxOf>): number {
+  if (!bounds) return Math.min(width, 720);
+  const [across, up] = [bounds.x2 - bounds.x1, bounds.y2 - bounds.y1];
+  // margins beside the plot; axes reach to round numbers
+  return Math.max(260, Math.min(width, 720, 82 + TALLEST * Math.min(20, (across || 1e-9) / (up || 1e-9))));
 }
 
 function quantities(data: PageData): Option<Quantity>[] {

@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { choice, element } from "../controls";
 import type { PageData } from "../data";
 import type { Draw, Figure } from "../figure";
-import { finite, quantile, significant, tick } from "../number";
+import { finite, meanWords, quantile, significant, tick } from "../number";
 import { abscissae, models, residuals as quantities } from "./quantities";
 import { BAD, MUTED, frame, symmetric } from "./style";
 
@@ -23,7 +23,9 @@ export function residuals(data: PageData, figure: Figure): Draw | null {
     const series = data.robot.cables.map((_, cable) =>
       rows.map((row): Point => ({ x: against().of(row, cable), y: quantity().of(model(), row, cable) })).filter(isFinitePoint),
     );
-    const domain = symmetric(series.flatMap((points) => points.map((point) => point.y)));
+    // the scale is that of the samples that count; what was set aside lies on its edge
+    const counted = rows.filter((row) => !data.samples.set_aside[row]);
+    const domain = symmetric(finite(data.robot.cables.flatMap((_, cable) => counted.map((row) => quantity().of(model(), row, cable)))));
     const columns = width > 560 ? 2 : 1;
     const grid = element("div", "", "panels");
     grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
@@ -57,7 +59,7 @@ function panel(width: number, name: string, points: Point[], domain: [number, nu
         height: 170,
         marginTop: 18,
         x: { label: labels.x, tickFormat: tick, labelAnchor: "center", labelArrow: "none", ticks: Math.max(3, Math.floor(width / 80)), nice: !labels.direction, ...(labels.direction ? { domain: motionDomain(points) , clamp: true } : {}) },
-        y: { domain, tickFormat: tick, label: labels.y, labelArrow: "none", grid: true, ticks: 5 },
+        y: { domain, clamp: true, tickFormat: tick, label: labels.y, labelArrow: "none", grid: true, ticks: 5 },
         marks: [
           Plot.ruleY([0], { stroke: MUTED }),
           labels.direction ? Plot.ruleX([0], { stroke: MUTED, strokeDasharray: "2 3" }) : null,
@@ -107,10 +109,9 @@ function motionDomain(points: Point[]): [number, number] {
 function words(points: Point[], labels: Labels): string {
   const values = finite(points.map((point) => point.y));
   if (values.length === 0) return "no values";
-  const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
   const rms = Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / values.length);
-  if (!labels.direction) return `mean ${significant(mean, 2)} ${labels.unit}, rms ${significant(rms, 3)} ${labels.unit}`;
-  const side = (part: Point[]) => significant(part.reduce((sum, point) => sum + point.y, 0) / (part.length || Number.NaN), 2);
+  if (!labels.direction) return `mean ${meanWords(values)} ${labels.unit}, rms ${significant(rms, 3)} ${labels.unit}`;
+  const side = (part: Point[]) => meanWords(part.map((point) => point.y));
   return `mean ${side(points.filter((p) => p.x < 0))} ${labels.unit} reeling in, ${side(points.filter((p) => p.x > 0))} ${labels.unit} paying out`;
 }
 

@@ -1,5 +1,5 @@
 // Lines and markers of the scene, with widths in pixels.
-import { BufferGeometry, CanvasTexture, Group, LineDashedMaterial, LineSegments, type Object3D, Points, PointsMaterial, type Vector3 } from "three";
+import { BufferGeometry, CanvasTexture, Group, LineDashedMaterial, LineSegments, type Object3D, Points, PointsMaterial, SRGBColorSpace, type Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -27,6 +27,44 @@ export function markers(points: Vector3[], color: string, size: number, full: bo
   const map = disc(full);
   const material = new PointsMaterial({ color, size: size * devicePixelRatio, sizeAttenuation: false, map, alphaTest: 0.3, transparent: true });
   return new Points(geometry, material);
+}
+
+/** A knob to take hold of: four arrows on a disc, in front of everything. */
+export function handle(at: Vector3, ink: string, paper: string, hovered: boolean): Object3D {
+  const map = knob(ink, paper);
+  const size = (hovered ? 32 : 26) * devicePixelRatio;
+  const made = new Points(new BufferGeometry().setFromPoints([at]), new PointsMaterial({ size, sizeAttenuation: false, map, alphaTest: 0.1, transparent: true, depthTest: false }));
+  made.renderOrder = 10;
+  return made;
+}
+
+function knob(ink: string, paper: string): CanvasTexture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 128;
+  const context = canvas.getContext("2d");
+  if (context) {
+    context.translate(64, 64);
+    context.fillStyle = paper;
+    context.strokeStyle = ink;
+    context.lineWidth = 7;
+    context.beginPath();
+    context.arc(0, 0, 56, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+    context.fillStyle = ink;
+    for (let arrow = 0; arrow < 4; arrow++) {
+      context.rotate(0.5 * Math.PI);
+      context.fillRect(0, -4, 28, 8);
+      context.beginPath();
+      context.moveTo(44, 0);
+      context.lineTo(26, -14);
+      context.lineTo(26, 14);
+      context.fill();
+    }
+  }
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
 }
 
 function disc(full: boolean): CanvasTexture {

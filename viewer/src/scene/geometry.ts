@@ -45,12 +45,12 @@ export function edgesOf(platform: Vector3[], origin: Vector3): Segment[] {
 }
 
 /** Error vectors at the measured positions, multiplied. */
-export function errorVectors(data: PageData, errors: Errors, magnification: number): { segment: Segment; size: number }[] {
+export function errorVectors(data: PageData, errors: Errors, magnification: number): { segment: Segment; size: number; row: number }[] {
   return data.samples.position_m.flatMap((position, row) => {
     const error = errors.position_error_m[row];
     if (!error) return [];
     const from = vector(position);
-    return [{ segment: [from, from.clone().addScaledVector(vector(error), magnification)] as Segment, size: Math.hypot(...error) }];
+    return [{ segment: [from, from.clone().addScaledVector(vector(error), magnification)] as Segment, size: Math.hypot(...error), row }];
   });
 }
 

@@ -1,5 +1,6 @@
-// Words beside points of the scene, as elements above the canvas: sharp at any size, and they print.
-import { type Camera, Vector3 } from "three";
+// Words beside points of the scene, as elements above the canvas: sharp at any size, they print, and none lies on another.
+import { type Camera, Group, type Scene, Vector2, Vector3 } from "three";
+import { CSS2DObject, CSS2DRenderer } from "three/examples/jsm/renderers/CSS2DRenderer.js";
 import { element } from "../controls";
 
 /** Words at a point of the scene. */
@@ -21,58 +22,100 @@ interface Pixel {
   y: number;
 }
 
+/** Corner, width and height on the screen (pixels). */
+interface Box extends Pixel {
+  width: number;
+  height: number;
+}
+
 /** Places that are tried before words are left out. */
 const MOST_TRIED = 10;
 
+/** Sides of a point where words may stand, the best first, as the part of the words that lies on the point. */
+const SIDES: [number, number][] = [[0, 1], [1, 1], [0, 0], [1, 0], [0.5, 1], [0.5, 0]];
+
 interface Shown extends Label {
-  shown: HTMLElement;
+  object: CSS2DObject;
 }
 
 /** Labels of one scene. */
 export class Labels {
+  /** What the scene holds of them. */
+  readonly group = new Group();
   private labels: Shown[] = [];
   /** True for a point that something hides from the camera. */
   isHidden: (point: Vector3) => boolean = () => false;
-  private readonly layer = element("div", "", "labels");
+  private readonly renderer = new CSS2DRenderer();
 
   constructor(stage: HTMLElement) {
-    this.layer.setAttribute("aria-hidden", "true");
-    stage.append(this.layer);
+    const layer = this.renderer.domElement;
+    layer.className = "labels";
+    layer.setAttribute("aria-hidden", "true");
+    stage.append(layer);
   }
 
   /** Replaces all labels. */
   set(labels: Label[]): void {
-    this.labels = labels.map((label) => ({ ...label, shown: element("span", label.text, label.className ?? "") }));
-    this.layer.replaceChildren(...this.labels.map((label) => label.shown));
+    this.group.clear();
+    this.labels = labels.map((label) => ({ ...label, object: new CSS2DObject(element("span", label.text, label.className ?? "")) }));
+    for (const { object, at } of this.labels) {
+      object.position.copy(at);
+      this.group.add(object);
+    }
   }
 
-  /** Puts every label where the camera sees its point; those with a choice of places keep clear of the others. */
-  place(camera: Camera, width: number, height: number): void {
+  /** Puts every label where the camera sees its point and no other label is; those that find no place are hidden. */
+  place(scene: Scene, camera: Camera, width: number, height: number): void {
     const pixel = (at: Vector3): Pixel | null => {
       const seen = at.clone().project(camera);
       const isOutside = Math.abs(seen.z) > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
       return isOutside ? null : { x: ((seen.x + 1) * width) / 2, y: ((1 - seen.y) * height) / 2 };
     };
-    const taken: Pixel[] = [];
-    for (const { at, shown, places, text } of [...this.labels].sort((a, b) => Number(!!a.places) - Number(!!b.places))) {
-      const spot = places ? this.facing(places, camera, pixel, taken) : pixel(at);
-      shown.hidden = !spot;
-      if (!spot) continue;
-      // words beside a point reach to the right and upwards
-      taken.push(...(places ? [spot] : [0, 1, 2].map((part) => ({ x: spot.x + 6 + 3.5 * part * text.length, y: spot.y - 10 }))));
-      shown.style.transform = `translate(${spot.x}px, ${spot.y}px) ${places ? "translate(-50%, -50%)" : "translate(6px, -120%)"}`;
+    const taken: Box[] = [];
+    for (const label of [...this.labels].sort((a, b) => Number(!!a.places) - Number(!!b.places))) {
+      const box = label.places ? this.facing(label, camera, pixel, taken) : beside(label, pixel(label.at), taken, { width, height });
+      label.object.visible = box !== null;
+      if (box) taken.push(box);
     }
+    this.renderer.setSize(width, height);
+    this.renderer.render(scene, camera);
   }
 
   /** Where words may stand that have a choice: facing the camera, not hidden, and clear of others; null where no place is. */
-  private facing(places: Place[], camera: Camera, pixel: (at: Vector3) => Pixel | null, taken: Pixel[]): Pixel | null {
+  private facing({ places = [], text, object }: Shown, camera: Camera, pixel: (at: Vector3) => Pixel | null, taken: Box[]): Box | null {
     const faced = places.map(({ at, normal }) => ({ at, facing: camera.position.clone().sub(at).normalize().dot(normal) }));
     const turned = faced.filter(({ facing }) => facing > 0.2).sort((a, b) => b.facing - a.facing);
-    const isClear = ({ x, y }: Pixel) => taken.every((other) => Math.abs(other.x - x) > 24 || Math.abs(other.y - y) > 18);
     for (const { at } of turned.slice(0, MOST_TRIED)) {
       const spot = pixel(at);
-      if (spot && isClear(spot) && !this.isHidden(at)) return spot;
+      const box = spot && boxAt(spot, [0.5, 0.5], text);
+      if (!box || !isClear(box, taken) || this.isHidden(at)) continue;
+      object.position.copy(at);
+      object.center.set(0.5, 0.5);
+      return box;
     }
     return null;
   }
+}
+
+/** The first side of the point where the words are clear of others and inside the picture. */
+function beside({ text, object }: Shown, spot: Pixel | null, taken: Box[], picture: { width: number; height: number }): Box | null {
+  if (!spot) return null;
+  for (const side of SIDES) {
+    const box = boxAt(spot, side, text);
+    const isInside = box.x >= 0 && box.y >= 0 && box.x + box.width <= picture.width && box.y + box.height <= picture.height;
+    if (!isInside || !isClear(box, taken)) continue;
+    object.center.copy(new Vector2(...side));
+    return box;
+  }
+  return null;
+}
+
+/** About as large as the words are with the padding that the style gives them. */
+function boxAt({ x, y }: Pixel, [across, up]: [number, number], text: string): Box {
+  const [width, height] = [10 + 8 * text.length, 20];
+  return { x: x - across * width, y: y - up * height, width, height };
+}
+
+function isClear(box: Box, taken: Box[]): boolean {
+  return taken.every((other) => box.x + box.width <= other.x || other.x + other.width <= box.x || box.y + box.height <= other.y || other.y + other.height <= box.y);
 }

@@ -1,17 +1,19 @@
 // The robot in space: nominal against calibrated geometry, a measured pose, and where the errors point to.
-import { Vector3 } from "three";
+import { AmbientLight, DirectionalLight, type Object3D, Vector3 } from "three";
 import { button, choice, element } from "../controls";
 import type { PageData } from "../data";
 import { models } from "../charts/quantities";
 import { topOf } from "../charts/map";
 import { STEPS } from "../charts/style";
 import { colour, onThemeChange } from "../theme";
-import { dashed, dispose, lines, markers } from "./drawing";
-import { type Segment, errorVectors, largestShift, posed, roundMagnification, vector } from "./geometry";
+import { offerDragging } from "./dragging";
+import { dashed, dispose, handle, lines, markers } from "./drawing";
+import { type Posed, type Segment, errorVectors, largestShift, posed, roundMagnification, vector } from "./geometry";
+import { body, bounds, boxEdges, floor, wheel } from "./solid";
 import { Stage } from "./stage";
 
 const WORDS =
-  "The robot in three dimensions. Arrow keys turn it, plus and minus zoom. Errors and positions stand as numbers in the tables of the result folder.";
+  "The robot in three dimensions. Arrow keys turn it, plus and minus zoom; the slider above walks through the samples. Errors and positions stand as numbers in the tables of the result folder.";
 
 /** Fills the figure of the scene. */
 export function showScene(data: PageData): void {
@@ -37,6 +39,8 @@ class RobotScene {
   private readonly size: number;
   private readonly model;
   private readonly words = element("output", "", "pose-words");
+  private readonly slider = element("input");
+  private hovered = false;
 
   constructor(
     private readonly data: PageData,
@@ -44,13 +48,14 @@ class RobotScene {
     private readonly stage: Stage,
   ) {
     const points = [...this.fixedPoints(), ...data.samples.position_m.map(vector)];
-    stage.frame(points);
+    stage.frame([...points, ...boxEdges(...bounds(points)).flat()]);
     this.size = Math.max(...points.map((point) => point.distanceTo(points[0] as Vector3)), 1e-3);
     const redraw = () => this.build();
     this.model = choice(controls, "Errors of the model", models(data), redraw);
     this.error = this.magnifier(controls, "magnified", this.largestError(), 0.04, redraw);
     this.shift = this.magnifier(controls, "Anchor shifts magnified", largestShift(data.robot.cables), 0.06, redraw);
     this.poseSlider(controls);
+    this.offerMoving();
     this.viewButtons(controls);
     onThemeChange(() => {
       this.build();
@@ -66,7 +71,8 @@ class RobotScene {
   }
 
   private largestError(): number {
-    const sizes = this.data.samples.calibrated.position_error_m.flatMap((error) => (error ? [Math.hypot(...error)] : []));
+    const { calibrated, set_aside } = this.data.samples;
+    const sizes = calibrated.position_error_m.flatMap((error, row) => (error && !set_aside[row] ? [Math.hypot(...error)] : []));
     return sizes.length > 0 ? topOf(sizes) : 0;
   }
 
@@ -81,7 +87,7 @@ class RobotScene {
   private poseSlider(controls: HTMLElement): void {
     const count = this.data.samples.number.length;
     if (count < 2) return;
-    const slider = element("input");
+    const { slider } = this;
     Object.assign(slider, { type: "range", min: "0", max: String(count - 1), value: "0" });
     slider.addEventListener("input", () => {
       this.row = Number(slider.value);
@@ -90,6 +96,46 @@ class RobotScene {
     const label = element("label", "Pose ");
     label.append(slider, this.words);
     controls.append(label);
+  }
+
+  /** The handle leads from sample to sample: to the one that is nearest as the reader sees it. */
+  private offerMoving(): void {
+    const { stage, data } = this;
+    offerDragging(stage, {
+      position: () => this.position,
+      grips: () => [this.position, this.knob(posed(data, this.row, "calibrated", this.shift()))],
+      moveTo: (at) => {
+        const towards = stage.camera.getWorldDirection(new Vector3());
+        const apart = data.samples.position_m.map((sample) => {
+          const arm = vector(sample).sub(at);
+          const depth = arm.dot(towards);
+          return arm.lengthSq() - 0.98 * depth * depth;
+        });
+        const nearest = apart.reduce((best, one, row) => (one < (apart[best] as number) ? row : best), 0);
+        if (nearest === this.row) return;
+        this.row = nearest;
+        this.slider.value = String(nearest);
+        this.build();
+      },
+      normal: () => null,
+      hover: (on) => {
+        if (on === this.hovered) return;
+        this.hovered = on;
+        stage.canvas.style.cursor = on ? "grab" : "";
+        this.build();
+      },
+    });
+  }
+
+  /** Where the handle is: above the platform, which it would hide. */
+  private knob(robot: Posed): Vector3 {
+    const reach = Math.max(...robot.platform.map((anchor) => anchor.distanceTo(this.position)));
+    const { plane } = this.data.robot;
+    return this.position.addScaledVector(plane ? vector(plane.second) : new Vector3(0, 0, 1), reach + 0.05 * this.size);
+  }
+
+  private get position(): Vector3 {
+    return vector(this.data.samples.position_m[this.row] ?? [0, 0, 0]);
   }
 
   private viewButtons(controls: HTMLElement): void {
@@ -121,25 +167,51 @@ class RobotScene {
     const nominal = posed(data, this.row, "nominal", 0);
     const calibrated = posed(data, this.row, "calibrated", this.shift());
     const [accent, muted] = [colour("accent"), colour("muted")];
+    const light = new DirectionalLight("#fff", 1.5);
+    light.position.set(0.4, -1, 1.4);
     stage.content.add(
+      new AmbientLight("#fff", 2.2),
+      light,
+      ...this.surroundings(),
       lines(box(data), colour("line"), 1),
       dashed([...nominal.cables, ...nominal.edges], muted, 0.012 * this.size),
       markers([...nominal.frame, ...nominal.platform], muted, 11, false),
       lines(calibrated.cables, accent, 1.6),
-      lines(calibrated.edges, accent, 2.6),
+      body(calibrated.platform, this.size, { solid: colour("solid"), edge: accent, width: 2 }),
       markers([...calibrated.frame, ...calibrated.platform], accent, 8, true),
+      ...this.pulleys(calibrated),
       ...this.errors(),
       this.axes(),
+      lines([[this.position, this.knob(calibrated)]], colour("ink"), 1.5),
+      handle(this.knob(calibrated), colour("ink"), colour("paper"), this.hovered),
     );
     this.label(calibrated.frame);
-    const position = data.samples.position_m[this.row] ?? [0, 0, 0];
-    this.words.textContent = ` sample ${data.samples.number[this.row]}: ${position.map((value) => value.toFixed(3)).join(", ")} m`;
+    this.words.textContent = ` sample ${data.samples.number[this.row]}: ${this.position.toArray().map((value) => value.toFixed(3)).join(", ")} m`;
     stage.draw();
+  }
+
+  /** Edges of the box that the frame anchors span, and its floor; in a plane the whole area of the frame. */
+  private surroundings(): Object3D[] {
+    const [low, high] = bounds(this.fixedPoints());
+    const plane = this.data.robot.plane;
+    const arm = (direction: Vector3) => direction.multiplyScalar(high.clone().sub(low).dot(direction));
+    const [first, second] = plane ? [vector(plane.first), vector(plane.second)] : [new Vector3(1, 0, 0), new Vector3(0, 1, 0)];
+    const [across, ground] = [arm(first), arm(second)];
+    const base: Segment = [low, low.clone().add(across)];
+    return [floor(low, across, ground, colour("shade")), lines(boxEdges(low, high), colour("edge"), 1.2), ...(plane ? [lines([base], colour("edge"), 3)] : [])];
+  }
+
+  private pulleys(robot: Posed): Object3D[] {
+    const look = { solid: colour("solid"), edge: colour("accent"), width: 1 };
+    return this.data.robot.cables.flatMap(({ pulley }, cable) => {
+      const [entry, end] = [robot.frame[cable], robot.platform[cable]];
+      return pulley && entry && end ? [wheel(entry, end, vector(pulley.swivel_axis), pulley.radius_m, look)] : [];
+    });
   }
 
   /** Vectors in six steps of colour, from the measured position. */
   private errors() {
-    const vectors = errorVectors(this.data, this.model(), this.error());
+    const vectors = errorVectors(this.data, this.model(), this.error()).filter(({ row }) => !this.data.samples.set_aside[row]);
     const top = topOf(vectors.map((one) => one.size));
     const step = (size: number) => Math.min(STEPS.length - 1, Math.floor((STEPS.length * size) / top));
     const steps = STEPS.map((_, index) => vectors.filter((one) => step(one.size) === index));
@@ -150,8 +222,7 @@ class RobotScene {
   }
 
   private corner(): Vector3 {
-    const least = this.fixedPoints().reduce((corner, point) => corner.min(point), new Vector3(Infinity, Infinity, Infinity));
-    return least;
+    return bounds(this.fixedPoints())[0];
   }
 
   private axes() {
@@ -178,10 +249,5 @@ class RobotScene {
 function box(data: PageData): Segment[] {
   const points = data.fit_position_m.map(vector);
   if (points.length === 0) return [];
-  const low = points.reduce((corner, point) => corner.min(point), new Vector3(Infinity, Infinity, Infinity));
-  const high = points.reduce((corner, point) => corner.max(point), new Vector3(-Infinity, -Infinity, -Infinity));
-  const corner = (k: number) => new Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z);
-  const found: Segment[] = [];
-  for (let k = 0; k < 8; k++) for (const bit of [1, 2, 4]) if (!(k & bit)) found.push([corner(k), corner(k | bit)]);
-  return found;
+  return boxEdges(...bounds(points));
 }

@@ -2,6 +2,7 @@
 import { Box3, Group, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { element } from "../controls";
+import { PAPER_WIDTH, onPrint } from "../printing";
 import { Labels } from "./labels";
 
 const FIELD_OF_VIEW = 32;
@@ -18,6 +19,8 @@ export class Stage {
   private sphere = new Sphere(new Vector3(), 1);
   private points: Vector3[] = [];
   private waiting = false;
+  /** The last view that was asked for, until the reader turns or zooms. */
+  private view: { direction: Vector3; up: Vector3 } | null = null;
 
   /** Throws where the browser has no WebGL. */
   constructor(place: HTMLElement, words: string) {
@@ -32,13 +35,15 @@ export class Stage {
     canvas.setAttribute("aria-label", words);
     holder.append(canvas);
     this.labels = new Labels(holder);
-    this.scene.add(this.content);
+    this.scene.add(this.content, this.labels.group);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableZoom = false; // the wheel scrolls the page; the buttons and + − zoom
     this.orbit.addEventListener("change", () => this.draw());
+    this.orbit.addEventListener("start", () => this.leaveView());
     canvas.addEventListener("keydown", (event) => this.steer(event));
-    new ResizeObserver(() => this.fit(holder)).observe(holder);
-    this.fit(holder);
+    new ResizeObserver(() => this.fit(holder.clientWidth)).observe(holder);
+    onPrint((isPaper) => this.fit(isPaper ? PAPER_WIDTH : holder.clientWidth));
+    this.fit(holder.clientWidth);
   }
 
   /** Where the scene is drawn and the pointer is heard. */
@@ -48,28 +53,42 @@ export class Stage {
 
   /** Looks at everything from a direction; `up` is the direction that points up on the screen. */
   lookFrom(direction: Vector3, up: Vector3): void {
-    const distance = this.distance(direction.clone().normalize(), up);
+    const towards = direction.clone().normalize();
+    const { target, distance } = this.fitting(towards, up);
+    this.view = { direction, up };
     this.camera.up.copy(up);
-    this.camera.position.copy(this.sphere.center).addScaledVector(direction.clone().normalize(), distance);
+    this.camera.position.copy(target).addScaledVector(towards, distance);
     this.camera.near = distance / 100;
     this.camera.far = distance * 10;
     this.camera.updateProjectionMatrix();
-    this.orbit.target.copy(this.sphere.center);
-    this.camera.lookAt(this.sphere.center);
+    this.orbit.target.copy(target);
+    this.camera.lookAt(target);
     this.draw();
   }
 
-  /** How far away the camera sees all points, with a margin. */
-  private distance(towards: Vector3, up: Vector3): number {
+  /** Where to look and from how far, so that all points are seen and their picture lies in the middle. */
+  private fitting(towards: Vector3, up: Vector3): { target: Vector3; distance: number } {
     const right = up.clone().cross(towards).normalize();
     const upright = towards.clone().cross(right);
     const slope = 0.86 * Math.tan((0.5 * FIELD_OF_VIEW * Math.PI) / 180);
-    const least = this.points.map((point) => {
-      const arm = point.clone().sub(this.sphere.center);
-      const across = Math.max(Math.abs(arm.dot(right)) / this.camera.aspect, Math.abs(arm.dot(upright)));
-      return across / slope + arm.dot(towards);
-    });
-    return Math.max(this.sphere.radius, ...least);
+    const target = this.sphere.center.clone();
+    const arms = () => this.points.map((point) => point.clone().sub(target));
+    const distance = () => Math.max(this.sphere.radius, ...arms().map((arm) => Math.max(Math.abs(arm.dot(right)) / this.camera.aspect, Math.abs(arm.dot(upright))) / slope + arm.dot(towards)));
+    // the middle of the picture moves with the distance
+    for (let round = 0; round < 6; round++) {
+      const far = distance();
+      const middle = (axis: Vector3) => {
+        const seen = arms().map((arm) => arm.dot(axis) / (far - arm.dot(towards)));
+        return 0.5 * far * (Math.min(...seen) + Math.max(...seen));
+      };
+      const [across, above] = [middle(right), middle(upright)];
+      if (this.points.length > 0) target.addScaledVector(right, across).addScaledVector(upright, above);
+    }
+    return { target, distance: distance() };
+  }
+
+  private leaveView(): void {
+    this.view = null;
   }
 
   /** The points that must be seen. */
@@ -80,6 +99,7 @@ export class Stage {
   }
 
   zoom(factor: number): void {
+    this.leaveView();
     this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
     this.draw();
   }
@@ -97,7 +117,7 @@ export class Stage {
   drawNow(): void {
     const { canvas } = this;
     this.renderer.render(this.scene, this.camera);
-    this.labels.place(this.camera, canvas.clientWidth, canvas.clientHeight);
+    this.labels.place(this.scene, this.camera, canvas.clientWidth, canvas.clientHeight);
   }
 
   private steer(event: KeyboardEvent): void {
@@ -111,6 +131,7 @@ export class Stage {
   }
 
   private turn(sideways: number, upwards: number): void {
+    this.leaveView();
     const { position, up } = this.camera;
     const arm = position.clone().sub(this.orbit.target);
     arm.applyAxisAngle(up, sideways);
@@ -122,13 +143,16 @@ export class Stage {
     this.draw();
   }
 
-  private fit(holder: HTMLElement): void {
-    const width = Math.max(200, holder.clientWidth);
+  /** Takes so much room; a view that nobody turned shows everything again. */
+  private fit(room: number): void {
+    if (room === 0) return; // folded
+    const width = Math.max(200, room);
     const height = Math.round(Math.min(0.66 * width, 560));
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.view) this.lookFrom(this.view.direction, this.view.up);
     this.drawNow();
   }
 }

@@ -1,10 +1,11 @@
 // The robot in space: cables by tension, the platform that follows the pointer, and the hulls with their clip plane.
 import { AmbientLight, DirectionalLight, Group, Vector3 } from "three";
 import { button, choice, element } from "../controls";
-import { dashed, dispose, lines, markers } from "../scene/drawing";
+import { dashed, dispose, handle, lines, markers } from "../scene/drawing";
 import { offerDragging } from "../scene/dragging";
 import type { Segment } from "../scene/geometry";
 import type { Label } from "../scene/labels";
+import { body } from "../scene/solid";
 import { Stage } from "../scene/stage";
 import { colour, onThemeChange } from "../theme";
 import { type Platform, cableName } from "./platform";
@@ -86,7 +87,7 @@ export class RobotScene {
     const { platform, stage } = this;
     offerDragging(stage, {
       position: () => platform.position,
-      grips: () => [platform.position, ...platform.anchors],
+      grips: () => [this.knob, platform.position, ...platform.anchors],
       moveTo: (position) => platform.moveTo(platform.coordinatesOf(position)),
       normal: () => this.normal(),
       hover: (on) => this.hover(on),
@@ -115,7 +116,7 @@ export class RobotScene {
     const { platform, robot } = this;
     dispose(robot);
     robot.clear();
-    const { frame, anchors, edges, position } = platform;
+    const { frame, anchors, position } = platform;
     const { tensions } = platform.reading;
     const cables = frame.map((anchor, index): Segment => [anchor, anchors[index] as Vector3]);
     cables.forEach((cable, index) => {
@@ -126,13 +127,21 @@ export class RobotScene {
     });
     if (!tensions) robot.add(dashed(cables, colour("muted"), 0.012 * this.size));
     robot.add(
-      lines(edges, colour("ink"), this.hovered ? 3.5 : 2.2),
+      body(anchors, this.size, { solid: colour("solid"), edge: colour("ink"), width: this.hovered ? 3 : 2 }),
       markers(frame, colour("ink"), 8, true),
-      markers([position], colour("ink"), this.hovered ? 20 : 15, false),
+      lines([[position, this.knob]], colour("ink"), 1.5),
+      handle(this.knob, colour("ink"), colour("paper"), this.hovered),
       this.axes(),
     );
     this.stage.labels.set([...this.surfaces.labels, ...this.axisLabels(), ...frame.map((at, index) => ({ at, text: this.words(index, tensions) }))]);
     this.stage.draw();
+  }
+
+  /** Where the handle is: above the platform, which it would hide. */
+  private get knob(): Vector3 {
+    const { position, anchors } = this.platform;
+    const reach = Math.max(...anchors.map((anchor) => anchor.distanceTo(position)));
+    return position.clone().addScaledVector(new Vector3(0, 0, 1), reach + 0.04 * this.size);
   }
 
   private words(index: number, tensions: number[] | null): string {

@@ -118,7 +118,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &output.remarks()))
+        .map(|_| report::page(&task, other.as_ref(), answer.reason(), answer.warnings()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));

@@ -2,6 +2,7 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
+use cdpr::identification::selection::Findings;
 use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
@@ -49,6 +50,9 @@ pub struct IdentificationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) validation_before: Option<ErrorBlocks>,
     pub(super) warnings: Vec<String>,
+    /// The first of them, which doubt the outcome.
+    #[serde(skip)]
+    pub(super) doubts: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,
     #[serde(skip)]
@@ -87,15 +91,25 @@ impl IdentificationAnswer {
         let Identification { model, free, data, samples, fit, validation_data, out, .. } = found;
         let ([train, train_before], validation) = (found.train, found.validation);
         let (validation, validation_before) = validation.map(|[after, before]| (after, before)).unzip();
-        let Distrust { reasons: mut warnings, is_gross } =
-            distrust(model.robot(), &found.sigmas, &validation.unwrap_or(train));
-        let trusted = warnings.is_empty();
-        warnings.extend(found.warnings.into_iter().chain(fit.warnings));
+        let (before, after) = (validation_before.unwrap_or(train_before), validation.unwrap_or(train));
+        let distrust = distrust(model.robot(), &found.sigmas, &after);
+        let Distrust { reasons, is_gross } = &distrust;
+        let (trusted, is_gross) = (reasons.is_empty(), *is_gross);
+        let composition = model.composition().to_string();
+        let findings = Findings {
+            distrust: &distrust,
+            before_and_after: Some([&before, &after]),
+            as_given: &composition,
+            of_data: &found.warnings,
+        };
+        let told = fit.warnings_with(findings);
+        let doubts = told.doubts.len();
+        let mut warnings: Vec<String> = told.all().cloned().collect();
         warnings.extend(convergence_remark(&train, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         Self {
             robot: model.robot().name.clone(),
-            model: model.composition().to_string(),
+            model: composition,
             free,
             data,
             samples,
@@ -120,10 +134,16 @@ impl IdentificationAnswer {
             validation_data,
             validation,
             validation_before,
+            doubts,
             warnings,
             out,
             pattern: model.robot().motion_pattern,
         }
+    }
+
+    /// Warnings for the reader, doubts about the outcome first.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Reason of the status.

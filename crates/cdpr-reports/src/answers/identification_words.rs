@@ -17,13 +17,9 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     };
     let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");
     // what must be known before the outcome
-    let (of_data, others): (Vec<_>, Vec<_>) =
-        answer.warnings.iter().partition(|warning| warning.starts_with("outliers: "));
-    of_data.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+    let (doubts, remarks) = answer.warnings.split_at(answer.doubts);
+    doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
     text.push_str(&format!("{status} after {iterations} iterations: {reason}\n"));
-    if let Some(reason) = answer.warnings.first().filter(|_| !answer.trusted) {
-        text.push_str(&format!("{reason}\n"));
-    }
     if !answer.parameters.is_empty() {
         text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
     }
@@ -39,9 +35,9 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     if !answer.outliers.is_empty() {
         text.push_str(&format!("\n{}", outliers(answer, width)));
     }
-    if !others.is_empty() {
+    if !remarks.is_empty() {
         text.push_str("\nwarnings\n");
-        others.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
+        remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
     }
     if answer.basins.len() > 1 {
         text.push_str("\nthe starts led to different optima; the one with the lowest cost is reported\n");

@@ -46,8 +46,11 @@ pub struct SelectionAnswer {
     pub outliers: Vec<Outlier>,
     /// Seed of the bootstrap.
     pub seed: u64,
-    /// Warnings for the reader.
+    /// Warnings for the reader, doubts about the outcome first.
     pub warnings: Vec<String>,
+    /// Number of these doubts.
+    #[serde(skip)]
+    pub doubts: usize,
     /// Folder of the result's files.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub out: Option<String>,
@@ -150,6 +153,9 @@ pub struct AsGiven {
     pub name: String,
     /// Criterion of the model as given (m, rad or N).
     pub criterion: f64,
+    /// Its standard error.
+    #[serde(skip)]
+    pub standard_error: f64,
     /// Criterion of the model as given, divided by that of the verdict's candidate.
     pub ratio: f64,
 }
@@ -159,10 +165,16 @@ impl AsGiven {
     fn of(selection: &Selection) -> Option<Self> {
         let chosen = selection.recommended.or(selection.best)?;
         let given = selection.as_given().filter(|given| *given != chosen)?;
-        let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok().map(|judged| judged.criterion);
-        let (before, after) = (judged(given)?, judged(chosen)?);
+        let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok();
+        let (Judgement { criterion, standard_error, .. }, after) = (judged(given)?, judged(chosen)?.criterion);
         let name = selection.candidates[given].name.clone();
-        (before.is_finite() && after.is_finite()).then(|| Self { name, criterion: before, ratio: before / after })
+        let (criterion, standard_error) = (*criterion, *standard_error);
+        (criterion.is_finite() && after.is_finite()).then(|| Self {
+            name,
+            criterion,
+            standard_error,
+            ratio: criterion / after,
+        })
     }
 }
 
@@ -190,30 +202,17 @@ impl SelectionAnswer {
     pub fn new(told: &Report<'_>) -> Self {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
-        let chosen = selection.recommended.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let shown = selection
-            .recommended
-            .or(selection.best)
-            .and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let mut warnings: Vec<String> =
-            chosen.iter().flat_map(|judgement| &judgement.distrust.reasons).cloned().collect();
-        let trusted = warnings.is_empty();
+        let judged = |index: Option<usize>| index.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
+        let (chosen, shown) = (judged(selection.recommended), judged(selection.shown()));
         let is_gross = chosen.is_some_and(|judgement| judgement.distrust.is_gross);
-        warnings.extend(selection.outlier_warnings(told.samples));
-        warnings.extend(selection.warnings.iter().cloned());
-        let of_fit = chosen.iter().flat_map(|judgement| &judgement.fit.warnings);
-        for warning in told.warnings.iter().chain(of_fit) {
-            if !warnings.contains(warning) {
-                warnings.push(warning.clone());
-            }
-        }
+        let warnings = told.told_warnings();
         Self {
             status: match selection.recommended {
                 Some(_) if is_gross => "not-trusted",
                 Some(_) => "recommended",
                 None => "none-good-enough",
             },
-            trusted: trusted && selection.recommended.is_some(),
+            trusted: chosen.is_some_and(|judgement| judgement.distrust.reasons.is_empty()),
             is_gross,
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
@@ -229,7 +228,8 @@ impl SelectionAnswer {
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
             seed: told.seed,
-            warnings,
+            doubts: warnings.doubts.len(),
+            warnings: warnings.all().cloned().collect(),
             out: None,
             timing: None,
         }

@@ -1,32 +1,27 @@
 //! The answer of a comparison, for people.
 
-use crate::report::times;
-
 use super::error_table::convergence_remark;
 use super::{Answer, AsGiven, SelectionAnswer};
-use crate::number_format::cell;
+use crate::number_format::{condition, significant};
+use crate::report::{times, value_and_error};
 use crate::table::Table;
 
 impl Answer for SelectionAnswer {
     fn words(&self, width: Option<usize>) -> String {
         let mut text =
             format!("{}: {} samples of {}\njudged on {}\n", self.robot, self.samples, self.data, self.validation);
-        // what must be known before the outcome
-        let (of_data, others): (Vec<_>, Vec<_>) =
-            self.warnings.iter().partition(|warning| warning.starts_with("outliers: "));
-        of_data.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        let (doubts, remarks) = self.warnings.split_at(self.doubts);
+        doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         text.push_str(&format!("\n{}\n", table(self, width)));
         match &self.recommended {
-            Some(name) if self.trusted => text.push_str(&format!("recommended: {name}\n  {}\n", self.reason)),
-            Some(name) => text.push_str(&format!(
-                "{}\nthe best that there is, not to be trusted: {name}\n  {}\n",
-                self.warnings.first().map_or("", String::as_str),
-                self.reason
-            )),
+            Some(name) => {
+                let words = if self.trusted { "recommended" } else { "the best that there is, not to be trusted" };
+                text.push_str(&format!("{words}: {name}\n  {}\n", self.reason));
+            }
             None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
         }
-        if let Some(AsGiven { name, criterion, ratio }) = &self.as_given {
-            let value = self.criterion.format(*criterion);
+        if let Some(AsGiven { name, criterion, standard_error, ratio }) = &self.as_given {
+            let value = self.criterion.format_with_error(*criterion, *standard_error);
             text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
         }
         if !self.untried.is_empty() {
@@ -37,7 +32,7 @@ impl Answer for SelectionAnswer {
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
         }
-        for (index, remark) in others.iter().enumerate() {
+        for (index, remark) in remarks.iter().enumerate() {
             text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
         }
         if let Some(out) = &self.out {
@@ -71,16 +66,19 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
         let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
         let mut cells = vec![format!("{marker}{}", candidate.name)];
         match &candidate.judged {
-            Some(judged) => cells.extend([
-                judged.parameter_count.to_string(),
-                cell(Some(criterion.in_unit(criterion.of_blocks(&judged.train))), 3),
-                cell(Some(criterion.in_unit(judged.criterion)), 3),
-                cell(Some(criterion.in_unit(judged.standard_error)), 3),
-                cell(Some(1e3 * judged.validation.length_error_m.rms), 3),
-                judged.rank.to_string(),
-                cell(Some(judged.condition), 1),
-                judged.caution_words.clone(),
-            ]),
+            Some(judged) => {
+                let (value, error) = value_and_error(criterion, judged.criterion, judged.standard_error);
+                cells.extend([
+                    judged.parameter_count.to_string(),
+                    significant(criterion.in_unit(criterion.of_blocks(&judged.train)), 3),
+                    value,
+                    error,
+                    significant(1e3 * judged.validation.length_error_m.rms, 3),
+                    judged.rank.to_string(),
+                    condition(judged.condition),
+                    judged.caution_words.clone(),
+                ]);
+            }
             None => cells.extend([String::new(), "failed".to_owned()]),
         }
         table.row(cells);

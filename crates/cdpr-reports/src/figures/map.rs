@@ -43,7 +43,8 @@ impl Map {
     /// The chart as SVG, both axes to the same scale; `None` without points.
     pub fn svg(&self) -> Option<Figure> {
         let points = thinned(&self.points);
-        let ranges = [0, 1].map(|axis| finite_range(points.iter().map(|point| point.at[axis])));
+        let places = || points.iter().map(|point| point.at).chain(arrow::some_of(&self.arrows).map(|[_, to]| *to));
+        let ranges = [0, 1].map(|axis| finite_range(places().map(|at| at[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
         let top = TOP + LINE * self.title.len() as f64;
         let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
@@ -100,4 +101,29 @@ fn thinned(points: &[MapPoint]) -> Vec<&MapPoint> {
         (0..run.len()).filter(|&k| run[k].error.is_finite()).max_by(|&a, &b| run[a].error.total_cmp(&run[b].error))
     };
     points.chunks(run).filter_map(|run| worst(run).map(|k| &run[k])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arrow that leads out of the points widens the plot: its tip is inside the frame.
+    #[test]
+    fn no_arrow_is_cut_at_the_edge() {
+        let point = |x: f64| MapPoint { at: [x, 0.0], error: 1.0 };
+        let map = |arrows: Vec<[[f64; 2]; 2]>| Map {
+            title: vec!["errors".to_owned()],
+            points: vec![point(0.0), point(1.0)],
+            arrows,
+            axes: ["x".to_owned(), "y".to_owned()],
+            top: 1.0,
+            colour_label: "error in mm".to_owned(),
+        };
+        let figure = map(vec![[[1.0, 0.0], [3.0, 0.5]]]).svg().unwrap();
+        let line = figure.body.lines().find(|line| line.contains("class=\"arrow\"")).unwrap();
+        let at = |name: &str| -> f64 {
+            line.split_once(&format!(" {name}=\"")).unwrap().1.split_once('"').unwrap().0.parse().unwrap()
+        };
+        assert!(at("x2") < figure.width && at("y2") > 0.0 && at("x2") > at("x1") + 100.0, "{line}");
+    }
 }

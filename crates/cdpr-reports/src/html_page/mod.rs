@@ -36,7 +36,7 @@ pub(crate) struct Page<'a> {
     pub(crate) title: &'a str,
     /// Class of the body; empty for none.
     pub(crate) class: &'a str,
-    /// Template of what stands between head and footer; `closing` and `warned` are known to it.
+    /// Template of what stands between head and footer; `closing` and `warned` are known to it where `values` has `warnings`.
     pub(crate) template: &'static str,
     /// The template's values; `title` and `version` are known to it besides.
     pub(crate) values: Value,
@@ -65,8 +65,12 @@ impl Page<'_> {
         let part = |name: &str| -> Result<Value, Error> {
             Ok(Value::from_safe_string(environment.get_template(name)?.render(&known)?))
         };
-        let (closing, warned) = (part("closing.html")?, part("warned.html")?);
-        let body = environment.get_template("body.html")?.render(context! { closing, warned, ..known.clone() })?;
+        // a page that tells its warnings itself has no list at its end
+        let closing = match known.get_attr("warnings")?.is_undefined() {
+            true => context! {},
+            false => context! { closing => part("closing.html")?, warned => part("warned.html")? },
+        };
+        let body = environment.get_template("body.html")?.render(context! { ..closing, ..known.clone() })?;
         environment.get_template("frame.html")?.render(context! {
             style => Value::from_safe_string(format!("{STYLE}{}", crate::figures::page_style())),
             script => Value::from_safe_string(SCRIPT.to_owned()),

@@ -52,17 +52,17 @@ pub(super) fn table(report: &Report<'_>) -> Value {
 }
 
 fn figures(report: &Report<'_>, judgement: &Judgement) -> [Cell; 6] {
-    let (value, error) = criterion::number_and_error(report.criterion, judgement.criterion, judgement.standard_error);
+    let (value, error) = criterion::value_and_error(report.criterion, judgement.criterion, judgement.standard_error);
     let train = report.criterion.in_unit(report.criterion.of_blocks(&judgement.train));
     let (analysis, count) = (&judgement.fit.analysis, judgement.fit.parameters.len());
     let none = || number::NONE.to_owned();
     [
         count.to_string(),
-        number::significant(train, 4),
+        number::significant(train, 3),
         value,
         if error.is_empty() { none() } else { error },
         if count == 0 { none() } else { format!("{} of {count}", analysis.rank) },
-        if count == 0 { none() } else { number::significant(analysis.condition, 3) },
+        if count == 0 { none() } else { number::condition(analysis.condition) },
     ]
     .map(Cell::number)
 }

@@ -30,6 +30,19 @@ pub(super) fn coverage(report: &Report<'_>, shown: &Shown<'_>) -> Value {
     context! { table => table.into_value(), words => words(report, shown, coverage.outside, &coverage.is_outside) }
 }
 
+/// How many of the judged samples lie beyond, in few words.
+pub(super) fn gist(report: &Report<'_>) -> String {
+    if !report.is_held_out {
+        return "nothing was held out".to_owned();
+    }
+    let coverage = covered(report.robot, report.samples, report.folds);
+    let (outside, count) = (coverage.outside, coverage.is_outside.len());
+    match outside {
+        0 => format!("all {count} validation samples lie within the poses of the fit"),
+        outside => format!("{outside} of {count} validation samples lie outside the poses of the fit"),
+    }
+}
+
 fn words(report: &Report<'_>, shown: &Shown<'_>, outside: usize, is_outside: &[bool]) -> String {
     if !report.is_held_out {
         return "Nothing was held out: how the model does beyond the poses of the fit is not known.".to_owned();
@@ -44,7 +57,7 @@ fn words(report: &Report<'_>, shown: &Shown<'_>, outside: usize, is_outside: &[b
             errors.filter(|(error, is)| **is == wanted && error.is_finite()).map(|(e, _)| *e).collect();
         match chosen.len() {
             0 => "no value".to_owned(),
-            count => format!("{} mm", number::millimetres(chosen.iter().sum::<f64>() / count as f64)),
+            count => format!("{} mm", number::significant(1e3 * chosen.iter().sum::<f64>() / count as f64, 3)),
         }
     };
     format!(

@@ -36,13 +36,13 @@ struct Quantity {
 const POSITION: Quantity = Quantity {
     title: "position, mm",
     read: |e| e.position_error_m.into(),
-    write: number::millimetres,
+    write: |value| number::significant(1e3 * value, 3),
     samples: |e| e.answered,
 };
 const ROTATION: Quantity = Quantity {
     title: "rotation, °",
     read: |e| e.rotation_error_rad.into(),
-    write: number::degrees,
+    write: |value| number::significant(value.to_degrees(), 3),
     samples: |e| e.answered,
 };
 const LENGTH: Quantity = Quantity {
@@ -51,7 +51,7 @@ const LENGTH: Quantity = Quantity {
         let length = e.length_error_m;
         Figures { mean: length.mean_abs, rms: length.rms, median: f64::NAN, p95: length.p95, max: length.max }
     },
-    write: number::millimetres,
+    write: |value| number::significant(1e3 * value, 3),
     samples: |e| e.length_samples,
 };
 
@@ -62,7 +62,7 @@ const TENSION: Quantity = Quantity {
         let TensionErrorStatistics { mean_abs, rms, max, .. } = e.tension_error.unwrap_or(none);
         Figures { mean: mean_abs, rms, median: f64::NAN, p95: f64::NAN, max }
     },
-    write: number::newtons,
+    write: |value| number::significant(value, 3),
     samples: |e| e.answered,
 };
 
@@ -135,10 +135,10 @@ pub(super) fn folds(report: &Report<'_>, shown: &Shown<'_>) -> Value {
     let mut table = Table::new(format!("Validation errors of `{}` fold by fold", shown.name), &columns);
     for (index, (name, blocks)) in shown.judgement.folds.iter().enumerate() {
         let figures = [
-            Some(number::millimetres(blocks.position_error_m.mean)),
-            Some(number::millimetres(blocks.position_error_m.p95)),
-            turns.then(|| number::degrees(blocks.rotation_error_rad.mean)),
-            Some(number::millimetres(blocks.length_error_m.rms)),
+            Some((POSITION.write)(blocks.position_error_m.mean)),
+            Some((POSITION.write)(blocks.position_error_m.p95)),
+            turns.then(|| (ROTATION.write)(blocks.rotation_error_rad.mean)),
+            Some((POSITION.write)(blocks.length_error_m.rms)),
             Some(blocks.not_converged.to_string()),
         ];
         let mut cells = vec![Cell::short(name), Cell::number(blocks.samples.to_string())];

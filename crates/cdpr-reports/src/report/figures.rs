@@ -12,7 +12,8 @@ pub(super) fn all(report: &Report<'_>, shown: &Shown<'_>) -> Value {
     let is_free = !fit.parameters.is_empty();
     let element = |figure: Option<Figure>| figure.map(|figure| Value::from_safe_string(figure.inline()));
     context! {
-        ladder => element(ladder(report)),
+        ladder => element(ladder(report).and_then(|ladder| ladder.svg())),
+        narrow_ladder => element(ladder(report).and_then(|ladder| ladder.narrow_svg())),
         spectrum => element(is_free.then(|| spectrum(&fit.analysis.singular_values, fit.analysis.rank)).flatten()),
         correlation => element(correlations(&names, &fit.analysis.correlation_rows)),
         convergence => element(convergence(&fit.history)),
@@ -20,7 +21,7 @@ pub(super) fn all(report: &Report<'_>, shown: &Shown<'_>) -> Value {
 }
 
 /// The candidates, where there are several.
-fn ladder(report: &Report<'_>) -> Option<Figure> {
+fn ladder(report: &Report<'_>) -> Option<Ladder> {
     let selection = report.selection;
     if selection.candidates.len() < 2 {
         return None;
@@ -33,5 +34,5 @@ fn ladder(report: &Report<'_>) -> Option<Figure> {
             (candidate.name.as_str(), judged.map(|judged| judged.criterion), judged.map(|judged| judged.standard_error))
         })
         .collect();
-    Ladder::of(report.criterion, report.data_words(), &all, [selection.best, selection.recommended]).svg()
+    Some(Ladder::of(report.criterion, report.data_words(), &all, [selection.best, selection.recommended]))
 }

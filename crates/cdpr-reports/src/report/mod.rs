@@ -6,6 +6,7 @@ mod coverage;
 mod criterion;
 mod errors;
 mod figures;
+mod gists;
 mod page_data;
 mod parameters;
 mod table;
@@ -13,10 +14,11 @@ mod table;
 mod tests;
 mod verdict;
 
+pub use criterion::value_and_error;
 pub use verdict::times;
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::selection::{Judgement, Selection, SelectionCriterion};
+use cdpr::identification::selection::{Judgement, Selection, SelectionCriterion, Warnings};
 use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
 use minijinja::{Value, context};
@@ -63,7 +65,7 @@ pub struct Report<'a> {
     pub seed: u64,
     /// Version of the program.
     pub version: &'a str,
-    /// Warnings besides those of the fit; text between backticks is shown as code.
+    /// Remarks about the data, or all warnings of an identification; text between backticks is shown as code.
     pub warnings: &'a [String],
 }
 
@@ -91,9 +93,7 @@ impl<'a> Shown<'a> {
             let candidate = selection.candidates.get(index)?;
             Some(Named { index, name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
         };
-        let all = || 0..selection.candidates.len();
-        let index = selection.recommended.or(selection.best).or_else(|| all().find(|&k| judged(k).is_some()))?;
-        let Named { name, judgement, .. } = judged(index)?;
+        let Named { index, name, judgement } = judged(selection.shown()?)?;
         let as_given = selection.as_given().and_then(judged);
         Some(Self { index, name, judgement, as_given })
     }
@@ -105,6 +105,14 @@ impl Report<'_> {
         match self.purpose {
             Purpose::Selection => format!("Control models for {name}"),
             Purpose::Identification => format!("Identification of {name}"),
+        }
+    }
+
+    /// What text, JSON and page warn of.
+    pub(crate) fn told_warnings(&self) -> Warnings {
+        match self.purpose {
+            Purpose::Selection => self.selection.warnings(self.samples, self.warnings),
+            Purpose::Identification => Warnings { doubts: Vec::new(), remarks: self.warnings.to_vec() },
         }
     }
 
@@ -126,20 +134,20 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
     let shown = Shown::of(input.selection);
     let values = context! {
         facts => facts(input),
+        gists => gists::all(input, shown.as_ref()),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
         untried => input.selection.untried.iter().map(|words| prose(words)).collect::<Value>(),
         is_selection => input.purpose == Purpose::Selection,
         data_words => input.data_words(),
         shown => shown.as_ref().map(|shown| details(input, shown)),
-        warnings => warnings(input, shown.as_ref()),
         command => plain(input.command),
         seed => input.seed,
         criterion => input.criterion.to_string(),
     };
     let data = page_data::json(input, shown.as_ref());
     let (title, version) = (&input.title(), input.version);
-    Page { title, class: "", template: TEMPLATE, values, data, version }.render()
+    Page { title, class: "wide", template: TEMPLATE, values, data, version }.render()
 }
 
 fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
@@ -148,6 +156,7 @@ fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
         name => plain(shown.name),
         recommended => input.selection.recommended.is_some(),
         has_validation => judgement.validation.samples > 0,
+        has_set_aside => !judgement.set_aside.is_empty(),
         has_tensions => judgement.validation.tension_error.is_some(),
         is_thinned => page_data::is_thinned(input, shown),
         errors => errors::before_and_after(input, shown),
@@ -201,26 +210,4 @@ fn sigma_words(sigmas: &SensorSigmas) -> String {
     ];
     let known: Vec<String> = known.into_iter().flatten().collect();
     if known.is_empty() { "not known".to_owned() } else { format!("{} (standard deviations)", known.join(", ")) }
-}
-
-fn warnings(input: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let mut warnings = input.selection.outlier_warnings(input.samples);
-    warnings.extend(input.selection.warnings.iter().cloned());
-    warnings.extend(input.warnings.iter().cloned());
-    if let Some(shown) = shown {
-        let judgement = shown.judgement;
-        warnings.splice(0..0, judgement.distrust.reasons.iter().cloned());
-        let known = warnings.clone();
-        warnings.extend(judgement.fit.warnings.iter().filter(|warning| !known.contains(warning)).cloned());
-        if let Some((row, reason)) = judgement.validation_errors.not_converged.first() {
-            let sample = judgement.validation_samples.get(*row).map_or(*row, |sample| *sample) + 1;
-            let count = judgement.validation_errors.not_converged.len();
-            warnings.push(format!(
-                "the forward problem of {count} of {} validation samples has no answer, so that they have no error of the pose; the \
-                 first is sample {sample}: {reason}",
-                judgement.validation.samples
-            ));
-        }
-    }
-    warnings.iter().map(|warning| prose(warning)).collect()
 }

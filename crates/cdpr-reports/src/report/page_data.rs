@@ -64,6 +64,14 @@ struct CableData {
     frame_anchor_m: [f64; 3],
     platform_anchor_nominal_m: [f64; 3],
     platform_anchor_m: [f64; 3],
+    pulley: Option<PulleyData>,
+}
+
+/// A pulley that the file states with radius and axis.
+#[derive(Serialize)]
+struct PulleyData {
+    radius_m: f64,
+    swivel_axis: [f64; 3],
 }
 
 /// The judged samples, in the order of the data; every list has an entry for each.
@@ -81,6 +89,8 @@ struct SampleData {
     length_change_m: Vec<Option<Vec<f64>>>,
     /// Outside the ranges of the poses that its fit saw.
     outside: Vec<bool>,
+    /// Explained by no candidate, so that no figure counts it.
+    set_aside: Vec<bool>,
     calibrated: ErrorData,
     as_given: Option<ErrorData>,
 }
@@ -142,6 +152,10 @@ fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
         frame_anchor_m: vector(&after.frame_anchor),
         platform_anchor_nominal_m: vector(&before.platform_anchor),
         platform_anchor_m: vector(&after.platform_anchor),
+        pulley: after
+            .pulley_radius()
+            .zip(after.pulley_swivel_axis())
+            .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis) }),
     });
     RobotData { plane, turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
 }
@@ -204,6 +218,7 @@ fn samples(report: &Report<'_>, shown: &Shown<'_>) -> SampleData {
         recorded_length_m: rows.iter().map(lengths).collect(),
         length_change_m: rows.iter().map(change).collect(),
         outside: rows.iter().map(|row| is_outside.get(row.row).copied().unwrap_or(false)).collect(),
+        set_aside: rows.iter().map(|row| shown.judgement.set_aside.contains(&row.row)).collect(),
         calibrated: errors(&rows, &shown.judgement.validation_errors),
         as_given: shown.before().map(|given| errors(&rows, &given.judgement.validation_errors)),
     }

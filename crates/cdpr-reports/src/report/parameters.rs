@@ -87,8 +87,8 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
         status => status(fit.status),
         reason => prose(&fit.reason),
         rank => format!("{} of {}", analysis.rank, fit.parameters.len()),
-        condition => number::significant(analysis.condition, 4),
-        condition_scaled => number::significant(analysis.condition_scaled, 4),
+        condition => number::condition(analysis.condition),
+        condition_scaled => number::condition(analysis.condition_scaled),
         noise_factor => number::significant(fit.noise_factor, 3),
         iterations => fit.iterations,
         weak,
@@ -97,7 +97,8 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
     }
 }
 
-fn status(status: Status) -> &'static str {
+/// Outcome of the fit in words.
+pub(super) fn status(status: Status) -> &'static str {
     match status {
         Status::Converged => "converged",
         Status::NotIdentifiable => "not identifiable",

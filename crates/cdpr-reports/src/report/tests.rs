@@ -1,5 +1,7 @@
 //! The page on simulated data: well-formed, self-contained, escaped, and telling the numbers of the selection.
 
+use std::sync::LazyLock;
+
 use cdpr::geometry::{MotionPattern, Plane, Pose};
 use cdpr::identification::candidate::parse_list;
 use cdpr::identification::selection::{Settings, select};
@@ -12,6 +14,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
 use super::*;
+use crate::answers::{Answer, SelectionAnswer};
 use crate::html_page::reading::{data, markup, parsed};
 
 /// A box of 8 × 6 × 4 m with the cables at its corners.
@@ -114,13 +117,18 @@ fn selected(robot: &Robot, samples: &Samples, candidates: &str, requirements: &[
 }
 
 fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
-    render(&Report {
+    render(&report(robot, samples, selection, &fifths(samples.len()))).unwrap()
+}
+
+fn report<'a>(robot: &'a Robot, samples: &'a Samples, selection: &'a Selection, folds: &'a [Fold]) -> Report<'a> {
+    static WARNINGS: LazyLock<[String; 1]> = LazyLock::new(|| ["column `remark` was ignored".to_owned()]);
+    Report {
         purpose: Purpose::Selection,
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
         robot,
         samples,
         data_count: samples.len(),
-        folds: &fifths(samples.len()),
+        folds,
         is_held_out: true,
         data_name: "data.csv",
         validation_name: "five contiguous blocks that take turns",
@@ -128,9 +136,8 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
         criterion: SelectionCriterion::Position,
         seed: 1,
         version: "0.1.0",
-        warnings: &["column `remark` was ignored".to_owned()],
-    })
-    .unwrap()
+        warnings: &*WARNINGS,
+    }
 }
 
 const LADDER: &str = "standard;standard:length-offset;standard:length-offset,length-scale;standard:frame-anchor;\
@@ -154,8 +161,7 @@ fn the_page_is_well_formed_and_tells_the_numbers_of_the_selection() {
     let text = markup(&text);
     let document = parsed(&text);
     let judgement = selection.candidates[1].outcome.as_ref().unwrap();
-    let value =
-        criterion::with_error(SelectionCriterion::Position, judgement.criterion, judgement.standard_error).unwrap();
+    let value = SelectionCriterion::Position.format_with_error(judgement.criterion, judgement.standard_error);
     for wanted in ["standard:length-offset", &value, "length-offset[8]", "not identified: ", "3R3T", "block 5 of 5"] {
         assert!(has_text(&document, wanted), "{wanted}");
     }
@@ -181,6 +187,52 @@ fn nothing_on_the_page_comes_from_the_network_and_every_link_has_its_target() {
     unique.sort_unstable();
     unique.dedup();
     assert_eq!(unique.len(), ids.len(), "ids are unique");
+}
+
+/// On clean data, on data with rows that are wrong, and where two cables are swapped, which nobody may trust.
+#[test]
+fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() {
+    let robot = spatial_robot("box");
+    let clean = measured(&robot, 100);
+    let mut dirty = clean.clone();
+    [17, 60].into_iter().for_each(|row: usize| dirty.poses[row].position.x += 0.3);
+    let mut swapped = clean.clone();
+    swapped.sigmas.position = Some(1e-3);
+    swapped.lengths.chunks_mut(8).for_each(|lengths| lengths.swap(2, 4));
+    for (samples, class, first) in
+        [(clean, "warned", "column"), (dirty, "warned", "outliers: 2 of"), (swapped, "bad", "not to be trusted")]
+    {
+        let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
+        let folds = fifths(samples.len());
+        let report = report(&robot, &samples, &selection, &folds);
+        let answer = SelectionAnswer::new(&report);
+        assert!(answer.warnings[0].starts_with(first), "{:?}", answer.warnings);
+        let text = answer.words(None);
+        let html = markup(&render(&report).unwrap());
+        let document = parsed(&html);
+        let list = document.descendants().find(|node| node.attribute("id") == Some("warnings")).unwrap();
+        let words = |node: roxmltree::Node<'_, '_>| -> String {
+            node.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect()
+        };
+        let told: Vec<String> = list.descendants().filter(|node| node.has_tag_name("li")).map(words).collect();
+        let expected: Vec<String> = answer.warnings.iter().map(|warning| warning.replace('`', "")).collect();
+        assert_eq!(told, expected);
+        assert!(answer.warnings.iter().all(|warning| text.matches(warning).count() == 1), "{text}");
+        assert!(html.contains(&format!("class=\"verdict {class}\"")), "{class}");
+    }
+}
+
+/// A verdict is green where nothing speaks against it, and only there.
+#[test]
+fn the_verdict_is_good_without_any_warning() {
+    let robot = spatial_robot("box");
+    let samples = measured(&robot, 100);
+    let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
+    let folds = fifths(samples.len());
+    let report = Report { warnings: &[], ..report(&robot, &samples, &selection, &folds) };
+    assert_eq!(SelectionAnswer::new(&report).warnings, Vec::<String>::new());
+    let html = render(&report).unwrap();
+    assert!(html.contains("class=\"verdict good\"") && !html.contains("id=\"warnings\""));
 }
 
 #[test]

@@ -1,43 +1,76 @@
-//! The answer in one line, the limits, the reason.
+//! The answer in one line, its warnings, the limits, the reason.
 
-use cdpr::identification::selection::RequirementOutcome;
+use cdpr::identification::selection::{Judgement, RequirementOutcome};
 use minijinja::{Value, context};
 
 use super::table::Cell;
-use super::{Purpose, Report, Shown, criterion};
+use super::{Purpose, Report, Shown};
 use crate::html_page::prose;
 use crate::number_format as number;
 
-/// The first thing a reader sees.
+/// A reason of more letters folds, so that the first screen has room for the figures.
+const LONG_REASON: usize = 560;
+
+/// The first thing a reader sees: the outcome, whose colour says how far to rely on it, and every warning.
 pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let reason = prose(report.selection.reason.trim_end_matches('.'));
+    let reason = report.selection.reason.trim_end_matches('.');
+    let is_long = reason.chars().count() > LONG_REASON;
+    let reason = prose(reason);
+    let warnings: Vec<String> = report.told_warnings().all().cloned().collect();
+    let folded = warnings.len() - unfolded(&warnings);
+    let (class, heading) = match shown {
+        None => ("bad", "No candidate could be identified".to_owned()),
+        Some(shown) => outcome(report, shown, warnings.len()),
+    };
+    let warnings: Value = warnings.iter().map(|warning| prose(warning)).collect();
     let Some(shown) = shown else {
-        return context! { class => "bad", heading => "No candidate could be identified", name => "", line => "",
-        comparison => "", doubts => no_values(), requirements => no_values(), reason };
+        return context! { class, heading, name => "", line => "", comparison => "", requirements => no_values(), warnings, folded, reason, is_long };
     };
-    let judgement = shown.judgement;
-    let met = judgement.requirements.iter().all(|requirement| requirement.met);
-    let single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
-    let mut doubts: Vec<String> = report.selection.outlier_warnings(report.samples);
-    doubts.extend(report.selection.warnings.iter().cloned());
-    let cautious = !doubts.is_empty() || !judgement.fit.cautions().is_empty() || judgement.validation.not_converged > 0;
-    let trusted = judgement.distrust.reasons.is_empty();
-    let (class, heading) = match (report.selection.recommended.is_some(), single) {
-        (true, false) if !trusted => ("bad", "Recommended control model, not to be trusted"),
-        (_, true) if met && !trusted => ("bad", "Identified control model, not to be trusted"),
-        (true, false) if cautious => ("bad", "Recommended control model, with a caution"),
-        (true, false) => ("good", "Recommended control model"),
-        (_, true) if met && !cautious => ("good", "Identified control model"),
-        (_, true) if met => ("bad", "Identified control model, with a caution"),
-        (_, true) => ("bad", "Identified control model, which breaks a requirement"),
-        (false, false) if report.selection.best.is_none() => ("bad", "No candidate can be judged; the first one"),
-        (false, false) => ("bad", "No candidate recommended; the best on validation data"),
-    };
-    let requirements: Value = judgement.requirements.iter().map(requirement).collect();
+    let requirements: Value = shown.judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
-    let doubts: Value = doubts.iter().map(|doubt| prose(doubt)).collect();
-    context! { class, heading, name, doubts, line => line(report, shown), comparison => prose(&comparison(report, shown)), requirements,
-    reason }
+    let comparison = prose(&comparison(report, shown));
+    context! { class, heading, name, line => line(report, shown), comparison, requirements, warnings, folded, reason, is_long }
+}
+
+/// Class and heading: good without any warning only.
+fn outcome(report: &Report<'_>, shown: &Shown<'_>, warnings: usize) -> (&'static str, String) {
+    let judgement = shown.judgement;
+    let is_met = judgement.requirements.iter().all(|requirement| requirement.met);
+    let is_single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
+    let what = match (report.selection.recommended.is_some(), is_single) {
+        (true, false) => "Recommended control model",
+        (_, true) if is_met => "Identified control model",
+        (_, true) => return ("bad", "Identified control model, which breaks a requirement".to_owned()),
+        (false, false) if report.selection.best.is_none() => {
+            return ("bad", "No candidate can be judged; the first one".to_owned());
+        }
+        (false, false) => return ("bad", "No candidate recommended; the best on validation data".to_owned()),
+    };
+    match (judgement.distrust.reasons.is_empty(), warnings) {
+        (false, _) => ("bad", format!("{what}, not to be trusted")),
+        (true, 0) => ("good", what.to_owned()),
+        (true, 1) => ("warned", format!("{what}, with a warning")),
+        (true, count) => ("warned", format!("{what}, with {count} warnings")),
+    }
+}
+
+/// Warnings that are shown before the others fold: what fits beside a verdict, and the first in any case.
+fn unfolded(warnings: &[String]) -> usize {
+    const MOST: usize = 3;
+    const LETTERS: usize = 600;
+    let mut letters = 0;
+    let fits = |warning: &&String| {
+        letters += warning.chars().count();
+        letters <= LETTERS
+    };
+    let count = warnings.iter().take(MOST).take_while(fits).count();
+    // one more line costs no more than to say that there is one more
+    let rest = warnings.len() - count;
+    if rest == 1 && count > 0 && warnings[count].chars().count() < 120 {
+        count + 1
+    } else {
+        count.max(warnings.len().min(1))
+    }
 }
 
 fn no_values() -> Value {
@@ -49,11 +82,14 @@ fn no_values() -> Value {
 fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let judgement = shown.judgement;
     let words = report.criterion.to_string();
-    let value = match judgement.validation.samples {
-        0 => criterion::words(report.criterion, report.criterion.of_blocks(&judgement.train)),
-        _ => criterion::with_error(report.criterion, judgement.criterion, judgement.standard_error),
+    let (value, error) = match judgement.validation.samples {
+        0 => (report.criterion.of_blocks(&judgement.train), f64::NAN),
+        _ => (judgement.criterion, judgement.standard_error),
     };
-    let value = value.unwrap_or_else(|| "has no value: the forward problem has no answer".to_owned());
+    let value = match value.is_finite() {
+        true => report.criterion.format_with_error(value, error),
+        false => "has no value: the forward problem has no answer".to_owned(),
+    };
     let data = match (report.is_held_out, judgement.validation.samples) {
         (true, 1..) => "Validation",
         _ => "Data of the fit:",
@@ -74,16 +110,13 @@ fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
 
 fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let Some(given) = shown.before() else { return String::new() };
-    let (before, after) = match shown.judgement.validation.samples {
-        0 => {
-            let of = |blocks| report.criterion.of_blocks(blocks);
-            (of(&given.judgement.train), of(&shown.judgement.train))
-        }
-        _ => (given.judgement.criterion, shown.judgement.criterion),
+    let value = |judgement: &Judgement| match shown.judgement.validation.samples {
+        0 => (report.criterion.of_blocks(&judgement.train), f64::NAN),
+        _ => (judgement.criterion, judgement.standard_error),
     };
-    let ratio = before / after;
-    let before = criterion::words(report.criterion, before).unwrap_or_else(|| "no value".to_owned());
-    format!("today, `{}` as given: {before}{}", given.name, times(ratio))
+    let ((before, error), (after, _)) = (value(given.judgement), value(shown.judgement));
+    let words = report.criterion.format_with_error(before, error);
+    format!("today, `{}` as given: {words}{}", given.name, times(before / after))
 }
 
 /// How an error compares with the one of the verdict, `ratio` times as large; nothing where one of them is unknown.
@@ -140,6 +173,15 @@ fn metric_words(metric: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_first_warning_never_folds_and_long_lists_do() {
+        let of = |lengths: &[usize]| unfolded(&lengths.iter().map(|&length| "a".repeat(length)).collect::<Vec<_>>());
+        assert_eq!(
+            [of(&[]), of(&[2000]), of(&[2000, 10]), of(&[100; 3]), of(&[100; 4]), of(&[150; 5])],
+            [0, 1, 1, 3, 4, 3]
+        );
+    }
 
     #[test]
     fn figures_have_the_unit_of_their_name() {

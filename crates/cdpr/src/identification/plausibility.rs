@@ -44,8 +44,10 @@ pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> D
         (rotation, sigmas.rotation, "rotation", 1f64.to_degrees(), "°"),
     ] {
         let Some(sigma) = sigma.filter(|sigma| *sigma > 0.0 && error > LARGEST_MULTIPLE * sigma) else { continue };
+        // three significant digits: the error is known no better
+        let decimals = (2.0 - (factor * error).log10().floor()).clamp(0.0, 6.0) as usize;
         reasons.push(format!(
-            "not to be trusted: the mean {name} error, {:.3}{unit}, is {:.1} times the accuracy that is stated for the poses, {:.3}{unit}: \
+            "not to be trusted: the mean {name} error, {:.decimals$}{unit}, is {:.1} times the accuracy that is stated for the poses, {:.3}{unit}: \
              the model lacks something, or data or accuracy are wrong",
             factor * error,
             error / sigma,

@@ -7,6 +7,7 @@ mod reason;
 mod requirement;
 mod settings;
 mod untried;
+mod warnings;
 mod worse;
 
 pub use criterion::SelectionCriterion;
@@ -15,13 +16,13 @@ use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 pub use settings::Settings;
 use thiserror::Error;
+pub use warnings::{Findings, Warnings};
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
 use super::evaluation::{Evaluation, evaluate_fitted};
 use super::fit::{self, fit};
 use super::loss::Loss;
-use super::outliers::set_aside_warning;
 use super::plausibility::{Distrust, distrust};
 use crate::measurement::{Fold, Samples};
 use crate::model::{Composition, Model};
@@ -40,9 +41,6 @@ pub struct Selection {
     pub reason: String,
     /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
     pub untried: Vec<String>,
-    /// Doubts about the recommended candidate: errors on validation data that are larger than those of the model that the robot runs
-    /// today.
-    pub warnings: Vec<String>,
 }
 
 impl Selection {
@@ -56,17 +54,6 @@ impl Selection {
         }
     }
 
-    /// Warnings that stand before the choice: about outliers of the chosen fit (else of the best), and about samples that no candidate
-    /// explains.
-    pub fn outlier_warnings(&self, samples: &Samples) -> Vec<String> {
-        let shown = self.recommended.or(self.best).and_then(|index| self.candidates[index].outcome.as_ref().ok());
-        let Some(judgement) = shown else { return Vec::new() };
-        let places: Vec<usize> = judgement.set_aside.iter().map(|&place| judgement.validation_samples[place]).collect();
-        let of_fit = judgement.fit.warnings.first().filter(|_| !judgement.fit.outliers.is_empty());
-        let of_validation = set_aside_warning(&places, judgement.validation_samples.len(), samples);
-        of_fit.cloned().into_iter().chain(of_validation).collect()
-    }
-
     /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
     /// freed, else the first with nothing freed.
     pub fn as_given(&self) -> Option<usize> {
@@ -77,16 +64,7 @@ impl Selection {
     }
 
     fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
-        Self { candidates, best, recommended, reason, untried: Vec::new(), warnings: Vec::new() }
-    }
-
-    fn worse_than_today(&self) -> Option<String> {
-        let judged = |index: usize| self.candidates[index].outcome.as_ref().ok();
-        let (given, chosen) = (self.as_given()?, self.recommended?);
-        let worse = worse::worse(&judged(given)?.validation, &judged(chosen)?.validation);
-        let today = &self.candidates[given].name;
-        (!worse.is_empty())
-            .then(|| format!("worse than with `{today}` as given, which the robot runs today: {}", worse.join("; ")))
+        Self { candidates, best, recommended, reason, untried: Vec::new() }
     }
 }
 
@@ -148,7 +126,6 @@ pub fn select(
     let mut selection = recommend(judged, settings.criterion);
     selection.test_clock(samples, &settings.fit);
     selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
-    selection.warnings.extend(selection.worse_than_today());
     Ok(selection)
 }
 

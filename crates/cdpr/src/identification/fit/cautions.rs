@@ -13,11 +13,15 @@ impl Fit {
 
     /// Reasons to doubt the parameters, a sentence each with its numbers; empty where there is none.
     pub fn cautions(&self) -> Vec<String> {
+        let count = self.outliers.len();
+        let outliers = (count > 0).then(|| format!("{count} of its samples lie beyond 8 robust standard deviations"));
+        outliers.into_iter().chain(self.doubts()).collect()
+    }
+
+    /// The same without outliers, about which a warning of their own says more.
+    pub(crate) fn doubts(&self) -> Vec<String> {
         let analysis = &self.analysis;
         let mut cautions = Vec::new();
-        if !self.outliers.is_empty() {
-            cautions.push(format!("{} of its samples lie beyond 8 robust standard deviations", self.outliers.len()));
-        }
         match self.status {
             Status::Converged => {}
             Status::NotConverged => cautions.push("the fit did not converge".to_owned()),

@@ -81,16 +81,48 @@ impl SelectionCriterion {
         }
     }
 
-    /// A value for people: mm, degrees or N; "no value" where it is none.
+    /// A value for people, with three significant digits: mm, degrees or N; "no value" where it is none.
     pub fn format(self, value: f64) -> String {
-        let value = self.in_unit(value);
-        if value.is_nan() {
-            return "no value".to_owned();
+        let shown = self.in_unit(value);
+        self.to_decimals(value, decimals(2.0, shown))
+    }
+
+    /// A value to the digits that its standard error (SI) allows: two of the error; three significant ones where it is not known.
+    pub fn format_within(self, value: f64, standard_error: f64) -> String {
+        let error = self.in_unit(standard_error);
+        match error.is_finite() && error > 0.0 {
+            true => self.to_decimals(value, decimals(1.0, error)),
+            false => self.format(value),
         }
+    }
+
+    /// The same with the standard error behind it.
+    pub fn format_with_error(self, value: f64, standard_error: f64) -> String {
+        let error = self.in_unit(standard_error);
+        let text = self.format_within(value, standard_error);
+        match value.is_finite() && error.is_finite() && error > 0.0 {
+            true => format!(
+                "{} ± {}",
+                text.trim_end_matches(self.mark()),
+                self.format_within(standard_error, standard_error)
+            ),
+            false => text,
+        }
+    }
+
+    fn to_decimals(self, value: f64, decimals: usize) -> String {
+        match self.in_unit(value) {
+            value if value.is_nan() => "no value".to_owned(),
+            value => format!("{value:.decimals$}{}", self.mark()),
+        }
+    }
+
+    /// The unit as it stands behind a number.
+    fn mark(self) -> &'static str {
         match self {
-            Self::Rotation => format!("{value:.4}°"),
-            Self::Position | Self::Length => format!("{value:.3} mm"),
-            Self::Tension => format!("{value:.1} N"),
+            Self::Rotation => "°",
+            Self::Position | Self::Length => " mm",
+            Self::Tension => " N",
         }
     }
 
@@ -105,5 +137,26 @@ impl SelectionCriterion {
             }
             Self::Tension => (0..evaluation.len()).map(|sample| evaluation.tension_norm_of(sample)).collect(),
         }
+    }
+}
+
+/// Decimals that show a number's leading digit and so many more.
+fn decimals(more: f64, number: f64) -> usize {
+    let leading = number.abs().log10().floor();
+    if leading.is_finite() { (more - leading).clamp(0.0, 9.0) as usize } else { more as usize }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SelectionCriterion::{Position, Rotation, Tension};
+
+    #[test]
+    fn a_value_has_no_finer_digits_than_its_standard_error() {
+        assert_eq!(Position.format_with_error(0.002_117, 0.000_198), "2.12 ± 0.20 mm");
+        assert_eq!(Position.format_with_error(0.507_892, 0.040_796), "508 ± 41 mm");
+        assert_eq!(Position.format_within(0.002_312, 0.000_195), "2.31 mm");
+        assert_eq!(Rotation.format_with_error(0.1_f64.to_radians(), 0.012_f64.to_radians()), "0.100 ± 0.012°");
+        assert_eq!(Position.format_with_error(0.002_117, f64::NAN), "2.12 mm");
+        assert_eq!((Tension.format(1234.5), Position.format(f64::NAN)), ("1234 N".to_owned(), "no value".to_owned()));
     }
 }

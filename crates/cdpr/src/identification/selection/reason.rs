@@ -22,22 +22,6 @@ pub(super) fn nobody(
     format!("no candidate can be judged by its {}{why}; {instead}", criterion)
 }
 
-/// Doubts about a candidate as a sentence before what speaks for it.
-fn caution(judgement: &Judgement) -> String {
-    let mut doubts = judgement.fit.cautions();
-    if !judgement.set_aside.is_empty() {
-        doubts
-            .push(format!("{} validation samples that no candidate explains are set aside", judgement.set_aside.len()));
-    }
-    let (compared, samples) = (judgement.compared_samples, judgement.validation.samples);
-    if compared < samples {
-        doubts.push(format!(
-            "compared on the {compared} of {samples} validation samples that all judged candidates answer"
-        ));
-    }
-    if doubts.is_empty() { String::new() } else { format!("Caution: {}. ", doubts.join("; ")) }
-}
-
 /// Words for the outcome.
 pub(super) struct Reason<'a> {
     pub(super) names: &'a [JudgedCandidate],
@@ -49,10 +33,9 @@ pub(super) struct Reason<'a> {
 impl Reason<'_> {
     pub(super) fn for_choice(&self, index: usize, judgement: &Judgement, judged: &[(usize, &Judgement)]) -> String {
         let name = |index: usize| &self.names[index].name;
-        let (words, value) = (self.criterion.to_string(), self.criterion.format(judgement.criterion));
-        let limit = self.criterion.format(self.limit);
-        let mut text = caution(judgement);
-        text += &match index == self.best {
+        let (words, value) = (self.criterion.to_string(), self.value(judgement));
+        let limit = self.limit(judged);
+        let mut text = match index == self.best {
             true => format!(
                 "`{}` has the smallest {words} on validation data, {value}, and no simpler candidate comes within one \
                  standard error of it ({limit})",
@@ -70,7 +53,7 @@ impl Reason<'_> {
             let why = if rejected.criterion <= self.limit { "but breaks a requirement" } else { "" };
             let has = match &rejected.disqualified {
                 Some(why) => format!("cannot be judged: {why}"),
-                None => format!("has {} {why}", self.criterion.format(rejected.criterion)),
+                None => format!("has {} {why}", self.value(rejected)),
             };
             text.push_str(format!("; the next simpler one, `{}`, {has}", name(*other)).trim_end());
         }
@@ -90,12 +73,23 @@ impl Reason<'_> {
         let best = judged.iter().find(|(index, _)| *index == self.best);
         let broken = best.into_iter().flat_map(|(_, judgement)| &judgement.requirements).filter(|r| !r.met);
         let broken: Vec<String> = broken.map(ToString::to_string).collect();
-        let doubts = best.map_or_else(String::new, |(_, judgement)| caution(judgement));
         format!(
-            "{doubts}no candidate within one standard error of the best, `{}` ({}), meets the requirements; it breaks: {}",
+            "no candidate within one standard error of the best, `{}` ({}), meets the requirements; it breaks: {}",
             self.names[self.best].name,
-            self.criterion.format(self.limit),
+            self.limit(judged),
             if broken.is_empty() { "none itself".to_owned() } else { broken.join(", ") }
         )
+    }
+
+    /// The criterion of a candidate with its standard error.
+    fn value(&self, judgement: &Judgement) -> String {
+        self.criterion.format_with_error(judgement.criterion, judgement.standard_error)
+    }
+
+    /// The limit, to the digits of the best candidate's standard error, out of which it is made.
+    fn limit(&self, judged: &[(usize, &Judgement)]) -> String {
+        let best = judged.iter().find(|(index, _)| *index == self.best);
+        let error = best.map_or(f64::NAN, |(_, judgement)| judgement.standard_error);
+        self.criterion.format_within(self.limit, error)
     }
 }

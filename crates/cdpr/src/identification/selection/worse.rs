@@ -52,7 +52,7 @@ mod tests {
         let degrees = |degrees: f64| degrees.to_radians();
         let before = errors([degrees(1.0), degrees(6.8)]);
         let told = worse(&before, &errors([degrees(0.1), degrees(7.6)]));
-        assert_eq!(told, ["largest rotation error 7.6000°, 6.8000° before"]);
+        assert_eq!(told, ["largest rotation error 7.60°, 6.80° before"]);
         assert_eq!(worse(&before, &errors([degrees(1.05), degrees(7.4)])), Vec::<String>::new());
     }
 }
