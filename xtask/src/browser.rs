@@ -156,6 +156,27 @@ fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(pages)
 }
 
+/// Another line in place of one of a table; the first line is its heading.
+type Change = fn(usize, &str) -> String;
+
+fn displaced(row: usize, line: &str) -> String {
+    match line.split_once(',') {
+        Some((x, rest)) if row > 0 && row % 31 == 0 => {
+            x.parse::<f64>().map_or_else(|_| line.to_owned(), |x| format!("{},{rest}", x + 0.3))
+        }
+        _ => line.to_owned(),
+    }
+}
+
+/// After seven numbers of the pose: the lengths of the third and of the fifth cable change places.
+fn swapped(row: usize, line: &str) -> String {
+    let mut fields: Vec<&str> = line.split(',').collect();
+    if row > 0 && fields.len() > 11 {
+        fields.swap(9, 11);
+    }
+    fields.join(",")
+}
+
 /// Pages of data that are wrong: rows displaced by 0.3 m, and two cables whose lengths stand in each other's column.
 fn dirty_pages(root: &Path, folder: &Path, demo: &Path) -> Result<Vec<PathBuf>, String> {
     let complain = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
@@ -163,27 +184,12 @@ fn dirty_pages(root: &Path, folder: &Path, demo: &Path) -> Result<Vec<PathBuf>, 
         let path = demo.join(name);
         std::fs::read_to_string(&path).map_err(|error| complain(&path, error))
     };
-    let displaced = |(row, line): (usize, &str)| match line.split_once(',') {
-        Some((x, rest)) if row > 0 && row % 31 == 0 => {
-            x.parse::<f64>().map_or_else(|_| line.to_owned(), |x| format!("{},{rest}", x + 0.3))
-        }
-        _ => line.to_owned(),
-    };
-    let swapped = |(row, line): (usize, &str)| {
-        let mut fields: Vec<&str> = line.split(',').collect();
-        // after seven numbers of the pose: lengths of the third and of the fifth cable
-        if row > 0 && fields.len() > 11 {
-            fields.swap(9, 11);
-        }
-        fields.join(",")
-    };
-    let change: [(&str, &dyn Fn((usize, &str)) -> String); 2] = [("displaced", &displaced), ("swapped", &swapped)];
     let mut pages = Vec::new();
-    for (name, change) in change {
+    for (name, change) in [("displaced", displaced as Change), ("swapped", swapped)] {
         let out = folder.join(format!("{name}-data"));
         std::fs::create_dir_all(&out).map_err(|error| complain(&out, error))?;
         for (file, meta) in [("training.csv", "training.meta.toml"), ("validation.csv", "validation.meta.toml")] {
-            let lines: Vec<String> = read(file)?.lines().enumerate().map(change).collect();
+            let lines: Vec<String> = read(file)?.lines().enumerate().map(|(row, line)| change(row, line)).collect();
             std::fs::write(out.join(file), lines.join("\n") + "\n").map_err(|error| complain(&out, error))?;
             std::fs::write(out.join(meta), read(meta)?).map_err(|error| complain(&out, error))?;
         }
