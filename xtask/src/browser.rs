@@ -161,7 +161,7 @@ type Change = fn(usize, &str) -> String;
 
 fn displaced(row: usize, line: &str) -> String {
     match line.split_once(',') {
-        Some((x, rest)) if row > 0 && row % 31 == 0 => {
+        Some((x, rest)) if row > 0 && row.is_multiple_of(31) => {
             x.parse::<f64>().map_or_else(|_| line.to_owned(), |x| format!("{},{rest}", x + 0.3))
         }
         _ => line.to_owned(),
