@@ -1,4 +1,4 @@
-//! What each folded part of the page comes to, in a line beside its title.
+//! Lines beside the titles of folded parts: what each comes to.
 
 use minijinja::{Value, context};
 

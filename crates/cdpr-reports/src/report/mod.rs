@@ -108,7 +108,7 @@ impl Report<'_> {
         }
     }
 
-    /// What text, JSON and page warn of.
+    /// Warnings of text, JSON and page.
     pub(crate) fn told_warnings(&self) -> Warnings {
         match self.purpose {
             Purpose::Selection => self.selection.warnings(self.samples, self.warnings),

@@ -23,7 +23,7 @@ impl Warnings {
     }
 }
 
-/// What is known against a fit, apart from the fit itself.
+/// Facts that speak for or against a fit, apart from the fit itself.
 #[derive(Clone, Copy)]
 pub struct Findings<'a> {
     /// Rules of plausibility that its errors break.
