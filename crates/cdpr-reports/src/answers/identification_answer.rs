@@ -2,7 +2,7 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
-use cdpr::identification::selection::Findings;
+use cdpr::identification::selection::Warnings;
 use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
@@ -96,15 +96,8 @@ impl IdentificationAnswer {
         let Distrust { reasons, is_gross } = &distrust;
         let (trusted, is_gross) = (reasons.is_empty(), *is_gross);
         let composition = model.composition().to_string();
-        let findings = Findings {
-            distrust: &distrust,
-            before_and_after: Some([&before, &after]),
-            as_given: &composition,
-            of_data: &found.warnings,
-        };
-        let told = fit.warnings_with(findings);
-        let doubts = told.doubts.len();
-        let mut warnings: Vec<String> = told.all().cloned().collect();
+        let told = fit.warnings_with(&distrust, (&composition, [&before, &after]), &found.warnings);
+        let Warnings { list: mut warnings, doubts } = told;
         warnings.extend(convergence_remark(&train, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         Self {

@@ -228,8 +228,8 @@ impl SelectionAnswer {
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
             seed: told.seed,
-            doubts: warnings.doubts.len(),
-            warnings: warnings.all().cloned().collect(),
+            doubts: warnings.doubts,
+            warnings: warnings.list,
             out: None,
             timing: None,
         }

@@ -6,6 +6,7 @@ use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
 use super::finite_range;
+use crate::report::within;
 
 /// One candidate.
 pub struct Rung {
@@ -78,7 +79,7 @@ impl Ladder {
         };
         let best = best.and_then(|best| Some((candidates[best].1?, candidates[best].2.unwrap_or(0.0))));
         let limit = best.map(|(value, error)| value + error);
-        let words = best.map(|(value, error)| criterion.format_within(value + error, error)).unwrap_or_default();
+        let words = best.map(|(value, error)| within(criterion, value + error, error)).unwrap_or_default();
         Self {
             rungs: candidates.iter().enumerate().map(rung).collect(),
             limit: shown(limit),

@@ -2,7 +2,7 @@
 
 use minijinja::{Value, context};
 
-use super::{Purpose, Report, Shown, coverage, parameters};
+use super::{Purpose, Report, Shown, coverage, parameters, within};
 use crate::html_page::plain;
 use crate::number_format as number;
 
@@ -33,8 +33,8 @@ pub(super) fn all(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
 fn errors(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let kind = report.criterion;
     let value = |judgement: &cdpr::identification::selection::Judgement| match judgement.validation.samples {
-        0 => kind.format(kind.of_blocks(&judgement.train)),
-        _ => kind.format_within(judgement.criterion, judgement.standard_error),
+        0 => within(kind, kind.of_blocks(&judgement.train), f64::NAN),
+        _ => within(kind, judgement.criterion, judgement.standard_error),
     };
     let after = value(shown.judgement);
     match shown.before() {

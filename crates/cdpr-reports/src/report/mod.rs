@@ -15,6 +15,7 @@ mod tests;
 mod verdict;
 
 pub use criterion::value_and_error;
+pub(crate) use criterion::within;
 pub use verdict::times;
 
 use cdpr::geometry::MotionPattern;
@@ -112,7 +113,7 @@ impl Report<'_> {
     pub(crate) fn told_warnings(&self) -> Warnings {
         match self.purpose {
             Purpose::Selection => self.selection.warnings(self.samples, self.warnings),
-            Purpose::Identification => Warnings { doubts: Vec::new(), remarks: self.warnings.to_vec() },
+            Purpose::Identification => Warnings { list: self.warnings.to_vec(), doubts: 0 },
         }
     }
 

@@ -16,7 +16,7 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let reason = report.selection.reason.trim_end_matches('.');
     let is_long = reason.chars().count() > LONG_REASON;
     let reason = prose(reason);
-    let warnings: Vec<String> = report.told_warnings().all().cloned().collect();
+    let warnings = report.told_warnings().list;
     let folded = warnings.len() - unfolded(&warnings);
     let (class, heading) = match shown {
         None => ("bad", "No candidate could be identified".to_owned()),

@@ -16,7 +16,7 @@ use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 pub use settings::Settings;
 use thiserror::Error;
-pub use warnings::{Findings, Warnings};
+pub use warnings::Warnings;
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;

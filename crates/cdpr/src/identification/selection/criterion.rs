@@ -82,13 +82,13 @@ impl SelectionCriterion {
     }
 
     /// A value for people, with three significant digits: mm, degrees or N; "no value" where it is none.
-    pub fn format(self, value: f64) -> String {
+    pub(crate) fn format(self, value: f64) -> String {
         let shown = self.in_unit(value);
         self.to_decimals(value, decimals(2.0, shown))
     }
 
     /// A value to the digits that its standard error (SI) allows: two of the error; three significant ones where it is not known.
-    pub fn format_within(self, value: f64, standard_error: f64) -> String {
+    pub(crate) fn format_within(self, value: f64, standard_error: f64) -> String {
         let error = self.in_unit(standard_error);
         match error.is_finite() && error > 0.0 {
             true => self.to_decimals(value, decimals(1.0, error)),

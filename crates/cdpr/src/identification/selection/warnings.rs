@@ -7,54 +7,43 @@ use crate::identification::outliers::set_aside_warning;
 use crate::identification::plausibility::Distrust;
 use crate::measurement::Samples;
 
-/// Warnings about a selection, in the order in which they are told.
+/// Warnings in the order in which they are told.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Warnings {
-    /// Doubts about the outcome itself, which stand before it.
-    pub doubts: Vec<String>,
-    /// Remarks about data and fit.
-    pub remarks: Vec<String>,
+    /// All of them.
+    pub list: Vec<String>,
+    /// Number of the first ones that doubt the outcome itself and stand before it; the others are remarks about data and fit.
+    pub doubts: usize,
 }
 
-impl Warnings {
-    /// All of them, doubts first.
-    pub fn all(&self) -> impl Iterator<Item = &String> {
-        self.doubts.iter().chain(&self.remarks)
-    }
-}
-
-/// Facts that speak for or against a fit, apart from the fit itself.
-#[derive(Clone, Copy)]
-pub struct Findings<'a> {
-    /// Rules of plausibility that its errors break.
-    pub distrust: &'a Distrust,
-    /// Errors of the model as given, and of the fitted one.
-    pub before_and_after: Option<[&'a ErrorBlocks; 2]>,
-    /// Name of the model as given.
-    pub as_given: &'a str,
-    /// Remarks of those who read the samples.
-    pub of_data: &'a [String],
-}
+/// The name of the model as given, its errors and those of the fitted one.
+type Comparison<'a> = (&'a str, [&'a ErrorBlocks; 2]);
 
 impl Fit {
-    /// Warnings about this fit alone.
-    pub fn warnings_with(&self, findings: Findings<'_>) -> Warnings {
-        self.gathered(findings, Vec::new(), None)
+    /// Warnings about this fit alone: rules of plausibility that its errors break, the model as given by name with its errors and
+    /// those of the fitted one, and remarks of those who read the samples.
+    pub fn warnings_with(&self, distrust: &Distrust, today: Comparison<'_>, of_data: &[String]) -> Warnings {
+        self.gathered(distrust, Some(today), Vec::new(), of_data.to_vec())
     }
 
-    fn gathered(&self, findings: Findings<'_>, of_comparison: Vec<String>, unanswered: Option<String>) -> Warnings {
-        let Findings { distrust, before_and_after, as_given, of_data } = findings;
+    fn gathered(
+        &self,
+        distrust: &Distrust,
+        today: Option<Comparison<'_>>,
+        of_comparison: Vec<String>,
+        remarks: Vec<String>,
+    ) -> Warnings {
         let of_outliers = self.warnings.first().filter(|_| !self.outliers.is_empty()).cloned();
-        let mut doubts = distrust.reasons.clone();
-        doubts.extend(of_outliers.into_iter().chain(of_comparison).chain(self.doubts()));
-        doubts.extend(before_and_after.and_then(|[before, after]| worse_than(as_given, before, after)));
-        let mut remarks: Vec<String> = Vec::new();
-        for remark in of_data.iter().cloned().chain(self.warnings.iter().cloned()).chain(unanswered) {
-            if !doubts.contains(&remark) && !remarks.contains(&remark) {
-                remarks.push(remark);
+        let mut list = distrust.reasons.clone();
+        list.extend(of_outliers.into_iter().chain(of_comparison).chain(self.doubts()));
+        list.extend(today.and_then(|(name, [before, after])| worse_than(name, before, after)));
+        let doubts = list.len();
+        for remark in remarks.into_iter().chain(self.warnings.iter().cloned()) {
+            if !list.contains(&remark) {
+                list.push(remark);
             }
         }
-        Warnings { doubts, remarks }
+        Warnings { list, doubts }
     }
 }
 
@@ -73,17 +62,16 @@ impl Selection {
 
     /// Warnings about the candidate of [`Selection::shown`]; `of_data` are remarks of those who read the samples.
     pub fn warnings(&self, samples: &Samples, of_data: &[String]) -> Warnings {
-        let shown = self.shown().and_then(|index| self.candidates[index].outcome.as_ref().ok());
-        let Some(judgement) = shown else { return Warnings { doubts: Vec::new(), remarks: of_data.to_vec() } };
         let judged = |index: usize| self.candidates[index].outcome.as_ref().ok();
-        let given = self.as_given().filter(|_| self.recommended.is_some());
-        let findings = Findings {
-            distrust: &judgement.distrust,
-            before_and_after: given.and_then(judged).map(|given| [&given.validation, &judgement.validation]),
-            as_given: given.map_or("", |given| &self.candidates[given].name),
-            of_data,
+        let Some(judgement) = self.shown().and_then(judged) else {
+            return Warnings { list: of_data.to_vec(), doubts: 0 };
         };
-        judgement.fit.gathered(findings, of_comparison(judgement, samples), unanswered(judgement))
+        let given = self.as_given().filter(|_| self.recommended.is_some());
+        let today = given.and_then(|given| {
+            Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
+        });
+        let remarks = of_data.iter().cloned().chain(unanswered(judgement)).collect();
+        judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), remarks)
     }
 }
 
