@@ -9,6 +9,7 @@ use std::hint::black_box;
 
 use cdpr::equilibrium::{elastostatics, forward_kinematics};
 use cdpr::geometry::{Pose, Twist};
+use cdpr::identification::Loss;
 use cdpr::identification::fit::{Settings, Status, fit};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, FreeParameters, Model, place_pulleys};
@@ -177,7 +178,7 @@ fn identification() {
     });
     let samples = Samples { lengths: lengths.collect(), poses, cable_count: 8, ..Samples::default() };
     let free: FreeParameters = "frame-anchor,platform-anchor".parse().expect("parameters");
-    let settings = Settings::default();
+    let settings = Settings { loss: Loss::Squared, ..Settings::default() };
     count("identification, kinematic", &mut || {
         let fit = fit(&nominal, black_box(&samples), &free, &settings).expect("enough samples");
         usize::from(fit.status == Status::Converged)

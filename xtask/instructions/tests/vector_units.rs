@@ -6,6 +6,7 @@
 
 use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
+use cdpr::identification::Loss;
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model, place_pulleys};
@@ -193,7 +194,7 @@ fn identified(problems: &Problems) -> Bits {
         cable_count: problems.model.cable_count(),
         ..Samples::default()
     };
-    let settings = fit::Settings { max_iterations: 20, ..fit::Settings::default() };
+    let settings = fit::Settings { max_iterations: 20, loss: Loss::Squared, ..fit::Settings::default() };
     for free in ["length-offset", "frame-anchor", "frame-anchor,platform-anchor,length-offset"] {
         if let Ok(optimum) = optimal_parameters(&problems.model, &samples, &free.parse().unwrap(), &settings) {
             bits.add(optimum.history);

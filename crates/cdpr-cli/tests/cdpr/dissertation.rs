@@ -51,7 +51,8 @@ fn the_planar_anchors_are_identified_from_the_record_of_the_wide_grid() {
     let folder = tempfile::tempdir().unwrap();
     let run = cdpr_in(folder.path(), &format!("simulate {} --out wide.csv", study("planar-wide-grid")));
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
-    let run = cdpr_in(folder.path(), "identify planar-example wide.csv --free frame-anchor --format json");
+    let run =
+        cdpr_in(folder.path(), "identify planar-example wide.csv --free frame-anchor --loss squared --format json");
     let answer = run.json();
     assert_near(&answer["condition"], 3.2, 0.05);
     let change = [14.8, 69.088, -40.866, 74.297, 10.844, -0.003, -13.352, 13.921];
@@ -70,7 +71,10 @@ fn both_sets_of_poses_have_the_printed_conditions() {
         let text = text.replace("model = \"elastic\"", "model = \"standard\"");
         std::fs::write(folder.path().join("study.toml"), text).unwrap();
         assert_eq!(cdpr_in(folder.path(), "simulate study.toml --out rigid.csv").exit_code, 0);
-        let run = cdpr_in(folder.path(), "identify planar-example rigid.csv --free frame-anchor --format json");
+        let run = cdpr_in(
+            folder.path(),
+            "identify planar-example rigid.csv --free frame-anchor --loss squared --format json",
+        );
         assert_near(&run.json()["condition"], condition, 1e-3);
     }
 }
@@ -282,7 +286,7 @@ fn the_elastostatic_identification_of_the_twin_improves_its_nominal_model_at_lea
     let run = cdpr_in(
         folder.path(),
         &format!(
-            "identify {robot} twin.csv --model elastic --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02 --starts 1 --format json"
+            "identify {robot} twin.csv --model elastic --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02 --loss squared --starts 1 --format json"
         ),
     );
     let answer = run.json();
@@ -307,8 +311,10 @@ fn the_kinematic_calibration_of_the_twin_improves_its_nominal_controller_at_leas
     let folder = tempfile::tempdir().unwrap();
     let run = cdpr_in(folder.path(), &format!("simulate {} --out twin.csv", study("twin-kinematic-measurements")));
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
-    let run =
-        cdpr_in(folder.path(), "identify cablerobot-simulator-helicopter twin.csv --free frame-anchor --format json");
+    let run = cdpr_in(
+        folder.path(),
+        "identify cablerobot-simulator-helicopter twin.csv --free frame-anchor --loss squared --format json",
+    );
     let answer = run.json();
     assert_eq!(answer["samples"], 91);
     for (block, statistic, before, after, printed) in [

@@ -2,6 +2,7 @@
 //! every sample as unknowns of one dense least-squares problem of a general library, written without the library's models.
 
 use cdpr::geometry::{Pose, Twist};
+use cdpr::identification::Loss;
 use cdpr::identification::fit::{Prior, Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::model::{Composition, Model};
@@ -184,6 +185,7 @@ fn the_inverse_form_finds_the_optimum_of_the_whole_problem() {
     let settings = Settings {
         priors: vec![Prior { kind: ParameterKind::PlatformAnchor, sigma: PRIOR }],
         starts: 1,
+        loss: Loss::Squared,
         ..Settings::default()
     };
     let found = fit(&Model::new(file.clone(), Composition::ELASTIC).unwrap(), &samples, &free, &settings).unwrap();
