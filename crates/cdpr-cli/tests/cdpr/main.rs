@@ -15,6 +15,7 @@ mod equilibrium;
 mod explanations;
 mod export;
 mod faults;
+mod hanging_robots;
 mod import;
 mod initial_tension;
 #[cfg(unix)]
@@ -30,6 +31,7 @@ mod starting;
 mod statics;
 mod studies;
 mod study_page;
+mod sweeps;
 mod tension;
 mod test_bench;
 mod winches;

@@ -289,7 +289,7 @@ impl JudgedAnswer {
             requirements: judgement.requirements.clone(),
             trusted: judgement.distrust.reasons.is_empty(),
             distrust: judgement.distrust.reasons.clone(),
-            warnings: fit.warnings.clone(),
+            warnings: fit.outlier_warning.iter().chain(&fit.warnings).cloned().collect(),
             caution_words: fit.caution_words(),
         }
     }

@@ -14,7 +14,7 @@ use super::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::decomposition::smallest_eigenvalue;
-use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
+use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend, not_positive};
 use crate::statics::{Load, StaticsError, geometric_stiffness, wrench_residual};
 
 /// When forward statics stops.
@@ -106,12 +106,9 @@ pub fn solve(
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
     pub(crate) fn validate(&self) -> Result<(), InputError> {
-        for (name, value) in [("pose_tolerance", self.pose_tolerance), ("wrench_tolerance", self.wrench_tolerance)] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(LengthError::Setting { name, value }.into());
-            }
-        }
-        Ok(())
+        let refused =
+            not_positive([("pose_tolerance", self.pose_tolerance), ("wrench_tolerance", self.wrench_tolerance)]);
+        refused.map_or(Ok(()), |(name, value)| Err(LengthError::Setting { name, value }.into()))
     }
 }
 

@@ -28,6 +28,7 @@ use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model};
 use crate::robot::Parameter;
 pub use crate::solve::Minimizer;
+use crate::solve::not_positive;
 
 /// Fits the free parameters of a model to samples.
 ///
@@ -138,10 +139,9 @@ fn checked_parameters(
     free: &FreeParameters,
     settings: &Settings,
 ) -> Result<Vec<Parameter>, InputError> {
-    for (name, value) in [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)] {
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(InputError::Setting { name, value });
-        }
+    let positive = [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)];
+    if let Some((name, value)) = not_positive(positive) {
+        return Err(InputError::Setting { name, value });
     }
     if samples.is_empty() {
         return Err(InputError::NoSamples);
@@ -196,8 +196,7 @@ fn report(
     let recorded = calibrated.with_lengths(samples)?;
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&calibrated, &recorded, sample));
     let loss = used(optimum.norms.loss);
-    let mut warnings: Vec<String> = outliers::warning(&outliers, samples.len(), loss).into_iter().collect();
-    warnings.extend(analysis.warnings.clone());
+    let mut warnings = analysis.warnings.clone();
     warnings.extend(warnings::suspicious_units(model, samples));
     let noise_factor = weights.noise * noise.factor;
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
@@ -212,9 +211,11 @@ fn report(
         noise_factor,
         loss,
         loss_threshold: weights.noise * threshold(optimum.norms.loss),
-        outliers,
         basins: optimum.basins,
         clock_offset: None,
+        samples: samples.len(),
+        outlier_warning: outliers::warning(&outliers, samples.len(), loss),
+        outliers,
         warnings,
     })
 }

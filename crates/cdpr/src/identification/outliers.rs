@@ -57,16 +57,26 @@ fn reason(deviations: f64, residuals: &[f64]) -> String {
     format!("{deviations:.0} robust standard deviations; {who}")
 }
 
-/// Warning about the outliers of a fit to so many samples, which stands before anything else; `None` without any.
-pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Option<String> {
-    let largest = outliers.iter().max_by(|a, b| a.residual_m.total_cmp(&b.residual_m))?;
-    let place =
-        |outlier: &Outlier| outlier.line.map_or(format!("sample {}", outlier.sample), |line| format!("line {line}"));
-    let listed: Vec<String> = outliers.iter().take(NAMED).map(place).collect();
-    let more = match outliers.len().saturating_sub(NAMED) {
+/// Place of a sample (from 1) in words: its line where that is known.
+fn place(line: Option<usize>, sample: usize) -> String {
+    line.map_or_else(|| format!("sample {sample}"), |line| format!("line {line}"))
+}
+
+/// The first places, and how many more there are.
+fn listed(places: impl ExactSizeIterator<Item = String>) -> String {
+    let more = match places.len().saturating_sub(NAMED) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
+    let first: Vec<String> = places.take(NAMED).collect();
+    first.join(", ") + &more
+}
+
+/// Warning about the outliers of a fit to so many samples, which stands before anything else; `None` without any.
+pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Option<String> {
+    let largest = outliers.iter().max_by(|a, b| a.residual_m.total_cmp(&b.residual_m))?;
+    let name = |outlier: &Outlier| place(outlier.line, outlier.sample);
+    let listed = listed(outliers.iter().map(name));
     let (count, share) = (outliers.len(), outliers.len() as f64 / samples as f64);
     let (lie, them) = if count == 1 { ("lies", "it") } else { ("lie", "them") };
     let treated = match loss {
@@ -82,11 +92,10 @@ pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Optio
         false => "",
     };
     Some(format!(
-        "outliers: {count} of {samples} samples {lie} beyond {OUTLIER_DEVIATIONS:.0} robust standard deviations ({}{more}), by up to \
+        "outliers: {count} of {samples} samples {lie} beyond {OUTLIER_DEVIATIONS:.0} robust standard deviations ({listed}), by up to \
          {:.1} mm of length ({}); {treated}{many}",
-        listed.join(", "),
         1e3 * largest.residual_m,
-        place(largest)
+        name(largest)
     ))
 }
 
@@ -107,22 +116,14 @@ pub(super) fn unexplained(least: impl IntoIterator<Item = f64>) -> Vec<usize> {
 
 /// Validation samples, some of which (numbers from 0 in the data) no model explains; `None` without any.
 pub(super) fn set_aside_warning(places: &[usize], of: usize, samples: &Samples) -> Option<String> {
-    let place = |&sample: &usize| match &samples.lines {
-        Some(lines) => format!("line {}", lines[sample]),
-        None => format!("sample {}", sample + 1),
-    };
-    let listed: Vec<String> = places.iter().take(NAMED).map(place).collect();
-    let more = match places.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
+    let name = |&sample: &usize| place(samples.lines.as_ref().map(|lines| lines[sample]), sample + 1);
+    let listed = listed(places.iter().map(name));
     let (count, verb, them) = match places.len() {
         0 => return None,
         1 => (1, "is", "it"),
         count => (count, "are", "them"),
     };
     Some(format!(
-        "outliers: {count} of {of} validation samples {verb} set aside for every model, since none explains {them} ({}{more})",
-        listed.join(", ")
+        "outliers: {count} of {of} validation samples {verb} set aside for every model, since none explains {them} ({listed})"
     ))
 }

@@ -1,6 +1,7 @@
 //! Ways to the least squares of parameters, over the damped loop of [`cdpr_core::solve`].
 
 pub(crate) mod minimizer;
+mod settings;
 
 pub(crate) use cdpr_core::solve::bounded::Room;
 pub(crate) use cdpr_core::solve::{
@@ -8,3 +9,4 @@ pub(crate) use cdpr_core::solve::{
 };
 pub use minimizer::Minimizer;
 pub(crate) use minimizer::{NormalSystem, Surroundings};
+pub(crate) use settings::not_positive;

@@ -56,6 +56,7 @@ mod underactuated;
 mod winch_identification;
 mod winches;
 mod workspace_figures;
+mod workspace_laws;
 mod workspace_properties;
 mod workspace_surfaces;
 mod wrench_set_oracle;

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::equilibrium::forward_kinematics;
+use crate::solve::not_positive;
 
 /// When the elastostatic forward problem stops, and what it accepts.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,16 +60,12 @@ pub enum InputError {
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
     pub(crate) fn validate(&self) -> Result<(), InputError> {
-        for (name, value) in [
+        let refused = not_positive([
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),
             ("wrench_tolerance", self.wrench_tolerance),
             ("remarkable_strain", self.remarkable_strain),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(forward_kinematics::InputError::Setting { name, value }.into());
-            }
-        }
-        Ok(())
+        ]);
+        refused.map_or(Ok(()), |(name, value)| Err(forward_kinematics::InputError::Setting { name, value }.into()))
     }
 }

@@ -27,6 +27,7 @@ use super::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::LANES;
+use crate::solve::not_positive;
 
 /// Input that no forward problem can accept.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -71,17 +72,13 @@ pub enum InputError {
 impl Settings {
     /// Refuses tolerances that are not positive numbers.
     pub(crate) fn validate(&self) -> Result<(), InputError> {
-        for (name, value) in [
+        let refused = not_positive([
             ("pose_tolerance", self.pose_tolerance),
             ("length_tolerance", self.length_tolerance),
             ("suspicious_residual", self.suspicious_residual),
             ("plausible_residual", self.plausible_residual),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(InputError::Setting { name, value });
-            }
-        }
-        Ok(())
+        ]);
+        refused.map_or(Ok(()), |(name, value)| Err(InputError::Setting { name, value }))
     }
 }
 

@@ -40,8 +40,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     }
     let loss = used(optimum.norms.loss);
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
-    let mut all_warnings: Vec<String> = outliers::warning(&outliers, samples.len(), loss).into_iter().collect();
-    all_warnings.extend(analysis.warnings.clone());
+    let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
     all_warnings.extend(noise_warnings(samples, &optimum, noise_factor, parameters.len()));
     all_warnings.extend(warnings::of_bounds(&estimates));
@@ -56,9 +55,11 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         noise_factor,
         loss,
         loss_threshold: optimum.noise * threshold(optimum.norms.loss),
-        outliers,
         basins: optimum.basins,
         clock_offset: None,
+        samples: samples.len(),
+        outlier_warning: outliers::warning(&outliers, samples.len(), loss),
+        outliers,
         warnings: all_warnings,
         model: optimum.calibrated,
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
 use crate::identification::loss::Loss;
-use crate::identification::outliers::Outlier;
+use crate::identification::outliers::{self, Outlier};
 use crate::identification::starts::Basin;
 use crate::model::Model;
 use crate::robot::Parameter;
@@ -87,7 +87,11 @@ pub struct Fit {
     pub basins: Vec<Basin>,
     /// Offset of the clocks, where it was free.
     pub clock_offset: Option<ClockOffset>,
-    /// Warnings in words: doubts about noise, bounds and rank.
+    /// Number of samples that were fitted.
+    pub samples: usize,
+    /// Warning about the outliers, which stands before every other.
+    pub outlier_warning: Option<String>,
+    /// Further warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
 }
 
@@ -101,6 +105,7 @@ impl Fit {
     /// Numbers the outliers by the data that the samples of the fit were taken from, at these indices.
     pub fn renumber_outliers(&mut self, indices: &[usize]) {
         self.outliers.iter_mut().for_each(|outlier| outlier.sample = indices[outlier.sample - 1] + 1);
+        self.outlier_warning = outliers::warning(&self.outliers, self.samples, self.loss);
     }
 
     /// Correlations above the limit, for reports.

@@ -41,6 +41,14 @@ pub(super) struct Rounds {
     pub(super) history: Vec<f64>,
 }
 
+/// Problem of a fit.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a> {
+    pub(super) model: &'a Model,
+    pub(super) samples: &'a Samples,
+    pub(super) settings: &'a Settings,
+}
+
 /// Optimum and the weights it belongs to; `progress` is called after each start.
 pub(super) fn find(
     model: &Model,
@@ -49,6 +57,7 @@ pub(super) fn find(
     settings: &Settings,
     progress: &dyn Fn(),
 ) -> Result<(Optimum, Weights), InputError> {
+    let given = Given { model, samples, settings };
     let poses = PoseLanes::new(samples);
     let mut weights = length_weights(model, samples, &poses)?;
     let block = |cable| {
@@ -63,13 +72,13 @@ pub(super) fn find(
     optimum.try_other_starts(samples, settings, progress);
     match (weights.absolute, settings.priors.is_empty()) {
         _ if parameters.is_empty() => {}
-        (true, _) => optimum.agree_with_weights(model, samples, settings, &mut weights)?,
+        (true, _) => optimum.agree_with_weights(given, &mut weights)?,
         (false, false) => optimum.agree_with_noise(samples, settings, &mut weights),
         // without priors the scale of the noise moves no parameter
         (false, true) => {}
     }
     if !parameters.is_empty() {
-        optimum.take_loss(model, samples, settings, &mut weights)?;
+        optimum.take_loss(given, &mut weights)?;
     }
     Ok((optimum, weights))
 }
@@ -111,13 +120,8 @@ impl Optimum {
     }
 
     /// Variances depend on the parameters: weighs anew at the optimum and repeats.
-    fn agree_with_weights(
-        &mut self,
-        model: &Model,
-        samples: &Samples,
-        settings: &Settings,
-        weights: &mut Weights,
-    ) -> Result<(), InputError> {
+    fn agree_with_weights(&mut self, given: Given<'_>, weights: &mut Weights) -> Result<(), InputError> {
+        let Given { model, samples, settings } = given;
         for _ in 0..REWEIGHTINGS {
             let again = length_weights(&self.with_given_levers(model)?, samples, &self.poses)?;
             if weights.is_close_to(&again) {

@@ -4,15 +4,13 @@
 //! least weighted squares never raise it (Huber 1981, section 7.8). A cable's descent stays its own; the weights tie the cables together.
 
 use super::descent::{End, advance, run};
-use super::optimum::{Optimum, Rounds};
+use super::optimum::{Given, Optimum, Rounds};
 use super::{InputError, Settings};
 use crate::identification::blocks::Block;
 use crate::identification::loss::{Loss, RobustLoss, Tail};
 use crate::identification::norms::{Extent, Norms};
 use crate::identification::pose_lanes::CableValues;
 use crate::identification::weights::{Weights, length_weights};
-use crate::measurement::Samples;
-use crate::model::Model;
 use crate::solve::ROUNDING_GAIN;
 
 /// Most descents with the scale that the residuals tell between them.
@@ -29,20 +27,15 @@ type Place = (CableValues, Vec<f64>);
 
 impl Optimum {
     /// Takes the loss of the settings at the optimum of least squares.
-    pub(super) fn take_loss(
-        &mut self,
-        model: &Model,
-        samples: &Samples,
-        settings: &Settings,
-        weights: &mut Weights,
-    ) -> Result<(), InputError> {
+    pub(super) fn take_loss(&mut self, given: Given<'_>, weights: &mut Weights) -> Result<(), InputError> {
+        let Given { samples, settings, .. } = given;
         let parameters = self.blocks.iter().map(|block| block.parameters.len()).sum();
         let extent = Extent { rows: samples.lengths.len(), parameters, absolute: weights.absolute };
         self.norms = Norms::new(vec![0.0; samples.len()], None, extent);
         self.measure(weights);
         let Some(tail) = self.norms.to_ask(settings.loss, self.converged()) else { return Ok(()) };
         let squared = (self.ends.clone(), self.norms.clone(), weights.clone());
-        self.minimise(tail, (model, samples), settings, weights)?;
+        self.minimise(tail, given, weights)?;
         if settings.loss == Loss::Auto && !self.norms.any_beyond(1.0) {
             (self.ends, self.norms, *weights) = squared;
             self.rounds = Rounds::default();
@@ -53,13 +46,8 @@ impl Optimum {
     }
 
     /// The least loss at a scale that agrees with its residuals.
-    fn minimise(
-        &mut self,
-        tail: Tail,
-        (model, samples): (&Model, &Samples),
-        settings: &Settings,
-        weights: &mut Weights,
-    ) -> Result<(), InputError> {
+    fn minimise(&mut self, tail: Tail, given: Given<'_>, weights: &mut Weights) -> Result<(), InputError> {
+        let Given { model, samples, settings } = given;
         for round in 0..RESCALINGS {
             let mut is_same = round > 0;
             if round > 0 && weights.absolute {

@@ -33,7 +33,7 @@ impl Fit {
         of_comparison: Vec<String>,
         remarks: Vec<String>,
     ) -> Warnings {
-        let of_outliers = self.warnings.first().filter(|_| !self.outliers.is_empty()).cloned();
+        let of_outliers = self.outlier_warning.clone();
         let mut list = distrust.reasons.clone();
         list.extend(of_outliers.into_iter().chain(of_comparison).chain(self.doubts()));
         list.extend(today.and_then(|(name, [before, after])| worse_than(name, before, after)));

@@ -1,0 +1,123 @@
+//! `simulate`, `evaluate` and `select` of robots with fewer cables than degrees of freedom.
+
+use super::cdpr_in;
+use super::selection::contents;
+
+/// A platform on four cables, and the study that records where it hangs while its winches read 30 mm too much.
+const HANGING: &str = r#"layout_version = 1
+name = "hanging"
+motion_pattern = "3R3T"
+gravity_m_s2 = [0.0, 0.0, -9.81]
+
+[platform]
+mass_kg = 12.0
+center_of_mass_m = [0.0, 0.0, 0.0]
+
+[home_pose]
+position_m = [0.0, 0.0, 0.8]
+rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+"#;
+
+const HANGING_STUDY: &str = r#"[control]
+robot = "hanging.toml"
+[machine]
+robot = "machine.toml"
+[initial]
+pose = [0, 0, 0.8, 0, 0, 0]
+offset = "none"
+[poses.grid]
+min = [-0.6, -0.4, 0.6, 0, 0, 0]
+max = [0.6, 0.4, 1.0, 0, 0, 0]
+count = [4, 4, 4, 1, 1, 1]
+[noise]
+position_m = 0.001
+length_m = 0.0002
+"#;
+
+/// The robot, the same without its mass, and what it records as `data.csv`.
+fn hanging() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let robot = |offset: f64| {
+        let mut text = HANGING.to_owned();
+        for index in 0..4 {
+            let (x, y) = ([-1.0, 1.0][index % 2], [-1.0, 1.0][index / 2]);
+            let (frame, platform) = ([2.0 * x, 1.5 * y, 2.5], [0.2 * x, 0.15 * y, 0.1]);
+            text += &format!("\n[[cable]]\nname = \"{}\"\nframe_anchor_m = {frame:?}\n", index + 1);
+            text += &format!("platform_anchor_m = {platform:?}\nlength_offset_m = {offset:?}\n");
+        }
+        text
+    };
+    let without_mass = robot(0.0).replace("mass_kg = 12.0\n", "");
+    for (name, text) in [
+        ("hanging.toml", robot(0.0)),
+        ("machine.toml", robot(0.03)),
+        ("unknown.toml", without_mass),
+        ("study.toml", HANGING_STUDY.to_owned()),
+    ] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let run = cdpr_in(folder.path(), "simulate study.toml --out data.csv --seed 1");
+    assert_eq!(run.exit_code, 0, "{}{}", run.stdout, run.stderr);
+    folder
+}
+
+fn has_nan(text: &str) -> bool {
+    text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == "NaN")
+}
+
+/// Fewer cables than degrees of freedom: under a known load every command answers by the equilibrium.
+#[test]
+fn a_hanging_robot_is_simulated_judged_and_selected_by_its_equilibrium() {
+    let folder = hanging();
+    let accuracy = cdpr_in(folder.path(), "accuracy study.toml --format json").json();
+    assert_eq!(accuracy["statuses"]["converged"], 64, "{accuracy}");
+    assert!(accuracy["position_error_m"]["mean"].as_f64().unwrap() > 0.01, "{accuracy}");
+    assert!(accuracy["tension_max_N"].as_f64().unwrap() > 10.0, "{accuracy}");
+    let run = cdpr_in(folder.path(), "evaluate machine.toml data.csv --format json");
+    let evaluated = run.json_with(&["answered", "length_samples", "tension_error_N"]);
+    assert_eq!((run.exit_code, &evaluated["answered"]), (0, &64.into()));
+    // 1 mm per axis of a pose that swings more easily than 0.2 mm of cable
+    assert!((0.001..0.004).contains(&evaluated["position_error_m"]["mean"].as_f64().unwrap()), "{evaluated}");
+    let run = cdpr_in(folder.path(), "select hanging.toml data.csv --split kfold:4 --format json");
+    let selected = run.json();
+    assert_eq!((run.exit_code, &selected["recommended"]), (0, &"standard:length-offset".into()), "{selected}");
+    for candidate in selected["candidates"].as_array().unwrap() {
+        let error = candidate["criterion"].as_f64();
+        assert!(error.is_none_or(|error| error > 5e-4), "{candidate}");
+    }
+}
+
+/// Without a load its lengths determine no pose: no value, no recommendation, and every page says so.
+#[test]
+fn a_robot_whose_pose_nothing_determines_is_not_recommended_with_an_error_of_zero() {
+    let folder = hanging();
+    let run = cdpr_in(folder.path(), "evaluate unknown.toml data.csv --format json");
+    let evaluated = run.json();
+    assert_eq!((run.exit_code, &evaluated["status"]), (1, &"not-converged".into()));
+    assert!(evaluated["position_error_m"]["mean"].is_null() && evaluated["rotation_error_rad"]["max"].is_null());
+    assert_eq!((&evaluated["answered"], &evaluated["not_converged"]), (&0.into(), &64.into()));
+    assert!((evaluated["length_error_m"]["mean_abs"].as_f64().unwrap() - 0.03).abs() < 1e-3);
+    let run = cdpr_in(folder.path(), "evaluate unknown.toml data.csv");
+    assert!(run.stdout.contains("64 of 64 samples has no answer") && !has_nan(&run.stdout), "{}", run.stdout);
+
+    let arguments = "select unknown.toml data.csv --split kfold:4 --require position_mean_m=0.01 --out result";
+    let run = cdpr_in(folder.path(), arguments);
+    assert_eq!(run.exit_code, 1, "{}", run.stdout);
+    assert!(run.stdout.contains("cannot be judged") && !has_nan(&run.stdout), "{}", run.stdout);
+    let files = contents(&folder.path().join("result"));
+    assert!(!files.contains_key("calibrated.toml"));
+    for (name, bytes) in files {
+        assert!(name == "report.html" || !has_nan(&String::from_utf8(bytes).unwrap()), "{name}");
+    }
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    let (words, _) = page.split_once("<script").unwrap();
+    assert!(words.contains("no candidate can be judged") && !has_nan(words), "{words}");
+    let run = cdpr_in(folder.path(), "select unknown.toml data.csv --split kfold:4 --criterion length --format json");
+    let by_length = run.json();
+    assert_eq!((run.exit_code, &by_length["recommended"]), (0, &"standard:length-offset".into()), "{by_length}");
+
+    let study = HANGING_STUDY.replace("hanging.toml", "unknown.toml").replace("machine.toml", "unknown.toml");
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let run = cdpr_in(folder.path(), "accuracy study.toml");
+    assert!(run.exit_code == 1 && !has_nan(&run.stdout), "{}", run.stdout);
+}
