@@ -6,6 +6,8 @@ export function offerScrolling(): void {
 }
 
 function watch(box: HTMLElement): void {
+  // what may reach out of its box is not cut, so that nothing is to be scrolled
+  if (getComputedStyle(box).overflowX === "visible") return;
   const mark = () => {
     const rest = box.scrollWidth - box.clientWidth;
     box.toggleAttribute("data-scrolls", rest > 4);

@@ -84,9 +84,13 @@ async function pictures(page, name) {
   for (const [width, height, colorScheme] of [[1440, 900, "light"], [1440, 900, "dark"], [390, 844, "light"]]) {
     await page.emulateMedia({ colorScheme });
     await page.setViewportSize({ width, height });
-    await page.evaluate(() => scrollTo(0, 0));
+    // as a reader finds it, then with every part open
+    await page.reload();
+    await page.waitForSelector("html[data-drawn]");
     await page.waitForTimeout(300);
     await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}-first.png`) });
+    await page.locator("details.part").evaluateAll((all) => all.forEach((one) => { one.open = true; }));
+    await page.waitForTimeout(300);
     await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}.png`), fullPage: true });
   }
   await page.setViewportSize({ width: 1280, height: 900 });

@@ -41,14 +41,17 @@ class RobotScene {
   private readonly words = element("output", "", "pose-words");
   private readonly slider = element("input");
   private hovered = false;
+  /** Corners of what the frame anchors and the platform take up. */
+  private readonly box: [Vector3, Vector3];
 
   constructor(
     private readonly data: PageData,
     controls: HTMLElement,
     private readonly stage: Stage,
   ) {
-    const points = [...this.fixedPoints(), ...data.samples.position_m.map(vector)];
-    stage.frame([...points, ...boxEdges(...bounds(points)).flat()]);
+    this.box = this.room();
+    const points = boxEdges(...this.box).flat();
+    stage.frame(points);
     this.size = Math.max(...points.map((point) => point.distanceTo(points[0] as Vector3)), 1e-3);
     const redraw = () => this.build();
     this.model = choice(controls, "Errors of the model", models(data), redraw);
@@ -64,6 +67,16 @@ class RobotScene {
     this.build();
     this.standardView();
     this.stage.drawNow();
+  }
+
+  /** The box of the frame anchors, down to the lowest place of the platform: one that hangs has its floor there. */
+  private room(): [Vector3, Vector3] {
+    const { robot, samples } = this.data;
+    const [low, high] = bounds([...this.fixedPoints(), ...samples.position_m.map(vector)]);
+    const reach = Math.max(0, ...robot.cables.map((cable) => vector(cable.platform_anchor_m).length()));
+    const lowest = Math.min(...samples.position_m.map((position) => position[2])) - reach;
+    if (!robot.plane) low.z = Math.min(low.z, lowest);
+    return [low, high];
   }
 
   private fixedPoints(): Vector3[] {
@@ -186,13 +199,13 @@ class RobotScene {
       handle(this.knob(calibrated), colour("ink"), colour("paper"), this.hovered),
     );
     this.label(calibrated.frame);
-    this.words.textContent = ` sample ${data.samples.number[this.row]}: ${this.position.toArray().map((value) => value.toFixed(3)).join(", ")} m`;
+    this.words.textContent = ` sample ${data.samples.number[this.row]}: ${this.position.toArray().map((value) => value.toFixed(3).replace("-", "−")).join(", ")} m`;
     stage.draw();
   }
 
-  /** Edges of the box that the frame anchors span, and its floor; in a plane the whole area of the frame. */
+  /** Edges of the box, and its floor; in a plane the whole area of the frame. */
   private surroundings(): Object3D[] {
-    const [low, high] = bounds(this.fixedPoints());
+    const [low, high] = this.box;
     const plane = this.data.robot.plane;
     const arm = (direction: Vector3) => direction.multiplyScalar(high.clone().sub(low).dot(direction));
     const [first, second] = plane ? [vector(plane.first), vector(plane.second)] : [new Vector3(1, 0, 0), new Vector3(0, 1, 0)];
@@ -222,7 +235,7 @@ class RobotScene {
   }
 
   private corner(): Vector3 {
-    return bounds(this.fixedPoints())[0];
+    return this.box[0].clone();
   }
 
   private axes() {

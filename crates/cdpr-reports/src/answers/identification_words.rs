@@ -4,7 +4,7 @@ use cdpr::identification::fit::Status;
 
 use super::error_table::error_table;
 use super::identification_answer::IdentificationAnswer as Identified;
-use crate::number_format::cell;
+use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
 
 pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
@@ -69,6 +69,9 @@ fn parameters(answer: &Identified, width: Option<usize>) -> String {
             unit @ ("N" | "N·m") => (unit, 1.0, 1),
             unit => (unit, 1.0, 6),
         };
+        // no finer than the deviation allows, where one is known
+        let sigma = estimate.sigma.map(|sigma| factor * sigma).filter(|sigma| *sigma > 0.0);
+        let decimals = sigma.map_or(decimals, |sigma| decimals_for(Some(sigma)) as usize);
         table.row(vec![
             estimate.name.clone(),
             unit.to_owned(),

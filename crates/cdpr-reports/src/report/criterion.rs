@@ -16,6 +16,9 @@ pub fn value_and_error(criterion: SelectionCriterion, value: f64, standard_error
 
 /// A value with its unit and the digits that its standard error allows.
 pub(crate) fn within(criterion: SelectionCriterion, value: f64, standard_error: f64) -> String {
+    if value.is_nan() {
+        return "no value".to_owned();
+    }
     // the sign for degrees stands next to its number
     let space = if criterion == SelectionCriterion::Rotation { "" } else { " " };
     format!("{}{space}{}", value_and_error(criterion, value, standard_error).0, criterion.unit())
