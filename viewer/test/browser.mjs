@@ -88,6 +88,8 @@ async function pictures(page, name) {
     await page.reload();
     await page.waitForSelector("html[data-drawn]");
     await page.waitForTimeout(300);
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.waitForTimeout(100);
     await page.screenshot({ path: join(output, `${name}-${width}-${colorScheme}-first.png`) });
     await page.locator("details.part").evaluateAll((all) => all.forEach((one) => { one.open = true; }));
     await page.waitForTimeout(300);
