@@ -50,5 +50,5 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;
     }
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
-    output.answer(&EvaluationAnswer::new(&model, arguments.data.name(), &evaluation, out_errors))
+    output.answer(&EvaluationAnswer::new(&model, (arguments.data.name(), &samples), &evaluation, out_errors))
 }

@@ -66,6 +66,30 @@ fn identified_offsets_are_those_of_the_data_and_the_calibrated_robot_predicts_th
     assert_eq!(errors.lines().count(), 26);
 }
 
+/// Poses in a frame 0.3 m aside on a robot of 12.8 m: no model is so wrong, and the answer says so as `select` does.
+#[test]
+fn errors_that_no_model_makes_are_not_trusted() {
+    let exact = samples_with(0.0);
+    let aside: String = exact
+        .lines()
+        .map(|line| match line.split_once(',') {
+            Some((x, rest)) if x.parse::<f64>().is_ok() => format!("{},{rest}\n", x.parse::<f64>().unwrap() + 0.3),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    for (name, text, trusted) in [("exact.csv", exact, true), ("aside.csv", aside, false)] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let answer = cdpr_in(folder.path(), &format!("evaluate square.toml {name} --format json")).json();
+        let words = cdpr_in(folder.path(), &format!("evaluate square.toml {name}")).stdout;
+        let told = answer["warnings"].as_array().unwrap().iter().filter(|warning| {
+            warning.as_str().unwrap().contains("is above 1 % of the diagonal of the anchors' box, 128.1 mm")
+        });
+        assert_eq!((&answer["trusted"], told.count()), (&trusted.into(), usize::from(!trusted)), "{answer}");
+        assert_eq!(words.contains("caution: not to be trusted"), !trusted, "{words}");
+    }
+}
+
 #[test]
 fn every_minimizer_finds_the_same_offsets_and_others_are_refused() {
     for minimizer in ["levenberg-marquardt", "gauss-newton", "dogleg", "trust-region"] {

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::{ErrorBlocks, Evaluation};
+use cdpr::identification::{ErrorBlocks, Evaluation, distrust};
+use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use serde::Serialize;
 
@@ -18,10 +19,14 @@ pub struct EvaluationAnswer {
     data: String,
     status: &'static str,
     reason: Option<String>,
+    /// No rule of plausibility is broken.
+    trusted: bool,
     #[serde(flatten)]
     blocks: ErrorBlocks,
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
+    /// Rules of plausibility that the errors break.
+    warnings: Vec<String>,
     #[serde(skip)]
     pattern: MotionPattern,
 }
@@ -64,17 +69,26 @@ pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
 }
 
 impl EvaluationAnswer {
-    /// Errors on data of a name, with the name of the file that has them sample by sample.
-    pub fn new(model: &Model, data: String, evaluation: &Evaluation, out_errors: Option<String>) -> Self {
-        let reason = reason(evaluation);
+    /// Errors on samples of data of a name, with the name of the file that has them sample by sample.
+    pub fn new(
+        model: &Model,
+        (data, samples): (String, &Samples),
+        evaluation: &Evaluation,
+        out_errors: Option<String>,
+    ) -> Self {
+        let (reason, blocks) = (reason(evaluation), evaluation.blocks());
+        let warnings = distrust(model.robot(), &samples.sigmas, &blocks).reasons;
+        let trusted = warnings.is_empty() && reason.is_none();
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
             data,
             status: if reason.is_none() { "converged" } else { "not-converged" },
             reason,
-            blocks: evaluation.blocks(),
+            trusted,
+            blocks,
             out_errors,
+            warnings,
             pattern: model.robot().motion_pattern,
         }
     }
@@ -88,6 +102,7 @@ impl Answer for EvaluationAnswer {
     fn words(&self, width: Option<usize>) -> String {
         let Self { robot, model, data, blocks, .. } = self;
         let mut text = format!("{robot}, model {model}, on {data} ({} samples)\n", blocks.samples);
+        self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         if let Some(reason) = &self.reason {
             let answered = match blocks.answered {
                 0 => "there is no error of the pose to tell".to_owned(),
