@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
-use cdpr::identification::{ErrorBlocks, Evaluation, EvaluationError, Loss, clock_warning, evaluate_fitted};
+use cdpr::identification::{
+    ErrorBlocks, Evaluation, EvaluationError, Loss, clock_warning, evaluate_fitted, frame_warning,
+};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
 use cdpr::robot::ParameterKind;
@@ -37,7 +39,7 @@ const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale; \
 with pulleys pulley-radius, swivel-axis; with drums and recorded motor angles drum-radius, drum-pitch, drum-axis, start-length, start-angle; \
 with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
-tension-scale, tension-offset; with times (t_s) clock-offset; `frame-anchor[1,3]` frees cables 1 and 3 only";
+tension-scale, tension-offset; with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; `frame-anchor[1,3]` frees cables 1 and 3 only";
 
 /// Identify the parameters of a model from measured poses and recorded lengths.
 ///
@@ -161,8 +163,8 @@ impl Task<'_> {
     /// A fit to these samples.
     fn of(&self, fit: Fit, samples: &Samples, validation: Option<(Evaluation, Evaluation)>) -> Identification {
         let trusted = fit.trusted_samples(samples.len());
-        let train_on_one_clock = fit.synchronised(samples).subset(&trusted);
-        let train = samples.subset(&trusted);
+        let train_on_one_clock = fit.as_fitted(samples).subset(&trusted);
+        let train = fit.in_robot_frame(samples).subset(&trusted);
         Identification { fit, samples: samples.len(), train, train_on_one_clock, validation }
     }
 
@@ -170,7 +172,10 @@ impl Task<'_> {
     fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
         if let Some(other) = other {
             let fit = self.fit(self.samples)?;
-            let validation = Some((self.evaluate(&fit.model, &fit.synchronised(other))?, self.evaluate_given(other)?));
+            let validation = Some((
+                self.evaluate(&fit.model, &fit.as_fitted(other))?,
+                self.evaluate_given(&fit.in_robot_frame(other))?,
+            ));
             return Ok(self.of_all(fit, validation));
         }
         let Some(split) = self.arguments.split else {
@@ -194,9 +199,12 @@ impl Task<'_> {
             };
             let fit = of_fold.as_ref().unwrap_or(&reported);
             // the whole recording has the neighbours of a pose at the edge of a part
-            let on_one_clock = fit.clock_offset.map(|_| fit.synchronised(self.samples).subset(&fold.validation));
-            after.extend(&self.evaluate(&fit.model, on_one_clock.as_ref().unwrap_or(&held))?);
-            before.extend(&self.evaluate_given(&held)?);
+            let as_fitted = match fit.clock_offset {
+                Some(_) => fit.as_fitted(self.samples).subset(&fold.validation),
+                None => fit.as_fitted(&held),
+            };
+            after.extend(&self.evaluate(&fit.model, &as_fitted)?);
+            before.extend(&self.evaluate_given(&fit.in_robot_frame(&held))?);
         }
         let mut result = self.of(reported, &train, Some((after, before)));
         result.fit.renumber_outliers(part);
@@ -232,6 +240,7 @@ impl Task<'_> {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&self.arguments.data.name(), &error),
         })?;
+        fit.warnings.extend(frame_warning(&fit, samples, &settings));
         fit.warnings.extend(clock_warning(&fit, samples, free, &settings));
         Ok(fit)
     }

@@ -3,7 +3,7 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, distrust};
+use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
@@ -40,6 +40,8 @@ pub struct IdentificationAnswer {
     pub(super) clock_offset: Option<f64>,
     #[serde(rename = "clock_offset_sigma_s", skip_serializing_if = "Option::is_none")]
     pub(super) clock_sigma: Option<f64>,
+    #[serde(flatten)]
+    pub(super) frames: Option<RecordingFrames>,
     pub(super) history: Vec<f64>,
     pub(super) train: ErrorBlocks,
     pub(super) train_before: ErrorBlocks,
@@ -121,6 +123,7 @@ impl IdentificationAnswer {
             basins: fit.basins,
             clock_offset: fit.clock_offset.map(|clock| clock.seconds),
             clock_sigma: fit.clock_offset.map(|clock| clock.sigma),
+            frames: fit.frames,
             history: fit.history,
             train,
             train_before,

@@ -3,6 +3,7 @@
 use cdpr::identification::fit::Status;
 
 use super::error_table::error_table;
+use super::frame_words::frame_words;
 use super::identification_answer::IdentificationAnswer as Identified;
 use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
@@ -30,6 +31,9 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
             1e3 * offset.abs(),
             1e3 * sigma
         ));
+    }
+    if let Some(frames) = &answer.frames {
+        text.push_str(&format!("\n{}", frame_words(frames)));
     }
     text.push_str(&format!("\n{}", errors(answer, width)));
     if !answer.outliers.is_empty() {

@@ -10,6 +10,7 @@ mod envelope;
 mod error_table;
 mod evaluation_answer;
 mod forward_answer;
+mod frame_words;
 mod identification_answer;
 mod identification_words;
 mod initial_tension_answer;

@@ -2,7 +2,7 @@
 
 use cdpr::identification::fit::{Estimate, Status};
 use cdpr::identification::selection::{JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion};
-use cdpr::identification::{Coverage, ErrorBlocks, Loss, Outlier, coverage};
+use cdpr::identification::{Coverage, ErrorBlocks, Loss, Outlier, RecordingFrames, coverage};
 use serde::Serialize;
 
 use crate::report::Report;
@@ -44,6 +44,9 @@ pub struct SelectionAnswer {
     pub coverage: Coverage,
     /// Outliers of the recommended candidate's fit, else of the best one's.
     pub outliers: Vec<Outlier>,
+    /// Frames of tracker and marker of the recommended, else the best candidate, where they were free.
+    #[serde(flatten)]
+    pub frames: Option<RecordingFrames>,
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Warnings for the reader, doubts about the outcome first.
@@ -132,6 +135,9 @@ pub struct JudgedAnswer {
     /// How late poses are recorded, where the offset of the clocks was free (s).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clock_offset_s: Option<f64>,
+    /// Frames of tracker and marker, where they were free.
+    #[serde(flatten)]
+    pub frames: Option<RecordingFrames>,
     /// Requirements with their outcomes.
     pub requirements: Vec<RequirementOutcome>,
     /// False where errors break a rule of plausibility.
@@ -227,6 +233,7 @@ impl SelectionAnswer {
             untried: selection.untried.clone(),
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
+            frames: shown.and_then(|judgement| judgement.fit.frames.clone()),
             seed: told.seed,
             doubts: warnings.doubts,
             warnings: warnings.list,
@@ -286,6 +293,7 @@ impl JudgedAnswer {
             history: fit.history.clone(),
             parameters: fit.parameters.clone(),
             clock_offset_s: fit.clock_offset.map(|clock| clock.seconds),
+            frames: fit.frames.clone(),
             requirements: judgement.requirements.clone(),
             trusted: judgement.distrust.reasons.is_empty(),
             distrust: judgement.distrust.reasons.clone(),

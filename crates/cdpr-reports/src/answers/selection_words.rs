@@ -1,6 +1,7 @@
 //! The answer of a comparison, for people.
 
 use super::error_table::convergence_remark;
+use super::frame_words::frame_words;
 use super::{Answer, AsGiven, SelectionAnswer};
 use crate::number_format::{condition, significant};
 use crate::report::{times, value_and_error};
@@ -23,6 +24,9 @@ impl Answer for SelectionAnswer {
         if let Some(AsGiven { name, criterion, standard_error, ratio }) = &self.as_given {
             let value = self.criterion.format_with_error(*criterion, *standard_error);
             text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
+        }
+        if let Some(frames) = &self.frames {
+            frame_words(frames).lines().for_each(|line| text.push_str(&format!("  {line}\n")));
         }
         if !self.untried.is_empty() {
             text.push_str(&format!("  not among the candidates: {}\n", self.untried.join("; ")));

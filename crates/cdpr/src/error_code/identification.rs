@@ -45,6 +45,8 @@ impl ErrorCode for fit::InputError {
             Self::Winch(error) => error.code(),
             Self::NoSamples => "data::no-samples",
             Self::NoClockOffset => "data::no-clock-offset",
+            Self::NoFrames { .. } => "data::no-frames",
+            Self::MarkerOfPoint => "parameter::marker-of-point",
             Self::CableCount { .. } => "data::cable-count",
             Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
             Self::Degenerate { reason, .. } => reason.code(),

@@ -3,6 +3,7 @@
 mod answer;
 mod cautions;
 mod descent;
+mod frames;
 mod input_error;
 mod optimum;
 mod robust;
@@ -12,6 +13,8 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
+pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
+pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
 pub use input_error::InputError;
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
 pub use settings::{Prior, Settings};
@@ -25,7 +28,7 @@ use super::norms::Norms;
 use super::outliers;
 use super::weights::Weights;
 use crate::measurement::Samples;
-use crate::model::{FreeParameters, Model};
+use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Parameter;
 pub use crate::solve::Minimizer;
 use crate::solve::not_positive;
@@ -48,9 +51,12 @@ pub fn fit_observed(
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
-    let frees_clock = free.names_clock() && !settings.hold.names_clock();
-    if frees_clock {
-        let free = free.without_clock();
+    if !frames::freed(free, &settings.hold).is_empty() {
+        return frames::fit(model, samples, free, settings, progress);
+    }
+    let clock = RecordingParameter::ClockOffset;
+    if free.names_recording(clock) && !settings.hold.names_recording(clock) {
+        let free = free.without_recording(&[clock]);
         let cost = |samples: &Samples| least_cost(model, samples, &free, settings);
         let found =
             clock::best_offset(model, samples, parameters.len(), 0.0, &cost).ok_or(InputError::NoClockOffset)?;
@@ -213,6 +219,7 @@ fn report(
         loss_threshold: weights.noise * threshold(optimum.norms.loss),
         basins: optimum.basins,
         clock_offset: None,
+        frames: None,
         samples: samples.len(),
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,

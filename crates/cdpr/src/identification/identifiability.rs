@@ -61,6 +61,9 @@ pub struct Analysis {
     /// Standard deviation per free parameter.
     #[serde(skip)]
     pub(super) sigmas: Vec<Option<f64>>,
+    /// Factor of the deviations that the rows' weights give.
+    #[serde(skip)]
+    pub(super) inflation: f64,
     #[serde(skip)]
     pub(super) warnings: Vec<String>,
 }
@@ -71,6 +74,20 @@ impl Analysis {
         self.weak_direction_count = directions.len();
         self.weak_deviation = directions.iter().map(Direction::deviation).fold(0.0, f64::max);
         self.weak_directions = describe(model, directions);
+    }
+
+    /// Writes all coefficients (row i: with the parameters 0 to i) and the pairs above the limit.
+    pub(super) fn set_correlations(&mut self, rows: Vec<Vec<f64>>, names: &[String]) {
+        let pairs =
+            rows.iter().enumerate().flat_map(|(i, row)| row[..i].iter().enumerate().map(move |(j, c)| (i, j, *c)));
+        let strong = pairs.filter(|(_, _, coefficient)| coefficient.abs() > CORRELATION_LIMIT);
+        let named = |(i, j, coefficient): (usize, usize, f64)| Correlation {
+            first: names[j].clone(),
+            second: names[i].clone(),
+            coefficient,
+        };
+        self.correlations = strong.map(named).collect();
+        self.correlation_rows = rows;
     }
 }
 
@@ -133,6 +150,7 @@ pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64,
         directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
         analysis.sigmas.extend(uncertainty.sigmas);
     }
+    analysis.inflation = inflation * longest_time.sqrt();
     (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
     (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
     plain_values.sort_by(|a, b| b.total_cmp(a));

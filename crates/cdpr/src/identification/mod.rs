@@ -39,7 +39,7 @@ pub use clock::ClockOffset;
 pub use clock_test::clock_warning;
 pub use coverage::{Coverage, coverage};
 pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
-pub use fit::{Fit, Prior};
+pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
 pub use identifiability::{Analysis, Correlation};
 pub use loss::Loss;
 pub use outliers::Outlier;

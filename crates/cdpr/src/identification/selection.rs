@@ -21,11 +21,11 @@ pub use warnings::Warnings;
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
 use super::evaluation::{Evaluation, evaluate_fitted};
-use super::fit::{self, fit};
+use super::fit::{self, fit, frames_that_fit};
 use super::loss::Loss;
 use super::plausibility::{Distrust, distrust};
 use crate::measurement::{Fold, Samples};
-use crate::model::{Composition, Model};
+use crate::model::{Composition, Model, RecordingParameter};
 use crate::robot::Robot;
 
 /// The comparison and its result.
@@ -41,6 +41,8 @@ pub struct Selection {
     pub reason: String,
     /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
     pub untried: Vec<String>,
+    /// Frames of tracker and marker that were freed in every candidate, since the poses fit the robot no other way, in words.
+    pub frames: Option<String>,
 }
 
 impl Selection {
@@ -57,14 +59,14 @@ impl Selection {
     /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
     /// freed, else the first with nothing freed.
     pub fn as_given(&self) -> Option<usize> {
-        let is_given = |judged: &JudgedCandidate| judged.candidate.free.is_empty() && judged.outcome.is_ok();
+        let is_given = |judged: &JudgedCandidate| judged.candidate.free.leaves_robot() && judged.outcome.is_ok();
         let is_plain = |judged: &JudgedCandidate| judged.candidate.composition == Composition::STANDARD;
         let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
         plain.or_else(|| self.candidates.iter().position(is_given))
     }
 
     fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
-        Self { candidates, best, recommended, reason, untried: Vec::new() }
+        Self { candidates, best, recommended, reason, untried: Vec::new(), frames: None }
     }
 }
 
@@ -109,6 +111,8 @@ pub fn select(
     if folds.iter().all(|fold| fold.validation.is_empty()) {
         return Err(InputError::NoValidation);
     }
+    let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
+    let candidates = &candidates[..];
     let judge_one = |candidate: &Candidate| {
         let outcome = judge(robot, candidate, samples, folds, settings, progress);
         JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
@@ -126,7 +130,32 @@ pub fn select(
     let mut selection = recommend(judged, settings.criterion);
     selection.test_clock(samples, &settings.fit);
     selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
+    selection.frames = frames;
     Ok(selection)
+}
+
+/// The candidates with frames of tracker and marker free where the poses fit the robot in no other way and none names them, and the words
+/// that tell it.
+fn in_needed_frames(
+    robot: &Robot,
+    candidates: &[Candidate],
+    samples: &Samples,
+    folds: &[Fold],
+    settings: &Settings,
+) -> (Vec<Candidate>, Option<String>) {
+    let names_frames = |candidate: &Candidate| {
+        RecordingParameter::FRAMES.into_iter().any(|frame| candidate.free.names_recording(frame))
+    };
+    let train = samples.subset(&folds[0].train);
+    let needed = match candidates.iter().any(names_frames) {
+        true => None,
+        false => frames_that_fit(robot, &train, &settings.fit.hold),
+    };
+    let Some((freed, words)) = needed else { return (candidates.to_vec(), None) };
+    let with_frames =
+        |candidate: &Candidate| Candidate { free: candidate.free.with_recording(&freed), ..candidate.clone() };
+    let words = format!("{words}: free in every candidate, and the calibrated robot stays in the frame of its file");
+    (candidates.iter().map(with_frames).collect(), Some(words))
 }
 
 /// Fits that [`select`] makes: one of each candidate and fold, and one of all samples where there are several folds.
@@ -165,7 +194,7 @@ fn judge(
     let everything: Vec<usize> = (0..samples.len()).collect();
     let reported_part = if let [fold] = folds { &fold.train } else { &everything };
     let (mut reported, train) = fit_to(reported_part, settings.fit.loss)?;
-    let train = reported.synchronised(&train).subset(&reported.trusted_samples(train.len()));
+    let train = reported.as_fitted(&train).subset(&reported.trusted_samples(train.len()));
     let train = evaluate_fitted(&reported.model, &train)?.blocks();
     reported.renumber_outliers(reported_part);
     let mut errors = Evaluation::default();
@@ -175,8 +204,8 @@ fn judge(
         let fitted = of_fold.as_ref().unwrap_or(&reported);
         let held = match fitted.clock_offset {
             // the whole recording has the neighbours of a pose at the edge of a fold
-            Some(_) => fitted.synchronised(samples).subset(&fold.validation),
-            None => samples.subset(&fold.validation),
+            Some(_) => fitted.as_fitted(samples).subset(&fold.validation),
+            None => fitted.as_fitted(&samples.subset(&fold.validation)),
         };
         errors.extend(&evaluate_fitted(&fitted.model, &held)?);
         validation_samples.extend(&fold.validation);

@@ -14,18 +14,42 @@ use crate::robot::{Head, Parameter, ParameterKind};
 pub struct FreeParameters {
     /// Kind and 0-based cables; `None` means every cable.
     selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
-    /// The offset of the clocks, a number of the recording and not of the robot.
-    clock_offset: bool,
+    /// What of the recording is free, in the order of [`RecordingParameter::ALL`].
+    recording: Vec<RecordingParameter>,
 }
 
-/// Name of the offset of the clocks in lists of parameters.
-const CLOCK_OFFSET: &str = "clock-offset";
+/// Quantity of a recording and not of its robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RecordingParameter {
+    /// Offset of the clocks of winches and tracker (s).
+    ClockOffset,
+    /// Pose of the tracker's world in the robot's frame.
+    TrackerFrame,
+    /// Pose of the tracked marker on the platform.
+    MarkerFrame,
+}
+
+impl RecordingParameter {
+    /// All of them.
+    pub(crate) const ALL: [Self; 3] = [Self::ClockOffset, Self::TrackerFrame, Self::MarkerFrame];
+    /// Those that turn measured poses into poses of the platform.
+    pub(crate) const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
+
+    /// Name in lists of parameters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ClockOffset => "clock-offset",
+            Self::TrackerFrame => "tracker-frame",
+            Self::MarkerFrame => "marker-frame",
+        }
+    }
+}
 
 /// A list of parameters that cannot be understood or does not fit the model.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are clock-offset, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, swivel-axis, drum-radius, drum-pitch, drum-axis, start-length, start-angle, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are clock-offset, tracker-frame, marker-frame, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, swivel-axis, drum-radius, drum-pitch, drum-axis, start-length, start-angle, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -108,9 +132,11 @@ pub(crate) fn missing_effect(kind: ParameterKind, composition: Composition) -> O
 }
 
 fn suggestion(name: &str) -> String {
-    let close = |kind: &ParameterKind| strsim::jaro_winkler(kind.name(), name);
-    match ParameterKind::IDENTIFIED.into_iter().max_by(|a, b| close(a).total_cmp(&close(b))) {
-        Some(kind) if close(&kind) > 0.75 => format!("; did you mean `{kind}`?"),
+    let close = |known: &&str| strsim::jaro_winkler(known, name);
+    let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
+    let known = ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name).chain(of_recording);
+    match known.max_by(|a, b| close(a).total_cmp(&close(b))) {
+        Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),
         _ => String::new(),
     }
 }
@@ -118,22 +144,34 @@ fn suggestion(name: &str) -> String {
 impl FreeParameters {
     /// These kinds for every cable.
     pub fn of(kinds: &[ParameterKind]) -> Self {
-        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), clock_offset: false }
+        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), recording: Vec::new() }
     }
 
     /// True when nothing is free.
     pub(crate) fn is_empty(&self) -> bool {
-        self.selections.is_empty() && !self.clock_offset
+        self.selections.is_empty() && self.recording.is_empty()
     }
 
-    /// True when the offset of the clocks is named.
-    pub fn names_clock(&self) -> bool {
-        self.clock_offset
+    /// True when nothing of the robot is free.
+    pub(crate) fn leaves_robot(&self) -> bool {
+        self.selections.is_empty()
     }
 
-    /// The same without the offset of the clocks.
-    pub(crate) fn without_clock(&self) -> Self {
-        Self { clock_offset: false, ..self.clone() }
+    /// True when this of the recording is free.
+    pub fn names_recording(&self, parameter: RecordingParameter) -> bool {
+        self.recording.contains(&parameter)
+    }
+
+    /// The same without these of the recording.
+    pub(crate) fn without_recording(&self, parameters: &[RecordingParameter]) -> Self {
+        let recording = self.recording.iter().copied().filter(|free| !parameters.contains(free)).collect();
+        Self { recording, ..self.clone() }
+    }
+
+    /// The same with these of the recording.
+    pub(crate) fn with_recording(&self, parameters: &[RecordingParameter]) -> Self {
+        let is_free = |free: &RecordingParameter| self.recording.contains(free) || parameters.contains(free);
+        Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
     }
 
     fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
@@ -224,11 +262,11 @@ impl fmt::Display for FreeParameters {
                 write!(f, "[{}]", numbers.join(","))?;
             }
         }
-        match (self.clock_offset, self.selections.is_empty()) {
-            (true, true) => f.write_str(CLOCK_OFFSET),
-            (true, false) => write!(f, ",{CLOCK_OFFSET}"),
-            _ => Ok(()),
+        for (index, parameter) in self.recording.iter().enumerate() {
+            let comma = if index > 0 || !self.selections.is_empty() { "," } else { "" };
+            write!(f, "{comma}{}", parameter.name())?;
         }
+        Ok(())
     }
 }
 
@@ -243,15 +281,16 @@ impl FromStr for FreeParameters {
 
     /// Reads `frame-anchor[1,3],length-offset`; empty text frees nothing.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (mut selections, mut clock_offset) = (Vec::new(), false);
+        let (mut selections, mut recording) = (Vec::new(), Vec::new());
         let mut rest = text.trim();
         while !rest.is_empty() {
             let end = rest.find([',', '[']).unwrap_or(rest.len());
-            if rest[..end].trim() == CLOCK_OFFSET {
-                clock_offset = true;
+            let word = rest[..end].trim();
+            if let Some(parameter) = RecordingParameter::ALL.into_iter().find(|parameter| parameter.name() == word) {
+                recording.push(parameter);
                 rest = &rest[end..];
             } else {
-                let kind = identified_kind(rest[..end].trim())?;
+                let kind = identified_kind(word)?;
                 let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
                 let head = Head::read(rest).ok_or_else(syntax)?;
                 let cables = head.cables;
@@ -265,7 +304,7 @@ impl FromStr for FreeParameters {
                 None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
             };
         }
-        Ok(Self { selections, clock_offset })
+        Ok(Self { selections, recording: Vec::new() }.with_recording(&recording))
     }
 }
 
@@ -283,6 +322,8 @@ mod tests {
             "compliance,wrench",
             "clock-offset",
             "frame-anchor[2],clock-offset",
+            "tracker-frame",
+            "frame-anchor,clock-offset,tracker-frame,marker-frame",
         ] {
             let free: FreeParameters = text.parse().unwrap();
             assert_eq!(free.to_string(), text);
@@ -302,6 +343,8 @@ mod tests {
             "complience",
             ",",
             "clock-offset[1]",
+            "marker-frame[1]",
+            "tracker",
             "frame-anchor[-1]",
             "frame-anchor[99999999999999999999999]",
         ] {

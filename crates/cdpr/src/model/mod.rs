@@ -18,7 +18,7 @@ mod winching;
 pub(crate) use cdpr_core::structure::{CableGroup, in_pattern};
 pub use composition::{Cables, Composition, CompositionError, SpanEffect, StretchEffect};
 pub use error::ModelError;
-pub use free_parameters::{FreeParameters, ParameterError};
+pub use free_parameters::{FreeParameters, ParameterError, RecordingParameter};
 pub(crate) use free_parameters::{identified_kind, missing_effect};
 pub use kinematics::Model;
 pub use placement::{PlacePulleysError, place_pulleys};

@@ -52,7 +52,7 @@ fn poses_that_are_late_are_told_and_the_offset_is_found() {
     let before = fit::fit(&model, &synchronous, &free, &settings).unwrap();
     assert_eq!(clock_warning(&before, &synchronous, &free, &settings), None);
     let error = |fit: &fit::Fit, samples: &Samples| {
-        evaluate(&fit.model, &fit.synchronised(samples)).unwrap().blocks().position_error_m.mean
+        evaluate(&fit.model, &fit.as_fitted(samples)).unwrap().blocks().position_error_m.mean
     };
     let (_, late) = late_by(5).unwrap();
     let plain = fit::fit(&model, &late, &free, &settings).unwrap();

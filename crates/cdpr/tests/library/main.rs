@@ -28,6 +28,7 @@ mod feasibility_oracle;
 mod foreign_reader_properties;
 mod forward_kinematics;
 mod forward_statics;
+mod frames;
 mod gtcable;
 mod identifiability;
 mod identification_oracle;

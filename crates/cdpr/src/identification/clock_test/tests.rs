@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 
 use super::*;
-use crate::identification::clock::synchronised_within;
+use crate::identification::clock::{synchronised, synchronised_within};
 use crate::identification::fit::fit;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;

@@ -57,6 +57,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         loss_threshold: optimum.noise * threshold(optimum.norms.loss),
         basins: optimum.basins,
         clock_offset: None,
+        frames: None,
         samples: samples.len(),
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
@@ -125,7 +126,7 @@ fn analyse(
     inflation: f64,
     settings: &Settings,
 ) -> Analysis {
-    let mut analysis = Analysis::default();
+    let mut analysis = Analysis { inflation, ..Analysis::default() };
     let Ok(load) = Load::of(optimum.calibrated.robot()) else { return analysis };
     if parameters.is_empty() {
         analysis.condition = 1.0;
@@ -152,6 +153,7 @@ fn analyse(
     let priors = prior_weights(parameters, settings);
     let posterior = spectrum(&with_priors(weighted, &priors));
     let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
+    analysis.inflation = inflation * time.sqrt();
     analysis.undetermined = uncertainty.undetermined;
     analysis.correlations = uncertainty.correlations(&optimum.start_model, parameters);
     analysis.correlation_rows = uncertainty.correlation_rows(0);

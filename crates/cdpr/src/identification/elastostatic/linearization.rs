@@ -33,6 +33,17 @@ pub(super) struct Linearization {
     weights: Vec<f64>,
 }
 
+/// Where the rows of a sample are linearized.
+pub(super) struct Place<'a> {
+    /// Corrected pose and tensions (N).
+    pub(super) pose: &'a Pose,
+    pub(super) tensions: &'a [f64],
+    /// Factor of the covariance of the rows.
+    pub(super) factor: &'a [f64],
+    /// N (z_M − z) of each row.
+    pub(super) shifts: &'a [f64],
+}
+
 impl Linearization {
     /// At the measured values, with the weights at a model's parameters; `None` when a covariance is not positive definite,
     /// which only numbers that are not finite can make it.
@@ -161,6 +172,16 @@ impl Linearization {
             rows.square(weight)
         };
         self.weights.chunks(size).enumerate().map(square).collect()
+    }
+
+    /// Place of a sample of so many cables.
+    pub(super) fn place(&self, sample: usize, cables: usize) -> Place<'_> {
+        Place {
+            pose: &self.poses[sample],
+            tensions: &self.tensions[sample * cables..][..cables],
+            factor: self.factor(sample),
+            shifts: &self.shifts[sample * self.count..][..self.count],
+        }
     }
 
     fn factor(&self, sample: usize) -> &[f64] {

@@ -12,6 +12,7 @@ mod measurement_noise;
 mod noise;
 mod normal;
 mod optimum;
+mod pose_rows;
 mod robust;
 mod rows;
 #[cfg(test)]
@@ -19,3 +20,4 @@ mod tests;
 
 pub(super) use analysis::report;
 pub(super) use optimum::find;
+pub(super) use pose_rows::pose_rows;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::frames::RecordingFrames;
 use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
 use crate::identification::loss::Loss;
@@ -87,6 +88,8 @@ pub struct Fit {
     pub basins: Vec<Basin>,
     /// Offset of the clocks, where it was free.
     pub clock_offset: Option<ClockOffset>,
+    /// Frames of tracker and marker, where they were free.
+    pub frames: Option<RecordingFrames>,
     /// Number of samples that were fitted.
     pub samples: usize,
     /// Warning about the outliers, which stands before every other.

@@ -15,6 +15,23 @@ pub enum InputError {
         "`clock-offset` is free, but the samples tell none: it takes 30 samples with times (column t_s) of a platform that moves between them"
     )]
     NoClockOffset,
+    /// Too few poses that the lengths determine.
+    #[error(
+        "a frame is free, but the recorded lengths determine only {poses} poses of the robot as its file has it, and {needed} are needed to start \
+         from: are lengths and robot file right, and are there as many cables as degrees of freedom?"
+    )]
+    NoFrames {
+        /// Poses found.
+        poses: usize,
+        /// Poses needed.
+        needed: usize,
+    },
+    /// The marker of a platform without orientation.
+    #[error(
+        "`marker-frame` is free, but a point platform does not turn, so that its marker is nowhere else than the tracker's world is: free \
+         `tracker-frame` alone"
+    )]
+    MarkerOfPoint,
     /// The free parameters do not fit the model.
     #[error(transparent)]
     Parameters(#[from] ParameterError),

@@ -71,7 +71,8 @@ impl Selection {
             Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
         });
         let remarks = of_data.iter().cloned().chain(unanswered(judgement)).collect();
-        judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), remarks)
+        let of_comparison = self.frames.iter().cloned().chain(of_comparison(judgement, samples)).collect();
+        judgement.fit.gathered(&judgement.distrust, today, of_comparison, remarks)
     }
 }
 
