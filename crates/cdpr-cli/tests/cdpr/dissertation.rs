@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::{cdpr, cdpr_in, numbers};
 
-fn root() -> &'static Path {
+pub(super) fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 

@@ -23,6 +23,8 @@ const IGNORED_SHARE: f64 = 2e-4;
 const IGNORED_OF_MARKER: f64 = 1e-3;
 /// A mix-up explains the misfit when it leaves at most this share of it.
 const EXPLAINED: f64 = 1.0 / 3.0;
+/// It does not when it leaves more than this share of the diagonal: a tracker that is turned by a right angle looks a little like permuted cables.
+const MOST_LEFT: f64 = 0.01;
 /// A later way to read the data is told instead of an earlier one when it leaves at most this share of what that leaves.
 const CLEARLY: f64 = 0.5;
 /// Fewest samples that tell.
@@ -40,7 +42,7 @@ pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Op
         return None;
     }
     let may_be_marker = as_written > IGNORED_OF_MARKER * robot.anchor_diagonal();
-    let (left, words) = data.best(EXPLAINED * as_written, may_be_marker)?;
+    let (left, words) = data.best((EXPLAINED * as_written).min(MOST_LEFT * robot.anchor_diagonal()), may_be_marker)?;
     Some(format!(
         "{words} (misfit {} m as written, {} m so read, offsets and scales of the cables left aside)",
         three_digits(as_written),
