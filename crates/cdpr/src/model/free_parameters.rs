@@ -14,7 +14,7 @@ use crate::robot::{Head, Parameter, ParameterKind};
 pub struct FreeParameters {
     /// Kind and 0-based cables; `None` means every cable.
     selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
-    /// What of the recording is free, in the order of [`RecordingParameter::ALL`].
+    /// Free quantities of the recording, in the order of [`RecordingParameter::ALL`].
     recording: Vec<RecordingParameter>,
 }
 

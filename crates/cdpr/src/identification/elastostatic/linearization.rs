@@ -33,7 +33,7 @@ pub(super) struct Linearization {
     weights: Vec<f64>,
 }
 
-/// Where the rows of a sample are linearized.
+/// Point at which the rows of a sample are linearized.
 pub(super) struct Place<'a> {
     /// Corrected pose and tensions (N).
     pub(super) pose: &'a Pose,

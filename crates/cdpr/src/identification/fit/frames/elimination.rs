@@ -1,4 +1,4 @@
-//! What rows say of frames once the parameters have taken what they can explain.
+//! Rows of frames once the parameters have taken what they can explain.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -29,7 +29,7 @@ pub(super) struct Eliminated {
     blocks: Vec<Factors>,
 }
 
-/// What is kept of a block.
+/// Factors and rows of a block.
 struct Factors {
     /// Its parameters that move, by their place in the list of all.
     moving: Vec<usize>,

@@ -44,7 +44,7 @@ const MIXED_REGULAR: f64 = 1e-6;
 /// Least rotation of all poses that tells where the marker is (rad).
 const LEAST_EXTENT: f64 = 1e-3;
 
-/// What stands between the tracker's numbers and the robot.
+/// Poses between the tracker's numbers and the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::identification) struct Frames {
     /// The tracker's world in the frame of the robot.

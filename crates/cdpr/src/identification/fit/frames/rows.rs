@@ -30,7 +30,7 @@ pub(in crate::identification) struct RowBlock {
 /// Wrenches that the rows of a sample balance: numbers in axes that turn with the tracker's world and about a point that moves with the marker's
 /// frame, so that a motion of everything together, which changes no balance, changes their rows.
 pub(in crate::identification) struct Wrenches {
-    /// What is left of the balance of each sample (world, about the platform's origin).
+    /// Imbalance of each sample (world, about the platform's origin).
     pub(in crate::identification) residuals: Vec<Wrench>,
     /// Whitened rows by wrenches along the degrees of freedom of the pattern.
     pub(in crate::identification) whitened: DMatrix<f64>,

@@ -24,7 +24,7 @@ pub struct FrameEstimate {
     pub sigma_rotation_rad: [f64; 3],
 }
 
-/// What the data leave free of the frame that a calibrated robot is given in, and what fixes it.
+/// Freedom that the data leave of the frame of a calibrated robot, and what fixes it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Gauge {
     /// `least-change`: of the file's anchors.
@@ -46,7 +46,7 @@ pub struct RecordingFrames {
     /// Pose of the marker on the platform, where it was free.
     #[serde(rename = "marker_frame", skip_serializing_if = "Option::is_none")]
     pub marker: Option<FrameEstimate>,
-    /// What the data leave free.
+    /// Freedom that the data leave of them.
     pub gauge: Gauge,
 }
 
