@@ -2,6 +2,7 @@
 
 mod answer;
 mod cautions;
+mod checks;
 mod descent;
 mod frames;
 mod input_error;
@@ -13,6 +14,7 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
+use checks::{checked_parameters, explains_tensions, length_residuals};
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
 pub use input_error::InputError;
@@ -31,7 +33,6 @@ use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Parameter;
 pub use crate::solve::Minimizer;
-use crate::solve::not_positive;
 
 /// Fits the free parameters of a model to samples.
 ///
@@ -52,7 +53,8 @@ pub fn fit_observed(
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
     if !frames::freed(free, &settings.hold).is_empty() {
-        return frames::fit(model, samples, free, settings, progress);
+        let plain = |samples: &Samples, free: &FreeParameters| fit_observed(model, samples, free, settings, progress);
+        return frames::fit(model, samples, free, settings, &plain);
     }
     let clock = RecordingParameter::ClockOffset;
     if free.names_recording(clock) && !settings.hold.names_recording(clock) {
@@ -75,12 +77,6 @@ pub fn fit_observed(
     // the starts are those of a robot that may have been completed, with a wrench for instance
     fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
     Ok(fit)
-}
-
-/// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
-/// without tensions, cable by cable.
-fn explains_tensions(model: &Model) -> bool {
-    model.needs_tensions()
 }
 
 /// Descents of one fit: its starts.
@@ -139,47 +135,6 @@ pub(super) fn least_cost(model: &Model, samples: &Samples, free: &FreeParameters
     optimal_parameters(model, samples, free, &settings).ok()?.history.last().copied()
 }
 
-fn checked_parameters(
-    model: &Model,
-    samples: &Samples,
-    free: &FreeParameters,
-    settings: &Settings,
-) -> Result<Vec<Parameter>, InputError> {
-    let positive = [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)];
-    if let Some((name, value)) = not_positive(positive) {
-        return Err(InputError::Setting { name, value });
-    }
-    if samples.is_empty() {
-        return Err(InputError::NoSamples);
-    }
-    let (robot, data) = (model.cable_count(), samples.cable_count);
-    if robot != data {
-        return Err(InputError::CableCount { robot, data });
-    }
-    let parameters = free.parameters(model, &settings.hold)?;
-    let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
-    if let Some(kind) = of_drum.filter(|_| samples.motor_angles.is_none()) {
-        return Err(InputError::NoMotorAngles { kind });
-    }
-    let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
-    if explains_tensions(model) {
-        let (rows, count) =
-            (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
-        return match count > rows {
-            true => Err(InputError::TooFewRows { parameters: count, rows, samples: samples.len() }),
-            false => Ok(parameters),
-        };
-    }
-    for cable in 0..model.cable_count() {
-        let without_prior = |p: &&Parameter| p.cable == cable && prior_sigma(settings, p.kind).is_none();
-        let count = parameters.iter().filter(without_prior).count();
-        if count > samples.len() {
-            return Err(InputError::TooFewSamples { cable: cable + 1, parameters: count, samples: samples.len() });
-        }
-    }
-    Ok(parameters)
-}
-
 fn report(
     model: &Model,
     samples: &Samples,
@@ -225,15 +180,6 @@ fn report(
         outliers,
         warnings,
     })
-}
-
-/// Modelled minus recorded lengths of a sample (from 0) at its measured pose (m).
-fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
-    let modelled = |cable: usize| {
-        let path = model.path(cable, &samples.poses[sample]);
-        path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))
-    };
-    samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
 }
 
 /// Noise that residuals tell, in units of the weights.

@@ -20,7 +20,7 @@ pub struct FreeParameters {
 
 /// Quantity of a recording and not of its robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RecordingParameter {
+pub(crate) enum RecordingParameter {
     /// Offset of the clocks of winches and tracker (s).
     ClockOffset,
     /// Pose of the tracker's world in the robot's frame.
@@ -36,7 +36,7 @@ impl RecordingParameter {
     pub(crate) const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
 
     /// Name in lists of parameters.
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::ClockOffset => "clock-offset",
             Self::TrackerFrame => "tracker-frame",
@@ -158,7 +158,7 @@ impl FreeParameters {
     }
 
     /// True when this of the recording is free.
-    pub fn names_recording(&self, parameter: RecordingParameter) -> bool {
+    pub(crate) fn names_recording(&self, parameter: RecordingParameter) -> bool {
         self.recording.contains(&parameter)
     }
 

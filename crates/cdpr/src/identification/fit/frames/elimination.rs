@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::directions::{Directions, is_anchor};
 use super::rows::{Fitted, RowBlock};
-use super::{Directions, is_anchor};
 use crate::geometry::Twist;
 use crate::robot::Parameter;
 use crate::scalar::decomposition::svd;

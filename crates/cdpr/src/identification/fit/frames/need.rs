@@ -1,7 +1,11 @@
 //! Whether poses fit a robot only in other frames than its own.
 
-use super::{End, Frames, Settings, find, start};
-use crate::identification::fit::{length_residuals, optimal_parameters};
+use super::poses::Frames;
+use super::search::{End, find};
+use super::start;
+use crate::identification::fit::Settings;
+use crate::identification::fit::checks::{checked_parameters, length_residuals};
+use crate::identification::fit::optimum::find as optimum;
 use crate::identification::loss::Loss;
 use crate::identification::norms::median;
 use crate::measurement::Samples;
@@ -86,7 +90,9 @@ fn in_frames(model: &Model, samples: &Samples, freed: &[RecordingParameter]) -> 
 /// Median of the samples' residuals (root of the mean square over the cables, m).
 fn misfit(model: &Model, samples: &Samples) -> Option<f64> {
     let (free, settings) = leaving_winches();
-    let fitted = optimal_parameters(model, samples, &free, &settings).ok()?.model;
+    let parameters = checked_parameters(model, samples, &free, &settings).ok()?;
+    let (optimum, _) = optimum(model, samples, &parameters, &settings, &|| ()).ok()?;
+    let fitted = optimum.calibrated(model).ok()?;
     let root = |sample: usize| {
         let residuals = length_residuals(&fitted, samples, sample);
         (residuals.iter().map(|residual| residual * residual).sum::<f64>() / residuals.len() as f64).sqrt()

@@ -3,8 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::geometry::{Pose, Twist, Wrench};
+use crate::identification::blocks::Block;
 use crate::identification::elastostatic;
-use crate::identification::fit::{InputError, Settings, explains_tensions, optimum};
+use crate::identification::fit::checks::explains_tensions;
+use crate::identification::fit::descent::End;
+use crate::identification::fit::optimum::{Optimum, find};
+use crate::identification::fit::{InputError, Settings};
 use crate::identification::identifiability::prior_weights;
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -61,7 +65,7 @@ impl Fitted {
                 (optimum.calibrated().clone(), vec![rows])
             }
             false => {
-                let (optimum, _) = optimum::find(model, samples, parameters, settings, &|| ())?;
+                let (optimum, _) = find(model, samples, parameters, settings, &|| ())?;
                 let calibrated = optimum.calibrated(model)?;
                 let blocks = cables(&calibrated, samples, parameters, &optimum);
                 (calibrated, blocks)
@@ -79,9 +83,9 @@ impl Fitted {
 }
 
 /// Rows of recorded lengths, cable by cable.
-fn cables(model: &Model, samples: &Samples, parameters: &[Parameter], optimum: &optimum::Optimum) -> Vec<RowBlock> {
+fn cables(model: &Model, samples: &Samples, parameters: &[Parameter], optimum: &Optimum) -> Vec<RowBlock> {
     let basis = model.twist_basis();
-    let of_block = |(block, end): (&crate::identification::blocks::Block, &super::super::descent::End)| {
+    let of_block = |(block, end): (&Block, &End)| {
         let (mut residuals, columns) = block.rows(&optimum.poses, &end.values, samples.len());
         let roots: Vec<f64> = (0..samples.len()).map(|sample| optimum.norms.weight(sample).sqrt()).collect();
         residuals.iter_mut().zip(&roots).for_each(|(residual, root)| *residual *= root);

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, SVD, UnitQuaternion, Vector3};
 
-use super::{Frames, inverse, product};
+use super::poses::{Frames, inverse, product};
 use crate::equilibrium::forward_kinematics::{self, Solver};
 use crate::geometry::Pose;
 use crate::identification::fit::InputError;

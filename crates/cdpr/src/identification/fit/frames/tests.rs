@@ -5,9 +5,13 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::*;
-use crate::identification::fit::{fit, frames_that_fit};
-use crate::model::Composition;
+use super::directions::Directions;
+use super::frames_that_fit;
+use super::poses::{Frames, inverse, product};
+use crate::geometry::{Pose, Twist};
+use crate::identification::fit::{InputError, Settings, fit};
+use crate::measurement::Samples;
+use crate::model::{Composition, FreeParameters, Model, RecordingParameter};
 use crate::robot::Robot;
 
 /// A tracker tilted by 40° and 2 m away, a marker turned by 15° and 0.1 m off; of planar robots within the plane, without the marker where it is

@@ -1,0 +1,65 @@
+//! Questions that a fit asks of its model and samples before and after.
+
+use super::input_error::InputError;
+use super::settings::{Settings, prior_sigma};
+use crate::measurement::Samples;
+use crate::model::{FreeParameters, Model};
+use crate::robot::Parameter;
+use crate::solve::not_positive;
+
+/// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
+/// without tensions, cable by cable.
+pub(super) fn explains_tensions(model: &Model) -> bool {
+    model.needs_tensions()
+}
+
+/// The free parameters, where model, samples and settings allow a fit of them.
+pub(super) fn checked_parameters(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+) -> Result<Vec<Parameter>, InputError> {
+    let positive = [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)];
+    if let Some((name, value)) = not_positive(positive) {
+        return Err(InputError::Setting { name, value });
+    }
+    if samples.is_empty() {
+        return Err(InputError::NoSamples);
+    }
+    let (robot, data) = (model.cable_count(), samples.cable_count);
+    if robot != data {
+        return Err(InputError::CableCount { robot, data });
+    }
+    let parameters = free.parameters(model, &settings.hold)?;
+    let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
+    if let Some(kind) = of_drum.filter(|_| samples.motor_angles.is_none()) {
+        return Err(InputError::NoMotorAngles { kind });
+    }
+    let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
+    if explains_tensions(model) {
+        let (rows, count) =
+            (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
+        return match count > rows {
+            true => Err(InputError::TooFewRows { parameters: count, rows, samples: samples.len() }),
+            false => Ok(parameters),
+        };
+    }
+    for cable in 0..model.cable_count() {
+        let without_prior = |p: &&Parameter| p.cable == cable && prior_sigma(settings, p.kind).is_none();
+        let count = parameters.iter().filter(without_prior).count();
+        if count > samples.len() {
+            return Err(InputError::TooFewSamples { cable: cable + 1, parameters: count, samples: samples.len() });
+        }
+    }
+    Ok(parameters)
+}
+
+/// Modelled minus recorded lengths of a sample (from 0) at its measured pose (m).
+pub(super) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+    let modelled = |cable: usize| {
+        let path = model.path(cable, &samples.poses[sample]);
+        path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))
+    };
+    samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
+}
