@@ -333,10 +333,15 @@ impl Robot {
 
     /// Diagonal of the box of the frame anchors (m): the size of the robot.
     pub fn anchor_diagonal(&self) -> f64 {
-        let anchors = || self.cables.iter().map(|cable| cable.frame_anchor);
-        let Some(first) = anchors().next() else { return 0.0 };
-        let (low, high) = anchors().fold((first, first), |(low, high), anchor| (low.inf(&anchor), high.sup(&anchor)));
+        let [low, high] = self.anchor_box();
         (high - low).norm()
+    }
+
+    /// Lower and upper corner of the box around the frame anchors (m); the origin for a robot without cables.
+    pub(crate) fn anchor_box(&self) -> [Vector3<f64>; 2] {
+        let anchors = || self.cables.iter().map(|cable| cable.frame_anchor);
+        let first = anchors().next().unwrap_or_default();
+        anchors().fold([first, first], |[low, high], anchor| [low.inf(&anchor), high.sup(&anchor)])
     }
 
     /// The home pose, or the middle of the frame anchors with the platform unturned when the file gives none.

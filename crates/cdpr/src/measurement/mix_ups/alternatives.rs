@@ -105,11 +105,14 @@ fn of_plane(robot: &Robot) -> Vec<Reading> {
 /// Readings of coordinates with axes swapped or mirrored: of positions alone, of both frames, of the world alone.
 fn axes(robot: &Robot) -> Vec<Reading> {
     let own: Vec<usize> = if robot.motion_pattern.is_planar() { robot.plane.indices().to_vec() } else { vec![0, 1, 2] };
+    let [low, high] = robot.anchor_box();
+    let middle = (low + high) / 2.0;
     let mut all = Vec::new();
-    for matrix in signed_permutations(&own).into_iter().filter(|matrix| *matrix != Matrix3::identity()) {
-        let words = words_of(&matrix, &own);
+    let swaps = signed_permutations(&own).into_iter().filter(|matrix| *matrix != Matrix3::identity());
+    for (matrix, shift) in swaps.flat_map(|matrix| shifts(&matrix, &middle).map(move |shift| (matrix, shift))) {
+        let words = words_of(&matrix, &shift, &own);
         let turns = robot.motion_pattern.has_rotation();
-        let moved = move |pose: &Pose, rotation| Some(Pose { position: matrix * pose.position, rotation });
+        let moved = move |pose: &Pose, rotation| Some(Pose { position: matrix * pose.position + shift, rotation });
         all.push(Reading { words: words.clone(), read: Box::new(move |pose, _| moved(pose, pose.rotation)) });
         if turns {
             let both = move |pose: &Pose| rotation(matrix * pose.rotation_matrix() * matrix.transpose());
@@ -127,6 +130,13 @@ fn axes(robot: &Robot) -> Vec<Reading> {
         }
     }
     all
+}
+
+/// Shifts beside a matrix: none, and for axes that are mirrored alone that of a mirror in the middle of the frame anchors' box.
+fn shifts(matrix: &Matrix3<f64>, middle: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> + use<> {
+    let about_middle = (Matrix3::identity() - matrix) * middle;
+    let is_mirror = matrix.diagonal().iter().all(|entry| *entry != 0.0);
+    std::iter::once(Vector3::zeros()).chain((is_mirror && about_middle.norm() > 0.0).then_some(about_middle))
 }
 
 fn rotation(matrix: Matrix3<f64>) -> UnitQuaternion<f64> {
@@ -154,11 +164,15 @@ fn signed_permutations(own: &[usize]) -> Vec<Matrix3<f64>> {
 }
 
 /// Axes of the world by those of the file, e.g. "x, y, z of the robot look like −y, x, z of the data".
-fn words_of(matrix: &Matrix3<f64>, own: &[usize]) -> String {
+fn words_of(matrix: &Matrix3<f64>, shift: &Vector3<f64>, own: &[usize]) -> String {
     let name = |axis: usize| ["x", "y", "z"][axis];
     let of_data = own.iter().map(|&row| {
         let column = (0..3).find(|&column| matrix[(row, column)] != 0.0).unwrap_or(row);
-        format!("{}{}", if matrix[(row, column)] < 0.0 { "−" } else { "" }, name(column))
+        match matrix[(row, column)] < 0.0 {
+            true if shift[row] != 0.0 => format!("{:.3} m − {}", shift[row], name(column)),
+            true => format!("−{}", name(column)),
+            false => name(column).to_owned(),
+        }
     });
     let of_robot: Vec<&str> = own.iter().map(|&axis| name(axis)).collect();
     let of_data = of_data.collect::<Vec<_>>().join(", ");

@@ -177,6 +177,18 @@ fn swapped_and_mirrored_axes_are_named() {
         });
         let words = found(&robot, &mirrored, &[]).unwrap_or_default();
         assert!(words.contains("x, y, z of the robot fit x, −y, z of the data (misfit"), "{words}");
+        // counted from the other wall
+        let [low, high] = robot.anchor_box();
+        let walls = low.y + high.y;
+        let other_wall = with_poses(&samples, |pose| {
+            let p = pose.position;
+            Pose { position: Vector3::new(p.x, walls - p.y, p.z), ..*pose }
+        });
+        let words = found(&robot, &other_wall, &[]).unwrap_or_default();
+        assert!(
+            words.contains(&format!("x, y, z of the robot fit x, {walls:.3} m − y, z of the data (misfit")),
+            "{words}"
+        );
         // a left-handed world with orientations of its own
         let left_handed = with_poses(&samples, |pose| {
             let q = pose.rotation.coords;
