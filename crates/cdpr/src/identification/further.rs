@@ -33,7 +33,11 @@ pub(super) fn further_place(parameter: &Parameter) -> Option<usize> {
 pub(super) fn further_values(model: &Model, cable: usize) -> [f64; FURTHER] {
     let robot = model.robot();
     let winch = &robot.cables[cable].winch;
-    let turn = |kind: ParameterKind, axis| match axis < kind.components(robot) {
+    let has_axis = |kind: ParameterKind| match kind {
+        ParameterKind::SwivelAxis => robot.cables[cable].pulley_swivel_axis().is_some(),
+        _ => winch.axis.is_some(),
+    };
+    let turn = |kind: ParameterKind, axis| match has_axis(kind) && axis < kind.components(robot) {
         true => Parameter { cable, kind, axis }.value(robot),
         false => 0.0,
     };

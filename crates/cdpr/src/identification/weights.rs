@@ -48,6 +48,24 @@ impl Weights {
 /// J is the row −\[u; b × u\] of the robot's motion pattern; the scale multiplies it. An unknown pose accuracy counts as
 /// exact, an unknown length accuracy likewise; without either all rows weigh the same.
 pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes) -> Result<Weights, InputError> {
+    let (weights, is_regular) = weights_of(model, |cable| CableValues::of(model, cable), samples, poses);
+    if !is_regular {
+        for (sample, pose) in samples.poses.iter().enumerate() {
+            for cable in 0..model.cable_count() {
+                model.path(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
+            }
+        }
+    }
+    Ok(weights)
+}
+
+/// [`length_weights`] for cables with these values, and whether none looks as if it had no path at some pose.
+pub(super) fn weights_of(
+    model: &Model,
+    values: impl Fn(usize) -> CableValues,
+    samples: &Samples,
+    poses: &PoseLanes,
+) -> (Weights, bool) {
     let sigmas = samples.sigmas;
     let (length, position, rotation) =
         (sigmas.length.unwrap_or(0.0), sigmas.position.unwrap_or(0.0), sigmas.rotation.unwrap_or(0.0));
@@ -69,21 +87,14 @@ pub(super) fn length_weights(model: &Model, samples: &Samples, poses: &PoseLanes
     }
     let mut regular = true;
     for (cable, inverse_sigma) in weights.inverse_sigma.chunks_mut(rows).enumerate() {
-        let values = CableValues::of(model, cable);
+        let values = values(cable);
         regular &= dispatch(WriteWeights { values: &values, poses, variances: &variances, inverse_sigma });
         if !weights.absolute {
             inverse_sigma.fill(1.0 / ASSUMED_NOISE);
         }
         inverse_sigma[samples.len()..].fill(0.0);
     }
-    if !regular {
-        for (sample, pose) in samples.poses.iter().enumerate() {
-            for cable in 0..model.cable_count() {
-                model.path(cable, pose).map_err(|reason| InputError::Degenerate { sample: sample + 1, reason })?;
-            }
-        }
-    }
-    Ok(weights)
+    (weights, regular)
 }
 
 /// Variances of what is measured, per axis of the world.

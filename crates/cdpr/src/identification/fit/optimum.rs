@@ -4,9 +4,9 @@ use super::{InputError, Settings, descent, prior_sigma};
 use crate::identification::blocks::Block;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
-use crate::identification::pose_lanes::PoseLanes;
+use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::identification::starts::{Basin, Starts, count, same_cost};
-use crate::identification::weights::{Weights, length_weights};
+use crate::identification::weights::{Weights, length_weights, weights_of};
 use crate::measurement::Samples;
 use crate::model::{Model, ModelError};
 use crate::robot::Parameter;
@@ -123,7 +123,7 @@ impl Optimum {
     fn agree_with_weights(&mut self, given: Given<'_>, weights: &mut Weights) -> Result<(), InputError> {
         let Given { model, samples, settings } = given;
         for _ in 0..REWEIGHTINGS {
-            let again = length_weights(&self.with_given_levers(model)?, samples, &self.poses)?;
+            let again = self.own_weights(model, samples)?;
             if weights.is_close_to(&again) {
                 break;
             }
@@ -204,13 +204,22 @@ impl Optimum {
         Model::new(robot, model.composition())
     }
 
-    /// The calibrated model with the platform anchors as given: weakly determined ones may end metres away, and a variance
-    /// that grows with the moment arm would reward them for it.
-    pub(super) fn with_given_levers(&self, model: &Model) -> Result<Model, ModelError> {
-        let mut robot = self.calibrated(model)?.robot().clone();
-        for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {
-            cable.platform_anchor = given.platform_anchor;
+    /// Weights at the optimum, platform anchors as given: weakly determined ones may end metres away, and a variance that grows with the
+    /// moment arm would reward them for it.
+    pub(super) fn own_weights(&self, model: &Model, samples: &Samples) -> Result<Weights, InputError> {
+        let levers = |cable: usize| CableValues {
+            platform_anchor: self.blocks[cable].start.platform_anchor,
+            ..self.ends[cable].values
+        };
+        match weights_of(model, levers, samples, &self.poses) {
+            (weights, true) => Ok(weights),
+            _ => {
+                let mut robot = self.calibrated(model)?.robot().clone();
+                for (cable, given) in robot.cables.iter_mut().zip(&model.robot().cables) {
+                    cable.platform_anchor = given.platform_anchor;
+                }
+                length_weights(&Model::new(robot, model.composition())?, samples, &self.poses)
+            }
         }
-        Model::new(robot, model.composition())
     }
 }

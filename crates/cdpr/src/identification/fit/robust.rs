@@ -10,7 +10,7 @@ use crate::identification::blocks::Block;
 use crate::identification::loss::{Loss, RobustLoss, Tail};
 use crate::identification::norms::{Extent, Norms};
 use crate::identification::pose_lanes::CableValues;
-use crate::identification::weights::{Weights, length_weights};
+use crate::identification::weights::Weights;
 use crate::solve::ROUNDING_GAIN;
 
 /// Most descents with the scale that the residuals tell between them.
@@ -51,7 +51,7 @@ impl Optimum {
         for round in 0..RESCALINGS {
             let mut is_same = round > 0;
             if round > 0 && weights.absolute {
-                let again = length_weights(&self.with_given_levers(model)?, samples, &self.poses)?;
+                let again = self.own_weights(model, samples)?;
                 if !weights.is_close_to(&again) {
                     *weights = again;
                     self.measure(weights);
