@@ -240,7 +240,7 @@ impl Task<'_> {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&self.arguments.data.name(), &error),
         })?;
-        fit.warnings.extend(frame_warning(&fit, samples, &settings));
+        fit.warnings.extend(frame_warning(self.model.robot(), &fit, samples, &settings));
         fit.warnings.extend(clock_warning(&fit, samples, free, &settings));
         Ok(fit)
     }

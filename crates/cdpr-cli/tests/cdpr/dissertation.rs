@@ -3,15 +3,9 @@
 //! Numbers are those of our own studies, to the last digit shown but one; what the dissertation prints stands beside them in the
 //! chapter. Areas are counted on coarser cells than in the chapter, which moves shares by less than a per cent.
 
-use std::path::Path;
-
 use serde_json::Value;
 
-use super::{cdpr, cdpr_in, numbers};
-
-pub(super) fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-}
+use super::{cdpr, cdpr_in, numbers, root};
 
 fn study(name: &str) -> String {
     root().join(format!("studies/{name}.toml")).display().to_string()

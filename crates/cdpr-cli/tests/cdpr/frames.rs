@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::cdpr_in;
-use super::dissertation::root;
+use super::{cdpr_in, root};
 
 /// The table with its poses as a tracker tells them whose world is turned by a right angle about z and lies at (1, 2, 0.5) m.
 fn by_tracker(table: &str) -> String {
@@ -46,6 +45,10 @@ fn frames_are_told_where_they_are_held_and_found_where_they_are_free() {
     let held = cdpr_in(folder.path(), &format!("{IDENTIFY} --free length-offset"));
     assert_eq!(held.exit_code, 1, "{}", held.stdout);
     assert!(held.stdout.contains("add `tracker-frame` to --free"), "{}", held.stdout);
+    // anchors that are free follow the tracker's world, which leaves no error and a file in another frame
+    let followed = cdpr_in(folder.path(), &format!("{IDENTIFY} --free frame-anchor"));
+    assert_eq!(followed.exit_code, 0, "{}", followed.stdout);
+    assert!(followed.stdout.contains("add `tracker-frame` to --free"), "{}", followed.stdout);
 
     let free = "--free frame-anchor,tracker-frame";
     let words = cdpr_in(folder.path(), &format!("{IDENTIFY} {free} --out calibrated.toml"));

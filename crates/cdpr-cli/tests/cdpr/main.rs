@@ -56,6 +56,11 @@ fn cdpr(arguments: &str) -> Run {
     run(Command::cargo_bin("cdpr").unwrap().args(arguments.split_whitespace()))
 }
 
+/// Folder of the repository.
+fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
 /// As [`cdpr`], in a folder.
 fn cdpr_in(folder: &Path, arguments: &str) -> Run {
     run(Command::cargo_bin("cdpr").unwrap().current_dir(folder).args(arguments.split_whitespace()))

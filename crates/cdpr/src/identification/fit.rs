@@ -14,7 +14,7 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
-use checks::{checked_parameters, explains_tensions, length_residuals};
+use checks::{checked_parameters, explains_tensions, is_at_bound, length_residuals};
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
 pub use input_error::InputError;
@@ -241,14 +241,6 @@ pub(super) fn estimate(
         at_bound: is_at_bound(value, start, parameter.bounds()),
         parameter,
     }
-}
-
-/// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.
-const AT_BOUND: f64 = 1e-9;
-
-fn is_at_bound(value: f64, start: f64, (lower, upper): (f64, f64)) -> bool {
-    let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(start.abs());
-    value <= lower || value >= upper || near(lower) || near(upper)
 }
 
 pub(super) fn verdict(

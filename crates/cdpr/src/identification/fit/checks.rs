@@ -63,3 +63,12 @@ pub(super) fn length_residuals(model: &Model, samples: &Samples, sample: usize) 
     };
     samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
 }
+
+/// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.
+const AT_BOUND: f64 = 1e-9;
+
+/// True where a value lies on one of its bounds, to rounding.
+pub(super) fn is_at_bound(value: f64, start: f64, (lower, upper): (f64, f64)) -> bool {
+    let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(start.abs());
+    value <= lower || value >= upper || near(lower) || near(upper)
+}

@@ -7,7 +7,7 @@ use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::{Model, RecordingParameter};
 use crate::robot::{Parameter, ParameterKind};
 
-/// Least rotation of all poses that tells where the marker is (rad).
+/// Least extent of poses, for those that are all at one place (m).
 const LEAST_EXTENT: f64 = 1e-3;
 
 /// A direction in which a frame may move.

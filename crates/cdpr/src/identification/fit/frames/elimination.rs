@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::directions::{Directions, is_anchor};
 use super::rows::{Fitted, RowBlock};
 use crate::geometry::Twist;
+use crate::identification::fit::checks::is_at_bound;
 use crate::robot::Parameter;
 use crate::scalar::decomposition::svd;
 
@@ -12,9 +13,6 @@ use crate::scalar::decomposition::svd;
 const FREE: f64 = 1e-6;
 /// Ridge of the parameters, as a share of the length of their columns: keeps undetermined ones where they are.
 const RIDGE: f64 = 1e-9;
-/// Bounds are reached to this share of the value.
-const AT_BOUND: f64 = 1e-9;
-
 /// Rows of the frames, parameters eliminated.
 pub(super) struct Eliminated {
     /// Change of all parameters by one metre of each direction of the frames.
@@ -44,11 +42,7 @@ impl Eliminated {
     /// Nothing where a row is not finite.
     pub(super) fn of(fitted: &Fitted, parameters: &[Parameter], directions: &Directions) -> Option<Self> {
         let count = directions.list.len();
-        let is_held = |place: usize| {
-            let (value, (lower, upper)) = (fitted.values[place], parameters[place].bounds());
-            let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(1e-3);
-            near(lower) || near(upper)
-        };
+        let is_held = |place: usize| is_at_bound(fitted.values[place], fitted.start[place], parameters[place].bounds());
         let along = |columns: Vec<Twist>| {
             DMatrix::from_fn(fitted.basis.len(), count, |k, column| fitted.basis[k].dot(&columns[column]))
         };

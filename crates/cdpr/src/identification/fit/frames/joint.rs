@@ -7,6 +7,7 @@ use crate::identification::clock;
 use crate::identification::fit::{Fit, InputError, Settings, Status};
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
+use crate::robot::Robot;
 
 /// The frames that are free and not held.
 pub(in crate::identification::fit) fn freed(free: &FreeParameters, hold: &FreeParameters) -> Vec<RecordingParameter> {
@@ -58,11 +59,12 @@ impl Fit {
     }
 }
 
-/// A warning where poses fit the robot only in other frames and this fit freed none.
-pub fn frame_warning(fit: &Fit, samples: &Samples, settings: &Settings) -> Option<String> {
-    let freed = fit.frames.as_ref().map(|_| ());
-    let (frames, words) =
-        freed.map_or_else(|| frames_that_fit(fit.model.robot(), samples, &settings.hold), |()| None)?;
+/// A warning where poses fit the robot as given only in other frames and this fit freed none: anchors that are free follow the tracker's world.
+pub fn frame_warning(given: &Robot, fit: &Fit, samples: &Samples, settings: &Settings) -> Option<String> {
+    if fit.frames.is_some() {
+        return None;
+    }
+    let (frames, words) = frames_that_fit(given, samples, &settings.hold)?;
     let names: Vec<&str> = frames.into_iter().map(RecordingParameter::name).collect();
     Some(format!("{words}: add `{}` to --free, or mend the poses", names.join(",")))
 }

@@ -31,8 +31,8 @@ pub(in crate::identification) struct RowBlock {
     pub(in crate::identification) wrenches: Option<Wrenches>,
 }
 
-/// Wrenches that the rows of a sample balance: numbers in axes that turn with the tracker's world and about a point that moves with the marker's
-/// frame, so that a motion of everything together, which changes no balance, changes their rows.
+/// Wrenches that the rows of a sample balance, for the part of a row's change that only its axes make: a motion of everything together turns them,
+/// or moves the point that they are about, and changes no balance.
 pub(in crate::identification) struct Wrenches {
     /// Imbalance of each sample (world, about the platform's origin).
     pub(in crate::identification) residuals: Vec<Wrench>,

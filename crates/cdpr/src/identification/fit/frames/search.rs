@@ -16,7 +16,7 @@ use crate::scalar::decomposition::svd;
 pub(super) struct End {
     /// Most steps.
     pub(super) steps: usize,
-    /// The step that ends it (m per metre of extent, rotations times the extent of the poses).
+    /// The step that ends it (m, rotations times the extent of the poses), for an extent of at most 1 m; in proportion for larger ones.
     pub(super) size: f64,
 }
 
@@ -50,7 +50,9 @@ pub(super) fn find(
     let mut frames = start;
     let directions = Directions::of(model, freed, &frames.apply(samples).poses);
     let mut mixed = Mixed::default();
-    for steps in 1.. {
+    let mut steps = 0;
+    loop {
+        steps += 1;
         let fitted = Fitted::of(model, &frames.apply(samples), &parameters, settings)?;
         let eliminated = Eliminated::of(&fitted, &parameters, &directions).ok_or(InputError::NotFinite)?;
         let step = eliminated.step(&fitted, &parameters, directions.extent);
@@ -61,7 +63,6 @@ pub(super) fn find(
         }
         frames = directions.moved(&frames, mixed.next(step, MIXED_BELOW * directions.extent).as_slice());
     }
-    unreachable!("the loop ends at its limit of steps")
 }
 
 /// Steps mixed with those before them (Anderson acceleration): Gauss–Newton steps leave out how weights and points of linearization move, so that
