@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
+use cdpr::identification::selection::Warnings;
 use clap::ValueEnum;
 use serde::Serialize;
 
@@ -39,11 +40,13 @@ pub(crate) struct Output {
     robot: RefCell<Option<String>>,
     /// Remarks told so far that are not part of the answer.
     remarks: RefCell<Vec<String>>,
+    /// Those of them that doubt whatever the answer will be.
+    doubts: RefCell<Vec<String>>,
 }
 
 impl Output {
     pub(crate) fn new(format: Format) -> Self {
-        Self { format, robot: RefCell::default(), remarks: RefCell::default() }
+        Self { format, robot: RefCell::default(), remarks: RefCell::default(), doubts: RefCell::default() }
     }
 
     /// Names the robot that the command asks about, for answers without a key `robot`.
@@ -65,6 +68,27 @@ impl Output {
     pub(crate) fn remark(&self, text: &str) {
         diagnostics::remark(text);
         self.remarks.borrow_mut().push(text.to_owned());
+    }
+
+    /// Tells a reason to doubt the answer, which the answer repeats before all else.
+    pub(crate) fn doubt(&self, text: &str) {
+        self.remark(text);
+        self.doubts.borrow_mut().push(text.to_owned());
+    }
+
+    /// The doubts told so far.
+    pub(crate) fn doubts(&self) -> Warnings {
+        let list = self.doubts.borrow().clone();
+        Warnings { doubts: list.len(), list }
+    }
+
+    /// The doubts and then the remarks told so far.
+    pub(crate) fn warnings(&self) -> Warnings {
+        let mut warnings = self.doubts();
+        let remarks = self.remarks();
+        let others: Vec<String> = remarks.into_iter().filter(|remark| !warnings.list.contains(remark)).collect();
+        warnings.list.extend(others);
+        warnings
     }
 
     /// All that was told so far besides the answer, for pages and files.

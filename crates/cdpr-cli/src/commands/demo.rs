@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use cdpr::error_code::ErrorCode;
 use cdpr::identification::fit::Prior;
+use cdpr::identification::selection::Warnings;
 use cdpr::measurement::Samples;
 use cdpr::metamodel::{Experiment, Robots, Study};
 use cdpr::model::place_pulleys;
@@ -82,9 +83,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         data_name: "training.csv (virtual measurements of the CableRobot Simulator)".to_owned(),
         validation_name: words,
         command: format!("cdpr select robot.toml training.csv --validation validation.csv{options} --out ."),
-        warnings: vec![
-            "these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned(),
-        ],
+        warnings: Warnings {
+            list: vec![
+                "these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned(),
+            ],
+            doubts: 0,
+        },
         inputs,
     })?;
     let mut answer = comparison.answer();

@@ -50,5 +50,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;
     }
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
-    output.answer(&EvaluationAnswer::new(&model, (arguments.data.name(), &samples), &evaluation, out_errors))
+    let data = (arguments.data.name(), &samples, output.doubts());
+    output.answer(&EvaluationAnswer::new(&model, data, &evaluation, out_errors))
 }

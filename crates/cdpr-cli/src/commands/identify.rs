@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
+use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
     ErrorBlocks, Evaluation, EvaluationError, Loss, clock_warning, evaluate_fitted, frame_warning,
 };
@@ -116,11 +117,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     task.tell_about_unused_column(output);
     let result = task.identify(other.as_ref())?;
     let calibrated = result.fit.model.robot().to_toml();
-    let answer = task.answer(result)?;
+    let answer = task.answer(result, output.doubts())?;
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, other.as_ref(), answer.reason(), answer.warnings()))
+        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &answer.warnings()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
@@ -142,6 +143,7 @@ struct Task<'a> {
 struct Identification {
     fit: Fit,
     samples: usize,
+    frame_warning: Option<String>,
     train: Samples,
     train_on_one_clock: Samples,
     validation: Option<(Evaluation, Evaluation)>,
@@ -165,7 +167,8 @@ impl Task<'_> {
         let trusted = fit.trusted_samples(samples.len());
         let train_on_one_clock = fit.as_fitted(samples).subset(&trusted);
         let train = fit.in_robot_frame(samples).subset(&trusted);
-        Identification { fit, samples: samples.len(), train, train_on_one_clock, validation }
+        let frame_warning = frame_warning(self.model.robot(), &fit, samples, &self.settings());
+        Identification { fit, samples: samples.len(), frame_warning, train, train_on_one_clock, validation }
     }
 
     /// Fits to all samples or to those of the one fold; several folds are only fitted to for judging.
@@ -240,7 +243,6 @@ impl Task<'_> {
             fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
             error => Failure::refused(&self.arguments.data.name(), &error),
         })?;
-        fit.warnings.extend(frame_warning(self.model.robot(), &fit, samples, &settings));
         fit.warnings.extend(clock_warning(&fit, samples, free, &settings));
         Ok(fit)
     }
@@ -261,13 +263,13 @@ impl Task<'_> {
     }
 
     /// Error figures without the samples that neither model explains, which a warning counts.
-    fn blocks(&self, after: Evaluation, before: Evaluation, warnings: &mut Vec<String>) -> [ErrorBlocks; 2] {
+    fn blocks(&self, after: Evaluation, before: Evaluation, warnings: &mut Warnings) -> [ErrorBlocks; 2] {
         let aside = if self.arguments.loss == Loss::Squared { Vec::new() } else { after.unexplained_with(&before) };
         if aside.is_empty() {
             return [after.blocks(), before.blocks()];
         }
         let (count, all) = (aside.len(), after.len());
-        warnings.push(format!(
+        warnings.list.push(format!(
             "outliers: {count} of {all} validation samples are left out of the errors, since neither the model as given nor the \
              identified one explains them"
         ));
@@ -282,9 +284,9 @@ impl Task<'_> {
         file.or_else(|| split.map(|split| format!("held-out parts ({split})")))
     }
 
-    fn answer(&self, result: Identification) -> Result<IdentificationAnswer, Failure> {
-        let Identification { fit, samples, train, train_on_one_clock, validation } = result;
-        let mut warnings = Vec::new();
+    fn answer(&self, result: Identification, mut warnings: Warnings) -> Result<IdentificationAnswer, Failure> {
+        let Identification { fit, samples, frame_warning, train, train_on_one_clock, validation } = result;
+        warnings.doubt(frame_warning);
         let validation = validation.map(|(after, before)| self.blocks(after, before, &mut warnings));
         Ok(IdentificationAnswer::new(answers::Identification {
             model: self.model,

@@ -93,7 +93,7 @@ impl Arguments {
             data_name: self.data.name(),
             validation_name: words,
             command: command_line(),
-            warnings: output.remarks(),
+            warnings: output.warnings(),
             inputs,
         })
     }

@@ -8,7 +8,7 @@ use cdpr::metamodel::study::{History, Reach};
 use cdpr::metamodel::{Experiment, Status};
 use serde::Serialize;
 
-use super::error_table::{convergence_remark, error_table};
+use super::error_table::{Source, convergence_remark, error_table};
 use super::{Answer, title};
 use crate::number_format::cell;
 use crate::table::Table;
@@ -111,7 +111,7 @@ impl Answer for AccuracyAnswer {
         text.push_str(&format!("\n{}", self.errors(width)));
         text.push_str(&self.tensions());
         if let Some(Prediction { model, blocks }) = &self.prediction {
-            let table = error_table(self.pattern, &[("value", blocks)], width);
+            let table = error_table(self.pattern, &[("value", blocks)], Source::Model, width);
             text.push_str(&format!("\n{model} predicts from the lengths sent what emerges, with errors of\n\n{table}"));
         }
         let offsets: Vec<String> = self.winch_offsets_m.iter().map(|offset| cell(Some(1e3 * offset), 2)).collect();

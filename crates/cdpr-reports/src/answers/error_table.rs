@@ -3,15 +3,34 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::ErrorBlocks;
 
-use crate::number_format::cell;
+use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
 
+/// Source of the errors, which tells how many of their digits mean something.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// Exact answers at chosen poses.
+    Model,
+    /// Samples: no digits finer than the standard error of the mean.
+    Measurements,
+}
+
 /// A table with a column for each block and a row for each statistic; rotations only where the platform can turn.
-pub(super) fn error_table(pattern: MotionPattern, columns: &[(&str, &ErrorBlocks)], width: Option<usize>) -> String {
+pub(super) fn error_table(
+    pattern: MotionPattern,
+    columns: &[(&str, &ErrorBlocks)],
+    source: Source,
+    width: Option<usize>,
+) -> String {
     let mut heading = vec!["error".to_owned(), "of".to_owned(), "unit".to_owned()];
     heading.extend(columns.iter().map(|(name, _)| (*name).to_owned()));
     let mut table = Table::with_heading(heading).left_column(1).left_column(2);
     let mut rows = |quantity: &str, unit: &str, factor: f64, decimals: usize, statistics: &[Statistic]| {
+        let sigmas = columns.iter().map(|(_, blocks)| factor * standard_error(blocks, statistics));
+        let decimals = match sigmas.filter(|sigma| *sigma > 0.0).reduce(f64::min) {
+            Some(sigma) if source == Source::Measurements => decimals.min(decimals_for(Some(sigma)) as usize),
+            _ => decimals,
+        };
         for (index, (name, value)) in statistics.iter().enumerate() {
             let first = if index == 0 { quantity } else { "" };
             let mut cells = vec![first.to_owned(), (*name).to_owned(), unit.to_owned()];
@@ -40,6 +59,13 @@ pub(super) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<Str
         };
         format!("the forward problem of {not_converged} of {samples} {what} has no answer; {rest}")
     })
+}
+
+/// Standard error of the mean of a quantity, by its mean and its root mean square; of samples whose cables err alike.
+fn standard_error(blocks: &ErrorBlocks, statistics: &[Statistic]) -> f64 {
+    let of = |name: &str| statistics.iter().find(|(of, _)| *of == name).map_or(f64::NAN, |(_, value)| value(blocks));
+    let (mean, rms) = (of("mean"), of("rms"));
+    ((rms * rms - mean * mean).max(0.0) / blocks.samples.max(1) as f64).sqrt()
 }
 
 /// Name of a statistic and where it stands.

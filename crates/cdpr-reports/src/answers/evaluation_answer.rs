@@ -3,13 +3,14 @@
 use std::fmt::Write;
 
 use cdpr::geometry::MotionPattern;
+use cdpr::identification::selection::Warnings;
 use cdpr::identification::{ErrorBlocks, Evaluation, distrust};
 use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use serde::Serialize;
 
 use super::Answer;
-use super::error_table::error_table;
+use super::error_table::{Source, error_table};
 
 /// Errors of a model on measurements, in short.
 #[derive(Serialize)]
@@ -19,13 +20,13 @@ pub struct EvaluationAnswer {
     data: String,
     status: &'static str,
     reason: Option<String>,
-    /// No rule of plausibility is broken.
+    /// The data raise no doubts and no rule of plausibility is broken.
     trusted: bool,
     #[serde(flatten)]
     blocks: ErrorBlocks,
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
-    /// Rules of plausibility that the errors break.
+    /// Doubts about the data, then rules of plausibility that the errors break.
     warnings: Vec<String>,
     #[serde(skip)]
     pattern: MotionPattern,
@@ -69,15 +70,16 @@ pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
 }
 
 impl EvaluationAnswer {
-    /// Errors on samples of data of a name, with the name of the file that has them sample by sample.
+    /// Errors on samples of data of a name and with doubts about them, with the name of the file that has them sample by sample.
     pub fn new(
         model: &Model,
-        (data, samples): (String, &Samples),
+        (data, samples, doubts): (String, &Samples, Warnings),
         evaluation: &Evaluation,
         out_errors: Option<String>,
     ) -> Self {
         let (reason, blocks) = (reason(evaluation), evaluation.blocks());
-        let warnings = distrust(model.robot(), &samples.sigmas, &blocks).reasons;
+        let mut warnings = doubts.list;
+        warnings.extend(distrust(model.robot(), &samples.sigmas, &blocks).reasons);
         let trusted = warnings.is_empty() && reason.is_none();
         Self {
             robot: model.robot().name.clone(),
@@ -110,7 +112,7 @@ impl Answer for EvaluationAnswer {
             };
             text.push_str(&format!("{reason}; {answered}\n"));
         }
-        text.push_str(&format!("\n{}", error_table(self.pattern, &[("value", blocks)], width)));
+        text.push_str(&format!("\n{}", error_table(self.pattern, &[("value", blocks)], Source::Measurements, width)));
         if let Some(path) = &self.out_errors {
             text.push_str(&format!("\nerrors of every sample written to {path}\n"));
         }

@@ -82,7 +82,7 @@ pub struct Identification<'a> {
     /// Errors on these, after and before.
     pub validation: Option<[ErrorBlocks; 2]>,
     /// Warnings about the data, before those of the fit.
-    pub warnings: Vec<String>,
+    pub warnings: Warnings,
     /// Name of the calibrated robot's file.
     pub out: Option<String>,
 }
@@ -138,8 +138,8 @@ impl IdentificationAnswer {
     }
 
     /// Warnings for the reader, doubts about the outcome first.
-    pub fn warnings(&self) -> &[String] {
-        &self.warnings
+    pub fn warnings(&self) -> Warnings {
+        Warnings { list: self.warnings.clone(), doubts: self.doubts }
     }
 
     /// Reason of the status.

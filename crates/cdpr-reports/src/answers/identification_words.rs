@@ -2,7 +2,7 @@
 
 use cdpr::identification::fit::Status;
 
-use super::error_table::error_table;
+use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
 use super::identification_answer::IdentificationAnswer as Identified;
 use crate::number_format::{cell, decimals_for};
@@ -146,5 +146,5 @@ fn errors(answer: &Identified, width: Option<usize>) -> String {
         columns.extend([("validation before", before), ("validation after", after)]);
     }
     let note = answer.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
-    error_table(answer.pattern, &columns, width) + &note.collect::<String>()
+    error_table(answer.pattern, &columns, Source::Measurements, width) + &note.collect::<String>()
 }

@@ -4,7 +4,7 @@ mod figure_tables;
 mod files;
 
 use cdpr::identification::candidate::Candidate;
-use cdpr::identification::selection::{Selection, Settings};
+use cdpr::identification::selection::{Selection, Settings, Warnings};
 use cdpr::measurement::{Fold, Samples};
 use cdpr::robot::Robot;
 
@@ -29,8 +29,8 @@ pub struct ComparisonData {
     pub validation_name: String,
     /// The command that gives the same result again.
     pub command: String,
-    /// Remarks for the reader of the result.
-    pub warnings: Vec<String>,
+    /// Warnings about the data.
+    pub warnings: Warnings,
     /// Names and contents of the files read.
     pub inputs: Vec<NamedFile>,
 }

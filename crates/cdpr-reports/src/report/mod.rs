@@ -66,8 +66,8 @@ pub struct Report<'a> {
     pub seed: u64,
     /// Version of the program.
     pub version: &'a str,
-    /// Remarks about the data, or all warnings of an identification; text between backticks is shown as code.
-    pub warnings: &'a [String],
+    /// Warnings about the data, or all of an identification; text between backticks is shown as code.
+    pub warnings: &'a Warnings,
 }
 
 /// A candidate that was judged.
@@ -113,7 +113,7 @@ impl Report<'_> {
     pub(crate) fn told_warnings(&self) -> Warnings {
         match self.purpose {
             Purpose::Selection => self.selection.warnings(self.samples, self.warnings),
-            Purpose::Identification => Warnings { list: self.warnings.to_vec(), doubts: 0 },
+            Purpose::Identification => self.warnings.clone(),
         }
     }
 

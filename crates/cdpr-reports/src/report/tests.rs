@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use cdpr::geometry::{MotionPattern, Plane, Pose};
 use cdpr::identification::candidate::parse_list;
-use cdpr::identification::selection::{Settings, select};
+use cdpr::identification::selection::{Settings, Warnings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
@@ -121,7 +121,8 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
 }
 
 fn report<'a>(robot: &'a Robot, samples: &'a Samples, selection: &'a Selection, folds: &'a [Fold]) -> Report<'a> {
-    static WARNINGS: LazyLock<[String; 1]> = LazyLock::new(|| ["column `remark` was ignored".to_owned()]);
+    static WARNINGS: LazyLock<Warnings> =
+        LazyLock::new(|| Warnings { list: vec!["column `remark` was ignored".to_owned()], doubts: 0 });
     Report {
         purpose: Purpose::Selection,
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
@@ -136,7 +137,7 @@ fn report<'a>(robot: &'a Robot, samples: &'a Samples, selection: &'a Selection, 
         criterion: SelectionCriterion::Position,
         seed: 1,
         version: "0.1.0",
-        warnings: &*WARNINGS,
+        warnings: &WARNINGS,
     }
 }
 
@@ -229,7 +230,7 @@ fn the_verdict_is_good_without_any_warning() {
     let samples = measured(&robot, 100);
     let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
     let folds = fifths(samples.len());
-    let report = Report { warnings: &[], ..report(&robot, &samples, &selection, &folds) };
+    let report = Report { warnings: &Warnings::default(), ..report(&robot, &samples, &selection, &folds) };
     assert_eq!(SelectionAnswer::new(&report).warnings, Vec::<String>::new());
     let html = render(&report).unwrap();
     assert!(html.contains("class=\"verdict good\"") && !html.contains("id=\"warnings\""));

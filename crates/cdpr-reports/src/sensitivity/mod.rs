@@ -17,6 +17,7 @@ pub fn step(kind: Kind) -> (f64, &'static str) {
         (Kind::Parameter(ParameterKind::LengthScale), _) => (1e-4, "0.01 %"),
         (_, "m") => (1e-3, "1 mm"),
         (_, "1") => (1e-2, "1 %"),
+        (_, "rad") => (std::f64::consts::PI / 180.0, "1°"),
         (_, "N") => (10.0, "10 N"),
         (_, "N·m") => (10.0, "10 N·m"),
         _ => (1.0, "1 kg"),

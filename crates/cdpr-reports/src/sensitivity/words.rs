@@ -14,6 +14,7 @@ fn amount(value: f64, unit: &str) -> String {
     let (factor, unit) = match unit {
         "m" => (1e3, "mm"),
         "1" => (1e2, "%"),
+        "rad" => (180.0 / std::f64::consts::PI, "°"),
         other => (1.0, other),
     };
     match value.is_finite() {

@@ -77,15 +77,11 @@ impl Analysis {
     }
 
     /// Writes all coefficients (row i: with the parameters 0 to i) and the pairs above the limit.
-    pub(super) fn set_correlations(&mut self, rows: Vec<Vec<f64>>, names: &[String]) {
+    pub(super) fn set_correlations(&mut self, rows: Vec<Vec<f64>>, name: &dyn Fn(usize) -> String) {
         let pairs =
             rows.iter().enumerate().flat_map(|(i, row)| row[..i].iter().enumerate().map(move |(j, c)| (i, j, *c)));
         let strong = pairs.filter(|(_, _, coefficient)| coefficient.abs() > CORRELATION_LIMIT);
-        let named = |(i, j, coefficient): (usize, usize, f64)| Correlation {
-            first: names[j].clone(),
-            second: names[i].clone(),
-            coefficient,
-        };
+        let named = |(i, j, coefficient)| Correlation { first: name(j), second: name(i), coefficient };
         self.correlations = strong.map(named).collect();
         self.correlation_rows = rows;
     }
@@ -114,7 +110,7 @@ pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64,
     let KinematicState { model, samples, poses, blocks, values } = *state;
     let mut analysis = Analysis::default();
     let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
-    let mut directions = Vec::new();
+    let (mut directions, mut rows, mut parameters) = (Vec::new(), Vec::new(), Vec::<Parameter>::new());
     let mut longest_time = 1.0_f64;
     for (block, values) in blocks.iter().zip(values) {
         if block.parameters.is_empty() {
@@ -137,8 +133,8 @@ pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64,
         let posterior = spectrum(&with_priors(weighted, &priors));
         let uncertainty = Uncertainty::new(&posterior, factor, &priors);
         analysis.undetermined += uncertainty.undetermined;
-        analysis.correlations.extend(uncertainty.correlations(model, &block.parameters));
-        analysis.correlation_rows.extend(uncertainty.correlation_rows(analysis.correlation_rows.len()));
+        rows.extend(uncertainty.correlation_rows(rows.len()));
+        parameters.extend(&block.parameters);
         let rotation = mean_rotation(samples);
         let scale = |p: &Parameter| block.scale(p.kind);
         let named = Named {
@@ -150,6 +146,7 @@ pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64,
         directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
         analysis.sigmas.extend(uncertainty.sigmas);
     }
+    analysis.set_correlations(rows, &|k| parameters[k].name(model.robot()));
     analysis.inflation = inflation * longest_time.sqrt();
     (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
     (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
@@ -269,21 +266,6 @@ impl Uncertainty {
         let sigmas = (0..count).map(|k| (!open[k]).then(|| covariance[(k, k)].max(0.0).sqrt())).collect();
         let undetermined = deviations.iter().filter(|deviation| deviation.is_infinite()).count();
         Self { covariance, sigmas, undetermined, deviations, vectors: posterior.vectors.clone() }
-    }
-
-    pub(super) fn correlations(&self, model: &Model, parameters: &[Parameter]) -> Vec<Correlation> {
-        let mut found = Vec::new();
-        for i in 0..parameters.len() {
-            for j in 0..i {
-                let (Some(first), Some(second)) = (self.sigmas[j], self.sigmas[i]) else { continue };
-                let coefficient = self.covariance[(i, j)] / (first * second);
-                if coefficient.abs() > CORRELATION_LIMIT {
-                    let name = |k: usize| parameters[k].name(model.robot());
-                    found.push(Correlation { first: name(j), second: name(i), coefficient });
-                }
-            }
-        }
-        found
     }
 
     /// The lower triangle of correlation coefficients, after so many parameters that these have nothing to do with.

@@ -1,7 +1,7 @@
 //! Whether a model is good enough to be announced at all.
 
 use super::evaluation::ErrorBlocks;
-use crate::measurement::SensorSigmas;
+use crate::measurement::{SensorSigmas, three_digits};
 use crate::robot::Robot;
 
 /// Largest mean error, as a share of the diagonal of the anchors' box.
@@ -32,10 +32,10 @@ pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> D
     let (mut reasons, is_gross) = (Vec::new(), error > limit);
     if is_gross {
         reasons.push(format!(
-            "not to be trusted: the mean {name} error, {:.1} mm, is above 1 % of the diagonal of the anchors' box, {:.1} mm: \
+            "not to be trusted: the mean {name} error, {} mm, is above 1 % of the diagonal of the anchors' box, {} mm: \
              are the data, their frame, their clock and the robot file right?",
-            1e3 * error,
-            1e3 * limit
+            three_digits(1e3 * error),
+            three_digits(1e3 * limit)
         ));
     }
     let rotation = errors.rotation_error_rad.mean;
@@ -44,14 +44,12 @@ pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> D
         (rotation, sigmas.rotation, "rotation", 1f64.to_degrees(), "°"),
     ] {
         let Some(sigma) = sigma.filter(|sigma| *sigma > 0.0 && error > LARGEST_MULTIPLE * sigma) else { continue };
-        // three significant digits: the error is known no better
-        let decimals = (2.0 - (factor * error).log10().floor()).clamp(0.0, 6.0) as usize;
         reasons.push(format!(
-            "not to be trusted: the mean {name} error, {:.decimals$}{unit}, is {:.1} times the accuracy that is stated for the poses, {:.3}{unit}: \
+            "not to be trusted: the mean {name} error, {}{unit}, is {} times the accuracy that is stated for the poses, {}{unit}: \
              the model lacks something, or data or accuracy are wrong",
-            factor * error,
-            error / sigma,
-            factor * sigma
+            three_digits(factor * error),
+            three_digits(error / sigma),
+            three_digits(factor * sigma)
         ));
     }
     Distrust { reasons, is_gross }

@@ -33,6 +33,8 @@ pub struct Reading {
     pub samples: Samples,
     /// Remarks for the user, e.g. on ignored columns.
     pub notices: Vec<String>,
+    /// The mistake of recording that explains why poses and lengths disagree, in words; a reason to doubt all that follows.
+    pub mix_up: Option<String>,
 }
 
 /// A measurement file in memory, and how it is to be read.
@@ -189,7 +191,7 @@ impl CsvFile<'_> {
     /// The samples of a table whose numbers are of the robot's size, with all remarks.
     fn judged(&self, table: Table) -> Result<Reading, ReadError> {
         let Table { mut samples, mut notices, format, angles, too_far, mut skipped } = table;
-        let rows = samples.len() + skipped.count();
+        let (rows, mut mix_up) = (samples.len() + skipped.count(), None);
         if samples.motor_angles.is_none() {
             match magnitudes::judge(self.robot, &samples, &angles) {
                 Finding::Wrong { quantity, message, help } => {
@@ -197,14 +199,14 @@ impl CsvFile<'_> {
                 }
                 Finding::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
                 Finding::Plausible => {
-                    let mix_up = mix_ups::found(self.robot, &samples, &angles);
-                    notices.extend(mix_up.map(|words| format!("{}: {words}", self.file_name)));
+                    mix_up = mix_ups::found(self.robot, &samples, &angles)
+                        .map(|words| format!("{}: {words}", self.file_name));
                 }
             }
         }
         samples = self.without_too_far(samples, too_far, &mut skipped)?;
         notices.extend(skipped.words(self.file_name, rows));
-        Ok(Reading { samples, notices })
+        Ok(Reading { samples, notices, mix_up })
     }
 
     /// Samples without those beyond all measure, which are refused unless invalid rows are to be skipped.

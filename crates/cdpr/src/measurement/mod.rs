@@ -13,6 +13,7 @@ mod split;
 mod standing;
 
 pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};
+pub(crate) use magnitudes::{decimals, three_digits};
 pub use samples::{DataError, Samples, SensorSigmas};
 pub use sidecar::{Frames, Provenance, Sidecar, schema};
 pub use split::{Fold, Split, SplitError};

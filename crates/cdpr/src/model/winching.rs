@@ -7,6 +7,7 @@ use thiserror::Error;
 use super::Model;
 use crate::cable::winch::{DrumLength, GrooveError, Winch};
 use crate::measurement::Samples;
+use crate::robot::{Parameter, ParameterKind};
 
 /// Motor angles that a model cannot tell lengths by.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -100,6 +101,25 @@ impl Model {
     pub(crate) fn motor_angle_gradient(&self, cable: usize, motor_angle: f64) -> Result<DrumLength, WinchError> {
         let winch = self.known_winch(cable)?;
         winch.drum.gradient(motor_angle / winch.gear_ratio).map_err(|reason| self.groove(cable, reason))
+    }
+
+    /// Derivative of a drum's length at a fixed angle by a parameter of its cable.
+    pub(crate) fn by_winch_parameter(&self, drum: &DrumLength, parameter: &Parameter) -> f64 {
+        match parameter.kind {
+            ParameterKind::DrumRadius => drum.by_radius,
+            ParameterKind::DrumPitch => drum.by_pitch,
+            ParameterKind::StartLength => drum.by_start_length,
+            ParameterKind::StartAngle => -drum.by_angle,
+            ParameterKind::DrumAxis => {
+                let turned = parameter.turned_axis(self.robot());
+                turned.map_or(0.0, |(axis, about)| drum.by_axis.dot(&axis.by_turn_about(&about)))
+            }
+            // the first pulley moves with the anchor
+            ParameterKind::FrameAnchor if self.robot().cables[parameter.cable].winch.first_pulley.is_none() => {
+                drum.by_pulley.dot(&self.axes()[parameter.axis])
+            }
+            _ => 0.0,
+        }
     }
 
     fn known_winch(&self, cable: usize) -> Result<&Winch, WinchError> {

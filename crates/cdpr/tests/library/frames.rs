@@ -2,7 +2,7 @@
 
 use super::support::builtin;
 use cdpr::geometry::Pose;
-use cdpr::identification::selection::{self, Judgement, Selection, select};
+use cdpr::identification::selection::{self, Judgement, Selection, Warnings, select};
 use cdpr::identification::{FrameEstimate, Prior, candidate, fit};
 use cdpr::measurement::{Samples, Split};
 use cdpr::metamodel::simulate::simulate;
@@ -86,7 +86,8 @@ fn frames_are_found_beside_an_elastic_model() {
     }
     let (before, after) = (chosen(&file, &plain), chosen(&file, &moved));
     assert_eq!(before.frames, None);
-    assert!(after.warnings(&moved, &[]).list[0].starts_with("frames: "), "{:?}", after.warnings(&moved, &[]));
+    let warnings = after.warnings(&moved, &Warnings::default());
+    assert!(warnings.list[0].starts_with("frames: "), "{warnings:?}");
     let (without, with) = (recommended(&before), recommended(&after));
     let errors = [without, with].map(|judged| 1e3 * judged.validation.position_error_m.mean);
     let frames = with.fit.frames.as_ref().unwrap();

@@ -2,7 +2,7 @@
 
 use super::support::{builtin, measured, random_direction, simulator};
 use cdpr::identification::fit::{Fit, Settings, Status, fit};
-use cdpr::identification::selection::{self, Selection, select};
+use cdpr::identification::selection::{self, Selection, Warnings, select};
 use cdpr::identification::{Loss, candidate};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{Composition, Model};
@@ -109,7 +109,7 @@ fn outliers_do_not_decide_which_model_wins() {
         assert_eq!(of_clean.recommended, of_dirty.recommended, "seed {seed}: {}", of_dirty.reason);
         let judged =
             |selection: &Selection| selection.candidates[selection.recommended.unwrap()].outcome.clone().unwrap();
-        let doubts = of_dirty.warnings(&dirty, &[]).list;
+        let doubts = of_dirty.warnings(&dirty, &Warnings::default()).list;
         let (of_clean, of_dirty) = (judged(&of_clean), judged(&of_dirty));
         assert!(of_clean.set_aside.is_empty());
         let aside: Vec<usize> = of_dirty.set_aside.iter().map(|&place| of_dirty.validation_samples[place]).collect();

@@ -93,6 +93,8 @@ impl Case {
             // enough for what bends, h² of lengths, forces, shares
             let h = match cause.kind.unit() {
                 "m" | "1" => 1e-4,
+                // lengths at pulleys and drums follow turns of axes by decimetres, and as little by their squares
+                "rad" => 1e-3,
                 "kg" => 1.0,
                 _ => 5.0,
             };
@@ -259,6 +261,8 @@ fn drums_on_the_machine_and_in_the_control_model() {
     let (control, machine) = (with_drums(&controller()), with_drums(&twin()));
     spatial(model(&control, "drum"), model(&machine, "pulley+drum+elastic")).check(Offsets::SetAnew);
     spatial(model(&control, "standard"), model(&machine, "pulley+drum+elastic")).check(Offsets::Kept);
+    // a controller that knows no drum counts turns of the machine's
+    spatial(model(&controller(), "standard"), model(&machine, "pulley+drum+elastic")).check(Offsets::Kept);
 }
 
 #[test]

@@ -70,7 +70,7 @@ impl Subject {
     fn sigmas(&self, length: f64) -> Vec<f64> {
         let sigma = |cause: &ParameterDeviation| match cause.kind.unit() {
             "m" => length,
-            "1" => length,
+            "1" | "rad" => length,
             "kg" => 1e3 * length,
             _ => 1e4 * length,
         };

@@ -2,7 +2,7 @@
 
 use cdpr::identification::Candidate;
 use cdpr::identification::fit;
-use cdpr::identification::selection::{SelectionCriterion, Settings, select};
+use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::FreeParameters;
 
@@ -17,7 +17,7 @@ pub(super) fn page(
     task: &Task<'_>,
     other: Option<&cdpr::measurement::Samples>,
     reason: &str,
-    warnings: &[String],
+    warnings: &Warnings,
 ) -> Result<String, Failure> {
     let arguments = task.arguments;
     let name = arguments.data.name();

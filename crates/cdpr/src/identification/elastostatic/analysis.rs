@@ -155,8 +155,8 @@ fn analyse(
     let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
     analysis.inflation = inflation * time.sqrt();
     analysis.undetermined = uncertainty.undetermined;
-    analysis.correlations = uncertainty.correlations(&optimum.start_model, parameters);
-    analysis.correlation_rows = uncertainty.correlation_rows(0);
+    let name = |k: usize| parameters[k].name(optimum.start_model.robot());
+    analysis.set_correlations(uncertainty.correlation_rows(0), &name);
     let model = &optimum.calibrated;
     let problem = Problem::new(&optimum.start_model, samples, &optimum.tensions, parameters, settings);
     let named = Named {

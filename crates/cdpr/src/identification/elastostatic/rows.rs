@@ -70,26 +70,6 @@ impl<'a> Recorded<'a> {
     }
 }
 
-/// Derivative of the recorded length by a parameter of the cable.
-fn by_winch(wound: &DrumLength, parameter: &Parameter, model: &Model) -> f64 {
-    let cable = &model.robot().cables[parameter.cable];
-    match parameter.kind {
-        ParameterKind::DrumRadius => wound.by_radius,
-        ParameterKind::DrumPitch => wound.by_pitch,
-        ParameterKind::StartLength => wound.by_start_length,
-        ParameterKind::StartAngle => -wound.by_angle,
-        ParameterKind::DrumAxis => {
-            let turned = parameter.turned_axis(model.robot());
-            turned.map_or(0.0, |(axis, about)| wound.by_axis.dot(&axis.by_turn_about(&about)))
-        }
-        // the first pulley moves with the anchor
-        ParameterKind::FrameAnchor if cable.winch.first_pulley.is_none() => {
-            wound.by_pulley.dot(&model.axes()[parameter.axis])
-        }
-        _ => 0.0,
-    }
-}
-
 impl SampleRows {
     pub(super) fn new(model: &Model, parameter_count: usize) -> Self {
         let count = model.dof() + model.cable_count();
@@ -148,7 +128,7 @@ impl<'a> RowModel<'a> {
                 let parameter = &self.parameters[column];
                 let (wrench_change, length_change) = self.model.by_parameter((cable, &state), parameter, &rotation);
                 self.write_wrench(&wrench_change, column, rows);
-                let by_winch = wound.as_ref().map_or(0.0, |w| by_winch(w, parameter, self.model));
+                let by_winch = wound.as_ref().map_or(0.0, |w| self.model.by_winch_parameter(w, parameter));
                 rows.entries[length_row + column] = length_change - by_winch;
             }
         }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::*;
 use crate::geometry::{MotionPattern, Plane, Twist};
 use crate::identification::candidate::parse_list;
-use crate::identification::selection::{Selection, SelectionCriterion, Settings, select};
+use crate::identification::selection::{Selection, SelectionCriterion, Settings, Warnings, select};
 use crate::measurement::{Fold, SensorSigmas};
 use crate::metamodel::simulate::simulate;
 use crate::metamodel::study::CommandedPose;
@@ -128,6 +128,6 @@ fn means_are_over_the_samples_that_all_candidates_answer() {
     let judgement = found.candidates[1].outcome.as_ref().unwrap();
     assert_eq!((judgement.compared_samples, judgement.validation.answered), (19, 19), "{}", found.reason);
     assert!(judgement.criterion < 0.01, "{}", judgement.criterion);
-    let warnings = found.warnings(&samples, &[]).list;
+    let warnings = found.warnings(&samples, &Warnings::default()).list;
     assert!(warnings.iter().any(|warning| warning.contains("19 of 20")), "{warnings:?}");
 }

@@ -2,7 +2,7 @@
 
 use super::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, Estimate};
 use crate::identification::weights::Weights;
-use crate::measurement::{Samples, SensorSigmas};
+use crate::measurement::{Samples, SensorSigmas, three_digits};
 use crate::model::Model;
 
 /// Cables whose recorded lengths are far from the modelled ones before the fit: a wrong unit, order or robot, which a fit
@@ -19,10 +19,11 @@ pub(in crate::identification) fn suspicious_units(model: &Model, samples: &Sampl
         if !(0.5..=2.0).contains(&ratio) {
             let (number, count) = (cable + 1, samples.len() as f64);
             warnings.push(format!(
-                "cable {number}: the recorded lengths ({:.4} m in the mean) are {ratio:.3e} of the modelled ones ({:.4} m): is \
-                 the unit in the column's name right, and the order of the cables?",
-                recorded / count,
-                modelled / count
+                "cable {number}: the recorded lengths ({} m in the mean) are {} of the modelled ones ({} m): is the unit in the \
+                 column's name right, and the order of the cables?",
+                three_digits(recorded / count),
+                three_digits(ratio),
+                three_digits(modelled / count)
             ));
         }
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::identification::evaluation::{ErrorBlocks, Evaluation};
+use crate::measurement::decimals;
 
 /// Which error decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
@@ -138,12 +139,6 @@ impl SelectionCriterion {
             Self::Tension => (0..evaluation.len()).map(|sample| evaluation.tension_norm_of(sample)).collect(),
         }
     }
-}
-
-/// Decimals that show a number's leading digit and so many more.
-fn decimals(more: f64, number: f64) -> usize {
-    let leading = number.abs().log10().floor();
-    if leading.is_finite() { (more - leading).clamp(0.0, 9.0) as usize } else { more as usize }
 }
 
 #[cfg(test)]

@@ -16,31 +16,42 @@ pub struct Warnings {
     pub doubts: usize,
 }
 
+impl Warnings {
+    /// Adds a doubt, behind those that are there.
+    pub fn doubt(&mut self, words: Option<String>) {
+        self.doubts += usize::from(words.is_some());
+        words.into_iter().for_each(|words| self.list.insert(self.doubts - 1, words));
+    }
+}
+
 /// The name of the model as given, its errors and those of the fitted one.
 type Comparison<'a> = (&'a str, [&'a ErrorBlocks; 2]);
 
 impl Fit {
     /// Warnings about this fit alone: rules of plausibility that its errors break, the model as given by name with its errors and
-    /// those of the fitted one, and remarks of those who read the samples.
-    pub fn warnings_with(&self, distrust: &Distrust, today: Comparison<'_>, of_data: &[String]) -> Warnings {
-        self.gathered(distrust, Some(today), Vec::new(), of_data.to_vec())
+    /// those of the fitted one, and what those warn of who read the samples.
+    pub fn warnings_with(&self, distrust: &Distrust, today: Comparison<'_>, of_data: &Warnings) -> Warnings {
+        self.gathered(distrust, Some(today), Vec::new(), of_data)
     }
 
+    /// What is wrong with the data stands first: it explains the doubts that follow from it.
     fn gathered(
         &self,
         distrust: &Distrust,
         today: Option<Comparison<'_>>,
         of_comparison: Vec<String>,
-        remarks: Vec<String>,
+        of_data: &Warnings,
     ) -> Warnings {
         let of_outliers = self.outlier_warning.clone();
-        let mut list = distrust.reasons.clone();
+        let (of_poses, remarks) = of_data.list.split_at(of_data.doubts);
+        let mut list = of_poses.to_vec();
+        list.extend(distrust.reasons.iter().cloned());
         list.extend(of_outliers.into_iter().chain(of_comparison).chain(self.doubts()));
         list.extend(today.and_then(|(name, [before, after])| worse_than(name, before, after)));
         let doubts = list.len();
-        for remark in remarks.into_iter().chain(self.warnings.iter().cloned()) {
-            if !list.contains(&remark) {
-                list.push(remark);
+        for remark in remarks.iter().chain(&self.warnings) {
+            if !list.contains(remark) {
+                list.push(remark.clone());
             }
         }
         Warnings { list, doubts }
@@ -60,19 +71,20 @@ impl Selection {
         self.recommended.or(self.best).filter(judged).or_else(|| (0..self.candidates.len()).find(judged))
     }
 
-    /// Warnings about the candidate of [`Selection::shown`]; `of_data` are remarks of those who read the samples.
-    pub fn warnings(&self, samples: &Samples, of_data: &[String]) -> Warnings {
+    /// Warnings about the candidate of [`Selection::shown`]; `of_data` is what those warn of who read the samples.
+    pub fn warnings(&self, samples: &Samples, of_data: &Warnings) -> Warnings {
         let judged = |index: usize| self.candidates[index].outcome.as_ref().ok();
         let Some(judgement) = self.shown().and_then(judged) else {
-            return Warnings { list: of_data.to_vec(), doubts: 0 };
+            return of_data.clone();
         };
         let given = self.as_given().filter(|_| self.recommended.is_some());
         let today = given.and_then(|given| {
             Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
         });
-        let remarks = of_data.iter().cloned().chain(unanswered(judgement)).collect();
-        let of_comparison = self.frames.iter().cloned().chain(of_comparison(judgement, samples)).collect();
-        judgement.fit.gathered(&judgement.distrust, today, of_comparison, remarks)
+        let mut of_data = of_data.clone();
+        of_data.doubt(self.frames.clone());
+        of_data.list.extend(unanswered(judgement));
+        judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), &of_data)
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
 use super::data::Data;
-use crate::geometry::{Pose, Twist};
+use crate::geometry::{Pose, Twist, product};
 use crate::robot::Robot;
 
 /// Steps of the search, and the step that ends it (m, rad).
@@ -48,7 +48,7 @@ impl Marker {
         for (cable, recorded) in data.recorded.iter().enumerate() {
             let anchors = &data.robot.cables[cable];
             for (row, pose) in data.poses.iter().enumerate() {
-                let platform = self.platform(pose);
+                let platform = product(pose, &self.0);
                 let span = platform.transform(&anchors.platform_anchor) - anchors.frame_anchor;
                 let (length, at) = (span.norm(), cable * rows + row);
                 residuals[at] = recorded[row] - length;
@@ -68,13 +68,9 @@ impl Marker {
         Some(basis.iter().zip(solved.iter()).map(|(unit, size)| unit * *size).sum())
     }
 
-    fn platform(&self, pose: &Pose) -> Pose {
-        Pose { position: pose.position + pose.rotation * self.0.position, rotation: pose.rotation * self.0.rotation }
-    }
-
     /// Poses of the platform by those of the marker.
     pub(super) fn platform_poses(&self, poses: &[Pose]) -> Vec<Pose> {
-        poses.iter().map(|pose| self.platform(pose)).collect()
+        poses.iter().map(|pose| product(pose, &self.0)).collect()
     }
 
     /// Offset and turn for people.

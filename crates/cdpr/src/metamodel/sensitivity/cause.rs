@@ -31,15 +31,19 @@ pub enum Kind {
     InitialTension,
 }
 
-/// Numbers of a cable that may deviate.
-const OF_CABLES: [ParameterKind; 9] = [
+/// Numbers of a cable that may deviate; turns of an axis about both directions, also the one of a drum's axis by which lengths do not change.
+const OF_CABLES: [ParameterKind; 13] = [
     ParameterKind::FrameAnchor,
     ParameterKind::PlatformAnchor,
     ParameterKind::PulleyRadius,
+    ParameterKind::SwivelAxis,
     ParameterKind::LengthOffset,
     ParameterKind::LengthScale,
     ParameterKind::DrumRadius,
+    ParameterKind::DrumPitch,
+    ParameterKind::DrumAxis,
     ParameterKind::StartLength,
+    ParameterKind::StartAngle,
     ParameterKind::AxialStiffness,
     ParameterKind::HiddenLength,
 ];
@@ -68,8 +72,8 @@ impl Kind {
     /// what bends.
     pub(in crate::metamodel) fn difference_step(self) -> f64 {
         match self.unit() {
-            "m" => 1e-5,
-            "1" => 1e-5,
+            "m" | "1" => 1e-5,
+            "rad" => 1e-4,
             _ => 1e-2,
         }
     }
@@ -227,12 +231,17 @@ fn weighs(model: &Model) -> bool {
 /// True for a number that a cable of a model has.
 fn belongs(kind: ParameterKind, model: &Model, cable: usize) -> bool {
     let composition = model.composition();
-    let is_spring = model.robot().cables[cable].spring_constant().is_some();
+    let of_robot = &model.robot().cables[cable];
+    let is_spring = of_robot.spring_constant().is_some();
     match kind {
         // a point platform has no anchors to measure
         ParameterKind::PlatformAnchor => !is_point(model),
         ParameterKind::PulleyRadius => composition.pulley,
-        ParameterKind::DrumRadius | ParameterKind::StartLength => composition.drum,
+        ParameterKind::SwivelAxis => composition.pulley && of_robot.pulley_swivel_axis().is_some(),
+        ParameterKind::DrumRadius | ParameterKind::DrumPitch => composition.drum,
+        ParameterKind::StartLength | ParameterKind::StartAngle => composition.drum,
+        // a guide that travels with the cable makes the axis indifferent
+        ParameterKind::DrumAxis => composition.drum && of_robot.winch.guided != Some(true),
         ParameterKind::AxialStiffness => {
             let compliance = Parameter { cable, kind: ParameterKind::Compliance, axis: 0 }.value(model.robot());
             composition.stretch == StretchEffect::Linear && !is_spring && compliance > 0.0

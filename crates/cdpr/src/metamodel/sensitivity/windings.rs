@@ -69,24 +69,13 @@ fn by_ideal(drum: &DrumLength, cause: &ParameterDeviation) -> f64 {
     match cause.kind {
         Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
         Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
+        Kind::Parameter(ParameterKind::StartAngle) => -drum.by_angle,
         _ => 0.0,
     }
 }
 
 /// Change of a drum's length at a fixed angle.
 fn by_drum(drum: &DrumLength, cause: &ParameterDeviation, model: &Model) -> f64 {
-    if !model.composition().drum {
-        return 0.0;
-    }
-    match cause.kind {
-        Kind::Parameter(ParameterKind::DrumRadius) => drum.by_radius,
-        Kind::Parameter(ParameterKind::StartLength) => drum.by_start_length,
-        // the first pulley moves with the anchor
-        Kind::Parameter(ParameterKind::FrameAnchor)
-            if model.robot().cables[cause.cable].winch.first_pulley.is_none() =>
-        {
-            drum.by_pulley.dot(&model.axes()[cause.axis])
-        }
-        _ => 0.0,
-    }
+    let parameter = cause.parameter().filter(|_| model.composition().drum);
+    parameter.map_or(0.0, |parameter| model.by_winch_parameter(drum, &parameter))
 }

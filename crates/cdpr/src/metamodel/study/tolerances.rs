@@ -84,6 +84,9 @@ pub struct ModelTolerances {
     /// Pulley radii (m).
     #[schemars(range(min = 0.0))]
     pub pulley_radius_m: f64,
+    /// Swivel axes of the pulleys, turn about each of two directions perpendicular to them; of planar robots about the plane's normal (rad).
+    #[schemars(range(min = 0.0))]
+    pub swivel_axis_rad: f64,
     /// Offsets of the recorded lengths (m).
     #[schemars(range(min = 0.0))]
     pub length_offset_m: f64,
@@ -93,9 +96,18 @@ pub struct ModelTolerances {
     /// Radii of the drums (m).
     #[schemars(range(min = 0.0))]
     pub drum_radius_m: f64,
+    /// Pitches of the drums' grooves (m per turn).
+    #[schemars(range(min = 0.0))]
+    pub drum_pitch_m: f64,
+    /// Axes of the drums, turn about each of two directions perpendicular to them (rad).
+    #[schemars(range(min = 0.0))]
+    pub drum_axis_rad: f64,
     /// Start lengths of the drums (m).
     #[schemars(range(min = 0.0))]
     pub start_length_m: f64,
+    /// Start angles of the drums (rad).
+    #[schemars(range(min = 0.0))]
+    pub start_angle_rad: f64,
     /// Axial stiffness EA, as a share of it (1).
     #[schemars(range(min = 0.0))]
     pub axial_stiffness_relative: f64,
@@ -158,15 +170,19 @@ impl Tolerances {
 }
 
 impl ModelTolerances {
-    fn entries(&self) -> [(ParameterKind, &'static str, f64); 13] {
+    fn entries(&self) -> [(ParameterKind, &'static str, f64); 17] {
         [
             (ParameterKind::FrameAnchor, "frame_anchor_m", self.frame_anchor_m),
             (ParameterKind::PlatformAnchor, "platform_anchor_m", self.platform_anchor_m),
             (ParameterKind::PulleyRadius, "pulley_radius_m", self.pulley_radius_m),
+            (ParameterKind::SwivelAxis, "swivel_axis_rad", self.swivel_axis_rad),
             (ParameterKind::LengthOffset, "length_offset_m", self.length_offset_m),
             (ParameterKind::LengthScale, "length_scale_relative", self.length_scale_relative),
             (ParameterKind::DrumRadius, "drum_radius_m", self.drum_radius_m),
+            (ParameterKind::DrumPitch, "drum_pitch_m", self.drum_pitch_m),
+            (ParameterKind::DrumAxis, "drum_axis_rad", self.drum_axis_rad),
             (ParameterKind::StartLength, "start_length_m", self.start_length_m),
+            (ParameterKind::StartAngle, "start_angle_rad", self.start_angle_rad),
             (ParameterKind::AxialStiffness, "axial_stiffness_relative", self.axial_stiffness_relative),
             (ParameterKind::HiddenLength, "hidden_length_m", self.hidden_length_m),
             (ParameterKind::Force, "force_N", self.force_N),

@@ -2,8 +2,8 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::poses::{Frames, inverse, product};
-use crate::geometry::{Pose, Twist, Wrench};
+use super::poses::Frames;
+use crate::geometry::{Pose, Twist, Wrench, inverse, product};
 use crate::model::{Model, RecordingParameter};
 use crate::robot::{Parameter, ParameterKind};
 

@@ -1,6 +1,6 @@
 //! Poses between what a tracker tells and the platform.
 
-use crate::geometry::Pose;
+use crate::geometry::{Pose, inverse, product};
 use crate::measurement::Samples;
 use crate::model::Model;
 
@@ -33,14 +33,4 @@ impl Frames {
     pub(in crate::identification) fn apply(&self, samples: &Samples) -> Samples {
         Samples { poses: samples.poses.iter().map(|pose| self.platform(pose)).collect(), ..samples.clone() }
     }
-}
-
-/// a b: the pose that is `second` in the frame at `first`.
-pub(super) fn product(first: &Pose, second: &Pose) -> Pose {
-    Pose { position: first.transform(&second.position), rotation: first.rotation * second.rotation }
-}
-
-pub(super) fn inverse(pose: &Pose) -> Pose {
-    let rotation = pose.rotation.inverse();
-    Pose { position: -(rotation * pose.position), rotation }
 }

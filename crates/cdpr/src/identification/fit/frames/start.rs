@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Rotation3, SVD, UnitQuaternion, Vector3};
 
-use super::poses::{Frames, inverse, product};
+use super::poses::Frames;
 use crate::equilibrium::forward_kinematics::{self, Solver};
-use crate::geometry::Pose;
+use crate::geometry::{Pose, inverse, product};
 use crate::identification::fit::InputError;
 use crate::identification::norms::median;
 use crate::measurement::Samples;

@@ -7,8 +7,8 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::directions::Directions;
 use super::frames_that_fit;
-use super::poses::{Frames, inverse, product};
-use crate::geometry::{Pose, Twist};
+use super::poses::Frames;
+use crate::geometry::{Pose, Twist, inverse, product};
 use crate::identification::fit::{InputError, Settings, fit};
 use crate::measurement::Samples;
 use crate::model::{Composition, FreeParameters, Model, RecordingParameter};

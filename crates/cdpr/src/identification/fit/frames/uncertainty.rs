@@ -8,7 +8,7 @@ use super::estimate::{FrameEstimate, Gauge, RecordingFrames};
 use super::poses::Frames;
 use super::search::Found;
 use crate::geometry::{Pose, Twist};
-use crate::identification::fit::{Estimate, Fit, Settings};
+use crate::identification::fit::{Fit, Settings};
 use crate::model::RecordingParameter;
 use crate::robot::Parameter;
 
@@ -130,8 +130,7 @@ impl Joint {
             false => f64::NAN,
         };
         let rows = (0..self.count).map(|i| (0..=i).map(|j| coefficient(i, j)).collect()).collect();
-        let names = |estimates: &[Estimate]| estimates.iter().map(|estimate| estimate.name.clone()).collect::<Vec<_>>();
-        fit.analysis.set_correlations(rows, &names(&fit.parameters));
+        fit.analysis.set_correlations(rows, &|k| fit.parameters[k].name.clone());
     }
 
     fn estimate(
