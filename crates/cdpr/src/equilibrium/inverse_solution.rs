@@ -72,7 +72,7 @@ impl InverseSolution {
     }
 
     /// Recorded lengths of all cables (m), or why the first of them has none.
-    pub fn recorded_lengths(&self) -> Result<Vec<f64>, StaticsError> {
+    pub(crate) fn recorded_lengths(&self) -> Result<Vec<f64>, StaticsError> {
         self.numbers(|cable| cable.recorded_length)
     }
 

@@ -332,7 +332,7 @@ impl Robot {
     }
 
     /// Diagonal of the box of the frame anchors (m): the size of the robot.
-    pub fn anchor_diagonal(&self) -> f64 {
+    pub(crate) fn anchor_diagonal(&self) -> f64 {
         let [low, high] = self.anchor_box();
         (high - low).norm()
     }
