@@ -34,7 +34,7 @@ impl Fit {
         self.gathered(distrust, Some(today), Vec::new(), of_data)
     }
 
-    /// What is wrong with the data stands first: it explains the doubts that follow from it.
+    /// Everything that a fit and its data are warned of: mistakes of the data stand first, for they explain the doubts that follow from them.
     fn gathered(
         &self,
         distrust: &Distrust,
