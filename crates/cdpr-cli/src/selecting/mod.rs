@@ -47,6 +47,10 @@ pub(crate) struct SelectionArguments {
     #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
     loss: Loss,
 
+    /// Leave K regions of the workspace out in turn besides: tells for every candidate how it extrapolates, beside the other criteria.
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(2..).map(usize::from))]
+    regions: Option<usize>,
+
     /// Seed of the bootstrap and of random splits.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     pub(crate) seed: u64,
@@ -106,6 +110,7 @@ impl SelectionArguments {
             ("hold", self.hold.to_string()),
             ("prior", joined(self.prior.iter().map(|prior| format!("{}={}", prior.kind, prior.sigma)).collect(), ",")),
             ("loss", self.loss.name().to_owned()),
+            ("regions", self.regions.map(|count| count.to_string()).unwrap_or_default()),
             ("seed", self.seed.to_string()),
         ];
         let is_default = |name: &str, value: &String| match name {
@@ -149,8 +154,14 @@ impl SelectionArguments {
             loss: self.loss,
             ..fit::Settings::default()
         };
-        let settings = Settings { criterion, requirements: self.require.clone(), fit, seed: self.seed };
-        let progress = Progress::of(fit_count(&candidates, &data.folds), "comparing candidates");
+        let settings = Settings {
+            criterion,
+            requirements: self.require.clone(),
+            fit,
+            seed: self.seed,
+            regions: self.regions.unwrap_or(0),
+        };
+        let progress = Progress::of(fit_count(&candidates, &data.folds, &settings), "comparing candidates");
         let start = Instant::now();
         let ComparisonData { robot, samples, folds, data_name, .. } = &data;
         let selection = select(robot, &candidates, samples, folds, &settings, &|| progress.step())

@@ -352,3 +352,43 @@ fn what_the_ladder_leaves_out_and_what_got_worse_are_told() {
     assert!(page.contains("Not among the candidates: pulleys") && page.contains("worse than with"));
     assert!(page.contains("class=\"verdict warned\""));
 }
+
+/// Blocks of a trajectory and regions of the workspace choose different models of the demo's training data; rigid and elastic models have no common AIC.
+#[test]
+fn criteria_stand_side_by_side_and_say_where_they_disagree() {
+    let folder = tempfile::tempdir().unwrap();
+    cdpr_in(folder.path(), "demo --out data");
+    let select = "select data/robot.toml data/training.csv --regions 4 --out result";
+    let candidates = "--candidates standard;standard:frame-anchor,length-offset,length-scale;elastic:frame-anchor,length-offset,compliance,wrench";
+    let answer = cdpr_in(folder.path(), &format!("{select} {candidates} --format json")).json();
+    let of = |index: usize, key: &str| answer["candidates"][index][key].clone();
+    let number = |index: usize, key: &str| of(index, key).as_f64().unwrap();
+    assert_eq!(answer["recommended"], of(1, "name"));
+    assert_eq!(answer["rating"]["agrees"], false);
+    let words = answer["rating"]["words"].as_str().unwrap();
+    assert!(
+        words.starts_with("the criteria disagree: `standard:frame-anchor,length-offset,length-scale` by"),
+        "{words}"
+    );
+    let criteria = answer["rating"]["criteria"].as_array().unwrap();
+    let choice = |name: &str| criteria.iter().find(|one| one["name"] == name).unwrap()["candidate"].clone();
+    assert_eq!(
+        (choice("one-standard-error"), choice("aic"), choice("bic")),
+        (of(1, "name"), of(1, "name"), of(1, "name"))
+    );
+    assert_eq!(choice("leave-region-out"), of(2, "name"));
+    // 40 mm against 4: no charge for 40 parameters makes up for that
+    assert!(number(0, "aicc") > number(1, "aicc") + 1000.0 && number(0, "bic") > number(1, "bic") + 1000.0);
+    assert!(number(1, "bic") > number(1, "aic"), "ln n is above 2");
+    assert_eq!((of(1, "with_wrenches"), of(2, "with_wrenches")), (false.into(), true.into()));
+    let held = of(2, "leave_region_out");
+    assert!(held["criterion"].as_f64().unwrap() < of(1, "leave_region_out")["criterion"].as_f64().unwrap());
+    assert_eq!(held["samples"], 155);
+    let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
+    assert!(page.contains("By other criteria") && page.contains("The criteria disagree:"));
+    let text = cdpr_in(folder.path(), &format!("{select} {candidates}")).stdout;
+    assert!(text.contains("the criteria disagree: ") && text.contains("ΔAIC"), "{text}");
+    let refused = cdpr_in(folder.path(), "select data/robot.toml data/training.csv --regions 500");
+    assert_eq!(refused.exit_code, 2);
+    assert!(refused.stderr.contains("500 folds need at least 500 samples"), "{}", refused.stderr);
+}

@@ -1,10 +1,13 @@
 //! The answer of a comparison of candidates.
 
 use cdpr::identification::fit::{Estimate, Status};
-use cdpr::identification::selection::{JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion};
-use cdpr::identification::{Coverage, ErrorBlocks, Loss, Outlier, RecordingFrames, coverage};
+use cdpr::identification::selection::{
+    HeldOut, JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion,
+};
+use cdpr::identification::{Coverage, ErrorBlocks, Information, Loss, Outlier, RecordingFrames, coverage};
 use serde::Serialize;
 
+use super::RatingAnswer;
 use crate::report::Report;
 
 /// Candidates with their errors on data held out, and the choice among them; keys and units as in `result.json`.
@@ -35,6 +38,8 @@ pub struct SelectionAnswer {
     pub is_gross: bool,
     /// Reason of the outcome, in words.
     pub reason: String,
+    /// Choices of all criteria, and whether they agree.
+    pub rating: RatingAnswer,
     /// The model that the robot runs before any calibration, against the recommended, else the best one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub as_given: Option<AsGiven>,
@@ -100,6 +105,14 @@ pub struct JudgedAnswer {
     pub criterion: f64,
     /// Standard error of the criterion.
     pub standard_error: f64,
+    /// Mean position error as a share of the diagonal of the validation positions (eq. 3.5).
+    pub relative_position_error: Option<f64>,
+    /// Criterion on regions left out, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leave_region_out: Option<HeldOut>,
+    /// Likelihood and information criteria of the fit.
+    #[serde(flatten)]
+    pub information: Option<Information>,
     /// Validation samples that criterion and standard error are of: those that all judged candidates answer.
     pub compared_samples: usize,
     /// The reason against judging the candidate.
@@ -229,6 +242,7 @@ impl SelectionAnswer {
             best: name(selection.best),
             recommended: name(selection.recommended),
             reason: selection.reason.clone(),
+            rating: RatingAnswer::new(&selection.rating),
             as_given: AsGiven::of(selection),
             untried: selection.untried.clone(),
             coverage: coverage(told.robot, told.samples, told.folds),
@@ -276,6 +290,9 @@ impl JudgedAnswer {
             folds: judgement.folds.iter().map(fold).collect(),
             criterion: judgement.criterion,
             standard_error: judgement.standard_error,
+            relative_position_error: judgement.relative_position_error,
+            leave_region_out: judgement.regions,
+            information: judgement.information,
             compared_samples: judgement.compared_samples,
             disqualified: judgement.disqualified.clone(),
             rank: fit.analysis.rank,

@@ -2,7 +2,7 @@
 
 use super::error_table::convergence_remark;
 use super::frame_words::frame_words;
-use super::{Answer, AsGiven, SelectionAnswer};
+use super::{Answer, AsGiven, SelectionAnswer, rating_answer};
 use crate::number_format::{condition, significant};
 use crate::report::{times, value_and_error};
 use crate::table::Table;
@@ -21,6 +21,9 @@ impl Answer for SelectionAnswer {
             }
             None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
         }
+        if !self.rating.words.is_empty() {
+            text.push_str(&format!("  {}\n", self.rating.words));
+        }
         if let Some(AsGiven { name, criterion, standard_error, ratio }) = &self.as_given {
             let value = self.criterion.format_with_error(*criterion, *standard_error);
             text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
@@ -35,6 +38,9 @@ impl Answer for SelectionAnswer {
         let own = chosen.and_then(|candidate| candidate.judged.as_ref());
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
+        }
+        if let Some(table) = rating_answer::table(self, width) {
+            text.push_str(&format!("\n{table}"));
         }
         for (index, remark) in remarks.iter().enumerate() {
             text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));

@@ -9,6 +9,7 @@ mod figures;
 mod gists;
 mod page_data;
 mod parameters;
+mod rating;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -138,6 +139,7 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
         gists => gists::all(input, shown.as_ref()),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
+        rating => rating::rating(input),
         untried => input.selection.untried.iter().map(|words| prose(words)).collect::<Value>(),
         is_selection => input.purpose == Purpose::Selection,
         data_words => input.data_words(),

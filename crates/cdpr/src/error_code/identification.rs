@@ -109,6 +109,7 @@ impl ErrorCode for selection::InputError {
         match self {
             Self::NoCandidates => "candidate::none",
             Self::NoValidation => "data::no-validation",
+            Self::Regions(error) => error.code(),
             Self::AllFailed { .. } => "candidate::all-failed",
         }
     }

@@ -24,6 +24,7 @@ pub use settings::{Prior, Settings};
 use super::clock;
 use super::elastostatic;
 use super::identifiability::{Analysis, KinematicState as State, analyse};
+use super::likelihood::Residuals;
 use super::loss::{Loss, RobustLoss};
 use super::misfit::Misfit;
 use super::norms::Norms;
@@ -160,6 +161,7 @@ fn report(
     let mut warnings = analysis.warnings.clone();
     warnings.extend(warnings::suspicious_units(model, samples));
     let noise_factor = weights.noise * noise.factor;
+    let residuals = residuals_of(&optimum, samples, weights);
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
@@ -179,7 +181,24 @@ fn report(
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
         warnings,
+        residuals,
     })
+}
+
+/// Whitened lengths at the optimum.
+fn residuals_of(optimum: &optimum::Optimum, samples: &Samples, weights: &Weights) -> Residuals {
+    let count = samples.len();
+    let mut log_variances = vec![0.0; count];
+    let mut whitened = Vec::with_capacity(optimum.blocks.len());
+    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
+        let (row, _) = block.rows(&optimum.poses, &end.values, count);
+        let own = weights.of_cable(block.cable);
+        log_variances.iter_mut().zip(own).for_each(|(log, weight)| *log -= 2.0 * weight.ln());
+        whitened.push(row);
+    }
+    let rows = vec![whitened.len(); count];
+    let noise = weights.noise;
+    Residuals { absolute: weights.absolute, ..Residuals::of(&whitened, (log_variances, rows), (noise, &optimum.norms)) }
 }
 
 /// Noise that residuals tell, in units of the weights.

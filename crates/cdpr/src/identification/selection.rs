@@ -2,7 +2,10 @@
 
 mod comparison;
 mod criterion;
+mod judge;
 mod judgement;
+mod preferences;
+mod rating;
 mod reason;
 mod requirement;
 mod settings;
@@ -11,7 +14,9 @@ mod warnings;
 mod worse;
 
 pub use criterion::SelectionCriterion;
-pub use judgement::{CandidateFailure, JudgedCandidate, Judgement};
+pub use judgement::{CandidateFailure, HeldOut, JudgedCandidate, Judgement};
+pub use preferences::Preference;
+pub use rating::Rating;
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 pub use settings::Settings;
@@ -20,12 +25,10 @@ pub use warnings::Warnings;
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
-use super::evaluation::{Evaluation, evaluate_fitted};
-use super::fit::{self, fit, frames_that_fit};
-use super::loss::Loss;
-use super::plausibility::{Distrust, distrust};
-use crate::measurement::{Fold, Samples};
-use crate::model::{Composition, Model, RecordingParameter};
+use super::fit::{self, frames_that_fit};
+use super::plausibility::distrust;
+use crate::measurement::{Fold, Samples, SplitError};
+use crate::model::{Composition, RecordingParameter};
 use crate::robot::Robot;
 
 /// The comparison and its result.
@@ -39,6 +42,8 @@ pub struct Selection {
     pub recommended: Option<usize>,
     /// The reason in words and numbers.
     pub reason: String,
+    /// The same candidates by other criteria, and whether these agree.
+    pub rating: Rating,
     /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
     pub untried: Vec<String>,
     /// Frames of tracker and marker that were freed in every candidate, since the poses fit the robot no other way, in words.
@@ -66,7 +71,8 @@ impl Selection {
     }
 
     fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
-        Self { candidates, best, recommended, reason, untried: Vec::new(), frames: None }
+        let rating = Rating::default();
+        Self { candidates, best, recommended, reason, rating, untried: Vec::new(), frames: None }
     }
 }
 
@@ -79,6 +85,9 @@ pub enum InputError {
     /// No validation data.
     #[error("there are no validation samples: give --validation, a column `set`, or another --split")]
     NoValidation,
+    /// Regions that cannot be left out.
+    #[error("regions to leave out: {0}")]
+    Regions(#[from] SplitError),
     /// Every candidate failed.
     #[error("no candidate could be identified; {name}: {reason}")]
     AllFailed {
@@ -113,8 +122,10 @@ pub fn select(
     }
     let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
     let candidates = &candidates[..];
+    let regions = judge::regions(samples, folds, settings.regions)?;
+    let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress };
     let judge_one = |candidate: &Candidate| {
-        let outcome = judge(robot, candidate, samples, folds, settings, progress);
+        let outcome = problem.judge(candidate);
         JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
     let mut judged = map_all(candidates, judge_one);
@@ -127,7 +138,11 @@ pub fn select(
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
         judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
     }
+    rating::inform((robot, samples), &mut judged, settings);
     let mut selection = recommend(judged, settings.criterion);
+    let (best, recommended) = (selection.best, selection.recommended);
+    selection.rating =
+        rating::rate(preferences::Outcome { candidates: &selection.candidates, best, recommended }, settings);
     selection.test_clock(samples, &settings.fit);
     selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
     selection.frames = frames;
@@ -158,10 +173,11 @@ fn in_needed_frames(
     (candidates.iter().map(with_frames).collect(), Some(words))
 }
 
-/// Fits that [`select`] makes: one of each candidate and fold, and one of all samples where there are several folds.
-pub fn fit_count(candidates: &[Candidate], folds: &[Fold]) -> usize {
+/// Fits that [`select`] makes: one of each candidate and fold, one of all samples where there are several folds, and one of each region
+/// left out besides.
+pub fn fit_count(candidates: &[Candidate], folds: &[Fold], settings: &Settings) -> usize {
     let of_one = if folds.len() == 1 { 1 } else { folds.len() + 1 };
-    candidates.len() * of_one
+    candidates.len() * (of_one + settings.regions)
 }
 
 #[cfg(feature = "parallel")]
@@ -173,60 +189,6 @@ fn map_all<T: Send>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T + S
 #[cfg(not(feature = "parallel"))]
 fn map_all<T>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T) -> Vec<T> {
     candidates.iter().map(work).collect()
-}
-
-fn judge(
-    robot: &Robot,
-    candidate: &Candidate,
-    samples: &Samples,
-    folds: &[Fold],
-    settings: &Settings,
-    progress: &(dyn Fn() + Sync),
-) -> Result<Judgement, CandidateFailure> {
-    let model = Model::new(robot.clone(), candidate.composition)?;
-    let fit_to = |part: &[usize], loss: Loss| {
-        let train = samples.subset(part);
-        let fitted = fit(&model, &train, &candidate.free, &fit::Settings { loss, ..settings.fit.clone() });
-        progress();
-        fitted.map(|fitted| (fitted, train))
-    };
-    // the loss is chosen once, by all data of the reported fit
-    let everything: Vec<usize> = (0..samples.len()).collect();
-    let reported_part = if let [fold] = folds { &fold.train } else { &everything };
-    let (mut reported, train) = fit_to(reported_part, settings.fit.loss)?;
-    let train = reported.as_fitted(&train).subset(&reported.trusted_samples(train.len()));
-    let train = evaluate_fitted(&reported.model, &train)?.blocks();
-    reported.renumber_outliers(reported_part);
-    let mut errors = Evaluation::default();
-    let (mut validation_samples, mut fold_sizes) = (Vec::new(), Vec::new());
-    for fold in folds {
-        let of_fold = if folds.len() == 1 { None } else { Some(fit_to(&fold.train, reported.loss)?.0) };
-        let fitted = of_fold.as_ref().unwrap_or(&reported);
-        let held = match fitted.clock_offset {
-            // the whole recording has the neighbours of a pose at the edge of a fold
-            Some(_) => fitted.as_fitted(samples).subset(&fold.validation),
-            None => fitted.as_fitted(&samples.subset(&fold.validation)),
-        };
-        errors.extend(&evaluate_fitted(&fitted.model, &held)?);
-        validation_samples.extend(&fold.validation);
-        fold_sizes.push((fold.name.clone(), fold.validation.len()));
-    }
-    Ok(Judgement {
-        train,
-        fit: reported,
-        requirements: Vec::new(),
-        distrust: Distrust::default(),
-        validation: errors.blocks(),
-        folds: Vec::new(),
-        criterion: f64::NAN,
-        standard_error: f64::NAN,
-        compared_samples: 0,
-        set_aside: Vec::new(),
-        disqualified: None,
-        validation_errors: errors,
-        validation_samples,
-        fold_sizes,
-    })
 }
 
 fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {

@@ -4,6 +4,7 @@ mod linear;
 #[cfg(test)]
 mod tests;
 
+use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::accuracy::outside_reach;
@@ -120,12 +121,15 @@ impl Summary {
 }
 
 fn diameter(samples: &[Sample]) -> f64 {
+    diagonal(|| samples.iter().map(|sample| sample.commanded.position))
+}
+
+/// Diagonal of the box of positions, d of eq. 3.5 and 3.7 (m); 0 without any.
+pub(crate) fn diagonal<I: Iterator<Item = Vector3<f64>>>(positions: impl Fn() -> I) -> f64 {
     let extent = |axis: usize| {
-        let along = || samples.iter().map(|sample| sample.commanded.position[axis]);
+        let along = || positions().map(|position| position[axis]);
         along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
     };
-    match samples.is_empty() {
-        true => 0.0,
-        false => (0..3).map(|axis| extent(axis) * extent(axis)).sum::<f64>().sqrt(),
-    }
+    let square = (0..3).map(|axis| extent(axis).max(0.0).powi(2)).sum::<f64>();
+    square.sqrt()
 }

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::descent::Problem;
+use super::noise::SLACK_SIGMA;
 use super::optimum::Optimum;
 use super::rows::{Recorded, RowModel, SampleRows};
 use crate::equilibrium::elastostatics;
@@ -14,6 +15,7 @@ use crate::identification::identifiability::{
     Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
     with_unit_columns,
 };
+use crate::identification::likelihood::Residuals;
 use crate::identification::outliers;
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -39,6 +41,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         (status, reason) = (Status::NotPredictive, why);
     }
     let loss = used(optimum.norms.loss);
+    let residuals = residuals_of(&optimum, samples);
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
@@ -62,8 +65,29 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
         warnings: all_warnings,
+        residuals,
         model: optimum.calibrated,
     }
+}
+
+/// Whitened wrenches and lengths at the optimum.
+fn residuals_of(optimum: &Optimum, samples: &Samples) -> Residuals {
+    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Residuals::default() };
+    let row_model = RowModel::new(&optimum.calibrated, load, &[]);
+    let mut rows = SampleRows::new(&optimum.calibrated, 0);
+    let mut whitened = vec![Vec::with_capacity(samples.len()); rows.count];
+    let (mut log_variances, mut counts) = (vec![0.0; samples.len()], vec![0; samples.len()]);
+    let telling = |deviation: &f64| *deviation < SLACK_SIGMA * optimum.noise;
+    for (sample, (log, count)) in log_variances.iter_mut().zip(&mut counts).enumerate() {
+        optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
+        whitened.iter_mut().enumerate().for_each(|(row, series)| series.push(rows.residual(row)));
+        for deviation in optimum.linearization.deviations(sample).filter(telling) {
+            *log += 2.0 * deviation.ln();
+            *count += 1;
+        }
+    }
+    let residuals = Residuals::of(&whitened, (log_variances, counts), (optimum.noise, &optimum.norms));
+    Residuals { absolute: optimum.absolute, with_wrenches: true, ..residuals }
 }
 
 /// Modelled minus recorded lengths of a sample (from 0) at its measured pose and tensions (m).

@@ -184,6 +184,11 @@ impl Linearization {
         }
     }
 
+    /// Standard deviations of the rows of a sample, each given those before it.
+    pub(super) fn deviations(&self, sample: usize) -> impl Iterator<Item = f64> {
+        self.factor(sample).iter().step_by(self.count + 1).map(|inverse| 1.0 / inverse)
+    }
+
     fn factor(&self, sample: usize) -> &[f64] {
         let size = self.count * self.count;
         &self.factors[sample * size..][..size]

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::frames::RecordingFrames;
 use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
+use crate::identification::likelihood::Residuals;
 use crate::identification::loss::Loss;
 use crate::identification::outliers::{self, Outlier};
 use crate::identification::starts::Basin;
@@ -96,6 +97,8 @@ pub struct Fit {
     pub outlier_warning: Option<String>,
     /// Further warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
+    /// Residuals in units of the accuracies.
+    pub(in crate::identification) residuals: Residuals,
 }
 
 impl Fit {

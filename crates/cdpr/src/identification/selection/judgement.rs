@@ -1,11 +1,13 @@
 //! A candidate of a selection, judged.
 
+use serde::Serialize;
 use thiserror::Error;
 
 use super::requirement::{Requirement, RequirementOutcome};
 use crate::identification::candidate::Candidate;
 use crate::identification::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
 use crate::identification::fit::{self, Fit};
+use crate::identification::likelihood::Information;
 use crate::identification::plausibility::Distrust;
 use crate::model::ModelError;
 
@@ -49,6 +51,14 @@ pub struct Judgement {
     pub requirements: Vec<RequirementOutcome>,
     /// Reasons not to trust the candidate with these errors, recommended or not.
     pub distrust: Distrust,
+    /// Mean position error on validation data as a share of the diagonal of these positions (eq. 3.5, 3.7); `None` for one position.
+    pub relative_position_error: Option<f64>,
+    /// Likelihood and information criteria of the reported fit.
+    pub information: Option<Information>,
+    /// Criterion on regions of the workspace that the fit had not seen, where regions were left out besides.
+    pub regions: Option<HeldOut>,
+    /// Errors on these regions, sample by sample.
+    pub(super) region_errors: Option<Evaluation>,
     /// Names of the folds with their numbers of validation samples.
     pub(super) fold_sizes: Vec<(String, usize)>,
 }
@@ -76,6 +86,17 @@ impl Judgement {
     pub(super) fn meets_requirements(&self) -> bool {
         self.requirements.iter().all(|requirement| requirement.met)
     }
+}
+
+/// Criterion on data held out.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HeldOut {
+    /// Mean over the samples that all compared candidates answer (SI).
+    pub criterion: f64,
+    /// Its standard error by block bootstrap.
+    pub standard_error: f64,
+    /// Number of these samples.
+    pub samples: usize,
 }
 
 /// Reason for which a candidate cannot be judged.

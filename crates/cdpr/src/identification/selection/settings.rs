@@ -14,4 +14,6 @@ pub struct Settings {
     pub fit: fit::Settings,
     /// Seed of the bootstrap.
     pub seed: u64,
+    /// Regions of the workspace that are left out in turn besides, for the rating; 0 for none.
+    pub regions: usize,
 }
