@@ -3,21 +3,25 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::metamodel::accuracy::Assessment;
+use cdpr::metamodel::study::CommandedPose;
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::files;
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
-use cdpr_reports::answers::{AccuracyAnswer, Assessed};
+use cdpr_reports::answers::{AccuracyAnswer, Assessed, DifferenceAnswer};
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr accuracy study.toml
   cdpr accuracy studies/twin-nominal.toml --format json
-  cdpr accuracy study.toml --seed 7";
+  cdpr accuracy study.toml --seed 7
+  cdpr accuracy studies/planar-wide-calibrated.toml --against studies/planar-wide-grid.toml --map difference.svg";
 
 /// Drive a machine by a control model through the poses of a study, and compare what emerges with what was commanded.
 ///
@@ -43,6 +47,14 @@ pub(crate) struct Arguments {
     /// lie apart (m).
     #[arg(long, value_name = "M", default_value_t = 0.1, value_parser = number_from_zero, allow_hyphen_values = true)]
     stroke: f64,
+
+    /// Another study of the same machine, whose controller is driven to the same poses: the difference of the errors beside them.
+    #[arg(long, value_name = "STUDY")]
+    against: Option<PathBuf>,
+
+    /// File for a map of the difference (SVG): discs where this controller is better, triangles where it is worse.
+    #[arg(long, value_name = "FILE", requires = "against")]
+    map: Option<PathBuf>,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -56,8 +68,37 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let initial_tensions = study_file.accepted(study_file.initial_tensions())?;
     drop(progress);
     let prediction = prediction.map(|found| found.blocks());
+    let difference = difference(&arguments, &study_file, (&poses, &assessment), output)?;
     let found = Assessed { assessment, prediction, branches, initial_tensions, seed: arguments.seed };
-    let answer = AccuracyAnswer::new(&study_file, found);
+    let answer = AccuracyAnswer::new(&study_file, found).against(difference);
     answer.remarks().iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)
+}
+
+/// The difference to the controller of another study, and its map.
+fn difference(
+    arguments: &Arguments,
+    study_file: &StudyFile,
+    (poses, assessment): (&[CommandedPose], &Assessment),
+    output: &mut Output,
+) -> Result<Option<DifferenceAnswer>, Failure> {
+    let Some(path) = &arguments.against else { return Ok(None) };
+    let other = StudyFile::read(path)?.with_tension_method(arguments.choice.tension_method);
+    let machine = |file: &StudyFile| (file.machine.robot().clone(), file.machine.composition());
+    if machine(&other) != machine(study_file) {
+        output.remark(&format!(
+            "{}: the machine is another one, so that more than the controller differs",
+            path.display()
+        ));
+    }
+    let found = assessment.difference(poses, &other.accepted(other.assess(poses))?);
+    let answer = DifferenceAnswer::new(study_file, (&path.display().to_string(), &other), found);
+    if let Some(file) = &arguments.map {
+        let svg = answer.map(study_file, poses).ok_or_else(|| {
+            let message = "--map: no pose is reached by both controllers, so there is nothing to draw";
+            Failure::input("workspace::mesh", message, "leave --map out")
+        })?;
+        files::write(file, svg.as_bytes())?;
+    }
+    Ok(Some(answer))
 }

@@ -393,3 +393,31 @@ fn the_commands_of_the_chapter_find_their_studies() {
         }
     }
 }
+
+/// Sec. 4.4: the anchors of eq. 4.30 make the mean error 29.00 % and 80.64 % smaller (printed), and the map of the chapter is the one that is drawn.
+#[test]
+fn two_controllers_on_one_machine_differ_as_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = |name: &str| root().join("studies").join(name).display().to_string();
+    for (set, printed) in [("wide", -0.2900), ("low", -0.8064)] {
+        let (own, other) = (study(&format!("planar-{set}-calibrated.toml")), study(&format!("planar-{set}-grid.toml")));
+        let run = cdpr_in(folder.path(), &format!("accuracy {own} --against {other} --map {set}.svg --format json"));
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        let difference = &run.json()["difference"];
+        let position = &difference["position_error_m"];
+        // the dissertation has four digits of both errors, a share of which is known to a unit of the last
+        let change = position["relative_change"].as_f64().unwrap();
+        assert!((change - printed).abs() < 5e-4, "{set}: {change}");
+        let means = [&position["own"]["mean"], &position["other"]["mean"]].map(|mean| mean.as_f64().unwrap());
+        assert!((position["mean_change"].as_f64().unwrap() - (means[0] - means[1])).abs() < 1e-15);
+        assert_eq!(difference["samples"], difference["compared"]);
+    }
+    let drawn = std::fs::read(folder.path().join("wide.svg")).unwrap();
+    assert!(drawn == figure("dissertation-difference.svg"), "draw the map of two controllers again");
+    let (own, other) = (study("planar-wide-calibrated.toml"), study("planar-stiff.toml"));
+    let run = cdpr_in(folder.path(), &format!("accuracy {own} --against {other} --format json"));
+    let warnings = run.json()["warnings"].to_string();
+    assert!(warnings.contains("the machine is another one"), "{warnings}");
+    let alone = cdpr_in(folder.path(), &format!("accuracy {own} --map map.svg"));
+    assert_eq!(alone.exit_code, 2, "{}", alone.stdout);
+}

@@ -9,7 +9,7 @@ use cdpr::metamodel::{Experiment, Status};
 use serde::Serialize;
 
 use super::error_table::{Source, convergence_remark, error_table};
-use super::{Answer, title};
+use super::{Answer, DifferenceAnswer, title};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -32,6 +32,8 @@ pub struct AccuracyAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     branches: Option<Branches>,
     seed: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    difference: Option<DifferenceAnswer>,
     #[serde(skip)]
     pattern: MotionPattern,
 }
@@ -87,7 +89,14 @@ impl AccuracyAnswer {
             initial_tensions,
             winch_offsets_m: experiment.offsets.clone(),
             seed,
+            difference: None,
         }
+    }
+
+    /// The same with the difference to another controller.
+    #[must_use]
+    pub fn against(self, difference: Option<DifferenceAnswer>) -> Self {
+        Self { difference, ..self }
     }
 
     /// Remarks on what the numbers leave out.
@@ -110,6 +119,9 @@ impl Answer for AccuracyAnswer {
         }
         text.push_str(&format!("\n{}", self.errors(width)));
         text.push_str(&self.tensions());
+        if let Some(difference) = &self.difference {
+            text.push_str(&difference.words(width));
+        }
         if let Some(Prediction { model, blocks }) = &self.prediction {
             let table = error_table(self.pattern, &[("value", blocks)], Source::Model, width);
             text.push_str(&format!("\n{model} predicts from the lengths sent what emerges, with errors of\n\n{table}"));

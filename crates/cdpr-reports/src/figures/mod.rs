@@ -8,6 +8,7 @@ mod axis;
 pub mod colour;
 mod convergence;
 mod correlations;
+mod difference_map;
 mod drawing;
 mod figure;
 mod frame;
@@ -22,6 +23,7 @@ use frame::Frame;
 
 pub use convergence::convergence;
 pub use correlations::correlations;
+pub use difference_map::{DifferenceMap, DifferencePoint};
 pub use figure::{Figure, page_style};
 pub use ladder::{Ladder, Rung};
 pub use map::{Map, MapPoint};

@@ -66,7 +66,8 @@ pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
         };
         Some(NamedFile::new(format!("error-map-{}{}{at}.svg", names[first], names[second]), map.svg()?.file()))
     };
-    let heights = if axes.len() > 2 { heights(found) } else { Vec::new() };
+    let of_poses: Vec<f64> = found.samples.iter().map(|sample| sample.commanded.position.z).collect();
+    let heights = if axes.len() > 2 { levels(&of_poses) } else { Vec::new() };
     let views = views.into_iter().map(|view| (view, None));
     views
         .chain(heights.into_iter().map(|height| ([0, 1], Some(height))))
@@ -75,15 +76,15 @@ pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
 }
 
 /// Heights nearer to each other than this are one (m).
-const SAME_HEIGHT: f64 = 1e-6;
+pub(crate) const SAME_HEIGHT: f64 = 1e-6;
 /// More heights than this are no levels but a cloud.
 const MOST_HEIGHTS: usize = 7;
 
-/// The heights of the poses; none where all have the same, or nearly each its own.
-fn heights(found: &Field) -> Vec<f64> {
-    let mut heights: Vec<f64> = found.samples.iter().map(|sample| sample.commanded.position.z).collect();
+/// The different ones among the heights of poses; none where all have the same, or nearly each its own.
+pub(crate) fn levels(of_poses: &[f64]) -> Vec<f64> {
+    let mut heights = of_poses.to_vec();
     heights.sort_by(f64::total_cmp);
     heights.dedup_by(|a, b| (*a - *b).abs() < SAME_HEIGHT);
-    let are_levels = (2..=MOST_HEIGHTS).contains(&heights.len()) && found.samples.len() >= 4 * heights.len();
+    let are_levels = (2..=MOST_HEIGHTS).contains(&heights.len()) && of_poses.len() >= 4 * heights.len();
     if are_levels { heights } else { Vec::new() }
 }

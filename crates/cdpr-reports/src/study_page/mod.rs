@@ -19,6 +19,7 @@ use thiserror::Error;
 
 use crate::html_page::{Page, PageError, plain, prose};
 use crate::number_format::{short, significant};
+pub(crate) use field_tables::{SAME_HEIGHT, levels};
 pub use field_tables::{error_maps, errors_table};
 use region::Region;
 pub use tables::{ErrorRow, error_rows};

@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod advice;
 pub mod branches;
 mod control;
+pub mod difference;
 mod driving;
 pub mod effects;
 pub mod errors;
