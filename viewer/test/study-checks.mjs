@@ -60,6 +60,9 @@ async function planeLayers(page, data) {
     ["emerging poses", "emerging poses"],
   ];
   if (data.samples.tensions_N.some(Boolean)) layers.push(["largest tension, N", "contours of the largest tension"], ["smallest tension, N", "contours of the smallest tension"]);
+  if (data.samples.tension_error_N.some((error) => error !== null)) layers.push(["largest tension error, N", "contours of the largest tension error"]);
+  if (data.samples.residual_N.some((force) => force !== null)) layers.push(["residual force, N", "contours of the residual force"]);
+  if (data.regions[0].linear) layers.push(["reachable by one linear step", "reachable by one linear step"]);
   if (data.regions[0].physical) layers.push(["physical workspace", "physical workspace"]);
   if (data.regions[0].reachable) layers.push(["reachable workspace", "reachable workspace"]);
   const found = [];
@@ -67,7 +70,7 @@ async function planeLayers(page, data) {
   const values = await study(page).locator("text.contour-value").allTextContents();
   if (!values.some((text) => / mm$/.test(text)) || values.some((text) => !/^−?[\d.]+ ?(mm|°|N)$/.test(text))) found.push(`contours bear the values ${values}`);
   found.push(...(await looks(page)));
-  for (const [label] of layers.filter(([label]) => /linear|difference|tension/.test(label))) await study(page).getByLabel(label, { exact: true }).uncheck();
+  for (const [label] of layers.filter(([label]) => /linear|difference|tension|residual/.test(label))) await study(page).getByLabel(label, { exact: true }).uncheck();
   return found;
 }
 

@@ -298,6 +298,7 @@ impl ErrorCode for metamodel::InputError {
             Self::TooManyRobots { .. } => "study::too-many-robots",
             Self::NoPoses | Self::NoneFeasible { .. } => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
+            Self::NoCommandedTensions { .. } => "study::no-commanded-tensions",
         }
     }
 }

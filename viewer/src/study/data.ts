@@ -9,6 +9,10 @@ export interface Points {
   linear_rad: (number[] | null)[];
   /** Per cable. */
   tensions_N: (number[] | null)[];
+  /** Largest difference of a tension from the commanded one; empty where none are commanded. */
+  tension_error_N: (number | null)[];
+  /** Residual force of the cables held at the commanded pose; empty for a rigid machine. */
+  residual_N: (number | null)[];
 }
 
 export interface Samples extends Points {
@@ -40,6 +44,8 @@ export interface StudyRegion extends Points {
   /** Margins: where they are zero a workspace ends. Null for −∞. */
   physical: (number | null)[] | null;
   reachable: (number | null)[] | null;
+  /** The same as one linear step tells. */
+  linear: (number | null)[] | null;
 }
 
 export interface StudyData {

@@ -9,7 +9,7 @@ import { type Labelled, type Raster, contourBands, contourLines, ends, levelsOf,
 import type { StudyData, StudyRegion } from "./data";
 import { anchorMarks } from "./anchors";
 import { type Layer, type Look, arrow, line, mark, offerLayers, pin } from "./layers";
-import { type ErrorQuantity, LARGEST, type Place, type Quantity, SMALLEST, errorsOf, hasTensions, poses, words } from "./quantities";
+import { type ErrorQuantity, LARGEST, type Place, type Quantity, RESIDUAL, SMALLEST, TRACKING, errorsOf, hasResiduals, hasTensions, poses, tracksForces, words } from "./quantities";
 import { MAGNIFICATIONS, apart, exactVectors, fitting, linearVectors, magnificationWords } from "./vectors";
 
 const EXACT: Look = { stroke: INK, width: 1, dashes: "none" };
@@ -17,8 +17,11 @@ const LINEAR: Look = { stroke: SECOND, width: 1.8, dashes: "8 4" };
 const DIFFERENCE: Look = { stroke: "var(--region-4)", width: 2, dashes: "2 3" };
 const LARGE: Look = { stroke: "var(--region-1)", width: 1.8, dashes: "12 3 2 3" };
 const SMALL: Look = { stroke: "var(--region-1)", width: 1.6, dashes: "4 2 1 2 1 2" };
+const TRACKED: Look = { stroke: "var(--region-2)", width: 1.8, dashes: "6 2 2 2" };
+const RESIDUALS: Look = { stroke: "var(--region-4)", width: 1.6, dashes: "1 2" };
 const PHYSICAL: Look = { stroke: INK, width: 3, dashes: "none" };
 const REACHABLE: Look = { stroke: "var(--region-3)", width: 3.5, dashes: "10 5" };
+const REACHED_LINEARLY: Look = { stroke: "var(--region-3)", width: 2, dashes: "3 3" };
 
 /** More poses than this are drawn small, and vectors begin at grid points, which are fewer. */
 const MANY = 300;
@@ -38,6 +41,7 @@ interface PlaneLayers {
   anchors: Layer;
   physical: Layer;
   reachable: Layer;
+  reachedLinearly: Layer;
 }
 
 /** The drawing; null for a robot without regions. */
@@ -68,12 +72,16 @@ function layersOf(data: StudyData): PlaneLayers {
   const tensions = hasTensions(data)
     ? [contour("largest tension, N", false, LARGE, "contours of the largest tension", () => LARGEST), contour("smallest tension, N", false, SMALL, "contours of the smallest tension", () => SMALLEST)]
     : [];
+  const tracking = tracksForces(data) ? [contour("largest tension error, N", false, TRACKED, "contours of the largest tension error", () => TRACKING)] : [];
+  const residuals = hasResiduals(data) ? [contour("residual force, N", false, RESIDUALS, "contours of the residual force", () => RESIDUAL)] : [];
   return {
     contours: [
       contour("exact error", true, EXACT, "contours of the exact error", (error) => error.exact),
       contour("error by one linear step", false, LINEAR, "contours of the linear error", (error) => error.linear),
       contour("difference of both", false, DIFFERENCE, "contours of the difference", (error) => error.difference),
       ...tensions,
+      ...tracking,
+      ...residuals,
     ],
     exact: layer("exact vectors", true, arrow()),
     linear: layer("vectors by one linear step", false, pin(SECOND)),
@@ -82,16 +90,17 @@ function layersOf(data: StudyData): PlaneLayers {
     anchors: layer("frame anchors", data.robot.planar, mark("square")),
     physical: layer("physical workspace", true, line(PHYSICAL)),
     reachable: layer("reachable workspace", true, line(REACHABLE)),
+    reachedLinearly: layer("reachable by one linear step", false, line(REACHED_LINEARLY)),
   };
 }
 
 function groups(data: StudyData, layers: PlaneLayers): [string, Layer[]][] {
-  const has = (key: "physical" | "reachable") => data.regions.some((region) => region[key] !== null);
+  const has = (key: "physical" | "reachable" | "linear") => data.regions.some((region) => region[key] !== null);
   return [
     ["Contours", layers.contours.map(({ layer }) => layer)],
     ["Error vectors", [layers.exact, layers.linear]],
     ["Poses and robot", [layers.commanded, layers.emerging, ...(data.robot.planar ? [layers.anchors] : [])]],
-    ["Boundaries", [...(has("physical") ? [layers.physical] : []), ...(has("reachable") ? [layers.reachable] : [])]],
+    ["Boundaries", [...(has("physical") ? [layers.physical] : []), ...(has("reachable") ? [layers.reachable] : []), ...(has("linear") ? [layers.reachedLinearly] : [])]],
   ];
 }
 
@@ -121,7 +130,7 @@ function draw(data: StudyData, scene: Scene): Node {
     return { ...one, quantity, raster, levels: levelsOf(compared.flatMap((other) => within(other, rasterOf(other, scale).values)), STEPS.length - 1) };
   });
   const bands = contours.find(({ look, levels }) => look === EXACT && levels.length > 0);
-  const outlines = [{ one: layers.physical, look: PHYSICAL, margins: region.physical, name: "physical workspace" }, { one: layers.reachable, look: REACHABLE, margins: region.reachable, name: "reachable workspace" }];
+  const outlines = [{ one: layers.physical, look: PHYSICAL, margins: region.physical, name: "physical workspace" }, { one: layers.reachable, look: REACHABLE, margins: region.reachable, name: "reachable workspace" }, { one: layers.reachedLinearly, look: REACHED_LINEARLY, margins: region.linear, name: "reachable by one linear step" }];
   const isInside = (position: number[]) => [[left, right], [bottom, top]].every(([low, high], k) => (position[region.plane[k] as number] ?? 0) >= (low as number) && (position[region.plane[k] as number] ?? 0) <= (high as number));
   const visible = scene.poses.filter(({ commanded }) => isInside(commanded));
   const tipped = [...visible, ...gridPlaces(region)];

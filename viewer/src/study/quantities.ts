@@ -23,6 +23,9 @@ export const ROTATION = errorOf("rotation error", "°", degrees, "error_rad", "l
 export const LARGEST: Quantity = { words: "largest tension", unit: "N", of: (points, at) => extreme(Math.max, points.tensions_N[at]) };
 export const SMALLEST: Quantity = { words: "smallest tension", unit: "N", of: (points, at) => extreme(Math.min, points.tensions_N[at]) };
 
+export const TRACKING: Quantity = { words: "largest tension error", unit: "N", of: (points, at) => points.tension_error_N[at] ?? Number.NaN };
+export const RESIDUAL: Quantity = { words: "residual force", unit: "N", of: (points, at) => points.residual_N[at] ?? Number.NaN };
+
 /** Errors that the robot can have. */
 export function errorsOf(data: StudyData): ErrorQuantity[] {
   const turns = data.samples.error_rad.some((turn) => (turn?.length ?? 0) > 0);
@@ -31,6 +34,15 @@ export function errorsOf(data: StudyData): ErrorQuantity[] {
 
 export function hasTensions(data: StudyData): boolean {
   return data.samples.tensions_N.some((tensions) => tensions !== null);
+}
+
+/** True where control model and machine both know tensions. */
+export function tracksForces(data: StudyData): boolean {
+  return data.samples.tension_error_N.some((error) => error !== null);
+}
+
+export function hasResiduals(data: StudyData): boolean {
+  return data.samples.residual_N.some((force) => force !== null);
 }
 
 function errorOf(words: string, unit: string, shown: (value: number) => number, exact: "error_m" | "error_rad", linear: "linear_m" | "linear_rad"): ErrorQuantity {
@@ -94,6 +106,9 @@ export function words(data: StudyData, place: Place): string {
   else lines.push("the linear step has no answer");
   const tensions = points.tensions_N[at]?.map((tension, k) => `${cables[k]?.name ?? k + 1}: ${tension.toFixed(0)} N`) ?? [];
   for (let from = 0; from < tensions.length; from += 4) lines.push(`${from === 0 ? "tensions " : ""}${tensions.slice(from, from + 4).join(", ")}`);
+  const [tracking, residual] = [TRACKING.of(points, at), RESIDUAL.of(points, at)];
+  if (Number.isFinite(tracking)) lines.push(`largest tension error ${significant(tracking, 3)} N`);
+  if (Number.isFinite(residual)) lines.push(`residual force ${significant(residual, 3)} N`);
   return lines.join("\n");
 }
 

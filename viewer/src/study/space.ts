@@ -8,7 +8,7 @@ import { levelsOf } from "./contours";
 import type { StudyData } from "./data";
 import { anchorMarks } from "./anchors";
 import { type Layer, arrow, mark, offerLayers, pin } from "./layers";
-import { LARGEST, type Place, type Quantity, SMALLEST, errorsOf, hasTensions, poses, words } from "./quantities";
+import { LARGEST, type Place, type Quantity, RESIDUAL, SMALLEST, TRACKING, errorsOf, hasResiduals, hasTensions, poses, tracksForces, words } from "./quantities";
 import { MAGNIFICATIONS, apart, exactVectors, fitting, linearVectors, magnificationWords } from "./vectors";
 
 const VIEWS: [string, [number, number]][] = [["from above", [0, 1]], ["from the front", [0, 2]], ["from the side", [1, 2]]];
@@ -62,7 +62,7 @@ export function space(data: StudyData, figure: Figure, tell: (words: string) => 
 
 function quantitiesOf(data: StudyData): Quantity[] {
   const errors = errorsOf(data).flatMap(({ exact, linear, difference }) => [exact, linear, difference]);
-  return hasTensions(data) ? [...errors, LARGEST, SMALLEST] : errors;
+  return [...errors, ...(hasTensions(data) ? [LARGEST, SMALLEST] : []), ...(tracksForces(data) ? [TRACKING] : []), ...(hasResiduals(data) ? [RESIDUAL] : [])];
 }
 
 interface View {

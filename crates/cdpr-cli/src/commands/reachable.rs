@@ -32,12 +32,14 @@ Examples:
   cdpr reachable study.toml --method hull --mesh reached.glb --emerging-mesh emerging.glb
   cdpr reachable study.toml --method hull --vary \"machine frame-anchor[1].x\" --change 0.01
   cdpr reachable studies/planar-wide-grid.toml --method hull --center 0,3 --svg outlines.svg
+  cdpr reachable studies/planar-wide-grid.toml --linear
   cdpr reachable study.toml --bounds=-4,4,0,7 --step 0.05 --format json";
 
 /// Which part of its workspace a robot really reaches under its control model.
 ///
 /// A commanded pose counts as reached when the machine comes to rest there with tensions within the limits and a position
-/// error of at most [limits] position_error_max_m (eq. 3.33). Beside it: the physical workspace, in which the machine is
+/// error of at most [limits] position_error_max_m (eq. 3.33), and, under force control, tensions no farther than [limits]
+/// tension_error_max_N from the commanded ones. Beside it: the physical workspace, in which the machine is
 /// wrench-feasible, and the model workspace, in which the control model is. The answer is negative (exit code 1) when no
 /// pose is reached.
 #[derive(Debug, Args)]
@@ -73,6 +75,10 @@ pub(crate) struct Arguments {
     /// Position errors to judge by in turn (m), beside that of the study; with --method grid.
     #[arg(long, value_name = "M,…", allow_hyphen_values = true)]
     accuracy: Option<NumberList>,
+
+    /// Tells what would be reached if the machine answered by one linear step (eq. 3.34, 3.35), beside the exact answer.
+    #[arg(long)]
+    linear: bool,
 
     /// Writes the surface of what is reached, by commanded poses, with margin and limiting cable at its vertices: .stl, .glb, .ply,
     /// .vtk or .csv.
@@ -202,6 +208,10 @@ impl Search<'_> {
             physical: physical.map(|outcome| outcome.size),
             model: model.map(|outcome| outcome.size),
             emerging: Some(emerging_size(reachable, self.region, &grid, &cells)),
+            linear: arguments.linear.then(|| {
+                let criterion = reachable.by_linear_step();
+                grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
+            }),
             points: grid.points(),
             feasible_points: cells.len() as u64,
             parts: Some(parts.iter().map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
@@ -261,6 +271,7 @@ impl Search<'_> {
             physical: physical.as_ref().and_then(size),
             model: model.as_ref().and_then(size),
             emerging: image.as_ref().map(|image| image.size),
+            linear: arguments.linear.then(|| self.linear_hull(reachable, &settings).unwrap_or(f64::NAN)),
             points: found.points,
             feasible_points: found.feasible_points,
             at_bounds: AtBounds {
@@ -279,6 +290,14 @@ impl Search<'_> {
         };
         drop(progress);
         Ok(answer)
+    }
+
+    /// Size within the rays of what one linear step reaches; nothing where it is not star-shaped.
+    fn linear_hull(&self, reachable: &Reachable<'_>, settings: &hull::Settings) -> Option<f64> {
+        let criterion = reachable.by_linear_step();
+        let region = self.region.with_criterion(&criterion);
+        let found = hull::solve(&region, &self.bounds, &self.center, settings).ok()?;
+        found.measure().filter(|_| found.is_star_shaped()).map(|measure| measure.size)
     }
 
     /// The boundary between cells that are reached and those that are not.

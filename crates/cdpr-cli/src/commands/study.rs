@@ -17,7 +17,7 @@ use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::NamedFile;
 use cdpr_reports::answers::{StudyAnswer, title, unanswered};
-use cdpr_reports::study_page::{self, StudyPage, StudyPageError, error_maps, errors_table};
+use cdpr_reports::study_page::{self, StudyPage, StudyPageError, error_maps, errors_table, tracking_figure};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -27,7 +27,8 @@ Examples:
 /// Errors over the poses of a study, exact and by one linear step, as tables and maps in a folder.
 ///
 /// Writes result.json, run.toml, errors.csv (pose by pose: what was commanded, what emerges, the error vector, that of the linear
-/// step, and the tensions), error maps as SVG, and report.html: a page that opens from disk, with contours, error vectors and
+/// step, emerging and commanded tensions, and the residual wrench that moves the platform), error maps as SVG, under force control
+/// force-tracking.svg, and report.html: a page that opens from disk, with contours, error vectors and
 /// the values under the pointer. The answer is negative (exit code 1) when a pose has no answer.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -74,6 +75,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason).collect())?;
     drop(progress);
     let mut made = error_maps(&found, &study_file.machine);
+    let tracking = tracking_figure(&found, &study_file.machine);
+    made.extend(tracking.map(|figure| NamedFile::new("force-tracking.svg", figure.file())));
     made.insert(0, NamedFile::new("errors.csv", errors_table(&found)));
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {

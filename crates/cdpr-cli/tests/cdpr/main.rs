@@ -15,6 +15,7 @@ mod equilibrium;
 mod explanations;
 mod export;
 mod faults;
+mod force_tracking;
 mod frames;
 mod hanging_robots;
 mod import;

@@ -167,7 +167,7 @@ impl Answer for AccuracyAnswer {
 
 impl AccuracyAnswer {
     fn errors(&self, width: Option<usize>) -> String {
-        let Accuracy { position_error_m, rotation_error_rad, length_error_m, .. } = &self.accuracy;
+        let Accuracy { position_error_m, rotation_error_rad, length_error_m, tension_error_N, .. } = &self.accuracy;
         let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
         let mut row = |name: &str, unit: &str, factor: f64, decimals: usize, numbers: [Option<f64>; 5]| {
             let cells = numbers.map(|number| cell(number.map(|number| factor * number), decimals));
@@ -181,6 +181,9 @@ impl AccuracyAnswer {
         }
         let e = length_error_m;
         row("length", "mm", 1e3, 3, [Some(e.mean_abs), Some(e.rms), None, Some(e.p95), Some(e.max)]);
+        if let Some(e) = tension_error_N {
+            row("tension", "N", 1.0, 1, [Some(e.mean_abs), Some(e.rms), None, None, Some(e.max)]);
+        }
         table.text(width)
     }
 
@@ -195,6 +198,12 @@ impl AccuracyAnswer {
         }
         if self.accuracy.slack_samples > 0 {
             text.push_str(&format!(", with slack cables at {} of them", self.accuracy.slack_samples));
+        }
+        if let Some(error) = self.accuracy.tension_error_N {
+            text.push_str(&format!(
+                "; they miss the commanded ones by {:.1} N, the mean norm over the cables",
+                error.mean_norm
+            ));
         }
         text.push('\n');
         text

@@ -1,7 +1,7 @@
 //! A finished figure: as a file of its own, and as a part of a page.
 
 use super::drawing::escape;
-use super::{colour, correlations};
+use super::{colour, correlations, tracking};
 
 /// Width of the text of a page of A4 (mm).
 const PAGE_WIDTH: f64 = 180.0;
@@ -64,6 +64,7 @@ pub fn page_style() -> String {
     let rules = STYLE
         .lines()
         .chain(correlations::STYLE.lines())
+        .chain(tracking::STYLE.lines())
         .filter(|rule| !rule.contains(".tone-"))
         .map(|rule| format!(".figure {rule}\n"));
     colour::of_page(&rules.collect::<String>())

@@ -18,6 +18,7 @@ mod outlines;
 mod residuals;
 mod shares;
 mod spectrum;
+mod tracking;
 
 use frame::Frame;
 
@@ -31,6 +32,7 @@ pub use outlines::{Look, Outline, Outlines};
 pub use residuals::residuals;
 pub use shares::{ShareCurve, Shares};
 pub use spectrum::spectrum;
+pub use tracking::{TrackedCable, tension_tracking};
 
 /// Smallest and largest of the finite values.
 fn finite_range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {

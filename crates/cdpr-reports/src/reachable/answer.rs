@@ -22,6 +22,8 @@ pub struct Found {
     pub model: Option<f64>,
     /// Reachable, by emerging poses.
     pub emerging: Option<f64>,
+    /// Reachable as one linear step tells, NaN where that has no size; nothing where nobody asked.
+    pub linear: Option<f64>,
     /// Poses judged.
     pub points: u64,
     /// Poses of these that are reached.
@@ -76,6 +78,9 @@ pub struct ReachableAnswer {
     pub bounds_m: Vec<f64>,
     /// Largest position error that counts as reached.
     pub position_error_max_m: Option<f64>,
+    /// Largest difference of a tension from the commanded one that counts as reached.
+    #[serde(rename = "tension_error_max_N", skip_serializing_if = "Option::is_none")]
+    pub tension_error_max: Option<f64>,
     /// Sizes by their keys.
     #[serde(flatten)]
     pub sizes: Map<String, Value>,
@@ -131,7 +136,8 @@ impl ReachableAnswer {
             ("model", found.model),
             ("emerging", found.emerging),
         ];
-        let sizes = named.iter().map(|(name, size)| (key(name), json!(size))).collect();
+        let linear = found.linear.map(|size| ("linear", Some(size)));
+        let sizes = named.iter().chain(&linear).map(|(name, size)| (key(name), json!(size))).collect();
         let dimension = region.dimension();
         let part = |(size, point): &(f64, Point)| json!({ key("part").replace("part_", ""): size, "position_m": &point[..dimension] });
         let at = |(most, size): &(f64, f64)| json!({ "position_error_max_m": most, key("reachable"): size, "share": share(*size) });
@@ -152,6 +158,7 @@ impl ReachableAnswer {
             method: found.method,
             bounds_m: bounds.ends(),
             position_error_max_m: experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m),
+            tension_error_max: experiment.study.limits.as_ref().and_then(|limits| limits.tension_error_max_N),
             sizes,
             share: found.reached.and_then(share),
             remark: is_beyond_the_whole(found.reached.and_then(share)).then_some(BEYOND_THE_WHOLE),

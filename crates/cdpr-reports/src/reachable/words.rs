@@ -45,10 +45,16 @@ impl Answer for ReachableAnswer {
         row("model: the control model is".to_owned(), found.model);
         row("reachable, by commanded poses".to_owned(), found.reached);
         row("reachable, by emerging poses".to_owned(), found.emerging);
+        if let Some(linear) = found.linear {
+            row("reachable, as one linear step tells".to_owned(), Some(linear));
+        }
         for (most, size) in &found.by_accuracy {
             row(format!("reachable to {} mm", significant(1e3 * most, 3)), Some(*size));
         }
         text.push_str(&format!("\n{}", table.text(width)));
+        if found.linear.is_some_and(f64::is_nan) {
+            text.push_str("\nwhat one linear step reaches is not star-shaped: --method grid counts it\n");
+        }
         if let Some(remark) = self.remark {
             text.push_str(&format!("\n{remark}\n"));
         }

@@ -7,8 +7,11 @@ use cdpr::metamodel::field::{Field, Sample};
 use cdpr::model::Model;
 
 use crate::NamedFile;
-use crate::figures::{Map, MapPoint};
+use crate::figures::{Figure, Map, MapPoint, TrackedCable, tension_tracking};
 use crate::number_format::short;
+
+/// Columns of Aᵀ f + w of the cables held at the commanded pose.
+const RESIDUAL_WRENCH: &str = ",residual_x_N,residual_y_N,residual_z_N,residual_x_Nm,residual_y_Nm,residual_z_Nm";
 
 /// One row per commanded pose; empty cells where there is no answer.
 pub fn errors_table(found: &Field) -> String {
@@ -18,6 +21,12 @@ pub fn errors_table(found: &Field) -> String {
          linear_rx_rad,linear_ry_rad,linear_rz_rad",
     );
     (1..=cables).for_each(|cable| text.push_str(&format!(",tension_N_{cable}")));
+    let commands = found.summary.tension_error.is_some();
+    let commanded = if commands { cables } else { 0 };
+    (1..=commanded).for_each(|cable| text.push_str(&format!(",commanded_tension_N_{cable}")));
+    if cables > 0 {
+        text.push_str(RESIDUAL_WRENCH);
+    }
     text.push('\n');
     for (index, sample) in found.samples.iter().enumerate() {
         let (position, turn) = (sample.commanded.position, sample.commanded.rotation.coords);
@@ -28,8 +37,15 @@ pub fn errors_table(found: &Field) -> String {
         };
         cells.extend(twist(&sample.exact));
         cells.extend(twist(&sample.linear));
-        let tensions = sample.outcome.tensions.as_deref().unwrap_or(&[]);
-        cells.extend((0..cables).map(|cable| tensions.get(cable).map_or_else(String::new, f64::to_string)));
+        let listed = |tensions: &Option<Vec<f64>>, count: usize| -> Vec<String> {
+            let tensions = tensions.as_deref().unwrap_or(&[]);
+            (0..count).map(|cable| tensions.get(cable).map_or_else(String::new, f64::to_string)).collect()
+        };
+        cells.extend(listed(&sample.outcome.tensions, cables));
+        cells.extend(listed(&sample.outcome.commanded_tensions, commanded));
+        if cables > 0 {
+            cells.extend(twist(&sample.residual_wrench));
+        }
         let _ = writeln!(text, "{}", cells.join(","));
     }
     text
@@ -73,6 +89,24 @@ pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
         .chain(heights.into_iter().map(|height| ([0, 1], Some(height))))
         .filter_map(|(view, at)| drawn(view, at))
         .collect()
+}
+
+/// Commanded and emerging tensions of every cable over the poses in their order (Figs. 4.17, 4.18); nothing where none are commanded.
+pub fn tracking_figure(found: &Field, machine: &Model) -> Option<Figure> {
+    found.summary.tension_error?;
+    let of_cable = |index: usize| {
+        let along = |tensions: &dyn Fn(&Sample) -> Option<f64>| {
+            let all = found.samples.iter().enumerate();
+            all.filter_map(|(pose, sample)| Some((pose + 1, tensions(sample)?))).collect()
+        };
+        let at = |tensions: &Option<Vec<f64>>| tensions.as_ref()?.get(index).copied();
+        TrackedCable {
+            name: machine.robot().cables[index].name.clone(),
+            commanded: along(&|sample| at(&sample.outcome.commanded_tensions)),
+            emerging: along(&|sample| at(&sample.outcome.tensions).filter(|_| sample.exact.is_some())),
+        }
+    };
+    tension_tracking(&(0..machine.cable_count()).map(of_cable).collect::<Vec<_>>())
 }
 
 /// Heights nearer to each other than this are one (m).

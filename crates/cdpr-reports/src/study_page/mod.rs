@@ -20,7 +20,7 @@ use thiserror::Error;
 use crate::html_page::{Page, PageError, plain, prose};
 use crate::number_format::{short, significant};
 pub(crate) use field_tables::{SAME_HEIGHT, levels};
-pub use field_tables::{error_maps, errors_table};
+pub use field_tables::{error_maps, errors_table, tracking_figure};
 use region::Region;
 pub use tables::{ErrorRow, error_rows};
 
@@ -81,6 +81,7 @@ pub fn render(page: &StudyPage<'_>) -> Result<String, StudyPageError> {
         reached => regions.iter().find_map(|region| region.reachable.as_ref()).map(|_| reached_words(page.experiment)),
         errors => tables::errors(&page.found.summary, robot.motion_pattern.has_rotation()),
         poses => tables::poses(page),
+        tracking => tracking_figure(page.found, machine).map(|figure| Value::from_safe_string(figure.inline())),
         more_poses => page.found.samples.len().saturating_sub(tables::MOST_POSES),
         warnings => warnings(page).iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
         command => plain(page.command),

@@ -69,6 +69,12 @@ struct PointData {
     linear_rad: Vec<Option<Vec<f64>>>,
     #[serde(rename = "tensions_N")]
     tensions: Vec<Option<Vec<f64>>>,
+    /// Largest difference of a tension from the commanded one; empty where none are commanded.
+    #[serde(rename = "tension_error_N")]
+    tension_error: Vec<Option<f64>>,
+    /// Residual force of the cables held at the commanded pose; empty for a rigid machine.
+    #[serde(rename = "residual_N")]
+    residual: Vec<Option<f64>>,
 }
 
 /// A regular grid, the first axis running fastest.
@@ -85,6 +91,7 @@ struct RegionData {
     /// Margins: where they are zero a workspace ends. Null for −∞.
     physical: Option<Vec<Option<f64>>>,
     reachable: Option<Vec<Option<f64>>>,
+    linear: Option<Vec<Option<f64>>>,
 }
 
 /// The block as text that may stand inside a `script` element.
@@ -119,7 +126,7 @@ pub(super) fn is_thinned(page: &StudyPage<'_>) -> bool {
 /// Every how many-th pose is held.
 fn step(page: &StudyPage<'_>) -> usize {
     let machine = &page.experiment.machine;
-    let numbers = 4 * machine.robot().motion_pattern.dof() + machine.cable_count() + 1;
+    let numbers = 4 * machine.robot().motion_pattern.dof() + machine.cable_count() + 3;
     (page.found.samples.len() * numbers).div_ceil(MOST_NUMBERS).max(1)
 }
 
@@ -155,6 +162,7 @@ fn region_data(robot: &Robot, region: &Region) -> RegionData {
         points: points(robot, &region.samples.iter().collect::<Vec<_>>(), 4),
         physical: region.physical.as_ref().map(margins),
         reachable: region.reachable.as_ref().map(margins),
+        linear: region.linear.as_ref().map(margins),
     }
 }
 
@@ -169,12 +177,20 @@ fn points(robot: &Robot, samples: &[&Sample], tension_digits: usize) -> PointDat
         let answered = sample.outcome.tensions.clone().filter(|_| sample.exact.is_some());
         answered.map(|tensions| short(tensions, tension_digits))
     };
+    let known = |all: Vec<Option<f64>>| if all.iter().any(Option::is_some) { all } else { Vec::new() };
+    let tension_error = |sample: &&Sample| {
+        let errors = sample.outcome.tension_errors().filter(|_| sample.exact.is_some())?;
+        Some(digits(errors.iter().fold(0.0, |largest: f64, error| largest.max(error.abs())), 4))
+    };
+    let residual = |sample: &&Sample| Some(digits(sample.residual_wrench?.fixed_rows::<3>(0).norm(), 4));
     PointData {
         error_m: exact(&shift),
         error_rad: exact(&turn),
         linear_m: linear(&shift),
         linear_rad: linear(&turn),
         tensions: samples.iter().map(tensions).collect(),
+        tension_error: known(samples.iter().map(tension_error).collect()),
+        residual: known(samples.iter().map(residual).collect()),
     }
 }
 

@@ -37,6 +37,8 @@ pub(super) struct Region {
     pub(super) physical: Option<Vec<f64>>,
     /// Margin of what counts as reached at every node; `None` where nothing is asked for.
     pub(super) reachable: Option<Vec<f64>>,
+    /// The same as one linear step tells; `None` for a rigid machine too.
+    pub(super) linear: Option<Vec<f64>>,
 }
 
 /// A plane across an axis.
@@ -193,16 +195,20 @@ impl Plane<'_> {
 
     fn region(&self, name: String, ends: [[f64; 2]; 2]) -> Result<Region, StudyPageError> {
         let experiment = self.experiment;
-        let numbers_per_node = 2 * experiment.machine.dof() + experiment.machine.cable_count() + 2;
+        let numbers_per_node = 2 * experiment.machine.dof() + experiment.machine.cable_count() + 5;
         let axes = nodes(&ends, (self.most_numbers / numbers_per_node).min(MOST_NODES));
         let places = self.places(&axes);
         let poses = self.poses(&places)?;
         let samples = field(&experiment.driving()?, &poses).samples;
         let reachable = experiment.reachable().ok();
+        let linear = reachable.as_ref().filter(|_| experiment.tensions_emerge()).map(|reachable| {
+            let criterion = reachable.by_linear_step();
+            poses.iter().map(|pose| criterion.judge(pose).margin).collect()
+        });
         let reachable = reachable.map(|reachable| {
             samples.iter().map(|sample| reachable.verdict(&sample.commanded, &sample.outcome).margin).collect()
         });
-        Ok(Region { name, slice: self.slice, axes, samples, physical: self.physical(&places)?, reachable })
+        Ok(Region { name, slice: self.slice, axes, samples, physical: self.physical(&places)?, reachable, linear })
     }
 
     fn physical(&self, places: &[[f64; 2]]) -> Result<Option<Vec<f64>>, StudyPageError> {

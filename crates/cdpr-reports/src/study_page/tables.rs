@@ -34,10 +34,10 @@ pub struct ErrorRow {
     pub error: PoseErrorStatistics,
 }
 
-/// Subjects of a field's statistics, in the order of all tables.
-pub fn error_rows(summary: &Summary) -> [ErrorRow; 4] {
+/// Subjects of a field's statistics, in the order of all tables; forces where the machine has any, tensions where they are commanded.
+pub fn error_rows(summary: &Summary) -> Vec<ErrorRow> {
     let millimetres = |name, error| ErrorRow { name, unit: "mm", factor: 1e3, error };
-    [
+    let mut rows = vec![
         millimetres("position, exact", summary.position_error_m),
         millimetres("position, one linear step", summary.linear_position_error_m),
         millimetres("linear step beside exact", summary.linear_residual_m),
@@ -47,7 +47,15 @@ pub fn error_rows(summary: &Summary) -> [ErrorRow; 4] {
             factor: 1.0_f64.to_degrees(),
             error: summary.rotation_error_rad,
         },
-    ]
+    ];
+    let newtons = |name, error| ErrorRow { name, unit: "N", factor: 1.0, error };
+    rows.extend(summary.residual_force.map(|force| newtons("residual force, held at the pose", force)));
+    rows.extend(summary.tension_error.map(|error| {
+        let (mean, rms, max) = (error.mean_abs, error.rms, error.max);
+        let known = PoseErrorStatistics { mean, rms, median: f64::NAN, p95: f64::NAN, max };
+        newtons("tension, emerging less commanded", known)
+    }));
+    rows
 }
 
 /// The first poses: titles of the columns, and rows of cells.
@@ -68,6 +76,8 @@ pub(super) fn poses(page: &StudyPage<'_>) -> Value {
     titles.push("linear step, mm".to_owned());
     let has_tensions = page.experiment.tensions_emerge();
     titles.extend(has_tensions.then(|| "tensions, N".to_owned()));
+    let tracks = page.found.summary.tension_error.is_some();
+    titles.extend(tracks.then(|| "commanded, N".to_owned()));
     let row = |(index, sample): (usize, &Sample)| -> Vec<String> {
         let components = pattern.pose_to_components(robot.plane, &sample.commanded);
         let mut cells = vec![(index + 1).to_string()];
@@ -83,9 +93,13 @@ pub(super) fn poses(page: &StudyPage<'_>) -> Value {
         }
         cells.push(millimetres(sample.linear.map(|error| error.fixed_rows::<3>(0).norm())));
         if has_tensions {
-            let tensions = sample.outcome.tensions.as_ref().filter(|_| sample.exact.is_some());
-            let all = |tensions: &Vec<f64>| tensions.iter().map(|f| fixed(*f, 0)).collect::<Vec<_>>().join(", ");
-            cells.push(tensions.map_or_else(|| "–".to_owned(), all));
+            let listed = |tensions: &Option<Vec<f64>>| {
+                let answered = tensions.as_ref().filter(|_| sample.exact.is_some());
+                let all = |tensions: &Vec<f64>| tensions.iter().map(|f| fixed(*f, 0)).collect::<Vec<_>>().join(", ");
+                answered.map_or_else(|| "–".to_owned(), all)
+            };
+            cells.push(listed(&sample.outcome.tensions));
+            cells.extend(tracks.then(|| listed(&sample.outcome.commanded_tensions)));
         }
         cells
     };

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::control::Control;
-use super::errors::{LengthErrorStatistics, PoseErrorStatistics};
+use super::errors::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use super::input_error::InputError;
 use super::operation::Operation;
 use super::outcome::Outcome;
@@ -25,6 +25,8 @@ pub struct Accuracy {
     pub rotation_error_rad: PoseErrorStatistics,
     /// Lengths that the control model sends for the emerging pose, minus those it sent for the commanded one (eq. 6.6; m).
     pub length_error_m: LengthErrorStatistics,
+    /// Emerging less commanded tensions (N); `None` where control model or machine knows none.
+    pub tension_error_N: Option<TensionErrorStatistics>,
     /// Smallest tension that emerges (N); `None` for a rigid machine.
     pub tension_min_N: Option<f64>,
     /// Largest tension that emerges (N).
@@ -96,6 +98,7 @@ pub(crate) fn assess_operation(
         position_error_m: PoseErrorStatistics::of(&errors.position),
         rotation_error_rad: PoseErrorStatistics::of(&errors.rotation),
         length_error_m: LengthErrorStatistics::of(&errors.length),
+        tension_error_N: force_tracking(outcomes.iter()),
         tension_min_N: tensions.min,
         tension_max_N: tensions.max,
         statuses,
@@ -103,6 +106,14 @@ pub(crate) fn assess_operation(
         outside_limits_share: tensions.outside_limits_share,
     };
     Ok(Assessment { outcomes, accuracy })
+}
+
+/// Emerging less commanded tensions of all answers that converged; `None` where control model or machine knows none.
+pub(super) fn force_tracking<'o>(outcomes: impl Iterator<Item = &'o Outcome>) -> Option<TensionErrorStatistics> {
+    let converged = outcomes.filter(|outcome| outcome.status == Status::Converged);
+    let rows: Vec<Vec<f64>> = converged.filter_map(Outcome::tension_errors).collect();
+    let cables = rows.first()?.len();
+    Some(TensionErrorStatistics::of(&rows.concat(), cables))
 }
 
 /// Errors pose by pose.

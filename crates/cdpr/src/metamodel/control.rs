@@ -87,6 +87,11 @@ impl<'a> Controller<'a> {
         self.distribution.is_none().then_some(self.model)
     }
 
+    /// Tensions of the lengths last computed (N), where lengths depend on them.
+    pub(super) fn tensions(&self) -> Option<&[f64]> {
+        self.distribution.is_some().then_some(self.tensions.as_slice())
+    }
+
     /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none.
     pub(super) fn lengths(&mut self, pose: &Pose, state: &mut State) -> Result<Vec<f64>, OperationError> {
         if let Some(distribution) = &mut self.distribution {

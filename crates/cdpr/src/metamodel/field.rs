@@ -1,20 +1,20 @@
 //! Pose errors over many poses: exact, and by one linear step (eq. 3.16–3.28).
 
-mod linear;
+pub(super) mod linear;
 #[cfg(test)]
 mod tests;
 
 use nalgebra::Vector3;
 use serde::Serialize;
 
-use super::accuracy::outside_reach;
+use super::accuracy::{force_tracking, outside_reach};
 use super::driving::Driving;
-use super::errors::PoseErrorStatistics;
+use super::errors::{PoseErrorStatistics, TensionErrorStatistics};
 use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;
-use crate::geometry::{Pose, Twist};
+use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::Model;
 use crate::tension::Limits;
 
@@ -30,6 +30,9 @@ pub struct Sample {
     /// The same by one linear step from the commanded pose; nothing where the machine cannot be held there or meets no
     /// resistance.
     pub linear: Option<Twist>,
+    /// Residual wrench Aᵀ f + w of the cables held at the commanded pose (world; N, N·m), which moves the platform (eq. 3.23); nothing for
+    /// a rigid machine, and where nothing is sent.
+    pub residual_wrench: Option<Wrench>,
 }
 
 /// Samples with what they say together.
@@ -52,6 +55,12 @@ pub struct Summary {
     pub position_error_m: PoseErrorStatistics,
     /// Angle between commanded and emerging orientation (rad), exact.
     pub rotation_error_rad: PoseErrorStatistics,
+    /// Emerging less commanded tensions (N); `None` where control model or machine knows none.
+    #[serde(rename = "tension_error_N")]
+    pub tension_error: Option<TensionErrorStatistics>,
+    /// Residual force of the cables held at the commanded poses, moments left aside (N); `None` for a rigid machine.
+    #[serde(rename = "residual_force_N")]
+    pub residual_force: Option<PoseErrorStatistics>,
     /// Mean position error as a share of the diameter of the sampled positions (eq. 3.5); `None` for one position.
     pub relative_position_error: Option<f64>,
     /// Diameter of the sampled positions: the diagonal of their box (m).
@@ -81,7 +90,8 @@ fn sample(operation: &mut Operation<'_>, commanded: &Pose) -> Sample {
     let outcome = operation.answer(&CommandedPose::at(*commanded));
     let exact = (outcome.status == Status::Converged).then(|| commanded.displacement_to(&outcome.pose));
     let linear = linear::displacement(operation, commanded);
-    Sample { commanded: *commanded, outcome, exact, linear }
+    let residual_wrench = linear::held(operation, commanded).map(|held| held.residual_wrench);
+    Sample { commanded: *commanded, outcome, exact, linear, residual_wrench }
 }
 
 impl Field {
@@ -104,6 +114,8 @@ impl Summary {
         let rotation: Vec<f64> = exact.iter().map(|twist| twist.fixed_rows::<3>(3).norm()).collect();
         let linear: Vec<f64> = samples.iter().filter_map(|sample| sample.linear.as_ref()).map(shift).collect();
         let residual: Vec<f64> = both().map(|(exact, linear)| shift(&(linear - exact))).collect();
+        let residuals = samples.iter().filter_map(|sample| sample.residual_wrench.as_ref()).map(shift);
+        let residuals: Vec<f64> = residuals.collect();
         let trusted = both().filter(|(exact, linear)| shift(&(*linear - *exact)) <= TRUSTED * shift(exact)).count();
         let (position_error_m, diameter_m) = (PoseErrorStatistics::of(&position), diameter(samples));
         Self {
@@ -112,6 +124,8 @@ impl Summary {
             relative_position_error: (diameter_m > 0.0).then(|| position_error_m.mean / diameter_m),
             position_error_m,
             rotation_error_rad: PoseErrorStatistics::of(&rotation),
+            residual_force: (!residuals.is_empty()).then(|| PoseErrorStatistics::of(&residuals)),
+            tension_error: force_tracking(samples.iter().map(|sample| &sample.outcome)),
             diameter_m,
             linear_position_error_m: PoseErrorStatistics::of(&linear),
             linear_residual_m: PoseErrorStatistics::of(&residual),

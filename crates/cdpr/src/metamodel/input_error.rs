@@ -77,6 +77,16 @@ pub enum InputError {
         /// Whether the machine has tensions that limits could judge.
         is_elastic: bool,
     },
+    /// Errors of tensions are judged where none are commanded, or none emerge.
+    #[error(
+        "[limits] tension_error_max_N compares emerging with commanded tensions, but {}: give {} an elastic model, or take the key out",
+        if *commands { "none emerge from a rigid machine" } else { "the control model commands lengths alone" },
+        if *commands { "[machine]" } else { "[control]" }
+    )]
+    NoCommandedTensions {
+        /// Whether the control model commands tensions, so that the machine is at fault.
+        commands: bool,
+    },
     /// One initial tension cannot change alone.
     #[error("initial tensions balance the load, so that none of them changes alone: vary winch-offset instead")]
     TensionsVaryTogether,

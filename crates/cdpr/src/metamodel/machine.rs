@@ -66,6 +66,7 @@ impl<'a> Machine<'a> {
             recorded: sent.clone(),
             sent,
             tensions: None,
+            commanded_tensions: None,
             status: Status::NotConverged,
             reason: None,
         };

@@ -20,6 +20,8 @@ pub(super) struct Emerged {
     pub(super) commanded: Vec<usize>,
     /// Solution of each of those.
     pub(super) solutions: Solutions,
+    /// Tensions commanded, cable by cable for each of those (N); empty where lengths belong to none.
+    pub(super) commanded_tensions: Vec<f64>,
 }
 
 /// A control model on a machine whose winches are set, to be asked pose by pose. A clone is a snapshot: it goes on from the same states
@@ -158,6 +160,11 @@ impl<'a> Operation<'a> {
         Ok(paid_out.iter().enumerate().map(|(cable, &length)| machine.controlled_length(cable, length)).collect())
     }
 
+    /// Tensions of the command last computed (N), where the control model commands any.
+    pub(super) fn commanded_tensions(&self) -> Option<Vec<f64>> {
+        self.control.tensions().map(<[f64]>::to_vec)
+    }
+
     /// Lengths that the winches pay out when these are sent, in the units of the machine's encoders (m).
     pub(super) fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.winding.to_machine(sent)
@@ -188,7 +195,7 @@ impl<'a> Operation<'a> {
         }
         let mut guesses = PoseBatch::default();
         guesses.fill(poses);
-        let mut commanded: Vec<usize> = (0..poses.len()).collect();
+        let (mut commanded, mut commanded_tensions): (Vec<usize>, _) = ((0..poses.len()).collect(), Vec::new());
         let lengths = self.kinematic_lengths(&guesses).unwrap_or_else(|| {
             let mut lengths = LaneTable::new(self.machine().cable_count());
             (guesses, commanded) = (PoseBatch::default(), Vec::with_capacity(poses.len()));
@@ -198,12 +205,13 @@ impl<'a> Operation<'a> {
                     lengths.write(commanded.len(), &controlled);
                     guesses.push(pose);
                     commanded.push(index);
+                    commanded_tensions.extend(self.control.tensions().into_iter().flatten());
                 }
             }
             lengths
         });
         let solutions = self.machine.answer_all(&lengths, &guesses, only_taut, &mut self.states.machine)?;
-        Some(Emerged { commanded, solutions })
+        Some(Emerged { commanded, solutions, commanded_tensions })
     }
 
     /// Outcome of one command.
@@ -278,8 +286,9 @@ impl<'a> Operation<'a> {
             Ok(lengths) => lengths,
             Err(reason) => return nothing_sent(&command.pose, &reason),
         };
+        let commanded_tensions = self.commanded_tensions();
         let mut outcome = self.machine.answer(paid_out, &command.pose, &mut self.states.machine);
-        outcome.sent = sent;
+        (outcome.sent, outcome.commanded_tensions) = (sent, commanded_tensions);
         if let Ok(recorded) = self.winding.to_control(&outcome.recorded) {
             outcome.recorded = recorded;
         }
@@ -294,6 +303,7 @@ fn nothing_sent(commanded: &Pose, reason: &dyn std::error::Error) -> Outcome {
         sent: Vec::new(),
         recorded: Vec::new(),
         tensions: None,
+        commanded_tensions: None,
         status: Status::NotCommanded,
         reason: Some(reason.to_string()),
     }

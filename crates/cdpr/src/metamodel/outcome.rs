@@ -18,6 +18,8 @@ pub struct Outcome {
     pub recorded: Vec<f64>,
     /// Tensions that emerge (N); `None` for a rigid machine that fits its lengths.
     pub tensions: Option<Vec<f64>>,
+    /// Tensions that the control model commands, f_ref (N); `None` where its lengths belong to none, and where it sent nothing.
+    pub commanded_tensions: Option<Vec<f64>>,
     /// How the answer was found.
     pub status: Status,
     /// The reason in words where the status is not [`Status::Converged`].
@@ -25,6 +27,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Emerging less commanded tensions (N); `None` where one of the models knows none.
+    pub fn tension_errors(&self) -> Option<Vec<f64>> {
+        let both = self.tensions.as_ref().zip(self.commanded_tensions.as_ref());
+        both.map(|(emerging, commanded)| emerging.iter().zip(commanded).map(|(f, wanted)| f - wanted).collect())
+    }
+
     /// An error with the reason unless the machine has come to rest.
     pub(super) fn at_rest(&self) -> Result<(), OperationError> {
         match self.status {

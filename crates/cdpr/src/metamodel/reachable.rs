@@ -7,6 +7,7 @@
 mod census;
 mod differential;
 mod emerging;
+mod linear;
 #[cfg(test)]
 mod tests;
 
@@ -35,13 +36,15 @@ pub struct Requirements {
     pub position_error_max: Option<f64>,
     /// Largest angle between commanded and emerging orientation (rad).
     pub rotation_error_max: Option<f64>,
+    /// Largest difference between an emerging and its commanded tension (N).
+    pub tension_error_max: Option<f64>,
 }
 
 /// Poses at which the machine comes to rest as the requirements ask, when the control model commands them.
 ///
 /// The machine is where it is led from the commanded pose: equilibria elsewhere, which a search from other starts might find,
 /// do not count. The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
-/// 1 − error/largest error.
+/// 1 − error/largest error of position, rotation and tensions.
 pub struct Reachable<'a> {
     driving: Driving<'a>,
     requirements: Requirements,
@@ -51,9 +54,13 @@ impl<'a> Reachable<'a> {
     /// Refuses requirements that ask for nothing, as limits of tensions do of a rigid machine.
     pub fn new(driving: Driving<'a>, requirements: Requirements) -> Result<Self, InputError> {
         let machine = driving.machine();
-        let Requirements { tensions, position_error_max, rotation_error_max } = &requirements;
-        let is_elastic = machine.needs_tensions();
-        if position_error_max.is_none() && rotation_error_max.is_none() && !(is_elastic && tensions.is_some()) {
+        let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &requirements;
+        let (is_elastic, commands) = (machine.needs_tensions(), driving.control().chooses_tensions());
+        if tension_error_max.is_some() && !(is_elastic && commands) {
+            return Err(InputError::NoCommandedTensions { commands });
+        }
+        let errors = [position_error_max, rotation_error_max, tension_error_max];
+        if errors.iter().all(|largest| largest.is_none()) && !(is_elastic && tensions.is_some()) {
             return Err(InputError::NoRequirement { is_elastic });
         }
         if let Some(limits) = tensions.as_ref().filter(|limits| limits.cable_count() != machine.cable_count()) {
@@ -79,12 +86,10 @@ impl<'a> Reachable<'a> {
             let reason = outcome.reason.as_deref().unwrap_or("nothing emerges");
             return Verdict::impossible(reason, None);
         }
-        let errors = Errors::of(commanded, &outcome.pose);
-        let decisive = self
-            .margins(&errors, outcome.tensions.as_deref())
-            .into_iter()
-            .flatten()
-            .min_by(|a, b| a.margin.total_cmp(&b.margin));
+        let forces = Forces::of(outcome);
+        let errors = Errors::of(commanded, &outcome.pose, forces);
+        let decisive =
+            self.margins(&errors, forces.emerging).into_iter().flatten().min_by(|a, b| a.margin.total_cmp(&b.margin));
         match decisive {
             Some(Decisive { margin, cable, .. }) if margin >= 0.0 => Verdict::held(margin, cable),
             Some(decisive) => Verdict::failed(decisive.margin, self.words(&decisive, &errors, outcome), decisive.cable),
@@ -92,10 +97,14 @@ impl<'a> Reachable<'a> {
         }
     }
 
-    fn margins(&self, errors: &Errors, emerging: Option<&[f64]>) -> [Option<Decisive>; 3] {
-        let Requirements { tensions, position_error_max, rotation_error_max } = &self.requirements;
+    fn margins(&self, errors: &Errors, emerging: Option<&[f64]>) -> [Option<Decisive>; 4] {
+        let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &self.requirements;
         let of_error = |kind, error: f64, largest: f64| Decisive { kind, margin: 1.0 - error / largest, cable: None };
         [
+            tension_error_max.zip(errors.tension).map(|(largest, (error, cable))| Decisive {
+                cable: Some(cable),
+                ..of_error(Kind::Tracking, error, largest)
+            }),
             position_error_max.map(|largest| of_error(Kind::Position, errors.position, largest)),
             rotation_error_max.map(|largest| of_error(Kind::Rotation, errors.rotation, largest)),
             tensions.as_ref().zip(emerging).map(|(limits, tensions)| {
@@ -107,8 +116,16 @@ impl<'a> Reachable<'a> {
 
     /// Why a requirement is not kept.
     fn words(&self, decisive: &Decisive, errors: &Errors, outcome: &Outcome) -> String {
-        let Requirements { tensions, position_error_max, rotation_error_max } = &self.requirements;
+        let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &self.requirements;
         match decisive.kind {
+            Kind::Tracking => {
+                let (error, cable) = errors.tension.unwrap_or((f64::NAN, 0));
+                let most = tension_error_max.unwrap_or(f64::NAN);
+                format!(
+                    "the tension of cable {} misses the commanded one by {error:.1} N, {most:.1} N are allowed",
+                    cable + 1
+                )
+            }
             Kind::Position => {
                 let (error, most) = (1e3 * errors.position, 1e3 * position_error_max.unwrap_or(f64::NAN));
                 format!(
@@ -137,16 +154,37 @@ impl<'a> Reachable<'a> {
     }
 }
 
-/// How far the platform is from where it was told to be (m, rad).
+/// Tensions of one command (N), as far as they are known.
+#[derive(Clone, Copy)]
+struct Forces<'t> {
+    emerging: Option<&'t [f64]>,
+    commanded: Option<&'t [f64]>,
+}
+
+/// How far the platform is from where it was told to be (m, rad), and the largest difference of a tension from the one commanded (N) with
+/// its cable.
 struct Errors {
     position: f64,
     rotation: f64,
+    tension: Option<(f64, usize)>,
 }
 
 impl Errors {
-    fn of(commanded: &Pose, emerging: &Pose) -> Self {
+    fn of(commanded: &Pose, emerging: &Pose, forces: Forces<'_>) -> Self {
         let position = (emerging.position - commanded.position).norm();
-        Self { position, rotation: emerging.angle_to(commanded) }
+        Self { position, rotation: emerging.angle_to(commanded), tension: forces.largest_error() }
+    }
+}
+
+impl<'t> Forces<'t> {
+    fn of(outcome: &'t Outcome) -> Self {
+        Self { emerging: outcome.tensions.as_deref(), commanded: outcome.commanded_tensions.as_deref() }
+    }
+
+    fn largest_error(&self) -> Option<(f64, usize)> {
+        let (emerging, commanded) = self.emerging.zip(self.commanded)?;
+        let errors = emerging.iter().zip(commanded).map(|(f, wanted)| (f - wanted).abs());
+        errors.enumerate().map(|(cable, error)| (error, cable)).max_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 
@@ -161,6 +199,7 @@ enum Kind {
     Position,
     Rotation,
     Tension,
+    Tracking,
 }
 
 /// Distance of the tensions from their limits as a share of the range, and the cable that is nearest.
@@ -202,8 +241,8 @@ impl Criterion for Reachable<'_> {
     }
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
-        let kept = self.of_emerging(poses, self.needs_all_taut(), |commanded, emerging, tensions| {
-            self.keeps(commanded, emerging, tensions)
+        let kept = self.of_emerging(poses, self.needs_all_taut(), |commanded, emerging, forces| {
+            self.keeps(commanded, emerging, forces)
         });
         answers.iter_mut().zip(kept).for_each(|(answer, kept)| *answer = kept == Some(true));
     }
@@ -212,11 +251,11 @@ impl Criterion for Reachable<'_> {
 impl Reachable<'_> {
     /// [`Reachable::verdict`] without words.
     fn is_kept(&self, commanded: &Pose, outcome: &Outcome) -> bool {
-        outcome.status == Status::Converged && self.keeps(commanded, &outcome.pose, outcome.tensions.as_deref())
+        outcome.status == Status::Converged && self.keeps(commanded, &outcome.pose, Forces::of(outcome))
     }
 
-    fn keeps(&self, commanded: &Pose, emerging: &Pose, tensions: Option<&[f64]>) -> bool {
-        let margins = self.margins(&Errors::of(commanded, emerging), tensions);
+    fn keeps(&self, commanded: &Pose, emerging: &Pose, forces: Forces<'_>) -> bool {
+        let margins = self.margins(&Errors::of(commanded, emerging, forces), forces.emerging);
         margins.iter().flatten().all(|decisive| decisive.margin >= 0.0)
     }
 
@@ -225,32 +264,35 @@ impl Reachable<'_> {
         self.requirements.tensions.as_ref().is_some_and(|limits| limits.minimum().iter().all(|&least| least > 0.0))
     }
 
-    /// Applies `of` to commanded pose, emerging pose and tensions (N) of each of many commands, in batches where the machine has
+    /// Applies `of` to commanded pose, emerging pose and tensions of each of many commands, in batches where the machine has
     /// them; nothing where the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as
     /// long, may be left out.
     fn of_emerging<T>(
         &self,
         poses: &[Pose],
         only_taut: bool,
-        of: impl Fn(&Pose, &Pose, Option<&[f64]>) -> T,
+        of: impl Fn(&Pose, &Pose, Forces<'_>) -> T,
     ) -> Vec<Option<T>> {
         let mut found: Vec<Option<T>> = poses.iter().map(|_| None).collect();
         let mut tensions = vec![0.0; self.driving.machine().cable_count()];
         let mut operation = self.driving.operation();
         match operation.answer_all(poses, only_taut) {
-            Some(Emerged { commanded, solutions }) => {
+            Some(Emerged { commanded, solutions, commanded_tensions }) => {
+                let cables = tensions.len();
                 let settled = |item: &usize| solutions.status(*item) == elastostatics::Status::Converged;
                 for item in (0..commanded.len()).filter(settled) {
                     tensions.iter_mut().enumerate().for_each(|(cable, f)| *f = solutions.tension(cable, item));
                     let index = commanded[item];
-                    found[index] = Some(of(&poses[index], &solutions.pose(item), Some(&tensions)));
+                    let wanted = commanded_tensions.get(item * cables..(item + 1) * cables);
+                    let forces = Forces { emerging: Some(&tensions), commanded: wanted };
+                    found[index] = Some(of(&poses[index], &solutions.pose(item), forces));
                 }
             }
             None => {
                 for (pose, found) in poses.iter().zip(&mut found) {
                     let outcome = operation.answer(&CommandedPose::at(*pose));
                     let is_settled = outcome.status == Status::Converged;
-                    *found = is_settled.then(|| of(pose, &outcome.pose, outcome.tensions.as_deref()));
+                    *found = is_settled.then(|| of(pose, &outcome.pose, Forces::of(&outcome)));
                 }
             }
         }

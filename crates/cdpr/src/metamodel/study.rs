@@ -156,6 +156,9 @@ pub struct StudyLimits {
     pub position_error_max_m: Option<f64>,
     /// Largest rotation error of the reachable workspace (rad).
     pub rotation_error_max_rad: Option<f64>,
+    /// Largest difference between an emerging and its commanded tension in the reachable workspace (N); for control models that command
+    /// tensions.
+    pub tension_error_max_N: Option<f64>,
 }
 
 /// Poses to command.

@@ -25,6 +25,7 @@ mod elastostatic_identification;
 mod elastostatic_oracle;
 mod elastostatics;
 mod feasibility_oracle;
+mod force_tracking;
 mod foreign_reader_properties;
 mod forward_kinematics;
 mod forward_statics;

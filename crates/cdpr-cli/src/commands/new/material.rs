@@ -61,7 +61,11 @@ macro_rules! studies {
 const STUDY_FILES: &[EmbeddedFile] = studies![
     "planar-circle.toml",
     "planar-disconnected.toml",
+    "planar-force-circle-identified.toml",
+    "planar-force-circle.toml",
     "planar-force-control.toml",
+    "planar-force-tracking-identified.toml",
+    "planar-force-tracking.toml",
     "planar-initial-tension-stiff.toml",
     "planar-initial-tension.toml",
     "planar-low-calibrated.toml",
@@ -96,6 +100,8 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "robots/planar-calibrated-wide.toml",
     "robots/planar-over-the-top.toml",
     "robots/planar-stiff.toml",
+    "robots/planar-tracking-identified.toml",
+    "robots/planar-tracking-machine.toml",
     "robots/planar-unloaded.toml",
     "robots/twin-elastostatic-nominal.toml",
 ];

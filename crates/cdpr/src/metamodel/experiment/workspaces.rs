@@ -37,6 +37,7 @@ impl Experiment {
             tensions: self.limits().filter(|_| self.machine.needs_tensions()),
             position_error_max: limits.and_then(|limits| limits.position_error_max_m),
             rotation_error_max: limits.and_then(|limits| limits.rotation_error_max_rad),
+            tension_error_max: limits.and_then(|limits| limits.tension_error_max_N),
         }
     }
 

@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::cable::CableInput;
-use crate::geometry::{Pose, Twist};
+use crate::cable::{CableInput, CableState};
+use crate::geometry::{Pose, Twist, Wrench};
 use crate::metamodel::operation::Operation;
 use crate::model::{Cables, Model};
 use crate::statics::{Load, Stiffness};
@@ -18,17 +18,27 @@ use crate::tension::Limits;
 pub(super) fn displacement(operation: &mut Operation<'_>, commanded: &Pose) -> Option<Twist> {
     let controlled = operation.controlled_lengths(commanded).ok()?;
     let machine = operation.machine();
-    let held = || as_held(machine, commanded, &controlled);
+    let held = || Held::at(machine, commanded, &controlled).map(|held| held.step);
     let amounts = match machine.cables() {
         Cables::Rigid => rigid(machine, commanded, &controlled),
         Cables::Linear => at_balance(machine, commanded, &controlled).or_else(held),
         Cables::Stretching | Cables::Sagging => held(),
     }?;
+    Some(in_world(machine, &amounts))
+}
+
+fn in_world(machine: &Model, amounts: &DVector<f64>) -> Twist {
     let mut twist = Twist::zeros();
     for (direction, amount) in machine.twist_basis().iter().zip(amounts.iter()) {
         twist += direction * *amount;
     }
-    Some(twist)
+    twist
+}
+
+/// A machine whose platform is held at a commanded pose; `None` for a rigid one, and where nothing is sent or it meets no resistance.
+pub(in crate::metamodel) fn held(operation: &mut Operation<'_>, commanded: &Pose) -> Option<Held> {
+    let controlled = operation.controlled_lengths(commanded).ok().filter(|_| operation.knows_tensions())?;
+    Held::at(operation.machine(), commanded, &controlled)
 }
 
 /// Tensions below this are taken for it (N): a slack cable has no stiffness to go by.
@@ -55,20 +65,54 @@ fn at_balance(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVecto
     Some(stiffness.pose_by_controlled_lengths()? * change).filter(|step| step.iter().all(|entry| entry.is_finite()))
 }
 
-/// δx = K_wx⁻¹ (Aᵀ f + w) with the tensions f of the cables where they are held.
-fn as_held(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f64>> {
-    let load = Load::of(machine.robot()).ok()?;
-    let (mut wrench, mut stiffness) = (load.wrench(pose), -load.gradient(pose));
-    for (cable, &length) in controlled.iter().enumerate() {
-        let state = machine.cable_state(cable, pose, CableInput::ControlledLength(length)).ok()?;
-        wrench += state.wrench();
-        stiffness += state.stiffness();
+/// A machine whose platform is held at a pose, and what one linear step from there says.
+pub(in crate::metamodel) struct Held {
+    /// Aᵀ f + w with the tensions f(q_θ) of the cables where they are held (world; N, N·m).
+    pub(in crate::metamodel) residual_wrench: Wrench,
+    /// δx = K_wx⁻¹ (Aᵀ f + w) with the stiffness at these tensions, in the robot's degrees of freedom (eq. 3.24).
+    step: DVector<f64>,
+    cables: Vec<CableState>,
+}
+
+impl Held {
+    pub(super) fn at(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<Self> {
+        let load = Load::of(machine.robot()).ok()?;
+        let (mut wrench, mut stiffness) = (load.wrench(pose), -load.gradient(pose));
+        let mut cables = Vec::with_capacity(controlled.len());
+        for (cable, &length) in controlled.iter().enumerate() {
+            let state = machine.cable_state(cable, pose, CableInput::ControlledLength(length)).ok()?;
+            wrench += state.wrench();
+            stiffness += state.stiffness();
+            cables.push(state);
+        }
+        let basis = machine.twist_basis();
+        let n = machine.dof();
+        let matrix = DMatrix::from_fn(n, n, |row, column| basis[row].dot(&(stiffness * basis[column])));
+        let right = DVector::from_fn(n, |row, _| basis[row].dot(&wrench));
+        let step = matrix.lu().solve(&right).filter(|step| step.iter().all(|entry| entry.is_finite()))?;
+        Some(Self { residual_wrench: wrench, step, cables })
     }
-    let basis = machine.twist_basis();
-    let n = machine.dof();
-    let matrix = DMatrix::from_fn(n, n, |row, column| basis[row].dot(&(stiffness * basis[column])));
-    let right = DVector::from_fn(n, |row, _| basis[row].dot(&wrench));
-    matrix.lu().solve(&right).filter(|step| step.iter().all(|entry| entry.is_finite()))
+
+    /// Displacement of the platform by the step (m, rad; world axes).
+    pub(in crate::metamodel) fn displacement(&self, machine: &Model) -> Twist {
+        in_world(machine, &self.step)
+    }
+
+    /// Tensions at the outlets after the step, f(q_θ) − K A δx (eq. 3.35), which start from those at the commanded pose (N).
+    pub(in crate::metamodel) fn tensions(&self, machine: &Model) -> Vec<f64> {
+        let changes = self.changes_along(&self.displacement(machine));
+        self.cables.iter().zip(changes).map(|(cable, change)| cable.outlet_tension + change).collect()
+    }
+
+    /// Changes of the tensions at the outlets along a displacement of the platform, at fixed controlled lengths (N); a cable that is slack
+    /// stays slack.
+    pub(super) fn changes_along(&self, displacement: &Twist) -> Vec<f64> {
+        let change = |cable: &CableState| match cable.outlet_tension > 0.0 {
+            true => -cable.controlled_length_by_pose().dot(displacement) / cable.controlled_length_by_tension,
+            false => 0.0,
+        };
+        self.cables.iter().map(change).collect()
+    }
 }
 
 /// Least squares of −Aᵀ δx = q_θ − q(x).

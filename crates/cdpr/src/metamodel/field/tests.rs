@@ -95,3 +95,50 @@ fn the_linear_step_of_a_rigid_machine_is_that_of_least_squares() {
     assert!(whole > 1e-3);
     assert!((misses / half_misses - 4.0).abs() < 0.1, "{misses} {half_misses}");
 }
+
+/// Towards a zero of the error what the step misses of the tensions falls with the square of the distance.
+#[test]
+fn a_third_of_the_distance_leaves_a_ninth_of_what_the_step_misses_of_the_tensions() {
+    let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
+    let driving = Driving::new(&control, &machine, &offsets).unwrap();
+    let missed = |distance: f64| {
+        let pose = at(distance, 5.2 - 0.5 * distance);
+        let exact = driving.outcome(&pose).tensions.unwrap();
+        let step = linear::held(&mut driving.operation(), &pose).unwrap().tensions(&machine);
+        step.iter().zip(&exact).map(|(step, exact)| (step - exact).powi(2)).sum::<f64>().sqrt()
+    };
+    let [far, near] = [missed(0.3), missed(0.1)];
+    // a ninth, and a bit for the third order
+    assert!(near > 1e-3 && near < far / 8.0 && near > far / 10.0, "{far} {near}");
+}
+
+/// −(∂q_θ/∂x)/(∂q_θ/∂T) is the change of a tension at a fixed length: central differences over poses at which the cables are held.
+#[test]
+fn tensions_follow_the_platform_at_fixed_lengths_as_differences_say() {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    for cable in &mut robot.cables {
+        cable.linear_density = Some(0.3);
+    }
+    robot.gravity = Some(nalgebra::Vector3::new(0.0, 0.0, -9.81));
+    for composition in ["elastic", "elastic+catenary"] {
+        let machine = Model::new(robot.clone(), composition.parse().unwrap()).unwrap();
+        let pose = Pose::from_xyz_angles(nalgebra::Vector3::new(0.4, -0.7, 1.6), [0.05, -0.03, 0.1]);
+        let tensions = [3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
+        let lengths = crate::statics::controlled_lengths(&machine, &pose, &tensions).unwrap();
+        let tension = |pose: &Pose, cable: usize| {
+            let input = crate::cable::CableInput::ControlledLength(lengths[cable]);
+            machine.cable_state(cable, pose, input).unwrap().outlet_tension
+        };
+        // long enough for a length found to 1e-12 m in cables of 1e6 N/m
+        let h = 1e-5;
+        let held = linear::Held::at(&machine, &pose, &lengths).unwrap();
+        for twist in machine.twist_basis() {
+            let changes = held.changes_along(twist);
+            for (cable, change) in changes.iter().enumerate() {
+                let ends = [h, -h].map(|step| tension(&pose.displaced(&(*twist * step)), cable));
+                let slope = (ends[0] - ends[1]) / (2.0 * h);
+                assert!((slope - change).abs() < 1e-4 * slope.abs() + 1.0, "{composition} {cable}: {slope} {change}");
+            }
+        }
+    }
+}

@@ -35,7 +35,7 @@ impl Planar {
 
     fn reachable(&self, position_error_max: Option<f64>) -> Reachable<'_> {
         let requirements =
-            Requirements { tensions: Some(self.limits.clone()), position_error_max, rotation_error_max: None };
+            Requirements { tensions: Some(self.limits.clone()), position_error_max, ..Requirements::default() };
         Reachable::new(self.driving(&self.machine), requirements).unwrap()
     }
 
@@ -169,7 +169,7 @@ fn many_poses_are_reached_where_each_is() {
         })
         .collect();
     for tensions in [None, Some(limits)] {
-        let requirements = Requirements { tensions, position_error_max: Some(0.05), rotation_error_max: None };
+        let requirements = Requirements { tensions, position_error_max: Some(0.05), ..Requirements::default() };
         let driving = Driving::new(&control, &machine, &[0.0; 8]).unwrap();
         let reachable = Reachable::new(driving, requirements).unwrap();
         let mut answers = vec![false; poses.len()];
@@ -192,7 +192,7 @@ fn a_census_says_of_every_cell_what_its_pose_says_alone() {
     let limits = Limits::of(machine.robot(), None, None).unwrap();
     let grid = Grid::new(&Bounds::new(3, &[-6.0, 6.0, -6.0, 6.0, 0.0, 6.0]).unwrap(), 1.0).unwrap();
     for tensions in [None, Some(limits)] {
-        let requirements = Requirements { tensions, position_error_max: Some(0.06), rotation_error_max: None };
+        let requirements = Requirements { tensions, position_error_max: Some(0.06), ..Requirements::default() };
         let driving = Driving::new(&control, &machine, &[0.0; 8]).unwrap();
         let reachable = Reachable::new(driving, requirements).unwrap();
         let level = Archetype::ConstantOrientation(nalgebra::UnitQuaternion::identity());

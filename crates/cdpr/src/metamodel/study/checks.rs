@@ -92,6 +92,7 @@ fn check_limits(study: &Study, place: &Place<'_>) -> Result<(), ReadError> {
         ("tension_max_N", limits.tension_max_N),
         ("position_error_max_m", limits.position_error_max_m),
         ("rotation_error_max_rad", limits.rotation_error_max_rad),
+        ("tension_error_max_N", limits.tension_error_max_N),
     ] {
         // written so that NaN is refused too
         if value.is_some_and(|value| !(value >= 0.0 && value.is_finite())) {
