@@ -88,6 +88,7 @@ fn twin_hull() {
             tensions: Some(Limits::of(machine.robot(), None, None).expect("limits")),
             position_error_max: None,
             rotation_error_max: None,
+            tension_error_max: None,
         };
         let driving = Driving::new(&control, &machine, &[0.0; 8]).expect("one robot");
         let reachable = Reachable::new(driving, requirements).expect("requirements");
