@@ -1,6 +1,7 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
 mod report;
+mod uncertainty;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -97,6 +98,9 @@ pub(crate) struct Arguments {
     /// Report to write: tables and charts in one HTML file.
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
+
+    #[command(flatten)]
+    uncertainty: uncertainty::UncertaintyArguments,
 }
 
 /// Minimizers by their names.
@@ -117,7 +121,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     task.tell_about_unused_column(output);
     let result = task.identify(other.as_ref())?;
     let calibrated = result.fit.model.robot().to_toml();
-    let answer = task.answer(result, output.doubts())?;
+    let uncertainty = uncertainty::find(&task, &result.fit)?;
+    let files = uncertainty.files(&result.fit.model);
+    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty);
+    arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
         .as_ref()

@@ -392,3 +392,40 @@ fn criteria_stand_side_by_side_and_say_where_they_disagree() {
     assert_eq!(refused.exit_code, 2);
     assert!(refused.stderr.contains("500 folds need at least 500 samples"), "{}", refused.stderr);
 }
+
+/// Profiles, bootstrap and bands of an identification: keys, files, and what is refused.
+#[test]
+fn an_identification_tells_its_uncertainty_three_ways() {
+    let folder = tempfile::tempdir().unwrap();
+    cdpr_in(folder.path(), "demo --out data");
+    let identify = "identify data/robot.toml data/training.csv --free frame-anchor --loss squared --starts 1";
+    let arguments = "--profile frame-anchor[1].x,frame-anchor[2] --bootstrap 100 --uncertainty out";
+    let run = cdpr_in(folder.path(), &format!("{identify} {arguments} --format json"));
+    let answer = run.json();
+    let profiles = answer["profiles"].as_array().unwrap();
+    let names: Vec<&str> = profiles.iter().map(|one| one["parameter"].as_str().unwrap()).collect();
+    assert_eq!(names, ["frame-anchor[1].x", "frame-anchor[2].x", "frame-anchor[2].y", "frame-anchor[2].z"]);
+    for profile in profiles {
+        let number = |value: &serde_json::Value| value.as_f64().unwrap();
+        let half = 0.5 * (number(&profile["interval"][1]) - number(&profile["interval"][0]));
+        // anchors of cables metres long that are known to centimetres are nearly a linear problem
+        assert!((half / (1.96 * number(&profile["sigma"])) - 1.0).abs() < 0.02, "{profile}");
+        let points = profile["points"].as_array().unwrap();
+        assert!(points.iter().all(|point| number(&point["held"]) >= number(&point["refitted"]) - 1e-6), "{profile}");
+    }
+    let bootstrap = &answer["bootstrap"];
+    assert_eq!((bootstrap["replicates"].as_u64(), bootstrap["parameters"].as_array().unwrap().len()), (Some(100), 24));
+    let warned = answer["warnings"].as_array().unwrap().contains(&bootstrap["warning"]);
+    assert_eq!(warned, !bootstrap["warning"].is_null());
+    for name in ["profiles.csv", "profiles.svg", "bootstrap.csv", "pose-bands.csv"] {
+        assert!(folder.path().join("out").join(name).is_file(), "{name}");
+    }
+    let again = cdpr_in(folder.path(), &format!("{identify} {arguments} --threads 1 --format json")).json();
+    assert_eq!(again["bootstrap"], *bootstrap);
+    let text = cdpr_in(folder.path(), &format!("{identify} {arguments}")).stdout;
+    assert!(text.contains("by profile, from") && text.contains("bootstrap / linear"), "{text}");
+    let unknown = cdpr_in(folder.path(), &format!("{identify} --profile compliance"));
+    assert_eq!(unknown.exit_code, 2);
+    assert!(unknown.stderr.contains("`compliance` is no free parameter of this fit"), "{}", unknown.stderr);
+    assert_eq!(cdpr_in(folder.path(), &format!("{identify} --bootstrap 50 --split blocks:3")).exit_code, 2);
+}

@@ -8,9 +8,9 @@ use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
 
-use super::Answer;
 use super::error_table::convergence_remark;
 use super::identification_words as words;
+use super::{Answer, UncertaintyAnswer};
 
 /// Parameters of a model with errors before and after.
 #[derive(Serialize)]
@@ -57,6 +57,8 @@ pub struct IdentificationAnswer {
     pub(super) doubts: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,
+    #[serde(flatten)]
+    pub(super) uncertainty: UncertaintyAnswer,
     #[serde(skip)]
     pub(super) pattern: MotionPattern,
 }
@@ -133,8 +135,16 @@ impl IdentificationAnswer {
             doubts,
             warnings,
             out,
+            uncertainty: UncertaintyAnswer::default(),
             pattern: model.robot().motion_pattern,
         }
+    }
+
+    /// The same with profiles and bootstrap, whose warning joins the others.
+    #[must_use]
+    pub fn with_uncertainty(mut self, uncertainty: UncertaintyAnswer) -> Self {
+        self.warnings.extend(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
+        Self { uncertainty, ..self }
     }
 
     /// Warnings for the reader, doubts about the outcome first.

@@ -35,6 +35,7 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     if let Some(frames) = &answer.frames {
         text.push_str(&format!("\n{}", frame_words(frames)));
     }
+    text.push_str(&answer.uncertainty.words(width));
     text.push_str(&format!("\n{}", errors(answer, width)));
     if !answer.outliers.is_empty() {
         text.push_str(&format!("\n{}", outliers(answer, width)));

@@ -29,6 +29,7 @@ mod stiffness_answer;
 mod study_answer;
 mod tension_answer;
 mod test_bench_answer;
+mod uncertainty_answer;
 mod workspace_answer;
 mod wrench_answer;
 
@@ -55,5 +56,6 @@ pub use stiffness_answer::StiffnessAnswer;
 pub use study_answer::{StudyAnswer, unanswered};
 pub use tension_answer::{Found as TensionsFound, TensionAnswer, is_shown, is_turn};
 pub use test_bench_answer::{TestBenchAnswer, cable_keys};
+pub use uncertainty_answer::UncertaintyAnswer;
 pub use workspace_answer::{Asked, WorkspaceAnswer};
 pub use wrench_answer::WrenchAnswer;

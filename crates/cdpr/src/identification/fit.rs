@@ -7,6 +7,7 @@ mod descent;
 mod frames;
 mod input_error;
 mod optimum;
+mod profile;
 mod robust;
 mod settings;
 #[cfg(test)]
@@ -18,6 +19,8 @@ use checks::{checked_parameters, explains_tensions, is_at_bound, length_residual
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
 pub use input_error::InputError;
+pub(super) use profile::Course;
+pub use profile::{Profile, ProfilePoint, profiles};
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
 pub use settings::{Prior, Settings};
 

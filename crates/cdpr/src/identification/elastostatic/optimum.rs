@@ -44,6 +44,11 @@ impl Optimum {
         &self.calibrated
     }
 
+    /// Weighted squares of data and priors.
+    pub(crate) fn cost(&self) -> f64 {
+        self.end.cost
+    }
+
     pub(crate) fn converged(&self) -> bool {
         self.end.converged
     }

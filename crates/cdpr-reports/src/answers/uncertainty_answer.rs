@@ -1,0 +1,209 @@
+//! Profiles of parameters, bootstrap deviations and bands of poses: JSON, words, tables and figures.
+
+use std::fmt::Write;
+
+use cdpr::geometry::Pose;
+use cdpr::identification::fit::Profile;
+use cdpr::identification::{PoseBand, Resampled};
+use cdpr::model::Model;
+use serde::Serialize;
+
+use crate::NamedFile;
+use crate::figures::{Map, MapPoint, ProfileCurves, profiles};
+use crate::number_format::{NONE, decimals_for, fixed, significant};
+use crate::study_page::{SAME_HEIGHT, levels};
+use crate::table::Table;
+
+/// Uncertainty of a fit beyond its linear deviations.
+#[derive(Default, Serialize)]
+pub struct UncertaintyAnswer {
+    /// Profiles of chosen parameters.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub profiles: Vec<Profile>,
+    /// Deviations of a bootstrap of blocks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bootstrap: Option<Resampled>,
+    /// Bands of poses that the calibrated model commands.
+    #[serde(skip)]
+    pub bands: Vec<(Pose, Option<PoseBand>)>,
+}
+
+/// Half width of a 95 % interval of a normal distribution, in standard deviations.
+const NORMAL_95: f64 = 1.959_964;
+
+/// A unit for people and the factor to it.
+fn shown(unit: &'static str) -> (&'static str, f64) {
+    match unit {
+        "m" => ("mm", 1e3),
+        "1/N" => ("1/GN", 1e9),
+        other => (other, 1.0),
+    }
+}
+
+impl UncertaintyAnswer {
+    pub(super) fn words(&self, width: Option<usize>) -> String {
+        let mut text = String::new();
+        if !self.profiles.is_empty() {
+            text.push_str(&format!("\nprofiles, 95 % intervals\n\n{}", self.profile_table(width)));
+        }
+        if let Some(found) = &self.bootstrap {
+            let Resampled { replicates, failed, block_length, .. } = found;
+            let failures = if *failed > 0 { format!(", {failed} more without a fit") } else { String::new() };
+            text.push_str(&format!(
+                "\nbootstrap: {replicates} data sets of blocks of {block_length} samples{failures}\n\n{}",
+                bootstrap_table(found, width)
+            ));
+        }
+        text
+    }
+
+    fn profile_table(&self, width: Option<usize>) -> String {
+        let mut table = Table::new(["parameter", "unit", "value", "by σ, from", "to", "by profile, from", "to"]);
+        for profile in &self.profiles {
+            let (unit, factor) = shown(profile.unit);
+            let decimals = decimals_for(Some(factor * profile.sigma));
+            let number = |value: f64| fixed(factor * value, decimals);
+            let end = |end: Option<f64>| end.map_or_else(|| NONE.to_owned(), number);
+            let half = NORMAL_95 * profile.sigma;
+            table.row(vec![
+                profile.parameter.clone(),
+                unit.to_owned(),
+                number(profile.value),
+                number(profile.value - half),
+                number(profile.value + half),
+                end(profile.interval[0]),
+                end(profile.interval[1]),
+            ]);
+        }
+        table.text(width)
+    }
+
+    /// Tables and figures; bands are drawn in the plane of a planar robot, else from above, height by height.
+    pub fn files(&self, model: &Model) -> Vec<NamedFile> {
+        let mut files = Vec::new();
+        if !self.profiles.is_empty() {
+            files.push(NamedFile::new("profiles.csv", profiles_csv(&self.profiles)));
+            let curves: Vec<ProfileCurves> = self.profiles.iter().map(curves).collect();
+            files.extend(profiles(&curves).map(|figure| NamedFile::new("profiles.svg", figure.file())));
+        }
+        if let Some(found) = &self.bootstrap {
+            files.push(NamedFile::new("bootstrap.csv", bootstrap_csv(found)));
+        }
+        if !self.bands.is_empty() {
+            files.push(NamedFile::new("pose-bands.csv", bands_csv(&self.bands)));
+            files.extend(self.band_maps(model));
+        }
+        files
+    }
+
+    fn band_maps(&self, model: &Model) -> Vec<NamedFile> {
+        let axes: Vec<usize> = model.axes().iter().map(|axis| axis.iamax()).collect();
+        let heights: Vec<f64> = self.bands.iter().map(|(pose, _)| pose.position.z).collect();
+        let heights: Vec<Option<f64>> = match axes.len() > 2 {
+            true => levels(&heights).into_iter().map(Some).collect(),
+            false => vec![None],
+        };
+        let bands = || self.bands.iter().filter_map(|(pose, band)| Some((pose.position, band.as_ref()?)));
+        let top = bands().map(|(_, band)| 1e3 * band.position).fold(0.0, f64::max);
+        let drawn = |height: Option<f64>| {
+            let is_there = |z: f64| height.is_none_or(|height| (z - height).abs() < SAME_HEIGHT);
+            let points = bands().filter(|(position, _)| is_there(position.z));
+            let of = height.map_or_else(String::new, |height| format!(" at z = {} m", significant(height, 3)));
+            let map = Map {
+                title: Vec::new(),
+                points: points
+                    .map(|(position, band)| MapPoint {
+                        at: [position[axes[0]], position[axes[1]]],
+                        error: 1e3 * band.position,
+                    })
+                    .collect(),
+                arrows: Vec::new(),
+                axes: [axes[0], axes[1]].map(|axis| ["x", "y", "z"][axis].to_owned()),
+                top,
+                colour_label: format!("standard deviation of the position in mm{of}"),
+            };
+            let name = height.map_or_else(String::new, |height| format!("-at-z-{height:.2}"));
+            Some(NamedFile::new(format!("pose-band{name}.svg"), map.svg()?.file()))
+        };
+        heights.into_iter().filter_map(drawn).collect()
+    }
+}
+
+fn curves(profile: &Profile) -> ProfileCurves {
+    let (unit, factor) = shown(profile.unit);
+    let of = |read: fn(&cdpr::identification::fit::ProfilePoint) -> f64, factor: f64| {
+        profile.points.iter().map(|point| factor * read(point)).collect::<Vec<f64>>()
+    };
+    ProfileCurves {
+        name: profile.parameter.clone(),
+        unit: unit.to_owned(),
+        shifts: of(|point| point.shift, factor),
+        held: of(|point| point.held.max(0.0).sqrt(), 1.0 / profile.threshold.sqrt()),
+        refitted: of(|point| point.refitted.max(0.0).sqrt(), 1.0 / profile.threshold.sqrt()),
+        length_rms: of(|point| point.length_rms_m, 1e3),
+        position_mean: of(|point| point.position_mean_m, 1e3),
+        levels: [1e3 * profile.length_rms_m, 1e3 * profile.given_length_rms_m],
+    }
+}
+
+fn bootstrap_table(found: &Resampled, width: Option<usize>) -> String {
+    let mut table = Table::new(["parameter", "unit", "linear σ", "bootstrap σ", "bootstrap / linear", "bias"]);
+    for one in &found.parameters {
+        let (unit, factor) = shown(one.unit);
+        let figure = |value: Option<f64>| value.map_or_else(|| NONE.to_owned(), |value| significant(value, 3));
+        table.row(vec![
+            one.parameter.clone(),
+            unit.to_owned(),
+            figure(one.linear.map(|sigma| factor * sigma)),
+            figure(Some(factor * one.bootstrap)),
+            figure(one.ratio),
+            figure(Some(factor * one.bias)),
+        ]);
+    }
+    table.text(width)
+}
+
+/// A field of a table; empty where there is no number.
+fn field(value: f64) -> String {
+    if value.is_nan() { String::new() } else { value.to_string() }
+}
+
+fn profiles_csv(profiles: &[Profile]) -> String {
+    let mut text = String::from("parameter,unit,value,shift,held,refitted,threshold,length_rms_m,position_mean_m\n");
+    for profile in profiles {
+        for point in &profile.points {
+            let numbers = [
+                profile.value,
+                point.shift,
+                point.held,
+                point.refitted,
+                profile.threshold,
+                point.length_rms_m,
+                point.position_mean_m,
+            ];
+            let _ = writeln!(text, "{},{},{}", profile.parameter, profile.unit, numbers.map(field).join(","));
+        }
+    }
+    text
+}
+
+fn bootstrap_csv(found: &Resampled) -> String {
+    let mut text = String::from("parameter,unit,linear,bootstrap,bias,ratio\n");
+    for one in &found.parameters {
+        let numbers = [one.linear.unwrap_or(f64::NAN), one.bootstrap, one.bias, one.ratio.unwrap_or(f64::NAN)]
+            .map(field)
+            .join(",");
+        let _ = writeln!(text, "{},{},{numbers}", one.parameter, one.unit);
+    }
+    text
+}
+
+fn bands_csv(bands: &[(Pose, Option<PoseBand>)]) -> String {
+    let mut text = String::from("x_m,y_m,z_m,sigma_position_m,sigma_rotation_rad\n");
+    for (pose, band) in bands {
+        let [x, y, z]: [f64; 3] = pose.position.into();
+        let (position, rotation) = band.map_or((f64::NAN, f64::NAN), |band| (band.position, band.rotation));
+        let _ = writeln!(text, "{x},{y},{z},{},{}", field(position), field(rotation));
+    }
+    text
+}

@@ -1,0 +1,104 @@
+use nalgebra::Vector3;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, Normal};
+
+use super::{CHI_SQUARED_95, Profile, profiles};
+use crate::geometry::Pose;
+use crate::identification::fit::{Fit, Prior, Settings, fit};
+use crate::measurement::{Samples, SensorSigmas};
+use crate::model::{Composition, FreeParameters, Model};
+use crate::robot::{ParameterKind, Robot};
+
+const SIGMA: f64 = 1e-3;
+
+fn model() -> Model {
+    Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap()
+}
+
+/// Exact poses, lengths of the model with seeded noise of the stated size.
+fn samples(count: usize, seed: u64) -> Samples {
+    let (model, mut rng) = (model(), ChaCha8Rng::seed_from_u64(seed));
+    let noise = Normal::new(0.0, SIGMA).unwrap();
+    let home = model.robot().home_or_middle();
+    let pose = |index: usize| {
+        let t = index as f64;
+        Pose::from_xyz_angles(home.position + Vector3::new(t.sin(), (1.7 * t).cos(), 0.5 * (2.3 * t).sin()), [0.0; 3])
+    };
+    let poses: Vec<Pose> = (0..count).map(pose).collect();
+    let lengths = poses.iter().flat_map(|pose| model.cable_lengths(pose).unwrap());
+    let lengths = lengths.map(|length| length + noise.sample(&mut rng)).collect();
+    let sigmas = SensorSigmas { length: Some(SIGMA), ..SensorSigmas::default() };
+    Samples { poses, lengths, cable_count: 8, sigmas, ..Samples::default() }
+}
+
+fn profiled(samples: &Samples, free: &str, settings: &Settings, place: usize) -> (Fit, Profile) {
+    let free: FreeParameters = free.parse().unwrap();
+    let fit = fit(&model(), samples, &free, settings).unwrap();
+    let mut found = profiles(&model(), samples, (&fit, settings), &[place]).unwrap();
+    (fit, found.remove(0))
+}
+
+/// Offsets are a linear problem, each alone in its cable: the weighted squares rise by n δ²/σ², held and refitted alike, and the interval is
+/// that of the linear deviation.
+#[test]
+fn a_linear_problem_has_the_parabola_of_its_deviation() {
+    let samples = samples(30, 1);
+    let (fit, profile) = profiled(&samples, "length-offset", &Settings::default(), 2);
+    assert_eq!(profile.points.len(), 13);
+    for point in &profile.points {
+        let expected = 30.0 * (point.shift / SIGMA).powi(2);
+        // the optimum is found to 1e-10 m, the sum of 240 squares is rounded
+        assert!((point.held - expected).abs() < 1e-5, "{point:?} {expected}");
+        assert!((point.refitted - expected).abs() < 1e-5, "{point:?} {expected}");
+    }
+    let half = CHI_SQUARED_95.sqrt() * fit.parameters[2].sigma.unwrap();
+    let [low, high] = profile.interval.map(Option::unwrap);
+    // ends are found to 1e-4 of their distance
+    assert!(((profile.value - low) / half - 1.0).abs() < 2e-4 && ((high - profile.value) / half - 1.0).abs() < 2e-4);
+    assert!(profile.points.iter().all(|point| point.length_rms_m >= profile.length_rms_m));
+}
+
+/// Offset and anchor of one cable explain each other in part: the others refitted make up for a shift, and only that profile has the curvature of
+/// the linear deviation, 1/σ² near the optimum.
+#[test]
+fn refitting_the_others_gives_the_curvature_of_the_deviation() {
+    let samples = samples(40, 2);
+    let (fit, profile) = profiled(&samples, "frame-anchor,length-offset", &Settings::default(), 0);
+    let sigma = fit.parameters[0].sigma.unwrap();
+    let inflation = fit.analysis.inflation.powi(2);
+    for point in profile.points.iter().filter(|point| point.shift != 0.0 && point.shift.abs() < 1.1 * sigma) {
+        let expected = inflation * (point.shift / sigma).powi(2);
+        // the deviation is 36 mm along the cables: their directions bend, by 4 % at three deviations
+        assert!((point.refitted / expected - 1.0).abs() < 0.02, "{point:?} {expected}");
+        assert!(point.held > 1.5 * point.refitted, "{point:?}");
+    }
+}
+
+/// A prior narrows the profile as it narrows the deviation: curvature n/σ² + 1/σ_prior².
+#[test]
+fn a_prior_is_part_of_the_profile() {
+    let samples = samples(25, 3);
+    let priors = vec![Prior { kind: ParameterKind::LengthOffset, sigma: SIGMA / 5.0 }];
+    let settings = Settings { priors, ..Settings::default() };
+    let (_, profile) = profiled(&samples, "length-offset", &settings, 5);
+    let weight = 25.0 / SIGMA.powi(2) + 25.0 / SIGMA.powi(2);
+    for point in &profile.points {
+        assert!((point.refitted - weight * point.shift.powi(2)).abs() < 1e-5, "{point:?}");
+    }
+}
+
+/// A radius of nothing is a bound: the interval is open below.
+#[test]
+fn an_interval_that_meets_a_bound_is_open_there() {
+    let robot = model().robot().clone();
+    let pulleys = crate::model::place_pulleys(&robot, &[(0.001, Vector3::z()); 8], &robot.home_or_middle()).unwrap();
+    let given = Model::new(pulleys, Composition::PULLEY).unwrap();
+    let samples = samples(30, 4);
+    let fit = fit(&given, &samples, &"pulley-radius".parse().unwrap(), &Settings::default()).unwrap();
+    let place = (0..8).max_by(|&a, &b| fit.parameters[a].value.total_cmp(&fit.parameters[b].value)).unwrap();
+    let sigma = fit.parameters[place].sigma.unwrap();
+    let profile = profiles(&given, &samples, (&fit, &Settings::default()), &[place]).unwrap().remove(0);
+    assert_eq!(profile.interval[0].is_none(), fit.parameters[place].value < 1.9 * sigma, "{profile:?}");
+    assert!(profile.points.iter().all(|point| profile.value + point.shift >= 0.0));
+}
