@@ -69,6 +69,17 @@ export interface Cable {
   platform_anchor_m: Vector;
   /** Null where the file states no whole pulley. */
   pulley: { radius_m: number; swivel_axis: Vector } | null;
+  /** Null where the file does not state where the drum stands. */
+  drum: Drum | null;
+}
+
+/** A drum: the ends of its axis between which cable lies, and the cable's way to its first pulley where it leaves the drum at the start angle. */
+export interface Drum {
+  radius_m: number;
+  from_m: Vector;
+  to_m: Vector;
+  /** Null behind a guide. */
+  way_m: [Vector, Vector] | null;
 }
 
 export interface Robot {

@@ -9,7 +9,7 @@ import { colour, onThemeChange } from "../theme";
 import { offerDragging } from "./dragging";
 import { dashed, dispose, handle, lines, markers } from "./drawing";
 import { type Posed, type Segment, errorVectors, largestShift, posed, roundMagnification, vector } from "./geometry";
-import { body, bounds, boxEdges, floor, wheel } from "./solid";
+import { body, bounds, boxEdges, drum, floor, wheel } from "./solid";
 import { Stage } from "./stage";
 
 const WORDS =
@@ -50,7 +50,7 @@ class RobotScene {
     private readonly stage: Stage,
   ) {
     this.box = this.room();
-    const points = boxEdges(...this.box).flat();
+    const points = [...boxEdges(...this.box).flat(), ...this.drumEnds()];
     stage.frame(points);
     this.size = Math.max(...points.map((point) => point.distanceTo(points[0] as Vector3)), 1e-3);
     const redraw = () => this.build();
@@ -193,6 +193,7 @@ class RobotScene {
       body(calibrated.platform, this.size, { solid: colour("solid"), edge: accent, width: 2 }),
       markers([...calibrated.frame, ...calibrated.platform], accent, 8, true),
       ...this.pulleys(calibrated),
+      ...this.drums(),
       ...this.errors(),
       this.axes(),
       lines([[this.position, this.knob(calibrated)]], colour("ink"), 1.5),
@@ -220,6 +221,18 @@ class RobotScene {
       const [entry, end] = [robot.frame[cable], robot.platform[cable]];
       return pulley && entry && end ? [wheel(entry, end, vector(pulley.swivel_axis), pulley.radius_m, look)] : [];
     });
+  }
+
+  /** Drums, and the cables' ways from them to their first pulleys. */
+  private drums(): Object3D[] {
+    const look = { solid: colour("solid"), edge: colour("accent"), width: 1 };
+    const stated = this.data.robot.cables.flatMap((cable) => cable.drum ?? []);
+    const ways = stated.flatMap(({ way_m }): Segment[] => (way_m ? [[vector(way_m[0]), vector(way_m[1])]] : []));
+    return [...stated.map((one) => drum(vector(one.from_m), vector(one.to_m), one.radius_m, look)), lines(ways, look.edge, 1.6)];
+  }
+
+  private drumEnds(): Vector3[] {
+    return this.data.robot.cables.flatMap((cable) => (cable.drum ? [vector(cable.drum.from_m), vector(cable.drum.to_m)] : []));
   }
 
   /** Vectors in six steps of colour, from the measured position. */

@@ -43,6 +43,16 @@ function edgesOf(shape: BufferGeometry): Segment[] {
   return found;
 }
 
+/** A drum between the ends of its axis. */
+export function drum(from: Vector3, to: Vector3, radius: number, look: Look): Object3D {
+  const shape = new CylinderGeometry(radius, radius, from.distanceTo(to), 32);
+  const made = new Group();
+  made.add(new Mesh(shape, new MeshLambertMaterial({ color: look.solid, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })), lines(edgesOf(shape), look.edge, look.width));
+  made.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), to.clone().sub(from).normalize()));
+  made.position.copy(from).add(to).multiplyScalar(0.5);
+  return made;
+}
+
 /** A wheel that the cable to `end` turns around; `entry` is where the cable enters it, `swivel` the axis that it swivels about. */
 export function wheel(entry: Vector3, end: Vector3, swivel: Vector3, radius: number, look: Look): Object3D {
   const axis = swivel.clone().normalize();

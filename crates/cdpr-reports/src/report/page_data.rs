@@ -3,9 +3,11 @@
 //! SI units, named in the keys. The block holds `result.json` without wall times and the marks of a JSON answer, and what charts need
 //! besides: the robot as given and calibrated, and the judged samples with the errors of both models. No physics is left to the script.
 
+use cdpr::cable::winch::Winch;
 use cdpr::geometry::Pose;
 use cdpr::identification::Evaluation;
 use cdpr::nalgebra::Vector3;
+use cdpr::robot::Cable;
 use serde::Serialize;
 
 use super::{Purpose, Report, Shown};
@@ -65,6 +67,36 @@ struct CableData {
     platform_anchor_nominal_m: [f64; 3],
     platform_anchor_m: [f64; 3],
     pulley: Option<PulleyData>,
+    drum: Option<DrumData>,
+}
+
+/// A drum whose place the file states: the ends of its groove on the axis, and the way of the cable to its first pulley at the start angle.
+#[derive(Serialize)]
+struct DrumData {
+    radius_m: f64,
+    from_m: [f64; 3],
+    to_m: [f64; 3],
+    way_m: Option<[[f64; 3]; 2]>,
+}
+
+/// Length of a groove that the file leaves open, in radii of its drum.
+const OPEN_GROOVE: f64 = 3.0;
+
+impl DrumData {
+    fn of(cable: &Cable) -> Option<Self> {
+        let winch = &cable.winch;
+        let (radius, position, axis) = (winch.radius?, winch.position?, *winch.axis?);
+        let length = winch.groove.and_then(|groove| groove.ends).map_or(OPEN_GROOVE * radius, |ends| ends.length);
+        let drum = Winch::of(cable).and_then(Result::ok);
+        let leaves = drum.and_then(|winch| winch.drum.departure(winch.drum.parameters().start_angle).ok().flatten());
+        let first_pulley = winch.first_pulley.unwrap_or(cable.frame_anchor);
+        Some(Self {
+            radius_m: digits(radius, 6),
+            from_m: vector(&position),
+            to_m: vector(&(position + axis * length)),
+            way_m: leaves.map(|leaves| [vector(&leaves.contact), vector(&first_pulley)]),
+        })
+    }
 }
 
 /// A pulley that the file states with radius and axis.
@@ -156,6 +188,7 @@ fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
             .pulley_radius()
             .zip(after.pulley_swivel_axis())
             .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis) }),
+        drum: DrumData::of(after),
     });
     RobotData { plane, turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
 }

@@ -8,7 +8,7 @@ use cdpr::identification::selection::{Settings, Warnings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
-use cdpr::robot::{Cable, Platform};
+use cdpr::robot::{Cable, Groove, Platform};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
@@ -234,6 +234,32 @@ fn the_verdict_is_good_without_any_warning() {
     assert_eq!(SelectionAnswer::new(&report).warnings, Vec::<String>::new());
     let html = render(&report).unwrap();
     assert!(html.contains("class=\"verdict good\"") && !html.contains("id=\"warnings\""));
+}
+
+/// A drum stands where the file says, as long as its groove, and the cable leaves it on a tangent: r² + s² is the square of the way to the axis.
+#[test]
+fn drums_are_drawn_where_the_file_states_their_place() {
+    let mut robot = spatial_robot("box");
+    let anchor = robot.cables[2].frame_anchor;
+    let winch = &mut robot.cables[2].winch;
+    (winch.radius, winch.axis) = (Some(0.1), Some(Vector3::x().into()));
+    winch.position = Some(anchor + Vector3::new(0.0, 0.3, -2.0));
+    winch.groove = Some(Groove { pitch: 0.01, ends: None });
+    let samples = measured(&robot, 60);
+    let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
+    let data = data(&page(&robot, &samples, &selection));
+    let cables = data["robot"]["cables"].as_array().unwrap();
+    assert!((0..8).all(|cable| cables[cable]["drum"].is_null() == (cable != 2)));
+    let drum = &cables[2]["drum"];
+    let point = |value: &serde_json::Value| Vector3::from_fn(|k, _| value[k].as_f64().unwrap());
+    let (from, to) = (point(&drum["from_m"]), point(&drum["to_m"]));
+    assert!((from - robot.cables[2].winch.position.unwrap()).norm() < 1e-6);
+    assert!((to - from).normalize().dot(&Vector3::x()) > 1.0 - 1e-9 && drum["radius_m"] == 0.1);
+    let [contact, pulley] = [0, 1].map(|end| point(&drum["way_m"][end]));
+    assert!((pulley - robot.cables[2].frame_anchor).norm() < 1e-6);
+    let across = |way: Vector3<f64>| Vector3::new(0.0, way.y, way.z).norm();
+    assert!((across(contact - from) - 0.1).abs() < 1e-5);
+    assert!((0.01 + across(pulley - contact).powi(2) - across(pulley - from).powi(2)).abs() < 1e-4);
 }
 
 #[test]

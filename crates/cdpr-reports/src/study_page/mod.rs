@@ -141,15 +141,20 @@ fn facts(page: &StudyPage<'_>) -> Value {
 
 /// Rule by which a pose counts as reached.
 fn reached_words(experiment: &Experiment) -> String {
-    let most = experiment.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
-    match (most, experiment.requirements().tensions.is_some()) {
+    let limits = experiment.study.limits.as_ref();
+    let most = limits.and_then(|limits| limits.position_error_max_m);
+    let tracked = limits.and_then(|limits| limits.tension_error_max_N);
+    let rule = match (most, experiment.requirements().tensions.is_some()) {
         (Some(most), true) => format!(
             "the tensions that emerge keep the limits and the position error is at most {} mm",
             short(1e3 * most)
         ),
         (Some(most), false) => format!("the position error is at most {} mm", short(1e3 * most)),
         (None, _) => "the tensions that emerge keep the limits".to_owned(),
-    }
+    };
+    let tracked =
+        tracked.map(|most| format!(", and no tension is farther than {} N from the commanded one", short(most)));
+    rule + &tracked.unwrap_or_default()
 }
 
 fn warnings(page: &StudyPage<'_>) -> Vec<String> {

@@ -34,8 +34,8 @@ impl Winch {
         Some(Self::with(cable, Parameters { radius, ..parameters(cable, radius, 0.0, None, None) }))
     }
 
-    /// The winch of a robot's cable; `None` when its file lacks what [`missing_key`] names.
-    pub(crate) fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
+    /// The winch of a robot's cable; `None` when its file lacks radius, pitch, axis or place of the drum.
+    pub fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
         let winch = &cable.winch;
         let (radius, groove) = (winch.radius?, winch.groove?);
         let mounting = match winch.guided {

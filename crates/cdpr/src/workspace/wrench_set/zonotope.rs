@@ -228,7 +228,8 @@ impl Zonotope {
     }
 
     /// Number of half-spaces.
-    pub fn facet_count(&self) -> usize {
+    #[cfg(test)]
+    pub(super) fn facet_count(&self) -> usize {
         self.facets.len()
     }
 
