@@ -8,6 +8,7 @@ use crate::failure::Failure;
 // Declared outside the macro, so that `cargo fmt` finds them.
 mod accuracy;
 mod advise;
+mod chain;
 mod check;
 mod completions;
 mod demo;
@@ -72,6 +73,7 @@ commands! {
     select: Select,
     accuracy: Accuracy,
     study: Study,
+    chain: Chain,
     reachable: Reachable,
     initial_tension: InitialTension,
     sweep: Sweep,

@@ -421,3 +421,30 @@ fn two_controllers_on_one_machine_differ_as_printed() {
     let alone = cdpr_in(folder.path(), &format!("accuracy {own} --map map.svg"));
     assert_eq!(alone.exit_code, 2, "{}", alone.stdout);
 }
+
+/// Chapter 6 as one study: stages and printed numbers in JSON, the page, and a study that has nothing for some stages.
+#[test]
+fn chapter_six_runs_as_one_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = |name: &str| root().join("studies").join(name).display().to_string();
+    let chain = format!("chain {} --region=-2,2,-2,2,0.75,2.75 --report chain.html", study("twin-chain.toml"));
+    let run = cdpr_in(folder.path(), &format!("{chain} --format json"));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json();
+    let steps = answer["steps"].as_array().unwrap();
+    let step = |name: &str| steps.iter().find(|step| step["name"] == name).unwrap();
+    let edges = step("force-control-edges");
+    // 0.94 mm and 199.6 N by hand, from another elastostatic record (see the library's test)
+    assert!((edges["position_mean_m"].as_f64().unwrap() / 0.939e-3 - 1.0).abs() < 0.05, "{edges}");
+    assert!((edges["tension_mean_norm_N"].as_f64().unwrap() / 199.6 - 1.0).abs() < 0.05, "{edges}");
+    assert!((step("reference")["printed"]["position_mean_m"].as_f64().unwrap() - 0.0398).abs() < 1e-12);
+    assert_eq!(answer["region_m"][2], serde_json::json!([0.75, 2.75]));
+    let page = std::fs::read_to_string(folder.path().join("chain.html")).unwrap();
+    assert!(page.contains("37.2 (39.8)") && !page.contains("src=\"http"), "printed numbers stand beside ours");
+    let planar = cdpr_in(folder.path(), &format!("chain {} --format json", study("planar-wide-grid.toml"))).json();
+    assert_eq!(planar["left_out"].as_array().unwrap().len(), 2);
+    assert!(planar["steps"][0]["printed"].is_null(), "another machine has nothing printed of it");
+    let wrong = cdpr_in(folder.path(), &format!("chain {} --region 1,2", study("twin-chain.toml")));
+    assert_eq!(wrong.exit_code, 2);
+    assert!(wrong.stderr.contains("6 numbers"), "{}", wrong.stderr);
+}

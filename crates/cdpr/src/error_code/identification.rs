@@ -2,6 +2,7 @@
 
 use super::ErrorCode;
 use crate::identification::candidate::CandidateError;
+use crate::identification::chain::ChainError;
 use crate::identification::selection::RequirementError;
 use crate::identification::{EvaluationError, fit, selection, test_bench};
 use crate::measurement::{DataError, SplitError};
@@ -111,6 +112,18 @@ impl ErrorCode for selection::InputError {
             Self::NoValidation => "data::no-validation",
             Self::Regions(error) => error.code(),
             Self::AllFailed { .. } => "candidate::all-failed",
+        }
+    }
+}
+
+impl ErrorCode for ChainError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Experiment(error) => error.code(),
+            Self::Fit(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
+            Self::Model(error) => error.code(),
+            Self::Parameters(error) => error.code(),
         }
     }
 }

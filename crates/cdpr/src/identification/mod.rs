@@ -8,6 +8,7 @@ mod autocorrelation;
 mod blocks;
 mod bootstrap;
 pub mod candidate;
+pub mod chain;
 mod clock;
 mod clock_test;
 pub mod coverage;

@@ -1,0 +1,265 @@
+//! The chain of chapter 6, stage by stage, beside what the dissertation prints.
+
+use cdpr::identification::chain::{Chain, ChainStep};
+use cdpr::metamodel::Experiment;
+use minijinja::{Value, context};
+use serde::Serialize;
+
+use super::{Answer, title};
+use crate::html_page::{Page, PageError, plain, prose};
+use crate::number_format::{NONE, short, significant};
+use crate::table::Table;
+
+const TEMPLATE: &str = include_str!("chain.html");
+
+/// The machine that the dissertation's numbers can be held against: rebuilt from its printed optimum.
+const TWIN: &str = "cablerobot-simulator-helicopter-elastostatic-calibrated";
+
+/// Printed errors of a stage: position (mm), rotation (°), length (mm), tensions (N).
+type Printed = [Option<f64>; 4];
+
+/// Stages with what sec. 6.1 to 6.5 print of the real machine.
+const PRINTED: [(&str, Printed); 7] = [
+    ("reference", [Some(39.80), Some(1.19), Some(23.52), None]),
+    ("identified", [Some(9.66), Some(0.29), Some(4.08), None]),
+    ("driven", [Some(6.70), Some(0.31), Some(4.15), None]),
+    ("identified-again", [Some(10.80), Some(0.29), Some(3.10), None]),
+    ("reduced-nominal", [Some(37.6), None, None, None]),
+    ("elastostatic-nominal", [Some(34.5), Some(1.03), None, Some(2426.84)]),
+    ("elastostatic-identified", [Some(2.73), Some(0.11), None, Some(582.0)]),
+];
+
+/// The stage of sec. 6.3 after identification, printed with 3.15 mm.
+const REDUCED: (&str, Printed) = ("reduced-identified", [Some(3.15), None, None, None]);
+
+/// All stages of the chain.
+#[derive(Serialize)]
+pub struct ChainAnswer {
+    status: &'static str,
+    control: String,
+    machine: String,
+    prediction: Option<String>,
+    seed: u64,
+    region_m: Vec<[f64; 2]>,
+    steps: Vec<StepAnswer>,
+    first_change_m: [f64; 2],
+    second_change_m: [f64; 2],
+    ratios: Vec<Ratio>,
+    left_out: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    report: Option<String>,
+}
+
+/// A stage beside what is printed of it.
+#[derive(Serialize)]
+struct StepAnswer {
+    #[serde(flatten)]
+    step: ChainStep,
+    /// Position (m), rotation (rad), length (m) and tension (N) errors that the dissertation prints of its machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    printed: Option<PrintedErrors>,
+}
+
+#[derive(Serialize)]
+#[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
+struct PrintedErrors {
+    position_mean_m: Option<f64>,
+    rotation_mean_rad: Option<f64>,
+    length_mean_abs_m: Option<f64>,
+    tension_mean_norm_N: Option<f64>,
+}
+
+/// How many times as small an error is after a stage as before.
+#[derive(Serialize)]
+struct Ratio {
+    before: &'static str,
+    after: &'static str,
+    position: f64,
+    rotation: f64,
+    tension: Option<f64>,
+}
+
+impl ChainAnswer {
+    /// The answer for an experiment with its chain.
+    pub fn new(experiment: &Experiment, chain: Chain, region: &[[f64; 2]], seed: u64) -> Self {
+        let is_twin = experiment.machine.robot().name == TWIN;
+        let ratios = ratios(&chain.steps);
+        let step = |step: ChainStep| {
+            let printed =
+                printed(step.name).filter(|_| is_twin).map(|[position, rotation, length, tension]| PrintedErrors {
+                    position_mean_m: position.map(|value| 1e-3 * value),
+                    rotation_mean_rad: rotation.map(f64::to_radians),
+                    length_mean_abs_m: length.map(|value| 1e-3 * value),
+                    tension_mean_norm_N: tension,
+                });
+            StepAnswer { step, printed }
+        };
+        Self {
+            status: "done",
+            control: title(&experiment.control),
+            machine: title(&experiment.machine),
+            prediction: experiment.prediction.as_ref().map(title),
+            seed,
+            region_m: region.to_vec(),
+            first_change_m: chain.first_change_m,
+            second_change_m: chain.second_change_m,
+            steps: chain.steps.into_iter().map(step).collect(),
+            ratios,
+            left_out: chain.left_out,
+            report: None,
+        }
+    }
+
+    /// The same with the name of the page that was written.
+    #[must_use]
+    pub fn with_report(self, report: Option<String>) -> Self {
+        Self { report, ..self }
+    }
+
+    /// Cells of every stage: words, poses, the four errors with what is printed of them, parameters, tensions.
+    fn rows(&self) -> Vec<Vec<String>> {
+        let figure =
+            |value: f64, scale: f64| if value.is_finite() { significant(scale * value, 3) } else { NONE.to_owned() };
+        let row = |StepAnswer { step, printed }: &StepAnswer| {
+            let beside = |own: Option<f64>, scale: f64, read: fn(&PrintedErrors) -> Option<f64>| {
+                let own = own.map_or_else(|| NONE.to_owned(), |value| figure(value, scale));
+                match printed.as_ref().and_then(read) {
+                    Some(value) => format!("{own} ({})", short(1e-4 * (1e4 * scale * value).round())),
+                    None => own,
+                }
+            };
+            let identified = step.identified.map(|one| match one.rank == one.parameter_count {
+                true => one.parameter_count.to_string(),
+                false => format!("{} of {}", one.rank, one.parameter_count),
+            });
+            let slack = step.slack_samples.filter(|slack| *slack > 0).map(|slack| format!(", slack at {slack}"));
+            let tensions = step
+                .tension_range
+                .map(|[low, high]| format!("{}…{}{}", figure(low, 1.0), figure(high, 1.0), slack.unwrap_or_default()));
+            vec![
+                step.section.to_owned(),
+                step.words.to_owned(),
+                step.samples.to_string(),
+                beside(Some(step.position_mean_m), 1e3, |one| one.position_mean_m),
+                beside(Some(step.rotation_mean_rad).filter(|_| step.turns), 1.0_f64.to_degrees(), |one| {
+                    one.rotation_mean_rad
+                }),
+                beside(Some(step.length_mean_abs_m), 1e3, |one| one.length_mean_abs_m),
+                beside(step.tension_mean_norm, 1.0, |one| one.tension_mean_norm_N),
+                identified.unwrap_or_else(|| NONE.to_owned()),
+                tensions.unwrap_or_else(|| NONE.to_owned()),
+            ]
+        };
+        self.steps.iter().map(row).collect()
+    }
+
+    fn words_of(&self, name: &str) -> &'static str {
+        self.steps.iter().find(|one| one.step.name == name).map_or("", |one| one.step.words)
+    }
+
+    fn sentences(&self) -> Vec<String> {
+        let range =
+            |[low, high]: [f64; 2]| format!("{} to {} mm", significant(1e3 * low, 3), significant(1e3 * high, 3));
+        let mut all = vec![format!(
+            "Anchor components move by {} in the first identification, by {} in the second: another record of the same machine",
+            range(self.first_change_m),
+            range(self.second_change_m)
+        )];
+        for Ratio { before, after, position, rotation, tension } in &self.ratios {
+            let tension = tension.map_or_else(String::new, |ratio| format!(", tension {}", significant(ratio, 3)));
+            let rotation = match rotation.is_finite() {
+                true => format!(", rotation {}", significant(*rotation, 3)),
+                false => String::new(),
+            };
+            all.push(format!(
+                "From “{}” to “{}”: position error {} times as small{rotation}{tension}",
+                self.words_of(before),
+                self.words_of(after),
+                significant(*position, 3)
+            ));
+        }
+        all.extend(self.left_out.iter().map(|why| format!("Left out: {why}")));
+        all
+    }
+
+    /// The page; `command` makes it again.
+    pub fn page(&self, command: &str, version: &str) -> Result<String, PageError> {
+        let rows: Vec<Value> = self
+            .rows()
+            .into_iter()
+            .map(|cells| context! { cells => cells.iter().map(|cell| prose(cell)).collect::<Vec<_>>() })
+            .collect();
+        let last = self.steps.iter().find(|one| one.step.name == "force-control-edges");
+        let shown = last.or(self.steps.last());
+        let values = context! {
+            headline => shown.map(|one| format!("{} mm", significant(1e3 * one.step.position_mean_m, 3))),
+            of => shown.map(|one| one.step.words),
+            facts => [("Nominal controller", &self.control), ("Machine", &self.machine)]
+                .map(|(term, text)| context! { term, text => plain(text) }).to_vec(),
+            prediction => self.prediction.as_ref().map(|text| plain(text)),
+            columns => COLUMNS,
+            rows,
+            has_printed => self.steps.iter().any(|one| one.printed.is_some()),
+            sentences => self.sentences().iter().map(|words| prose(words)).collect::<Vec<_>>(),
+            warnings => Vec::<Value>::new(),
+            command => plain(command),
+            seed => self.seed,
+        };
+        let title = "From the nominal controller to force control";
+        Page { title, class: "wide", template: TEMPLATE, values, data: "{}".to_owned(), version }.render()
+    }
+}
+
+const COLUMNS: [&str; 9] =
+    ["section", "stage", "poses", "position mm", "rotation °", "length mm", "tension N", "parameters", "tensions N"];
+
+fn printed(name: &str) -> Option<Printed> {
+    PRINTED.iter().chain([&REDUCED]).find(|(own, _)| *own == name).map(|(_, printed)| *printed)
+}
+
+fn ratios(steps: &[ChainStep]) -> Vec<Ratio> {
+    let find = |name: &str| steps.iter().find(|step| step.name == name);
+    let pairs = [
+        ("reference", "identified"),
+        ("reference", "driven"),
+        ("reduced-nominal", "reduced-identified"),
+        ("elastostatic-nominal", "elastostatic-identified"),
+        ("kinematic-edges", "force-control-edges"),
+    ];
+    let ratio = |(before, after): (&'static str, &'static str)| {
+        let (first, second) = (find(before)?, find(after)?);
+        let tension = first.tension_mean_norm.zip(second.tension_mean_norm).map(|(before, after)| before / after);
+        let position = first.position_mean_m / second.position_mean_m;
+        Some(Ratio { before, after, position, rotation: first.rotation_mean_rad / second.rotation_mean_rad, tension })
+    };
+    pairs.into_iter().filter_map(ratio).collect()
+}
+
+impl Answer for ChainAnswer {
+    fn is_negative(&self) -> bool {
+        false
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let mut table = Table::new(COLUMNS).left_column(1);
+        self.rows().into_iter().for_each(|row| {
+            table.row(row);
+        });
+        let printed = if self.steps.iter().any(|one| one.printed.is_some()) {
+            "; printed of the real machine in brackets"
+        } else {
+            ""
+        };
+        let mut text = format!(
+            "{} on {}\n\nmean errors; tension: mean of the 2-norm over cables{printed}\n\n{}\n",
+            self.control,
+            self.machine,
+            table.text(width)
+        );
+        self.sentences().iter().for_each(|words| text.push_str(&format!("{words}\n")));
+        if let Some(report) = &self.report {
+            text.push_str(&format!("\npage written to {report}\n"));
+        }
+        text
+    }
+}
