@@ -21,6 +21,14 @@ impl FromStr for NumberList {
     }
 }
 
+/// A length above 0 m.
+pub(crate) fn positive_length(text: &str) -> Result<f64, String> {
+    match finite_number(text)? {
+        length if length > 0.0 => Ok(length),
+        length => Err(format!("{length} is no length: a number of metres above 0 is expected")),
+    }
+}
+
 /// A number that can be calculated with.
 pub(crate) fn finite_number(text: &str) -> Result<f64, String> {
     let word = text.trim();

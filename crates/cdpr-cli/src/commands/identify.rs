@@ -1,5 +1,6 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
+mod driving;
 mod report;
 mod uncertainty;
 
@@ -9,13 +10,14 @@ use std::process::ExitCode;
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
-    ErrorBlocks, Evaluation, EvaluationError, Loss, clock_warning, evaluate_fitted, frame_warning,
+    ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, compare_objectives,
+    evaluate_fitted, frame_warning,
 };
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
 use cdpr::robot::ParameterKind;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::answer::Output;
 use crate::failure::Failure;
@@ -23,8 +25,9 @@ use crate::files;
 use crate::inputs::ModelArguments;
 use crate::measurements::DataArguments;
 use crate::progress::Progress;
-use crate::selecting::losses;
-use cdpr_reports::answers::{self, IdentificationAnswer};
+use crate::selecting::{ObjectiveArguments, losses};
+use cdpr_reports::answers::{self, IdentificationAnswer, ObjectiveAnswer};
+use driving::{Drive, DriveArguments};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,6 +37,7 @@ Examples:
       --validation other.csv --sigma position_m=0.001,length_m=0.0002
   cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
       --prior platform-anchor=0.02
+  cdpr identify robot.toml samples.csv --free frame-anchor --objective pose --drive study.toml
   cdpr identify robot.toml samples.csv --model elastic --starts 10 \\
       --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02";
 
@@ -87,6 +91,16 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
     loss: Loss,
 
+    #[command(flatten)]
+    objective: ObjectiveArguments,
+
+    /// Fit by every objective and cost, and judge each optimum by all of them.
+    #[arg(long)]
+    compare_objectives: bool,
+
+    #[command(flatten)]
+    drive: DriveArguments,
+
     /// Seed of the split kfold:K and of other starts.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
@@ -103,10 +117,19 @@ pub(crate) struct Arguments {
     uncertainty: uncertainty::UncertaintyArguments,
 }
 
-/// Minimizers by their names.
+/// Minimizers by their names, short ones too.
 fn minimizers() -> impl TypedValueParser<Value = Minimizer> {
-    let named = |name: String| Minimizer::ALL.into_iter().find(|minimizer| minimizer.name() == name);
-    PossibleValuesParser::new(Minimizer::ALL.map(Minimizer::name)).map(move |name| named(name).unwrap_or_default())
+    let short = |name: &str| match name {
+        "levenberg-marquardt" => Some("lm"),
+        "trust-region" => Some("trf"),
+        _ => None,
+    };
+    let possible =
+        Minimizer::ALL.map(|minimizer| PossibleValue::new(minimizer.name()).aliases(short(minimizer.name())));
+    let is_named =
+        move |minimizer: &Minimizer, name: &str| minimizer.name() == name || short(minimizer.name()) == Some(name);
+    let named = move |name: String| Minimizer::ALL.into_iter().find(|minimizer| is_named(minimizer, &name));
+    PossibleValuesParser::new(possible).map(move |name| named(name).unwrap_or_default())
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -115,8 +138,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, &model, output));
     let other = other.transpose()?;
+    let drive = arguments.drive.read(arguments.seed)?;
     let progress = Progress::of(1, "identifying");
-    let task = Task { model: &model, samples: &samples, arguments: &arguments, progress: &progress };
+    let task =
+        Task { model: &model, samples: &samples, arguments: &arguments, drive: drive.as_ref(), progress: &progress };
     progress.expect(task.descents(1));
     task.tell_about_unused_column(output);
     let result = task.identify(other.as_ref())?;
@@ -142,6 +167,7 @@ struct Task<'a> {
     model: &'a Model,
     samples: &'a Samples,
     arguments: &'a Arguments,
+    drive: Option<&'a Drive>,
     progress: &'a Progress,
 }
 
@@ -223,7 +249,7 @@ impl Task<'_> {
 
     fn settings(&self) -> fit::Settings {
         let Arguments { hold, prior, starts, minimizer, loss, seed, .. } = self.arguments;
-        fit::Settings {
+        self.arguments.objective.of(fit::Settings {
             hold: hold.clone(),
             priors: prior.clone(),
             starts: *starts,
@@ -231,7 +257,7 @@ impl Task<'_> {
             loss: *loss,
             seed: *seed,
             ..fit::Settings::default()
-        }
+        })
     }
 
     /// Descents of this many fits.
@@ -284,6 +310,30 @@ impl Task<'_> {
         [&after, &before].map(|errors| if errors.is_empty() { errors.blocks() } else { errors.subset(&kept).blocks() })
     }
 
+    /// What the fit made small, with the errors of the calibrated model on the samples and on a machine.
+    fn objective(&self, fit: &Fit, train: [&Evaluation; 2], samples: &Samples) -> Result<ObjectiveAnswer, Failure> {
+        let settings = self.settings();
+        let values = |errors| ObjectiveValues::of(self.model, samples, errors, settings.rotation_length);
+        let driven = |model: &Model| self.drive.map(|drive| drive.of(model)).transpose();
+        let objectives = match self.arguments.compare_objectives {
+            true => compare_objectives(self.model, samples, &self.arguments.free, &settings, &|model| {
+                driven(model).unwrap_or_default()
+            })
+            .map_err(|error| Failure::refused(&self.arguments.data.name(), &error))?,
+            false => Vec::new(),
+        };
+        Ok(ObjectiveAnswer {
+            objective: settings.objective,
+            minimize: settings.minimize,
+            objective_values: values(train[0]),
+            objective_values_before: values(train[1]),
+            certificate: fit.certificate.clone(),
+            driven: driven(&fit.model)?,
+            driven_before: driven(self.model)?,
+            objectives,
+        })
+    }
+
     /// What the validation errors are of.
     fn validation_name(&self) -> Option<String> {
         let Arguments { validation, split, .. } = self.arguments;
@@ -295,14 +345,17 @@ impl Task<'_> {
         let Identification { fit, samples, frame_warning, train, train_on_one_clock, validation } = result;
         warnings.doubt(frame_warning);
         let validation = validation.map(|(after, before)| self.blocks(after, before, &mut warnings));
+        let errors = [self.evaluate(&fit.model, &train_on_one_clock)?, self.evaluate_given(&train)?];
+        let objective = self.objective(&fit, [&errors[0], &errors[1]], &train)?;
         Ok(IdentificationAnswer::new(answers::Identification {
             model: self.model,
             free: self.arguments.free.to_string(),
             data: self.arguments.data.name(),
             samples,
             sigmas: train.sigmas,
-            train: [self.evaluate(&fit.model, &train_on_one_clock)?.blocks(), self.evaluate_given(&train)?.blocks()],
+            train: errors.map(|errors| errors.blocks()),
             fit,
+            objective,
             validation_data: self.validation_name(),
             validation,
             warnings,

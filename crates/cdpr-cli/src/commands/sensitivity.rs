@@ -11,7 +11,7 @@ use clap::{Args, ValueEnum};
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
-use crate::numbers::finite_number;
+use crate::numbers::positive_length;
 use crate::progress::Progress;
 use crate::sensitivities;
 use crate::study_file::StudyFile;
@@ -54,7 +54,7 @@ pub(crate) struct Arguments {
     robots: Option<u32>,
 
     /// Required accuracy of the position in metres [default: that of the study].
-    #[arg(long, value_name = "METRES", value_parser = positive)]
+    #[arg(long, value_name = "METRES", value_parser = positive_length)]
     accuracy: Option<f64>,
 
     /// Parameters shown in the table; `--format json` has all.
@@ -98,13 +98,6 @@ enum EngineName {
     Exact,
     /// By the derivatives: at once.
     Linear,
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match finite_number(text) {
-        Ok(value) if value > 0.0 => Ok(value),
-        _ => Err("a number of metres above 0".to_owned()),
-    }
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

@@ -1,6 +1,7 @@
 //! The comparison of candidates that `select` and `demo` share: run it, answer it, write its folder.
 
 mod folder;
+mod objectives;
 
 use std::time::Instant;
 
@@ -16,6 +17,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 pub(crate) use folder::write_folder;
+pub(crate) use objectives::ObjectiveArguments;
 
 use crate::failure::Failure;
 use crate::progress::Progress;
@@ -50,6 +52,9 @@ pub(crate) struct SelectionArguments {
     /// Leave K regions of the workspace out in turn besides: tells for every candidate how it extrapolates, beside the other criteria.
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(2..).map(usize::from))]
     regions: Option<usize>,
+
+    #[command(flatten)]
+    objective: ObjectiveArguments,
 
     /// Seed of the bootstrap and of random splits.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
@@ -119,7 +124,8 @@ impl SelectionArguments {
             "seed" => self.seed == 0,
             _ => value.is_empty(),
         };
-        let given = all.iter().filter(|(name, value)| !is_default(name, value));
+        let of_objective = self.objective.written();
+        let given = all.iter().chain(&of_objective).filter(|(name, value)| !is_default(name, value));
         given.map(|(name, value): &(&str, String)| format!(" --{name} {value}")).collect()
     }
 
@@ -148,12 +154,12 @@ impl SelectionArguments {
                 "add the columns tension_N_1, tension_N_2, …, or use another criterion",
             ));
         }
-        let fit = fit::Settings {
+        let fit = self.objective.of(fit::Settings {
             hold: self.hold.clone(),
             priors: self.prior.clone(),
             loss: self.loss,
             ..fit::Settings::default()
-        };
+        });
         let settings = Settings {
             criterion,
             requirements: self.require.clone(),

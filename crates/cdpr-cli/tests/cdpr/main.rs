@@ -25,6 +25,7 @@ mod interruption;
 mod kinematics;
 mod measurements;
 mod newcomer;
+mod objectives;
 mod reachable;
 mod selection;
 mod sensitivity;

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::error_table::convergence_remark;
 use super::identification_words as words;
+use super::objective_answer::ObjectiveAnswer;
 use super::{Answer, UncertaintyAnswer};
 
 /// Parameters of a model with errors before and after.
@@ -43,6 +44,10 @@ pub struct IdentificationAnswer {
     #[serde(flatten)]
     pub(super) frames: Option<RecordingFrames>,
     pub(super) history: Vec<f64>,
+    #[serde(flatten)]
+    pub(super) objective: ObjectiveAnswer,
+    /// Errors of the calibrated model on the samples of the fit, as `train`.
+    pub(super) predicted: ErrorBlocks,
     pub(super) train: ErrorBlocks,
     pub(super) train_before: ErrorBlocks,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,6 +82,8 @@ pub struct Identification<'a> {
     pub sigmas: SensorSigmas,
     /// The fit.
     pub fit: Fit,
+    /// Objective with the errors that it does not look at.
+    pub objective: ObjectiveAnswer,
     /// Errors on the samples of the fit, after and before.
     pub train: [ErrorBlocks; 2],
     /// Name of the data that were not fitted to.
@@ -101,7 +108,10 @@ impl IdentificationAnswer {
         let (trusted, is_gross) = (reasons.is_empty(), *is_gross);
         let composition = model.composition().to_string();
         let told = fit.warnings_with(&distrust, (&composition, [&before, &after]), &found.warnings);
-        let Warnings { list: mut warnings, doubts } = told;
+        let Warnings { list: mut warnings, mut doubts } = told;
+        let of_objective = found.objective.doubts();
+        doubts += of_objective.len();
+        warnings.splice(0..0, of_objective);
         warnings.extend(convergence_remark(&train, "training samples"));
         warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         Self {
@@ -127,6 +137,8 @@ impl IdentificationAnswer {
             clock_sigma: fit.clock_offset.map(|clock| clock.sigma),
             frames: fit.frames,
             history: fit.history,
+            objective: found.objective,
+            predicted: train,
             train,
             train_before,
             validation_data,

@@ -37,6 +37,7 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     }
     text.push_str(&answer.uncertainty.words(width));
     text.push_str(&format!("\n{}", errors(answer, width)));
+    text.push_str(&answer.objective.words(answer.pattern, width));
     if !answer.outliers.is_empty() {
         text.push_str(&format!("\n{}", outliers(answer, width)));
     }

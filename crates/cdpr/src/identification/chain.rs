@@ -155,12 +155,6 @@ impl Experiment {
         chain.elastostatic((self, &driven), (commands, &level), region, seed)?;
         Ok(chain)
     }
-
-    /// The same machine with another controller; the winches stay as they were set.
-    fn with_control(&self, control: Model) -> Self {
-        let former = Some(self.former.clone().unwrap_or_else(|| self.control.clone()));
-        Self { control, former, ..self.clone() }
-    }
 }
 
 /// Angle below which orientations are the same (rad).

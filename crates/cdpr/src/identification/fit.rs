@@ -31,8 +31,8 @@ use super::likelihood::Residuals;
 use super::loss::{Loss, RobustLoss};
 use super::misfit::Misfit;
 use super::norms::Norms;
-use super::outliers;
 use super::weights::Weights;
+use super::{objective, outliers};
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Parameter;
@@ -56,6 +56,12 @@ pub fn fit_observed(
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
+    if settings.is_other_objective() {
+        objective::check_recording(free, settings)?;
+        let mut fit = objective::fit(model, samples, &parameters, settings, progress)?;
+        fit.tell_nominal_values(model);
+        return Ok(fit);
+    }
     if !frames::freed(free, &settings.hold).is_empty() {
         let plain = |samples: &Samples, free: &FreeParameters| fit_observed(model, samples, free, settings, progress);
         return frames::fit(model, samples, free, settings, &plain);
@@ -78,8 +84,7 @@ pub fn fit_observed(
         let (optimum, weights) = optimum::find(model, samples, &parameters, settings, progress)?;
         report(model, samples, &parameters, &weights, optimum, settings)?
     };
-    // the starts are those of a robot that may have been completed, with a wrench for instance
-    fit.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
+    fit.tell_nominal_values(model);
     Ok(fit)
 }
 
@@ -113,6 +118,16 @@ pub fn optimal_parameters(
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
+    if settings.is_other_objective() {
+        let optimum = objective::optimum(model, samples, &parameters, settings, &|| ())?;
+        return Ok(OptimalParameters {
+            model: optimum.calibrated().clone(),
+            converged: optimum.end().converged,
+            iterations: optimum.end().iterations,
+            history: optimum.end().history.clone(),
+            parameters,
+        });
+    }
     if explains_tensions(model) {
         let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
@@ -180,6 +195,7 @@ fn report(
         basins: optimum.basins,
         clock_offset: None,
         frames: None,
+        certificate: None,
         samples: samples.len(),
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
@@ -234,7 +250,7 @@ pub(super) fn threshold(loss: Option<RobustLoss>) -> f64 {
 }
 
 /// Factor of the standard deviations that the weights give: residuals that are smaller than stated accuracies are luck.
-fn inflation(misfit: f64, absolute: bool) -> f64 {
+pub(super) fn inflation(misfit: f64, absolute: bool) -> f64 {
     match misfit.is_finite() {
         true if absolute => misfit.max(1.0),
         true => misfit,

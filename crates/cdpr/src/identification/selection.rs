@@ -162,7 +162,8 @@ fn in_needed_frames(
         RecordingParameter::FRAMES.into_iter().any(|frame| candidate.free.names_recording(frame))
     };
     let train = samples.subset(&folds[0].train);
-    let needed = match candidates.iter().any(names_frames) {
+    // frames are found by squares of lengths
+    let needed = match candidates.iter().any(names_frames) || settings.fit.is_other_objective() {
         true => None,
         false => frames_that_fit(robot, &train, &settings.fit.hold),
     };

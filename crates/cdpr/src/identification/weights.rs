@@ -21,6 +21,13 @@ pub(super) struct Weights {
 }
 
 impl Weights {
+    /// The same σ for every row (m).
+    pub(super) fn even(sigma: f64, cables: usize, samples: usize, poses: &PoseLanes) -> Self {
+        let rows = poses.groups() * LANES;
+        let weight = |place: usize| if place % rows < samples { 1.0 / sigma } else { 0.0 };
+        Self { inverse_sigma: (0..cables * rows).map(weight).collect(), rows, absolute: false, noise: 1.0 }
+    }
+
     /// 1/σ of one cable's residuals, padding included (1/m).
     pub(super) fn of_cable(&self, cable: usize) -> &[f64] {
         &self.inverse_sigma[cable * self.rows..][..self.rows]

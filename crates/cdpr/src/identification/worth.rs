@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::robot::{Cable, ParameterKind};
+use crate::model::Model;
+use crate::robot::{Cable, Parameter, ParameterKind};
 
 /// Smallest size that counts (m).
 const LEAST: f64 = 1e-3;
@@ -43,4 +44,20 @@ impl Worth {
             _ => 1.0,
         }
     }
+}
+
+/// Metres that one unit of each parameter is worth, where parameters are identified together from lengths (m) and recorded tensions (N, or none).
+pub(super) fn joint_worths(model: &Model, parameters: &[Parameter], lengths: &[f64], tensions: &[f64]) -> Vec<f64> {
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
+    let (length, tension) = (mean(lengths), mean(tensions).max(1e-9));
+    let compliance = parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
+    let compliance = compliance.fold(1e-7, f64::max);
+    let metres = |parameter: &Parameter| match parameter.kind {
+        ParameterKind::Compliance => tension * length,
+        ParameterKind::HiddenLength => 1e-3,
+        ParameterKind::TensionScale => compliance * tension * length,
+        ParameterKind::TensionOffset | ParameterKind::Wrench => compliance * length,
+        kind => Worth::of(&model.robot().cables[parameter.cable], length).metres(kind),
+    };
+    parameters.iter().map(metres).collect()
 }

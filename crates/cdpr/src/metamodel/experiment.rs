@@ -65,6 +65,13 @@ impl Experiment {
         Ok(Self { study, control, machine, prediction, former, start, offsets })
     }
 
+    /// The same machine with another controller; the winches stay as they were set.
+    #[must_use]
+    pub fn with_control(&self, control: Model) -> Self {
+        let former = Some(self.former.clone().unwrap_or_else(|| self.control.clone()));
+        Self { control, former, ..self.clone() }
+    }
+
     /// The same with another way to choose tensions, where one is given.
     #[must_use]
     pub fn with_tension_method(mut self, method: Option<TensionMethod>) -> Self {

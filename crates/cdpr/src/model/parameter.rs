@@ -36,6 +36,15 @@ fn law_parameter(parameter: &Parameter, robot: &Robot) -> Option<LawParameter> {
 }
 
 impl Model {
+    /// The model at other values of some parameters; nothing where they make no robot.
+    pub(crate) fn with_parameters(&self, parameters: &[Parameter], values: &[f64]) -> Option<Self> {
+        let mut robot = self.robot().clone();
+        for (parameter, &value) in parameters.iter().zip(values) {
+            parameter.set(&mut robot, value);
+        }
+        Self::new(robot, self.composition()).ok()
+    }
+
     /// Change of the wrench (world) and of the recorded length of a cable (0-based) in a state by one of its parameters, at fixed tension where
     /// it is given.
     #[inline]

@@ -38,6 +38,7 @@ mod irma4u;
 mod metamodel;
 mod no_allocation;
 mod no_panic;
+mod objectives;
 mod outliers;
 mod planar_pulleys;
 mod random_workspaces;

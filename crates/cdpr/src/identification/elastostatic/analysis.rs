@@ -1,22 +1,20 @@
 //! Identifiability of an elastic model's parameters, and the report of its fit.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::descent::Problem;
 use super::noise::SLACK_SIGMA;
 use super::optimum::Optimum;
-use super::rows::{Recorded, RowModel, SampleRows};
+use super::rows::{RowModel, SampleRows};
 use crate::equilibrium::elastostatics;
-use crate::identification::autocorrelation::correlation_time;
 use crate::identification::fit::{
     Estimate, Fit, Noise, Settings, Status, estimate, threshold, used, verdict, warnings,
 };
-use crate::identification::identifiability::{
-    Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
-    with_unit_columns,
-};
+use crate::identification::identifiability::Analysis;
+use crate::identification::joint_analysis::{JointRows, analyse_together};
 use crate::identification::likelihood::Residuals;
 use crate::identification::outliers;
+use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
@@ -61,6 +59,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         basins: optimum.basins,
         clock_offset: None,
         frames: None,
+        certificate: None,
         samples: samples.len(),
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
@@ -150,48 +149,12 @@ fn analyse(
     inflation: f64,
     settings: &Settings,
 ) -> Analysis {
-    let mut analysis = Analysis { inflation, ..Analysis::default() };
-    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return analysis };
-    if parameters.is_empty() {
-        analysis.condition = 1.0;
-        analysis.condition_scaled = 1.0;
-        return analysis;
-    }
-    let (plain, weighted, residuals) = stacked(optimum, samples, parameters, load);
-    let plain_values = spectrum(&plain).values;
-    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, plain.nrows());
-    let scaled_values = spectrum(&with_unit_columns(plain)).values;
-    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
-    analysis.singular_values = plain_values;
-
-    let mut times: Vec<f64> = residuals.iter().map(|series| correlation_time(series)).collect();
-    times.sort_by(f64::total_cmp);
-    let time = times[times.len() / 2];
-    if time > 1.0 {
-        analysis.warnings.push(format!(
-            "residuals of consecutive samples repeat each other (correlation time {time:.0} samples): standard deviations are \
-             enlarged by {:.1} to account for it",
-            time.sqrt()
-        ));
-    }
-    let priors = prior_weights(parameters, settings);
-    let posterior = spectrum(&with_priors(weighted, &priors));
-    let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
-    analysis.inflation = inflation * time.sqrt();
-    analysis.undetermined = uncertainty.undetermined;
-    let name = |k: usize| parameters[k].name(optimum.start_model.robot());
-    analysis.set_correlations(uncertainty.correlation_rows(0), &name);
+    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Analysis { inflation, ..Analysis::default() } };
+    let (plain, weighted, series) = stacked(optimum, samples, parameters, load);
     let model = &optimum.calibrated;
     let problem = Problem::new(&optimum.start_model, samples, &optimum.tensions, parameters, settings);
-    let named = Named {
-        parameters,
-        axes: model.axes(),
-        cables: 0..model.cable_count(),
-        scale: DVector::from_column_slice(problem.scale()),
-    };
-    let directions = uncertainty.weak_directions(&named, &mean_rotation(samples), settings.weak_direction_limit);
-    analysis.set_weak_directions(model, directions);
-    analysis.sigmas = uncertainty.sigmas;
+    let rows = JointRows { model, samples, parameters, scale: problem.scale(), plain, weighted, series, inflation };
+    let mut analysis = analyse_together(rows, settings);
     analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
     analysis.weak_directions.extend(analysis.unknown_stiffness.clone());
     analysis

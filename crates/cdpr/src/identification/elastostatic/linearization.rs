@@ -8,9 +8,10 @@
 use super::measurement_noise::{factorize, invert, solve};
 use super::noise::{Noise, Sigmas};
 use super::normal::{NormalEquations, whiten};
-use super::rows::{Recorded, RowModel, SampleRows};
+use super::rows::{RowModel, SampleRows};
 use crate::geometry::{Pose, Twist};
 use crate::identification::loss::RobustLoss;
+use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::scalar::LANES;
 

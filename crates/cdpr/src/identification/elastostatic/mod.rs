@@ -6,6 +6,7 @@
 
 mod adjust;
 mod analysis;
+mod balance;
 mod descent;
 mod linearization;
 mod measurement_noise;
@@ -19,5 +20,6 @@ mod rows;
 mod tests;
 
 pub(super) use analysis::report;
+pub(super) use balance::{Balance, checked_start};
 pub(super) use optimum::find;
 pub(super) use pose_rows::pose_rows;

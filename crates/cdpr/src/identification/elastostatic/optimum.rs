@@ -127,7 +127,7 @@ fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn F
 }
 
 /// Recorded tensions, refused where they are missing or cables push by more than the sensors' noise.
-fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputError> {
+pub(super) fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputError> {
     let tensions = samples.tensions.clone().ok_or(InputError::NoTensions)?;
     let allowance = 5.0 * samples.sigmas.tension.unwrap_or(0.0);
     let m = model.cable_count();
@@ -148,7 +148,7 @@ fn checked_tensions(model: &Model, samples: &Samples) -> Result<Vec<f64>, InputE
     }
 }
 
-fn check_paths(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
+pub(super) fn check_paths(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(), InputError> {
     let m = model.cable_count();
     for (sample, pose) in samples.poses.iter().enumerate() {
         for cable in 0..model.cable_count() {
@@ -169,7 +169,7 @@ fn check_paths(model: &Model, samples: &Samples, tensions: &[f64]) -> Result<(),
 
 /// A free wrench is the constant total in world axes: it replaces the weight, and starts at what the file states for the
 /// mean pose, or, where the file is silent, at what the recorded tensions balance in the mean.
-fn with_constant_wrench(
+pub(super) fn with_constant_wrench(
     model: &Model,
     samples: &Samples,
     tensions: &[f64],

@@ -4,9 +4,8 @@ use nalgebra::Matrix6;
 
 use super::noise::{Noise, SLACK_SIGMA, Sigmas};
 use crate::cable::CableState;
-use crate::cable::winch::DrumLength;
 use crate::geometry::{Pose, Wrench};
-use crate::measurement::Samples;
+use crate::identification::recorded::Recorded;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::LANES;
@@ -39,35 +38,6 @@ pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usiz
     let is_wrench = |p: &Parameter| p.kind == ParameterKind::Wrench;
     let before = |cable: usize| parameters.iter().filter(|p| !is_wrench(p) && p.cable < cable).count();
     (0..=model.cable_count()).map(before).collect()
-}
-
-/// Recorded lengths of one sample's cables, with their motor angles.
-#[derive(Clone, Copy)]
-pub(super) struct Recorded<'a> {
-    /// Lengths (m).
-    lengths: &'a [f64],
-    /// Motor angles that the lengths come from (rad).
-    motor_angles: Option<&'a [f64]>,
-}
-
-impl<'a> Recorded<'a> {
-    pub(super) fn of(samples: &'a Samples, sample: usize) -> Self {
-        let row = |angles: &'a Vec<f64>| &angles[sample * samples.cable_count..][..samples.cable_count];
-        Self { lengths: samples.lengths_of(sample), motor_angles: samples.motor_angles.as_ref().map(row) }
-    }
-
-    #[cfg(test)]
-    pub(super) fn lengths(lengths: &'a [f64]) -> Self {
-        Self { lengths, motor_angles: None }
-    }
-
-    /// The length that a model's drum has at the recorded angle, not a number where it has none; `None` where lengths are
-    /// recorded.
-    #[inline]
-    fn wound(&self, model: &Model, cable: usize) -> Option<DrumLength> {
-        let angle = self.motor_angles?[cable];
-        Some(model.motor_angle_gradient(cable, angle).unwrap_or(DrumLength::NAN))
-    }
 }
 
 impl SampleRows {
@@ -122,8 +92,7 @@ impl<'a> RowModel<'a> {
             wrench += state.wrench();
             let expected = state.recording.length(state.controlled_length);
             let wound = recorded.wound(self.model, cable);
-            rows.entries[length_row + residual] =
-                expected - wound.as_ref().map_or(recorded.lengths[cable], |w| w.value);
+            rows.entries[length_row + residual] = expected - recorded.length_of(cable, wound.as_ref());
             for column in self.first[cable]..self.first[cable + 1] {
                 let parameter = &self.parameters[column];
                 let (wrench_change, length_change) = self.model.by_parameter((cable, &state), parameter, &rotation);

@@ -4,11 +4,12 @@ use nalgebra::{Const, DVector, SVector, Vector3};
 use num_dual::DualVec;
 
 use super::noise::{Noise, Sigmas};
-use super::rows::{Recorded, RowModel, SampleRows};
+use super::rows::{RowModel, SampleRows};
 use crate::cable::elasticity::Elasticity;
 use crate::cable::outlet;
 use crate::geometry::Pose;
 use crate::identification::fit::{Minimizer, Prior, Settings, Status, fit};
+use crate::identification::recorded::Recorded;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model};
 use crate::robot::{CableStiffness, Parameter, ParameterKind, Robot, StiffnessBasis};

@@ -7,6 +7,7 @@ use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
 use crate::identification::likelihood::Residuals;
 use crate::identification::loss::Loss;
+use crate::identification::objective::Certificate;
 use crate::identification::outliers::{self, Outlier};
 use crate::identification::starts::Basin;
 use crate::model::Model;
@@ -91,6 +92,8 @@ pub struct Fit {
     pub clock_offset: Option<ClockOffset>,
     /// Frames of tracker and marker, where they were free.
     pub frames: Option<RecordingFrames>,
+    /// Proof of the least largest error, where that was asked for.
+    pub certificate: Option<Certificate>,
     /// Number of samples that were fitted.
     pub samples: usize,
     /// Warning about the outliers, which stands before every other.
@@ -112,6 +115,11 @@ impl Fit {
     pub fn renumber_outliers(&mut self, indices: &[usize]) {
         self.outliers.iter_mut().for_each(|outlier| outlier.sample = indices[outlier.sample - 1] + 1);
         self.outlier_warning = outliers::warning(&self.outliers, self.samples, self.loss);
+    }
+
+    /// States the values of the robot as given: the starts are those of one that may have been completed, with a wrench for instance.
+    pub(super) fn tell_nominal_values(&mut self, model: &Model) {
+        self.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
     }
 
     /// Correlations above the limit, for reports.

@@ -3,6 +3,8 @@
 use thiserror::Error;
 
 use crate::cable::GeometryError;
+use crate::identification::loss::Loss;
+use crate::identification::objective::Minimize;
 use crate::model::{ModelError, ParameterError, WinchError};
 use crate::robot::ParameterKind;
 use crate::statics::LoadError;
@@ -118,6 +120,45 @@ pub enum InputError {
          model without `elastic`"
     )]
     NoTensions,
+    /// Poses of an elastic model without recorded tensions.
+    #[error(
+        "the poses that an elastic model predicts do not tell its stiffness and load apart: recorded tensions are needed beside them, so \
+         add the columns tension_N_1, tension_N_2, … to the data, or choose a model without `elastic`"
+    )]
+    PosesWithoutTensions,
+    /// A robust loss of what has no square.
+    #[error("the loss `{}` and {cost} cannot be combined: a robust loss weighs squared residuals of lengths", .loss.name())]
+    RobustCost {
+        /// The loss.
+        loss: Loss,
+        /// Residuals or cost in words.
+        cost: String,
+    },
+    /// Priors beside a cost that is no sum of squares.
+    #[error(
+        "priors add squares in units of standard deviations, which the {minimize} of norms has not: minimise squares, or give no prior"
+    )]
+    PriorCost {
+        /// The cost.
+        minimize: Minimize,
+    },
+    /// Frames or clocks beside another cost than squared lengths.
+    #[error("`{name}` is found by squares of lengths: identify it so first, and hold it then")]
+    RecordingCost {
+        /// The parameter of the recording.
+        name: &'static str,
+    },
+    /// A start that predicts no pose.
+    #[error(
+        "sample {sample}: the model as given predicts no pose from the recorded lengths ({reason}): identify by lengths first, or mend the \
+         robot file"
+    )]
+    NoPrediction {
+        /// Number of the sample, from 1.
+        sample: usize,
+        /// Reason of the forward problem.
+        reason: String,
+    },
     /// Recorded tensions of cables that push.
     #[error(
         "negative tensions: cable {cable} is recorded with {tension} N in sample {}{}; cables can only pull, so check the sign and \

@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use super::input_error::InputError;
 use crate::identification::loss::Loss;
+use crate::identification::objective::{Minimize, Objective};
 use crate::model::{FreeParameters, identified_kind};
 use crate::robot::ParameterKind;
 use crate::solve::Minimizer;
@@ -21,6 +22,13 @@ pub struct Settings {
     pub hold: FreeParameters,
     /// Ridges towards the start value.
     pub priors: Vec<Prior>,
+    /// Residuals that are made small.
+    pub objective: Objective,
+    /// Cost of all samples' residuals.
+    pub minimize: Minimize,
+    /// Length by which rotations count beside positions in [`Objective::Pose`] (m); `None`: σ_r/σ_Φ where both are stated, else the root mean
+    /// square of the platform anchors' distances.
+    pub rotation_length: Option<f64>,
     /// How samples count whose residuals are larger than noise.
     pub loss: Loss,
     /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
@@ -42,6 +50,9 @@ impl Default for Settings {
         Self {
             hold: FreeParameters::default(),
             priors: Vec::new(),
+            objective: Objective::default(),
+            minimize: Minimize::default(),
+            rotation_length: None,
             loss: Loss::default(),
             tolerance: 1e-10,
             minimizer: Minimizer::default(),
@@ -50,6 +61,13 @@ impl Default for Settings {
             starts: 1,
             seed: 0,
         }
+    }
+}
+
+impl Settings {
+    /// True where anything but squares of lengths is minimised.
+    pub(in crate::identification) fn is_other_objective(&self) -> bool {
+        (self.objective, self.minimize) != (Objective::Length, Minimize::Squares)
     }
 }
 

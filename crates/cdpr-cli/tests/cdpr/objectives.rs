@@ -1,0 +1,47 @@
+//! Objectives and costs of `cdpr identify`, and the machine that a calibrated model drives.
+
+use super::{Run, cdpr_in, root};
+
+/// Record of the planar machine without noise, in a folder of its own.
+fn recorded() -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let wide = root().join("studies/planar-wide-grid.toml").display().to_string();
+    let run = cdpr_in(folder.path(), &format!("simulate {wide} --out wide.csv"));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    (folder, wide)
+}
+
+fn identify(folder: &tempfile::TempDir, options: &str) -> Run {
+    cdpr_in(folder.path(), &format!("identify planar-example wide.csv --free frame-anchor --starts 1 {options}"))
+}
+
+/// Numbers of the requirements (C20).
+#[test]
+fn every_optimum_is_judged_by_all_others() {
+    let (folder, wide) = recorded();
+    let options = format!("--objective pose --minimize max --compare-objectives --drive {wide} --format json");
+    let run = identify(&folder, &options);
+    let answer: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(answer["objective"], "pose");
+    assert_eq!(answer["certificate"]["active"].as_array().unwrap().len(), 7);
+    let is_near =
+        |value: &serde_json::Value, millimetres: f64| (1e3 * value.as_f64().unwrap() - millimetres).abs() < 2e-3;
+    assert!(is_near(&answer["predicted"]["position_error_m"]["max"], 64.486));
+    let optima = answer["objectives"].as_array().unwrap();
+    assert_eq!(optima.len(), 7);
+    let squares = optima.iter().find(|one| one["objective"] == "pose" && one["minimize"] == "squares").unwrap();
+    assert!(is_near(&squares["driven"]["position_error_m"]["mean"], 26.264));
+    assert!(is_near(&squares["pose_norm_m"]["rms"], 38.885));
+}
+
+#[test]
+fn costs_that_exclude_each_other_are_refused_in_words() {
+    let (folder, _) = recorded();
+    for options in
+        ["--minimize max --loss huber", "--minimize max --prior frame-anchor=0.1", "--objective pose --loss cauchy"]
+    {
+        let run = identify(&folder, options);
+        assert_eq!(run.exit_code, 2, "{options}: {}", run.stdout);
+        assert!(run.stderr.contains("setting::cost"), "{}", run.stderr);
+    }
+}

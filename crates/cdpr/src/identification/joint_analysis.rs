@@ -1,0 +1,74 @@
+//! Identifiability of parameters that are identified together, whatever their rows are.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::autocorrelation::correlation_time;
+use super::fit::Settings;
+use super::identifiability::{
+    Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
+    with_unit_columns,
+};
+use crate::measurement::Samples;
+use crate::model::Model;
+use crate::robot::Parameter;
+
+/// Rows that tie all parameters together, at their optimum.
+pub(super) struct JointRows<'a> {
+    /// The calibrated model.
+    pub(super) model: &'a Model,
+    pub(super) samples: &'a Samples,
+    pub(super) parameters: &'a [Parameter],
+    /// Metres that one unit of each parameter is worth.
+    pub(super) scale: &'a [f64],
+    /// Jacobian in SI units.
+    pub(super) plain: DMatrix<f64>,
+    /// Jacobian in units of the rows' noise.
+    pub(super) weighted: DMatrix<f64>,
+    /// Residuals in these units, one series over the samples for each row of a sample.
+    pub(super) series: Vec<Vec<f64>>,
+    /// Factor of that noise.
+    pub(super) inflation: f64,
+}
+
+/// Analyses parameters that are identified together. The typical correlation time of the series enlarges deviations.
+pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Analysis {
+    let JointRows { model, samples, parameters, scale, plain, weighted, series, inflation } = rows;
+    let mut analysis = Analysis { inflation, ..Analysis::default() };
+    if parameters.is_empty() {
+        (analysis.condition, analysis.condition_scaled) = (1.0, 1.0);
+        return analysis;
+    }
+    let plain_values = spectrum(&plain).values;
+    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, plain.nrows());
+    let scaled_values = spectrum(&with_unit_columns(plain)).values;
+    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
+    analysis.singular_values = plain_values;
+
+    let mut times: Vec<f64> = series.iter().map(|series| correlation_time(series)).collect();
+    times.sort_by(f64::total_cmp);
+    let time = times[times.len() / 2];
+    if time > 1.0 {
+        analysis.warnings.push(format!(
+            "residuals of consecutive samples repeat each other (correlation time {time:.0} samples): standard deviations are \
+             enlarged by {:.1} to account for it",
+            time.sqrt()
+        ));
+    }
+    let priors = prior_weights(parameters, settings);
+    let posterior = spectrum(&with_priors(weighted, &priors));
+    let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
+    analysis.inflation = inflation * time.sqrt();
+    analysis.undetermined = uncertainty.undetermined;
+    let name = |k: usize| parameters[k].name(model.robot());
+    analysis.set_correlations(uncertainty.correlation_rows(0), &name);
+    let named = Named {
+        parameters,
+        axes: model.axes(),
+        cables: 0..model.cable_count(),
+        scale: DVector::from_column_slice(scale),
+    };
+    let directions = uncertainty.weak_directions(&named, &mean_rotation(samples), settings.weak_direction_limit);
+    analysis.set_weak_directions(model, directions);
+    analysis.sigmas = uncertainty.sigmas;
+    analysis
+}

@@ -1,0 +1,167 @@
+//! Damped Gauss–Newton descent of all parameters together, within bounds.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use crate::robot::Parameter;
+use crate::solve::{
+    self, Control, Minimizer, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings,
+    Trial, minimizer,
+};
+
+/// Cost of parameters that tie all cables together, with its normal equations.
+pub(super) trait System {
+    /// Normal equations with their cost.
+    type Equations: Equations;
+
+    /// Writes the equations at parameter values; false where a row is not finite.
+    fn write(&mut self, values: &[f64], equations: &mut Self::Equations) -> bool;
+}
+
+/// Normal equations that know the cost they belong to.
+pub(super) trait Equations: NormalSystem + Clone {
+    /// The cost; twice that of the quadratic model.
+    fn cost(&self) -> f64;
+}
+
+/// Unknowns of a descent.
+pub(super) struct Around<'a> {
+    pub(super) parameters: &'a [Parameter],
+    /// Metres that one unit of each parameter is worth.
+    pub(super) scale: &'a [f64],
+    pub(super) minimizer: Minimizer,
+}
+
+/// End of a descent.
+#[derive(Clone, Debug)]
+pub(super) struct End {
+    pub(super) values: Vec<f64>,
+    pub(super) cost: f64,
+    pub(super) iterations: u32,
+    pub(super) history: Vec<f64>,
+    pub(super) converged: bool,
+}
+
+/// Descends from these values; `equations` is memory for them.
+pub(super) fn descend<S: System>(
+    system: &mut S,
+    around: &Around<'_>,
+    from: &[f64],
+    equations: S::Equations,
+    rules: &Rules<f64>,
+) -> End {
+    let trial = Place { values: from.to_vec(), equations };
+    let mut descent =
+        Descent { system, around, here: trial.clone(), here_cost: f64::INFINITY, trial, history: Vec::new() };
+    let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
+    let end = solve::descend(&mut descent, &rules);
+    let mut iterations = end.iterations as u32;
+    let Place { mut values, equations } = descent.here;
+    if end.stop() == Stop::Degenerate {
+        return End { values, cost: f64::NAN, iterations, history: Vec::new(), converged: false };
+    }
+    // a parameter that moves nothing at all is analysis' to name
+    let converged = from.is_empty() || matches!(end.stop(), Stop::Stationary | Stop::Singular);
+    if end.stop() == Stop::Stationary && end.damping == 0.0 {
+        iterations += 1;
+        // the gradient still knows the way to more digits, and the step costs no evaluation
+        if let Some((step, _)) = around.step(&values, &equations, &Control::none()) {
+            values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
+        }
+    }
+    End { values, cost: equations.cost(), iterations, history: descent.history, converged }
+}
+
+impl Around<'_> {
+    /// A step that respects the bounds, and whether something cut it.
+    fn step(&self, values: &[f64], equations: &impl NormalSystem, control: &Control<f64>) -> Option<(Vec<f64>, bool)> {
+        let room = |(parameter, value): (&Parameter, &f64)| -> Room {
+            let (low, high) = parameter.bounds();
+            (low - value, high - value)
+        };
+        let room: Vec<Room> = self.parameters.iter().zip(values).map(room).collect();
+        let around = Surroundings { room: &room, scale: self.scale };
+        let (mut held, mut step) = (vec![false; values.len()], vec![0.0; values.len()]);
+        let is_cut = self.minimizer.step(equations, around, control, (&mut held, &mut step))?;
+        Some((step, is_cut))
+    }
+}
+
+/// Parameter values with their normal equations.
+#[derive(Clone)]
+struct Place<E> {
+    values: Vec<f64>,
+    equations: E,
+}
+
+/// Parameters that tie all cables together, as the loop of all searches sees them.
+struct Descent<'a, 'p, S: System> {
+    system: &'a mut S,
+    around: &'a Around<'p>,
+    here: Place<S::Equations>,
+    /// Infinite before the start.
+    here_cost: f64,
+    trial: Place<S::Equations>,
+    history: Vec<f64>,
+}
+
+impl<S: System> solve::Problem for Descent<'_, '_, S> {
+    type Number = f64;
+
+    fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        let Place { values, equations } = &self.here;
+        let Some((step, is_cut)) = self.around.step(values, equations, control) else {
+            return Step::whole(0.0, false);
+        };
+        for (trial, (value, step)) in self.trial.values.iter_mut().zip(values.iter().zip(&step)) {
+            *trial = value + step;
+        }
+        let size = minimizer::size(&step, self.around.scale);
+        let gain = self.around.minimizer.gain(equations, &step, equations.cost());
+        Step { size, gain, is_cut, is_regular: true }
+    }
+
+    fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        let is_finite = self.system.write(&self.trial.values, &mut self.trial.equations);
+        let cost = self.trial.equations.cost();
+        Trial { helps: is_finite && cost <= self.here_cost * (1.0 + 1e-12), gain: 1.0 - cost / self.here_cost }
+    }
+
+    /// Steps along a descent that do not help however short leave rounding, as damped steps do once they are within the tolerance.
+    fn rests(&mut self, size: f64, tolerance: f64) -> bool {
+        size <= tolerance || self.around.minimizer.rule() == StepRule::Shortening
+    }
+
+    fn accept(&mut self, helps: bool, _: f64) {
+        if helps {
+            std::mem::swap(&mut self.here, &mut self.trial);
+            self.here_cost = self.here.equations.cost();
+            self.history.push(self.here_cost);
+        }
+    }
+}
+
+/// Solves (H + damping · diag H) step = −gradient for the parameters that are not held, columns scaled to unit diagonal;
+/// `None` when that matrix is not positive definite to rounding.
+pub(super) fn damped_step(system: &impl NormalSystem, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
+    let count = held.len();
+    let scale: Vec<f64> = (0..count)
+        .map(|k| match held[k] || !(system.entry(k, k) > 0.0) {
+            true => 0.0,
+            false => 1.0 / system.entry(k, k).sqrt(),
+        })
+        .collect();
+    let matrix = DMatrix::from_fn(count, count, |i, j| match i == j {
+        true => 1.0 + damping,
+        false => system.entry(i, j) * scale[i] * scale[j],
+    });
+    let factor = Cholesky::new(matrix)?;
+    let smallest = factor.l_dirty().diagonal().min();
+    // undamped, directions that nothing determines would wander on rounding errors
+    if smallest * smallest < REGULAR && damping < OF_SINGULAR {
+        return None;
+    }
+    let mut solution = DVector::from_fn(count, |k, _| -system.gradient(k) * scale[k]);
+    factor.solve_mut(&mut solution);
+    (0..count).for_each(|k| step[k] = solution[k] * scale[k]);
+    Some(())
+}

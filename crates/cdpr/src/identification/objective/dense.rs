@@ -1,0 +1,44 @@
+//! Normal equations of parameters that tie all samples together.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::identification::joint_descent::{Equations, damped_step};
+use crate::solve::NormalSystem;
+
+/// Cost with half its derivatives.
+#[derive(Clone, Debug)]
+pub(super) struct DenseEquations {
+    pub(super) cost: f64,
+    pub(super) gradient: DVector<f64>,
+    pub(super) hessian: DMatrix<f64>,
+}
+
+impl DenseEquations {
+    pub(super) fn new(parameters: usize) -> Self {
+        Self {
+            cost: f64::INFINITY,
+            gradient: DVector::zeros(parameters),
+            hessian: DMatrix::zeros(parameters, parameters),
+        }
+    }
+}
+
+impl NormalSystem for DenseEquations {
+    fn gradient(&self, k: usize) -> f64 {
+        self.gradient[k]
+    }
+
+    fn entry(&self, i: usize, j: usize) -> f64 {
+        self.hessian[(i, j)]
+    }
+
+    fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
+        damped_step(self, held, damping, step)
+    }
+}
+
+impl Equations for DenseEquations {
+    fn cost(&self) -> f64 {
+        self.cost
+    }
+}

@@ -1,0 +1,343 @@
+//! Optimum of an objective under any cost, and the report of it.
+
+use super::cost::{Cost, Ridge, deviations_of_norms};
+use super::dense::DenseEquations;
+use super::minimax::{self, Certificate};
+use super::problem::ObjectiveVectors;
+use super::vectors::{Stacked, Vectors};
+use super::{Minimize, Objective};
+use crate::identification::elastostatic::checked_start;
+use crate::identification::fit::{
+    Estimate, Fit, InputError, Settings, estimate, inflation, prior_sigma, verdict, warnings,
+};
+use crate::identification::identifiability::Analysis;
+use crate::identification::joint_analysis::{JointRows, analyse_together};
+use crate::identification::joint_descent::{Around, End, descend};
+use crate::identification::likelihood::Residuals;
+use crate::identification::loss::Loss;
+use crate::identification::misfit::Misfit;
+use crate::identification::norms::Norms;
+use crate::identification::starts::{Basin, Starts, count, same_cost};
+use crate::identification::worth::joint_worths;
+use crate::measurement::Samples;
+use crate::model::{FreeParameters, Model, RecordingParameter};
+use crate::robot::Parameter;
+use crate::solve::{ROUNDING_GAIN, Rules};
+
+/// The optimum and what belongs to it.
+pub(crate) struct Optimum {
+    /// The model before the fit; with a free wrench its robot states a constant one.
+    start_model: Model,
+    calibrated: Model,
+    end: End,
+    basins: Vec<Basin>,
+    /// Vectors at the optimum.
+    stacked: Stacked,
+    scale: Vec<f64>,
+    /// Metres that are one unit of the vectors; `None` where these are standard deviations of several quantities.
+    unit: Option<f64>,
+    certificate: Option<Certificate>,
+}
+
+impl Optimum {
+    pub(crate) fn calibrated(&self) -> &Model {
+        &self.calibrated
+    }
+
+    pub(crate) fn end(&self) -> &End {
+        &self.end
+    }
+}
+
+/// Refuses what cannot be combined.
+fn check(settings: &Settings) -> Result<(), InputError> {
+    if !matches!(settings.loss, Loss::Auto | Loss::Squared) {
+        let cost = match settings.objective {
+            Objective::Pose => "errors of predicted poses".to_owned(),
+            Objective::Length => format!("the {} of norms", settings.minimize),
+        };
+        return Err(InputError::RobustCost { loss: settings.loss, cost });
+    }
+    if settings.minimize != Minimize::Squares && !settings.priors.is_empty() {
+        return Err(InputError::PriorCost { minimize: settings.minimize });
+    }
+    Ok(())
+}
+
+/// Refuses parameters of the recording, which only squares of lengths tell.
+pub(crate) fn check_recording(free: &FreeParameters, settings: &Settings) -> Result<(), InputError> {
+    let of_recording =
+        [RecordingParameter::ClockOffset, RecordingParameter::TrackerFrame, RecordingParameter::MarkerFrame];
+    let freed = of_recording
+        .into_iter()
+        .find(|parameter| free.names_recording(*parameter) && !settings.hold.names_recording(*parameter));
+    freed.map_or(Ok(()), |parameter| Err(InputError::RecordingCost { name: parameter.name() }))
+}
+
+/// Finds the optimum; `progress` is called after each start.
+pub(crate) fn optimum(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<Optimum, InputError> {
+    check(settings)?;
+    if settings.objective == Objective::Pose && model.needs_tensions() && samples.tensions.is_none() {
+        return Err(InputError::PosesWithoutTensions);
+    }
+    let start_model = match model.needs_tensions() {
+        true => checked_start(model, samples, parameters)?,
+        false => model.clone(),
+    };
+    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
+    let tensions = samples.tensions.as_deref().unwrap_or_default();
+    let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
+    let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
+    let mut stacked = Stacked::new(&vectors, parameters.len());
+    if !vectors.write(&start, &mut stacked) {
+        return Err(match vectors.unpredicted() {
+            Some((sample, reason)) => InputError::NoPrediction { sample: sample + 1, reason },
+            None => InputError::NotFinite,
+        });
+    }
+    let search = Search { parameters, scale: &scale, start: &start, settings };
+    let (end, basins) = search.run(&mut vectors, progress);
+    let (end, certificate) = match settings.minimize {
+        Minimize::Max => search.minimax(&mut vectors, &end)?,
+        _ => (end, None),
+    };
+    let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
+    if !vectors.write(&end.values, &mut stacked) {
+        return Err(InputError::NotFinite);
+    }
+    Ok(Optimum {
+        calibrated,
+        end,
+        basins,
+        stacked,
+        scale: scale.clone(),
+        unit,
+        certificate,
+        start_model: start_model.clone(),
+    })
+}
+
+/// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
+const SMOOTHINGS: u32 = 9;
+
+/// Σ ‖r‖ at these values; not a number where there are no vectors.
+fn sum_of_norms(vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
+    let mut stacked = Stacked::new(vectors, values.len());
+    match vectors.write(values, &mut stacked) {
+        true => (0..stacked.samples()).map(|sample| stacked.square(sample).sqrt()).sum(),
+        false => f64::NAN,
+    }
+}
+
+/// Unknowns and start of a search.
+struct Search<'a> {
+    parameters: &'a [Parameter],
+    scale: &'a [f64],
+    start: &'a [f64],
+    settings: &'a Settings,
+}
+
+impl Search<'_> {
+    /// Descends from the file's values and from other starts; the lowest end wins. The largest norm starts from least squares.
+    fn run(&self, vectors: &mut ObjectiveVectors<'_>, progress: &dyn Fn()) -> (End, Vec<Basin>) {
+        let samples = vectors.samples();
+        let mut best = self.descend(vectors, self.start);
+        progress();
+        let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
+        let mut starts = Starts::new(self.settings.seed);
+        for _ in 1..self.settings.starts {
+            let from = starts.next(self.parameters, self.start);
+            let end = self.descend(vectors, &from);
+            progress();
+            if !end.cost.is_finite() {
+                continue;
+            }
+            count(&mut basins, end.cost, end.converged, samples);
+            if end.cost < best.cost - same_cost(end.cost, samples) || !best.cost.is_finite() {
+                best = end;
+            }
+        }
+        basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        (best, basins)
+    }
+
+    fn descend(&self, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+        let squares = self.descend_under(None, vectors, from);
+        match self.settings.minimize {
+            Minimize::Mean => self.follow_norms(vectors, squares),
+            _ => squares,
+        }
+    }
+
+    /// The least sum of norms, from an optimum of least squares by ever less smoothing.
+    fn follow_norms(&self, vectors: &mut ObjectiveVectors<'_>, squares: End) -> End {
+        let start = sum_of_norms(vectors, &squares.values);
+        let mut smoothing = start / vectors.samples() as f64;
+        let mut end = End { cost: start, history: vec![start], ..squares };
+        for _ in 0..SMOOTHINGS {
+            if !end.converged || !(smoothing > 0.0) {
+                break;
+            }
+            smoothing *= 0.1;
+            let next = self.descend_under(Some(smoothing), vectors, &end.values);
+            let cost = sum_of_norms(vectors, &next.values);
+            end.history.push(cost);
+            end = End { cost, iterations: end.iterations + next.iterations, history: end.history, ..next };
+        }
+        end
+    }
+
+    /// Descends by squares, or by norms with this smoothing.
+    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+        let ridge = |(parameter, of): (usize, &Parameter)| {
+            let sigma = prior_sigma(self.settings, of.kind)?;
+            Some(Ridge { parameter, centre: self.start[parameter], weight: 1.0 / (sigma * sigma) })
+        };
+        let ridges: Vec<Ridge> = self.parameters.iter().enumerate().filter_map(ridge).collect();
+        let stacked = Stacked::new(vectors, self.parameters.len());
+        let mut cost = Cost { vectors, stacked, smoothing, ridges: &ridges };
+        let around = Around { parameters: self.parameters, scale: self.scale, minimizer: self.settings.minimizer };
+        let rules = Rules {
+            tolerance: self.settings.tolerance,
+            max_iterations: self.settings.max_iterations,
+            least_gain: ROUNDING_GAIN,
+            rule: self.settings.minimizer.rule(),
+        };
+        descend(&mut cost, &around, from, DenseEquations::new(from.len()), &rules)
+    }
+
+    /// The least largest norm, from an optimum of least squares.
+    fn minimax(
+        &self,
+        vectors: &mut ObjectiveVectors<'_>,
+        squares: &End,
+    ) -> Result<(End, Option<Certificate>), InputError> {
+        // Newton steps of all centres
+        let limit = 10 * self.settings.max_iterations;
+        let found = minimax::minimise(vectors, self.parameters, self.scale, &squares.values, limit);
+        let found = found.ok_or(InputError::NotFinite)?;
+        let end = End {
+            cost: found.certificate.largest,
+            values: found.values,
+            iterations: squares.iterations + found.iterations,
+            history: found.history,
+            converged: found.converged,
+        };
+        Ok((end, Some(found.certificate)))
+    }
+}
+
+/// The fit in full: uncertainty, weak directions, warnings.
+pub(crate) fn fit(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<Fit, InputError> {
+    let optimum = optimum(model, samples, parameters, settings, progress)?;
+    let analysis = analyse(&optimum, samples, parameters, settings);
+    let residuals = residuals_of(&optimum, samples);
+    let Optimum { start_model, calibrated, end, basins, certificate, unit, stacked, .. } = optimum;
+    let estimates: Vec<Estimate> = parameters
+        .iter()
+        .zip(&analysis.sigmas)
+        .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
+        .collect();
+    let (status, reason) = verdict(&analysis, &estimates, end.converged, settings);
+    let noise_factor = misfit(&stacked, &estimates).factor();
+    let mut all_warnings = analysis.warnings.clone();
+    all_warnings.extend(warnings::suspicious_units(model, samples));
+    all_warnings.extend(warnings::of_bounds(&estimates));
+    all_warnings.extend(caution(settings));
+    Ok(Fit {
+        model: calibrated,
+        status,
+        reason,
+        iterations: end.iterations,
+        history: end.history,
+        parameters: estimates,
+        analysis,
+        noise_factor,
+        loss: Loss::Squared,
+        loss_threshold: f64::INFINITY,
+        outliers: Vec::new(),
+        basins,
+        clock_offset: None,
+        frames: None,
+        certificate: certificate.map(|certificate| certificate.in_metres(unit)),
+        samples: samples.len(),
+        outlier_warning: None,
+        warnings: all_warnings,
+        residuals,
+    })
+}
+
+/// Residuals with the same accuracy for all of a kind.
+fn residuals_of(optimum: &Optimum, samples: &Samples) -> Residuals {
+    let (stacked, count) = (&optimum.stacked, optimum.stacked.samples());
+    let rows = (vec![0.0; count], vec![stacked.size; count]);
+    let residuals = Residuals::of(&series(stacked), rows, (1.0, &Norms::default()));
+    let absolute = samples.sigmas.position.is_some();
+    Residuals { absolute, with_wrenches: optimum.unit.is_none(), ..residuals }
+}
+
+/// Residuals of every row of a sample over the samples.
+fn series(stacked: &Stacked) -> Vec<Vec<f64>> {
+    let row =
+        |row: usize| (0..stacked.samples()).map(|sample| stacked.residuals[sample * stacked.size + row]).collect();
+    (0..stacked.size).map(row).collect()
+}
+
+/// Warning of a cost that no statistics belong to.
+fn caution(settings: &Settings) -> Option<String> {
+    let is_max = settings.minimize == Minimize::Max;
+    is_max.then(|| {
+        "the least largest error hangs on a few samples: one outlier moves every parameter, and it has no standard deviations".to_owned()
+    })
+}
+
+/// Squares at the optimum, in units of the vectors.
+fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
+    let priors = estimates.iter().filter_map(|e| Some((e.change / e.prior_sigma?).powi(2)));
+    let prior_cost: f64 = priors.clone().sum();
+    let rows = stacked.residuals.len() + priors.count();
+    let cost = stacked.residuals.norm_squared() + prior_cost;
+    Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
+}
+
+fn analyse(optimum: &Optimum, samples: &Samples, parameters: &[Parameter], settings: &Settings) -> Analysis {
+    let Optimum { stacked, scale, calibrated, unit, .. } = optimum;
+    let misfit = Misfit {
+        cost: stacked.residuals.norm_squared(),
+        prior_cost: 0.0,
+        freedom: stacked.residuals.len().saturating_sub(parameters.len()),
+    };
+    let inflation = inflation(misfit.factor(), unit.is_none() && samples.sigmas.position.is_some());
+    let rows = JointRows {
+        model: calibrated,
+        samples,
+        parameters,
+        scale,
+        plain: &stacked.jacobian * unit.unwrap_or(1.0),
+        weighted: stacked.jacobian.clone(),
+        series: series(stacked),
+        inflation,
+    };
+    let mut analysis = analyse_together(rows, settings);
+    match settings.minimize {
+        Minimize::Squares => {}
+        Minimize::Mean => analysis.sigmas = deviations_of_norms(stacked).unwrap_or(analysis.sigmas),
+        Minimize::Max => {
+            analysis.sigmas.fill(None);
+            analysis.correlations.clear();
+        }
+    }
+    analysis
+}

@@ -1,0 +1,79 @@
+//! Objectives of an identification: which residuals are made small, and by which cost of all samples.
+
+mod balance;
+mod comparison;
+mod cost;
+mod dense;
+mod fit;
+mod lengths;
+mod metric;
+mod minimax;
+mod poses;
+mod problem;
+#[cfg(test)]
+mod tests;
+mod vectors;
+
+pub use comparison::{JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
+pub(super) use fit::{check_recording, fit, optimum};
+pub use minimax::{ActiveSample, Certificate};
+use serde::Serialize;
+
+/// Residuals that an identification makes small.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Objective {
+    /// Modelled minus recorded lengths at the measured poses, of elastic models with the wrenches there (joint space, eq. 4.8, 4.38).
+    #[default]
+    Length,
+    /// Predicted minus measured poses at the recorded lengths, of elastic models with the tensions there (Cartesian space, eq. 4.1, 4.31).
+    Pose,
+}
+
+/// Cost of the residual vectors of all samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Minimize {
+    /// Σ ‖r‖² (eq. 4.10).
+    #[default]
+    Squares,
+    /// Mean of ‖r‖ (eq. 3.9).
+    Mean,
+    /// Largest ‖r‖ (eq. 3.10).
+    Max,
+}
+
+impl Objective {
+    /// All of them, the default first.
+    pub const ALL: [Self; 2] = [Self::Length, Self::Pose];
+
+    /// Name in options and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Pose => "pose",
+        }
+    }
+}
+
+impl Minimize {
+    /// All of them, the default first.
+    pub const ALL: [Self; 3] = [Self::Squares, Self::Mean, Self::Max];
+
+    /// Name in options and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Squares => "squares",
+            Self::Mean => "mean",
+            Self::Max => "max",
+        }
+    }
+}
+
+impl std::fmt::Display for Minimize {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(self.name())
+    }
+}

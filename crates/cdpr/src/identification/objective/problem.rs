@@ -1,0 +1,81 @@
+//! Residual vectors of an objective for any model.
+
+use super::Objective;
+use super::balance::BalanceVectors;
+use super::lengths::LengthVectors;
+use super::metric::{Metric, position_sigma};
+use super::poses::PoseVectors;
+use super::vectors::{Stacked, Vectors};
+use crate::identification::elastostatic::Balance;
+use crate::identification::fit::{ASSUMED_NOISE, InputError, Settings};
+use crate::measurement::Samples;
+use crate::model::Model;
+use crate::robot::Parameter;
+
+/// Residual vectors of an objective, in standard deviations.
+pub(super) enum ObjectiveVectors<'a> {
+    Lengths(LengthVectors),
+    Balance(BalanceVectors<'a>),
+    Poses(PoseVectors<'a>),
+}
+
+impl<'a> ObjectiveVectors<'a> {
+    /// Vectors at a model with the load that its parameters need, and the standard deviation in metres that is one of their units; `None` where
+    /// they have none.
+    pub(super) fn of(
+        model: &'a Model,
+        samples: &'a Samples,
+        parameters: &'a [Parameter],
+        settings: &Settings,
+    ) -> Result<(Self, Option<f64>), InputError> {
+        match (settings.objective, model.needs_tensions()) {
+            (Objective::Pose, is_elastic) => {
+                let metric = Metric::of(model, samples, settings.rotation_length)?;
+                let unit = (!is_elastic).then(|| position_sigma(samples));
+                Ok((Self::Poses(PoseVectors::new(model, samples, parameters, metric)), unit))
+            }
+            (Objective::Length, true) => {
+                let balance = Balance::new(model, samples, parameters)?;
+                Ok((Self::Balance(BalanceVectors::new(model, samples, parameters, balance)), None))
+            }
+            (Objective::Length, false) => {
+                let sigma = samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE);
+                Ok((Self::Lengths(LengthVectors::new(model, samples, parameters, sigma)), Some(sigma)))
+            }
+        }
+    }
+
+    /// Sample without a prediction (from 0) where the vectors were written last, with the reason.
+    pub(super) fn unpredicted(&self) -> Option<(usize, String)> {
+        match self {
+            Self::Poses(poses) => poses.unpredicted(),
+            _ => None,
+        }
+    }
+}
+
+impl Vectors for ObjectiveVectors<'_> {
+    fn size(&self) -> usize {
+        match self {
+            Self::Lengths(vectors) => vectors.size(),
+            Self::Balance(vectors) => vectors.size(),
+            Self::Poses(vectors) => vectors.size(),
+        }
+    }
+
+    fn samples(&self) -> usize {
+        match self {
+            Self::Lengths(vectors) => vectors.samples(),
+            Self::Balance(vectors) => vectors.samples(),
+            Self::Poses(vectors) => vectors.samples(),
+        }
+    }
+
+    fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
+        match self {
+            Self::Lengths(vectors) => vectors.write(values, stacked),
+            Self::Balance(vectors) => vectors.write(values, stacked),
+            Self::Poses(vectors) => vectors.write(values, stacked),
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Residual vectors of samples with their derivatives: what every loss of an objective is made of.
+
+use nalgebra::{DMatrix, DVector};
+
+/// Residual vectors of all samples, one after the other, and their derivatives by the free parameters.
+#[derive(Clone, Debug)]
+pub(super) struct Stacked {
+    /// Entries of one sample's vector.
+    pub(super) size: usize,
+    pub(super) residuals: DVector<f64>,
+    /// A row for each residual, a column for each parameter.
+    pub(super) jacobian: DMatrix<f64>,
+}
+
+/// Residual vectors as functions of the free parameters.
+pub(super) trait Vectors {
+    /// Entries of one sample's vector.
+    fn size(&self) -> usize;
+
+    /// Number of samples.
+    fn samples(&self) -> usize;
+
+    /// Writes vectors and derivatives at parameter values; false where a sample has none.
+    fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool;
+}
+
+impl Stacked {
+    /// Room for the vectors of so many parameters.
+    pub(super) fn new(vectors: &impl Vectors, parameters: usize) -> Self {
+        let rows = vectors.size() * vectors.samples();
+        Self { size: vectors.size(), residuals: DVector::zeros(rows), jacobian: DMatrix::zeros(rows, parameters) }
+    }
+
+    /// Number of samples.
+    pub(super) fn samples(&self) -> usize {
+        self.residuals.len() / self.size
+    }
+
+    /// ‖r‖² of a sample.
+    pub(super) fn square(&self, sample: usize) -> f64 {
+        self.residuals.rows(sample * self.size, self.size).norm_squared()
+    }
+
+    /// Jᵀ r of a sample: half the derivative of its square.
+    pub(super) fn gradient(&self, sample: usize) -> DVector<f64> {
+        let rows = self.jacobian.rows(sample * self.size, self.size);
+        rows.tr_mul(&self.residuals.rows(sample * self.size, self.size))
+    }
+
+    /// Multiplies vector and derivatives of a sample.
+    pub(super) fn scale(&mut self, sample: usize, factor: f64) {
+        self.residuals.rows_mut(sample * self.size, self.size).scale_mut(factor);
+        self.jacobian.rows_mut(sample * self.size, self.size).scale_mut(factor);
+    }
+
+    /// True where every number is one.
+    pub(super) fn is_finite(&self) -> bool {
+        self.residuals.iter().chain(self.jacobian.iter()).all(|number| number.is_finite())
+    }
+}

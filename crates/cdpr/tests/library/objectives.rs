@@ -1,0 +1,135 @@
+//! Objectives and costs of an identification, by the optima that programs independent of this one found (requirements, C20).
+
+use std::convert::Infallible;
+
+use super::support::builtin;
+use cdpr::identification::fit::{Fit, Settings, Status, fit};
+use cdpr::identification::{Minimize, Objective, evaluate};
+use cdpr::measurement::Samples;
+use cdpr::metamodel::{Experiment, Robots, Study};
+use cdpr::model::{Composition, Model};
+
+fn study(name: &str) -> Study {
+    let path = format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap()
+}
+
+/// Record of a study without noise.
+fn record(name: &str) -> Samples {
+    let study = study(name);
+    let robots = Robots::of(&study, |name| Ok::<_, Infallible>(builtin(name))).unwrap();
+    let experiment = Experiment::new(study, robots).unwrap();
+    let poses = experiment.poses(Vec::new(), 0).unwrap();
+    experiment.record(&poses, 0).unwrap().samples
+}
+
+/// The calibrated controller on the machine of a study, the winches as the nominal controller set them: mean and largest error (mm).
+///
+/// The other program lets cables push: only where all of them pull are its numbers ours.
+fn driven(name: &str, control: &Model) -> [f64; 2] {
+    let study = study(name);
+    let robots = Robots::of(&study, |name| Ok::<_, Infallible>(builtin(name))).unwrap();
+    let experiment = Experiment::new(study, robots).unwrap().with_control(control.clone());
+    let poses = experiment.poses(Vec::new(), 0).unwrap();
+    let errors = experiment.assess(&poses).unwrap().accuracy.position_error_m;
+    [1e3 * errors.mean, 1e3 * errors.max]
+}
+
+fn found(samples: &Samples, robot: &str, objective: Objective, minimize: Minimize) -> Fit {
+    let model = Model::new(builtin(robot), Composition::STANDARD).unwrap();
+    let settings = Settings { objective, minimize, ..Settings::default() };
+    let fit = fit(&model, samples, &"frame-anchor".parse().unwrap(), &settings).unwrap();
+    assert_eq!(fit.status, Status::Converged, "{}", fit.reason);
+    fit
+}
+
+/// Mean, root mean square and maximum of the predicted position errors and rms of the lengths (mm).
+fn predicted(fit: &Fit, samples: &Samples) -> [f64; 4] {
+    let blocks = evaluate(&fit.model, samples).unwrap().blocks();
+    let position = blocks.position_error_m;
+    [position.mean, position.rms, position.max, blocks.length_error_m.rms].map(|error| 1e3 * error)
+}
+
+#[track_caller]
+fn assert_near<const N: usize>(found: [f64; N], expected: [f64; N], tolerance: f64) {
+    for (found, expected) in found.into_iter().zip(expected) {
+        assert!((found - expected).abs() <= tolerance, "{found}, expected {expected} ± {tolerance}");
+    }
+}
+
+fn changes(fit: &Fit) -> [f64; 8] {
+    std::array::from_fn(|k| 1e3 * fit.parameters[k].change)
+}
+
+/// The numbers are printed to a micrometre, and agree to a few of its last digit where the other program stopped; those of minimax to the flatness of its optimum.
+#[test]
+fn planar_optima_are_those_of_an_independent_program() {
+    use Minimize::{Max, Mean, Squares};
+    use Objective::{Length, Pose};
+    let wide = record("planar-wide-grid");
+    let of = |objective, minimize| found(&wide, "planar-example", objective, minimize);
+    let fit = of(Length, Squares);
+    assert_near(changes(&fit), [14.800, 69.088, -40.866, 74.297, 10.844, -0.003, -13.352, 13.921], 1e-3);
+    assert_near(predicted(&fit, &wide), [39.998, 47.042, 81.592, 32.626], 1e-3);
+    let fit = of(Pose, Squares);
+    assert_near(changes(&fit), [-14.243, 105.231, -41.058, 117.509, -12.661, -28.275, 18.593, -37.831], 5e-3);
+    assert_near(predicted(&fit, &wide), [32.426, 38.885, 77.502, 51.930], 1e-3);
+    assert_near(driven("planar-wide-grid", &fit.model), [26.264, 55.003], 1e-3);
+    let fit = of(Pose, Mean);
+    assert_near(changes(&fit), [0.087, 118.193, -57.273, 137.641, -31.560, -3.572, 23.421, -30.585], 0.02);
+    assert_near(predicted(&fit, &wide), [32.198, 39.327, 84.558, 52.945], 1e-3);
+    let fit = of(Pose, Max);
+    assert_near(changes(&fit), [53.07, 166.77, -98.16, 93.12, -33.97, -31.62, 69.42, 31.60], 0.05);
+    assert_near(predicted(&fit, &wide), [46.69, 48.96, 64.486, 58.34], 0.02);
+    let certificate = fit.certificate.as_ref().unwrap();
+    assert!((1e3 * certificate.largest - 64.486).abs() < 1e-3, "{certificate:?}");
+    assert_eq!(certificate.active.len(), 7, "{certificate:?}");
+    assert!(certificate.subgradient < 1e-4 && certificate.gap < 1e-8, "{certificate:?}");
+}
+
+#[test]
+fn low_planar_optima_are_those_of_an_independent_program() {
+    use Minimize::{Max, Mean, Squares};
+    let low = record("planar-low-grid");
+    let of = |minimize| found(&low, "planar-example", Objective::Pose, minimize);
+    let fit = found(&low, "planar-example", Objective::Length, Squares);
+    assert_near(changes(&fit), [17.705, 131.262, -144.417, 196.640, 37.206, -144.705, -53.303, -296.466], 1e-3);
+    assert_near(predicted(&fit, &low), [18.160, 18.935, 27.634, 18.795], 1e-3);
+    let fit = of(Squares);
+    assert_near(changes(&fit), [-96.246, 129.219, -59.880, 109.703, 104.197, -452.338, -28.112, -601.670], 5e-3);
+    assert_near(predicted(&fit, &low), [4.343, 5.178, 10.415, 61.290], 1e-3);
+    let fit = of(Mean);
+    assert_near(changes(&fit), [-120.226, 111.737, -48.808, 97.639, 112.351, -454.308, -41.537, -637.907], 0.02);
+    assert_near(predicted(&fit, &low), [4.218, 5.385, 12.080, 60.224], 1e-3);
+    let fit = of(Max);
+    assert_near(changes(&fit), [-27.693, 146.640, -68.625, 139.709, 86.123, -428.523, -33.963, -548.476], 0.05);
+    assert_near(predicted(&fit, &low), [6.166, 6.352, 7.963, 48.908], 2e-3);
+}
+
+/// The Cartesian fit predicts three times better and drives four times worse: lengths may err freely in ker Aᵀ.
+#[test]
+fn a_spatial_cartesian_fit_predicts_better_and_drives_worse() {
+    let samples = record("twin-nominal");
+    let robot = "cablerobot-simulator-helicopter";
+    let joint = found(&samples, robot, Objective::Length, Minimize::Squares);
+    let [mean, _, max, _] = predicted(&joint, &samples);
+    assert_near([mean, max], [2.968, 5.941], 1e-3);
+    assert_near([driven("twin-nominal", &joint.model)[0]], [2.664], 1e-3);
+    let model = Model::new(builtin(robot), Composition::STANDARD).unwrap();
+    for (length, expected) in [(1.0, [1.033, 0.0594]), (3.0, [1.387, 0.0516])] {
+        let settings = Settings { objective: Objective::Pose, rotation_length: Some(length), ..Settings::default() };
+        let fit = fit(&model, &samples, &"frame-anchor".parse().unwrap(), &settings).unwrap();
+        let blocks = evaluate(&fit.model, &samples).unwrap().blocks();
+        let found = [1e3 * blocks.position_error_m.mean, blocks.rotation_error_rad.mean.to_degrees()];
+        assert_near(found, expected, 1e-3);
+        if length == 1.0 {
+            assert_near(
+                std::array::from_fn::<f64, 3, _>(|k| 1e3 * fit.parameters[k].change),
+                [-195.77, -229.10, 116.12],
+                0.01,
+            );
+            assert_near([driven("twin-nominal", &fit.model)[0]], [9.785], 2e-3);
+            assert_near([1e3 * blocks.length_error_m.mean_abs], [10.07], 0.01);
+        }
+    }
+}
