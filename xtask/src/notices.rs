@@ -1,6 +1,6 @@
 //! THIRD-PARTY.txt: whose work is in the command and in reports, and under which licences.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::packages::{Licence, Package, linked};
 
@@ -106,17 +106,24 @@ fn terms_besides(package: &Package) -> Result<String, String> {
 
 /// The file with the terms of the package's licence, the one named after it first, and these terms.
 fn licence_file(package: &Package) -> Result<Option<(String, String)>, String> {
-    let entries =
-        std::fs::read_dir(&package.folder).map_err(|error| format!("{}: {error}", package.folder.display()))?;
+    let folders = ["", "licenses"].map(|name| package.folder.join(name));
+    let entries = folders
+        .iter()
+        .filter(|folder| folder.is_dir())
+        .map(|folder| std::fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display())));
+    let entries: Vec<_> = entries.collect::<Result<_, _>>()?;
     let word = if package.licence == Licence::Mit { "MIT" } else { "APACHE" };
-    let mut files: Vec<(bool, String)> = entries
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| name.to_uppercase().starts_with("LICEN"))
-        .map(|name| (!name.to_uppercase().contains(word), name))
+    let mut files: Vec<(bool, PathBuf)> = entries
+        .into_iter()
+        .flatten()
+        .filter_map(|entry| Some(entry.ok()?.path()).filter(|path| path.is_file()))
+        .filter_map(|path| Some((path.file_name()?.to_str()?.to_uppercase(), path)))
+        .filter(|(name, path)| name.starts_with("LICEN") || path.parent() == Some(&folders[1]))
+        .map(|(name, path)| (!name.contains(word), path))
         .collect();
     files.sort_unstable();
-    for (_, name) in files {
-        let text = read(&package.folder.join(name))?;
+    for (_, file) in files {
+        let text = read(&file)?;
         if let Some(terms) = terms(&text, package.licence) {
             return Ok(Some((text, terms)));
         }

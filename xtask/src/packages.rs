@@ -18,6 +18,9 @@ pub(crate) enum Licence {
 /// A licence that adds terms to one of ours, looked at by a person, and the file with these terms.
 const BESIDES: [(&str, Licence, &str); 1] = [("(Apache-2.0 OR MIT) AND BSD-3-Clause", Licence::Mit, "LICENSE-WHATWG")];
 
+/// A package whose licence does not name the terms of a part of it, looked at by a person, and the file with these terms.
+const PARTS: [(&str, &str); 1] = [("sobol_burley", "licenses/JOE_KUO.txt")];
+
 /// A package of the registry.
 #[derive(Clone, Debug)]
 pub(crate) struct Package {
@@ -50,7 +53,9 @@ pub(crate) fn linked(root: &Path) -> Result<Vec<Package>, String> {
         let manifest = format!("/{name}-{version}");
         let folder = folders.iter().find(|folder| folder.to_string_lossy().replace('\\', "/").ends_with(&manifest));
         let folder = folder.ok_or_else(|| format!("cargo does not say where {title} is"))?.clone();
-        packages.push(Package { title, licence, folder, besides: looked_at.map(|(.., file)| *file) });
+        let of_part = PARTS.iter().find(|(package, _)| *package == name).map(|(_, file)| *file);
+        let besides = looked_at.map(|(.., file)| *file).or(of_part);
+        packages.push(Package { title, licence, folder, besides });
     }
     if refused.is_empty() { Ok(packages) } else { Err(refused.join("\n")) }
 }

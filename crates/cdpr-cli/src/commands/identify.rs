@@ -78,8 +78,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SPLIT")]
     split: Option<Split>,
 
-    /// Starts: the file's values and others (anchors up to 0.5 m away, compliances up to 10/3 times larger or smaller); the
-    /// optima they lead to are listed.
+    /// Starts: the file's values and others by a Sobol sequence (anchors up to 0.5 m away, compliances up to 10/3 times larger or
+    /// smaller); the optima they lead to are listed.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     starts: u32,
 

@@ -39,9 +39,9 @@ fn the_twin_is_identified_and_its_file_predicts_poses_and_tensions() {
     let folder = twin();
     let run = identify(folder.path(), &format!("{SIXTY_TWO} --out calibrated.toml --report report.html"));
     assert_eq!(run.exit_code, 0, "{}{}", run.stdout, run.stderr);
-    let answer = run.json_with(&["basins", "train", "warnings", "rank", "condition", "condition_scaled"]);
+    let answer = run.json_with(&["starts", "train", "warnings", "rank", "condition", "condition_scaled"]);
     assert_eq!(answer["parameter_count"], 62);
-    assert_eq!(answer["basins"].as_array().unwrap().len(), 1, "one optimum from all starts");
+    assert_eq!(answer["starts"]["optima"].as_array().unwrap().len(), 1, "one optimum from all starts");
     let evaluated = cdpr_in(folder.path(), "evaluate calibrated.toml twin.csv --model elastic --format json");
     let evaluated = evaluated.json_with(&["tension_error_N"]);
     for errors in [&answer["train"], &evaluated] {

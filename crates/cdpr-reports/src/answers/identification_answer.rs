@@ -3,7 +3,7 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Basin, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, distrust};
+use cdpr::identification::{Analysis, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, distrust};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
@@ -35,8 +35,7 @@ pub struct IdentificationAnswer {
     pub(super) loss: Loss,
     pub(super) loss_threshold: f64,
     pub(super) outliers: Vec<Outlier>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) basins: Vec<Basin>,
+    pub(super) starts: Starts,
     #[serde(rename = "clock_offset_s", skip_serializing_if = "Option::is_none")]
     pub(super) clock_offset: Option<f64>,
     #[serde(rename = "clock_offset_sigma_s", skip_serializing_if = "Option::is_none")]
@@ -132,7 +131,7 @@ impl IdentificationAnswer {
             loss: fit.loss,
             loss_threshold: fit.loss_threshold,
             outliers: fit.outliers,
-            basins: fit.basins,
+            starts: fit.starts,
             clock_offset: fit.clock_offset.map(|clock| clock.seconds),
             clock_sigma: fit.clock_offset.map(|clock| clock.sigma),
             frames: fit.frames,

@@ -5,6 +5,7 @@ use cdpr::identification::fit::Status;
 use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
 use super::identification_answer::IdentificationAnswer as Identified;
+use super::start_words::start_words;
 use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
 
@@ -45,20 +46,7 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
         text.push_str("\nwarnings\n");
         remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
     }
-    if answer.basins.len() > 1 {
-        text.push_str("\nthe starts led to different optima; the one with the lowest cost is reported\n");
-        let list = answer.basins.iter().map(|basin| {
-            let note = if basin.converged { "" } else { ", not converged" };
-            match basin.starts {
-                0 => format!("  cost {:.4e} from the best start of each cable{note}\n", basin.cost),
-                1 => format!("  cost {:.4e} from 1 start{note}\n", basin.cost),
-                starts => format!("  cost {:.4e} from {starts} starts{note}\n", basin.cost),
-            }
-        });
-        text.extend(list);
-    } else if let Some(basin) = answer.basins.first().filter(|basin| basin.starts > 1) {
-        text.push_str(&format!("\nall {} starts led to the same optimum\n", basin.starts));
-    }
+    text.push_str(&start_words(&answer.starts, width));
     if let Some(path) = &answer.out {
         text.push_str(&format!("\ncalibrated robot written to {path}\n"));
     }

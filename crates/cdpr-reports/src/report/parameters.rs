@@ -5,6 +5,7 @@ use minijinja::{Value, context};
 
 use super::Shown;
 use super::table::{Cell, Table};
+use crate::answers::start_summary;
 use crate::html_page::prose;
 use crate::number_format::{self as number, decimals_for, fixed, signed};
 
@@ -91,10 +92,37 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
         condition_scaled => number::condition(analysis.condition_scaled),
         noise_factor => number::significant(fit.noise_factor, 3),
         iterations => fit.iterations,
+        starts => (fit.starts.count > 1).then(|| prose(&start_summary(&fit.starts))),
+        optima => (fit.starts.optima.len() > 1).then(|| optima(fit).into_value()),
         weak,
         correlation_count => count,
         correlations => correlations.into_value(),
     }
+}
+
+/// Optima that the starts led to.
+fn optima(fit: &Fit) -> Table {
+    let columns = [
+        ("#cost", "def-cost"),
+        ("#starts", "def-starts"),
+        ("#share %", "def-starts"),
+        ("#spread mm", "def-starts"),
+        ("#from the best mm", "def-starts"),
+    ];
+    let mut table = Table::new("Optima that the starts led to", &columns);
+    for optimum in &fit.starts.optima {
+        table.push(
+            "",
+            vec![
+                Cell::number(number::significant(optimum.cost, 5)),
+                Cell::number(optimum.starts.to_string()),
+                Cell::number(fixed(100.0 * optimum.share, 0)),
+                Cell::number(number::significant(1e3 * optimum.spread_m, 2)),
+                Cell::number(number::significant(1e3 * optimum.distance_m, 4)),
+            ],
+        );
+    }
+    table
 }
 
 /// Outcome of the fit in words.

@@ -192,7 +192,7 @@ fn report(
         noise_factor,
         loss,
         loss_threshold: weights.noise * threshold(optimum.norms.loss),
-        basins: optimum.basins,
+        starts: optimum.starts,
         clock_offset: None,
         frames: None,
         certificate: None,

@@ -2,6 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::starts::Ending;
 use crate::robot::Parameter;
 use crate::solve::{
     self, Control, Minimizer, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -39,6 +40,20 @@ pub(super) struct End {
     pub(super) iterations: u32,
     pub(super) history: Vec<f64>,
     pub(super) converged: bool,
+}
+
+impl Ending for End {
+    fn cost(&self) -> f64 {
+        self.cost
+    }
+
+    fn converged(&self) -> bool {
+        self.converged
+    }
+
+    fn place(&self) -> &[f64] {
+        &self.values
+    }
 }
 
 /// Descends from these values; `equations` is memory for them.

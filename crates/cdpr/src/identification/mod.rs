@@ -59,4 +59,4 @@ pub use plausibility::{Distrust, distrust};
 pub use pose_band::PoseBand;
 pub use prediction::PredictionError;
 pub use resampling::{Resampled, ResampledDeviation, resampled};
-pub use starts::Basin;
+pub use starts::{StartOptimum, Starts};

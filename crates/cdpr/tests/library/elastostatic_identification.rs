@@ -67,7 +67,7 @@ fn sixty_two_parameters_predict_the_twin_to_the_noise_from_ten_starts() {
 
     let found = identified(&nominal, Composition::ELASTIC, SIXTY_TWO, &noisy, &settings(10));
     assert_eq!(found.parameters.len(), 62);
-    assert_eq!((found.basins.len(), found.basins[0].starts), (1, 10), "{:?}", found.basins);
+    assert_eq!((found.starts.optima.len(), found.starts.optima[0].starts), (1, 10), "{:?}", found.starts);
     let (noisy, truth) = (errors(&found, &noisy), errors(&found, &truth));
     let position = [noisy, truth].map(|blocks| 1e3 * blocks.position_error_m.mean);
     let tension = [noisy, truth].map(|blocks| blocks.tension_error.unwrap().mean_norm);

@@ -46,6 +46,7 @@ mod reader_properties;
 mod robot_files;
 mod selection_truth;
 mod sensitivity;
+mod starts;
 mod statics_properties;
 mod statics_reference;
 mod tension_collection;

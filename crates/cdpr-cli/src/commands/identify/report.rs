@@ -1,7 +1,6 @@
 //! The report of an identification: that of a comparison with the model as given.
 
 use cdpr::identification::Candidate;
-use cdpr::identification::fit;
 use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, select};
 use cdpr::measurement::Fold;
 use cdpr::model::FreeParameters;
@@ -41,15 +40,7 @@ pub(super) fn page(
     let composition = task.model.composition();
     let free = |free: FreeParameters| Candidate { composition, free };
     let candidates = [free(FreeParameters::default()), free(arguments.free.clone())];
-    let fit = fit::Settings {
-        hold: arguments.hold.clone(),
-        priors: arguments.prior.clone(),
-        starts: arguments.starts,
-        loss: arguments.loss,
-        seed: arguments.seed,
-        ..fit::Settings::default()
-    };
-    let settings = Settings { fit, seed: arguments.seed, ..Settings::default() };
+    let settings = Settings { fit: task.settings(), seed: arguments.seed, ..Settings::default() };
     let mut selection = select(task.model.robot(), &candidates, &samples, &folds, &settings, &|| ())
         .map_err(|error| Failure::refused(&name, &error))?;
     // the user has chosen the model: the page is about it, whatever the model as given can do

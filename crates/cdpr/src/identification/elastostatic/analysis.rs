@@ -56,7 +56,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         noise_factor,
         loss,
         loss_threshold: optimum.noise * threshold(optimum.norms.loss),
-        basins: optimum.basins,
+        starts: optimum.starts,
         clock_offset: None,
         frames: None,
         certificate: None,

@@ -135,6 +135,13 @@ impl<'a> Problem<'a> {
         all_inside.then_some(PlainStep { values, predicted_reduction, cost: equations.cost() })
     }
 
+    /// Cost at `values`; infinite where a row is not finite.
+    pub(super) fn cost(&self, values: &[f64], at: &Linearization) -> f64 {
+        let mut rows = SampleRows::new(self.model, self.parameters.len());
+        let mut equations = NormalEquations::new(&rows, &first_columns(self.model, self.parameters));
+        if self.equations(values, at, &mut rows, &mut equations) { equations.cost() } else { f64::INFINITY }
+    }
+
     /// Descends from these values until the next step promises no more than this share of the cost.
     pub(super) fn descend(&self, from: &[f64], at: &Linearization, stop: f64) -> End {
         let rows = SampleRows::new(self.model, self.parameters.len());

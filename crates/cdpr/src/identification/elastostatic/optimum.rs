@@ -11,7 +11,7 @@ use crate::identification::fit::{InputError, Settings};
 use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
-use crate::identification::starts::{Basin, Starts, count, same_cost};
+use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{ExternalWrench, Parameter, ParameterKind, Robot};
@@ -36,7 +36,7 @@ pub(crate) struct Optimum {
     /// Norms of the samples' residuals, with the loss.
     pub(super) norms: Norms,
     pub(super) end: End,
-    pub(super) basins: Vec<Basin>,
+    pub(super) starts: Starts,
 }
 
 impl Optimum {
@@ -77,7 +77,7 @@ pub(crate) fn find(
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let mut adjust = Adjust { problem: &problem, sigmas, noise: 1.0 };
     let mut linearization = adjust.measured(&start_model)?;
-    let (mut end, basins) = search(&problem, &linearization, progress);
+    let (mut end, starts) = search(&problem, &linearization, progress);
     if !parameters.is_empty() {
         adjust.settle(&mut end, &mut linearization)?;
         if !absolute && !settings.priors.is_empty() {
@@ -98,32 +98,42 @@ pub(crate) fn find(
     }
     let noise = adjust.noise;
     let calibrated = problem.model_at(&end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { calibrated, linearization, absolute, noise, misfit, norms, end, basins, tensions, start_model })
+    Ok(Optimum { calibrated, linearization, absolute, noise, misfit, norms, end, starts, tensions, start_model })
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
-fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Vec<Basin>) {
+fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Starts) {
     // one start only has to come near; several must be told apart
     let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
-    let mut best = problem.descend(&problem.start, linearization, stop);
-    progress();
-    let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
-    let mut starts = Starts::new(problem.settings.seed);
-    for _ in 1..problem.settings.starts {
-        let from = starts.next(problem.parameters, &problem.start);
-        let end = problem.descend(&from, linearization, stop);
-        progress();
-        if !end.cost.is_finite() {
-            continue;
-        }
-        count(&mut basins, end.cost, end.converged, problem.samples.len());
-        let same = same_cost(end.cost, problem.samples.len());
-        if end.cost < best.cost - same || !best.cost.is_finite() {
-            best = end;
-        }
+    let part =
+        Part { parameters: problem.parameters.to_vec(), start: problem.start.clone(), scale: problem.scale().to_vec() };
+    let tension = problem.tensions.iter().sum::<f64>() / problem.tensions.len().max(1) as f64;
+    let search = starts::Search { parts: &[part], settings: problem.settings, samples: problem.samples.len(), tension };
+    let mut together = Together { problem, linearization, stop };
+    let mut best = [problem.descend(&problem.start, linearization, stop)];
+    let starts = search.run(&mut together, &mut best, progress);
+    let [best] = best;
+    (best, starts)
+}
+
+/// All parameters of an elastic model.
+struct Together<'a> {
+    problem: &'a Problem<'a>,
+    linearization: &'a Linearization,
+    stop: f64,
+}
+
+impl Landscape for Together<'_> {
+    type End = End;
+
+    fn descend(&mut self, _: usize, change: &[f64]) -> End {
+        let from: Vec<f64> = self.problem.start.iter().zip(change).map(|(start, change)| start + change).collect();
+        self.problem.descend(&from, self.linearization, self.stop)
     }
-    basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    (best, basins)
+
+    fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
+        self.problem.cost(place, self.linearization)
+    }
 }
 
 /// Recorded tensions, refused where they are missing or cables push by more than the sensors' noise.

@@ -174,7 +174,7 @@ fn exact_data_give_the_true_parameters_back_from_every_start() {
     };
     let found = fit(&model, &samples, &free, &settings).unwrap();
     assert_eq!((found.status, found.parameters.len()), (Status::Converged, 62), "{}", found.reason);
-    assert_eq!((found.basins.len(), found.basins[0].starts), (1, 10), "{:?}", found.basins);
+    assert_eq!((found.starts.optima.len(), found.starts.optima[0].starts), (1, 10), "{:?}", found.starts);
     for (cable, true_cable) in found.model.robot().cables.iter().zip(&truth.cables) {
         // the data are exact: only the tolerance of the fit is left
         assert!((cable.frame_anchor - true_cable.frame_anchor).norm() < 1e-6, "{}", cable.name);

@@ -9,7 +9,7 @@ use crate::identification::likelihood::Residuals;
 use crate::identification::loss::Loss;
 use crate::identification::objective::Certificate;
 use crate::identification::outliers::{self, Outlier};
-use crate::identification::starts::Basin;
+use crate::identification::starts::Starts;
 use crate::model::Model;
 use crate::robot::Parameter;
 
@@ -85,9 +85,9 @@ pub struct Fit {
     pub loss_threshold: f64,
     /// Samples beyond 8 robust standard deviations.
     pub outliers: Vec<Outlier>,
-    /// The optima of least squares that the starts led to, best first. Cables of a kinematic model are identified apart, each from its own best
-    /// start: the best optimum may then be one that no start led all cables to.
-    pub basins: Vec<Basin>,
+    /// Optima that the starts led to. Cables of a kinematic model are identified apart, each from its own best start: the best optimum may then be one that
+    /// no start led all cables to.
+    pub starts: Starts,
     /// Offset of the clocks, where it was free.
     pub clock_offset: Option<ClockOffset>,
     /// Frames of tracker and marker, where they were free.

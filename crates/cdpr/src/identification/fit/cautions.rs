@@ -30,6 +30,7 @@ impl Fit {
             }
             Status::NotPredictive => cautions.push(self.reason.clone()),
         }
+        cautions.extend(self.starts.doubts(self.noise_factor));
         cautions.extend(at_bounds(&self.parameters));
         if analysis.weak_direction_count > 0 {
             cautions.push(format!(

@@ -63,6 +63,11 @@ pub(super) fn advance(block: &Block, poses: &PoseLanes, settings: &Settings, end
     search!(block, poses, settings, advance(end))
 }
 
+/// Weighted squares at a change of the block's start values.
+pub(super) fn cost(block: &Block, poses: &PoseLanes, settings: &Settings, change: &[f64]) -> f64 {
+    search!(block, poses, settings, cost(change))
+}
+
 struct Search<'a, const P: usize> {
     block: &'a Block,
     poses: &'a PoseLanes,
@@ -102,6 +107,12 @@ impl<'a, const P: usize> Search<'a, P> {
             equations.matrix[k][k] += self.prior_weights[k];
         }
         (values, equations)
+    }
+
+    fn cost(&self, from: &[f64]) -> f64 {
+        let mut change = [0.0; P];
+        change.copy_from_slice(from);
+        self.equations(&change).1.cost
     }
 
     fn run(&self, from: Option<&[f64]>) -> End {

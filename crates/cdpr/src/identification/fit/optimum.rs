@@ -5,7 +5,7 @@ use crate::identification::blocks::Block;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
-use crate::identification::starts::{Basin, Starts, count, same_cost};
+use crate::identification::starts::{self, Ending, Landscape, Part, Starts};
 use crate::identification::weights::{Weights, length_weights, weights_of};
 use crate::measurement::Samples;
 use crate::model::{Model, ModelError};
@@ -23,8 +23,8 @@ pub(super) struct Optimum {
     pub(super) poses: PoseLanes,
     pub(super) blocks: Vec<Block>,
     pub(super) ends: Vec<descent::End>,
-    /// Optima that the starts led to, best first.
-    pub(super) basins: Vec<Basin>,
+    /// Optima that the starts led to.
+    pub(super) starts: Starts,
     /// Norms of the samples' residuals, with the loss.
     pub(super) norms: Norms,
     /// Rounds of reweighting under a robust loss.
@@ -67,8 +67,7 @@ pub(super) fn find(
     let blocks: Vec<Block> = (0..model.cable_count()).map(block).collect();
     let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, None)).collect();
     let mut optimum =
-        Optimum { poses, blocks, ends, basins: Vec::new(), norms: Norms::default(), rounds: Rounds::default() };
-    progress();
+        Optimum { poses, blocks, ends, starts: Starts::default(), norms: Norms::default(), rounds: Rounds::default() };
     optimum.try_other_starts(samples, settings, progress);
     match (weights.absolute, settings.priors.is_empty()) {
         _ if parameters.is_empty() => {}
@@ -83,40 +82,55 @@ pub(super) fn find(
     Ok((optimum, weights))
 }
 
+/// Cables, each with a cost of its own.
+struct Cables<'a> {
+    blocks: &'a [Block],
+    poses: &'a PoseLanes,
+    settings: &'a Settings,
+}
+
+impl Landscape for Cables<'_> {
+    type End = descent::End;
+
+    fn descend(&mut self, part: usize, change: &[f64]) -> descent::End {
+        descent::run(&self.blocks[part], self.poses, self.settings, Some(change))
+    }
+
+    fn cost(&mut self, part: usize, place: &[f64]) -> f64 {
+        descent::cost(&self.blocks[part], self.poses, self.settings, place)
+    }
+}
+
+impl Ending for descent::End {
+    fn cost(&self) -> f64 {
+        self.cost
+    }
+
+    fn converged(&self) -> bool {
+        self.converged
+    }
+
+    fn place(&self) -> &[f64] {
+        &self.change
+    }
+}
+
 impl Optimum {
     /// Descends from other starts too; each cable keeps its lowest end.
     fn try_other_starts(&mut self, samples: &Samples, settings: &Settings, progress: &dyn Fn()) {
-        let mut starts = Starts::new(settings.seed);
-        let mut basins = vec![self.basin(1)];
-        for _ in 1..settings.starts {
-            let (mut cost, mut converged) = (0.0, true);
-            for (block, best) in self.blocks.iter().zip(&mut self.ends) {
-                let given: Vec<f64> = block.values(&block.start).collect();
-                let from = starts.next(&block.parameters, &given);
-                let change: Vec<f64> = from.iter().zip(&given).map(|(from, given)| from - given).collect();
-                let end = descent::run(block, &self.poses, settings, Some(&change));
-                (cost, converged) = (cost + end.cost, converged && end.converged);
-                let is_better = end.cost < best.cost - same_cost(end.cost, samples.len());
-                if is_better || (end.cost.is_finite() && !best.cost.is_finite()) {
-                    *best = end;
-                }
-            }
-            progress();
-            if cost.is_finite() {
-                count(&mut basins, cost, converged, samples.len());
-            }
+        if settings.starts <= 1 {
+            self.starts = Starts::of_file(&self.ends);
+            return progress();
         }
-        // the best ends of all cables together may be an optimum of their own
-        let best = self.basin(0);
-        if basins.iter().all(|basin| (basin.cost - best.cost).abs() > same_cost(best.cost, samples.lengths.len())) {
-            basins.push(best);
-        }
-        basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        self.basins = basins;
-    }
-
-    fn basin(&self, starts: usize) -> Basin {
-        Basin { cost: self.ends.iter().map(|end| end.cost).sum(), starts, converged: self.converged() }
+        let part = |block: &Block| Part {
+            parameters: block.parameters.clone(),
+            start: block.values(&block.start).collect(),
+            scale: block.parameters.iter().map(|parameter| block.scale(parameter.kind)).collect(),
+        };
+        let parts: Vec<Part> = self.blocks.iter().map(part).collect();
+        let search = starts::Search { parts: &parts, settings, samples: samples.len(), tension: 0.0 };
+        let mut cables = Cables { blocks: &self.blocks, poses: &self.poses, settings };
+        self.starts = search.run(&mut cables, &mut self.ends, progress);
     }
 
     /// Variances depend on the parameters: weighs anew at the optimum and repeats.

@@ -39,7 +39,7 @@ pub struct Settings {
     pub max_iterations: u32,
     /// A direction in parameter space with a larger standard deviation is reported as weak (m).
     pub weak_direction_limit: f64,
-    /// Starts: the file's values and others, anchors up to 0.5 m away and compliances up to 10/3 times larger or smaller.
+    /// Starts: the file's values and points of a scrambled Sobol sequence around them; [`Starts::ranges`](crate::identification::Starts) says how far.
     pub starts: u32,
     /// Seed of the other starts.
     pub seed: u64,

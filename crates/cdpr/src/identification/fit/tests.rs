@@ -93,11 +93,11 @@ fn other_starts_of_a_kinematic_fit_find_a_better_optimum() {
     // the data are exact: only the tolerance of the fit is left
     assert!(farthest(&many) < 1e-6, "{}", farthest(&many));
     assert!(
-        many.basins.len() > 1 && many.basins[0].cost < 1e-6 * many.basins.last().unwrap().cost,
+        many.starts.optima.len() > 1 && many.starts.optima[0].cost < 1e-6 * many.starts.optima.last().unwrap().cost,
         "{:?}",
-        many.basins
+        many.starts
     );
-    assert_eq!(one.basins.len(), 1);
+    assert_eq!((one.starts.count, one.starts.optima.len()), (1, 1));
 }
 
 /// Nobody has to know the noise: where no accuracy is stated, parameters, deviations and noise factor are those of the accuracy

@@ -17,7 +17,7 @@ use crate::identification::likelihood::Residuals;
 use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
-use crate::identification::starts::{Basin, Starts, count, same_cost};
+use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
@@ -30,7 +30,7 @@ pub(crate) struct Optimum {
     start_model: Model,
     calibrated: Model,
     end: End,
-    basins: Vec<Basin>,
+    starts: Starts,
     /// Vectors at the optimum.
     stacked: Stacked,
     scale: Vec<f64>,
@@ -92,6 +92,7 @@ pub(crate) fn optimum(
     };
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let tensions = samples.tensions.as_deref().unwrap_or_default();
+    let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
     let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
     let mut stacked = Stacked::new(&vectors, parameters.len());
@@ -102,7 +103,7 @@ pub(crate) fn optimum(
         });
     }
     let search = Search { parameters, scale: &scale, start: &start, settings };
-    let (end, basins) = search.run(&mut vectors, progress);
+    let (end, starts) = search.run(&mut vectors, mean_tension, progress);
     let (end, certificate) = match settings.minimize {
         Minimize::Max => search.minimax(&mut vectors, &end)?,
         _ => (end, None),
@@ -114,7 +115,7 @@ pub(crate) fn optimum(
     Ok(Optimum {
         calibrated,
         end,
-        basins,
+        starts,
         stacked,
         scale: scale.clone(),
         unit,
@@ -135,6 +136,25 @@ fn sum_of_norms(vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
     }
 }
 
+/// All parameters under an objective.
+struct Together<'a, 'v, 's> {
+    search: &'a Search<'s>,
+    vectors: &'a mut ObjectiveVectors<'v>,
+}
+
+impl Landscape for Together<'_, '_, '_> {
+    type End = End;
+
+    fn descend(&mut self, _: usize, change: &[f64]) -> End {
+        let from: Vec<f64> = self.search.start.iter().zip(change).map(|(start, change)| start + change).collect();
+        self.search.descend(self.vectors, &from)
+    }
+
+    fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
+        self.search.cost(self.vectors, place)
+    }
+}
+
 /// Unknowns and start of a search.
 struct Search<'a> {
     parameters: &'a [Parameter],
@@ -145,26 +165,28 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Descends from the file's values and from other starts; the lowest end wins. The largest norm starts from least squares.
-    fn run(&self, vectors: &mut ObjectiveVectors<'_>, progress: &dyn Fn()) -> (End, Vec<Basin>) {
+    fn run(&self, vectors: &mut ObjectiveVectors<'_>, tension: f64, progress: &dyn Fn()) -> (End, Starts) {
+        let part =
+            Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
         let samples = vectors.samples();
-        let mut best = self.descend(vectors, self.start);
-        progress();
-        let mut basins = vec![Basin { cost: best.cost, starts: 1, converged: best.converged }];
-        let mut starts = Starts::new(self.settings.seed);
-        for _ in 1..self.settings.starts {
-            let from = starts.next(self.parameters, self.start);
-            let end = self.descend(vectors, &from);
-            progress();
-            if !end.cost.is_finite() {
-                continue;
-            }
-            count(&mut basins, end.cost, end.converged, samples);
-            if end.cost < best.cost - same_cost(end.cost, samples) || !best.cost.is_finite() {
-                best = end;
-            }
+        let mut best = [self.descend(vectors, self.start)];
+        let search = starts::Search { parts: &[part], settings: self.settings, samples, tension };
+        let starts = search.run(&mut Together { search: self, vectors }, &mut best, progress);
+        let [best] = best;
+        (best, starts)
+    }
+
+    /// Cost that descents make small; not a number where there are no vectors.
+    fn cost(&self, vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
+        if self.settings.minimize == Minimize::Mean {
+            return sum_of_norms(vectors, values);
         }
-        basins.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        (best, basins)
+        let mut stacked = Stacked::new(vectors, values.len());
+        let of_ridge = |ridge: Ridge| ridge.weight * (values[ridge.parameter] - ridge.centre).powi(2);
+        match vectors.write(values, &mut stacked) {
+            true => stacked.residuals.norm_squared() + self.ridges().into_iter().map(of_ridge).sum::<f64>(),
+            false => f64::NAN,
+        }
     }
 
     fn descend(&self, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
@@ -193,13 +215,17 @@ impl Search<'_> {
         end
     }
 
-    /// Descends by squares, or by norms with this smoothing.
-    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+    fn ridges(&self) -> Vec<Ridge> {
         let ridge = |(parameter, of): (usize, &Parameter)| {
             let sigma = prior_sigma(self.settings, of.kind)?;
             Some(Ridge { parameter, centre: self.start[parameter], weight: 1.0 / (sigma * sigma) })
         };
-        let ridges: Vec<Ridge> = self.parameters.iter().enumerate().filter_map(ridge).collect();
+        self.parameters.iter().enumerate().filter_map(ridge).collect()
+    }
+
+    /// Descends by squares, or by norms with this smoothing.
+    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+        let ridges = self.ridges();
         let stacked = Stacked::new(vectors, self.parameters.len());
         let mut cost = Cost { vectors, stacked, smoothing, ridges: &ridges };
         let around = Around { parameters: self.parameters, scale: self.scale, minimizer: self.settings.minimizer };
@@ -244,7 +270,7 @@ pub(crate) fn fit(
     let optimum = optimum(model, samples, parameters, settings, progress)?;
     let analysis = analyse(&optimum, samples, parameters, settings);
     let residuals = residuals_of(&optimum, samples);
-    let Optimum { start_model, calibrated, end, basins, certificate, unit, stacked, .. } = optimum;
+    let Optimum { start_model, calibrated, end, starts, certificate, unit, stacked, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -268,7 +294,7 @@ pub(crate) fn fit(
         loss: Loss::Squared,
         loss_threshold: f64::INFINITY,
         outliers: Vec::new(),
-        basins,
+        starts,
         clock_offset: None,
         frames: None,
         certificate: certificate.map(|certificate| certificate.in_metres(unit)),
