@@ -9,8 +9,8 @@ mod dense;
 
 use std::hint::black_box;
 
-use cdpr::identification::Loss;
 use cdpr::identification::fit::{Prior, Settings, fit, optimal_parameters};
+use cdpr::identification::{Loss, PathSettings, Penalty, penalty_path};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::{Study, winch_offsets};
@@ -40,6 +40,7 @@ fn main() {
     group.bench_function("with uncertainty analysis", |bencher| {
         bencher.iter(|| fit(&model, black_box(&samples), &free, &settings).map(|found| found.iterations));
     });
+    path(&mut group, (&model, &free), &weighted);
     group.sample_size(20);
     group.bench_function("dense", |bencher| {
         bencher.iter(|| dense::solve(&model, black_box(&samples), LevenbergMarquardt::new()))
@@ -63,6 +64,24 @@ fn robust(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &Fre
                 });
             });
         }
+    }
+}
+
+/// A path of 50 penalties and its end beside one fit in the same run, as `identify` makes it: at most 20 times as long.
+fn path(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &FreeParameters), samples: &Samples) {
+    let settings = Settings { loss: Loss::Squared, ..Settings::default() };
+    let found = fit(model, samples, free, &settings).expect("a fit");
+    group.bench_function("with uncertainty analysis, accuracies", |bencher| {
+        bencher.iter(|| fit(model, black_box(samples), free, &settings).map(|found| found.iterations));
+    });
+    for penalty in Penalty::ALL {
+        let question = PathSettings { penalty, ..PathSettings::default() };
+        group.bench_function(format!("path of 50 penalties, {penalty}"), |bencher| {
+            bencher.iter(|| {
+                let path = penalty_path(model, black_box(samples), (&found, &settings), free, &question, &[]);
+                path.map(|path| path.points.len())
+            });
+        });
     }
 }
 

@@ -1,6 +1,7 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
 mod driving;
+mod path;
 mod report;
 mod uncertainty;
 
@@ -38,6 +39,8 @@ Examples:
   cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
       --prior platform-anchor=0.02
   cdpr identify robot.toml samples.csv --free frame-anchor --objective pose --drive study.toml
+  cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
+      --path lasso --path-figure path.svg --out-path sparse.toml
   cdpr identify robot.toml samples.csv --model elastic --starts 10 \\
       --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02";
 
@@ -115,6 +118,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     uncertainty: uncertainty::UncertaintyArguments,
+
+    #[command(flatten)]
+    path: Box<path::PathArguments>,
 }
 
 /// Minimizers by their names, short ones too.
@@ -148,7 +154,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let calibrated = result.fit.model.robot().to_toml();
     let uncertainty = uncertainty::find(&task, &result.fit)?;
     let files = uncertainty.files(&result.fit.model);
-    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty);
+    let mut path = path::find(&task, &result.fit, other.as_ref())?;
+    let found = (path.path.take(), path.reduction.take(), path.warning.take());
+    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
@@ -158,7 +166,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
     let report_file = arguments.report.as_deref().zip(page.as_deref().map(str::as_bytes));
-    files::write_all(&calibrated_file.into_iter().chain(report_file).collect::<Vec<_>>())?;
+    files::write_all(&calibrated_file.into_iter().chain(report_file).chain(path.files()).collect::<Vec<_>>())?;
     output.answer(&answer)
 }
 

@@ -26,6 +26,7 @@ mod kinematics;
 mod measurements;
 mod newcomer;
 mod objectives;
+mod penalties;
 mod reachable;
 mod selection;
 mod sensitivity;

@@ -11,6 +11,8 @@ use serde::Serialize;
 use super::error_table::convergence_remark;
 use super::identification_words as words;
 use super::objective_answer::ObjectiveAnswer;
+use super::path_answer::PathAnswer;
+use super::reduction_answer::ReductionAnswer;
 use super::{Answer, UncertaintyAnswer};
 
 /// Parameters of a model with errors before and after.
@@ -63,6 +65,10 @@ pub struct IdentificationAnswer {
     pub(super) out: Option<String>,
     #[serde(flatten)]
     pub(super) uncertainty: UncertaintyAnswer,
+    #[serde(flatten)]
+    pub(super) path: Option<PathAnswer>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) reduction: Option<ReductionAnswer>,
     #[serde(skip)]
     pub(super) pattern: MotionPattern,
 }
@@ -147,6 +153,8 @@ impl IdentificationAnswer {
             warnings,
             out,
             uncertainty: UncertaintyAnswer::default(),
+            path: None,
+            reduction: None,
             pattern: model.robot().motion_pattern,
         }
     }
@@ -156,6 +164,16 @@ impl IdentificationAnswer {
     pub fn with_uncertainty(mut self, uncertainty: UncertaintyAnswer) -> Self {
         self.warnings.extend(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
         Self { uncertainty, ..self }
+    }
+
+    /// The same with the path of a penalty, a smaller model, and a warning about them.
+    #[must_use]
+    pub fn with_path(
+        mut self,
+        (path, reduction, warning): (Option<PathAnswer>, Option<ReductionAnswer>, Option<String>),
+    ) -> Self {
+        self.warnings.extend(warning);
+        Self { path, reduction, ..self }
     }
 
     /// Warnings for the reader, doubts about the outcome first.

@@ -5,6 +5,7 @@ use cdpr::identification::fit::Status;
 use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
 use super::identification_answer::IdentificationAnswer as Identified;
+use super::reduction_answer::ReductionAnswer;
 use super::start_words::start_words;
 use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
@@ -39,6 +40,8 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     text.push_str(&answer.uncertainty.words(width));
     text.push_str(&format!("\n{}", errors(answer, width)));
     text.push_str(&answer.objective.words(answer.pattern, width));
+    text.extend(answer.path.iter().map(|path| path.words(width)));
+    text.extend(answer.reduction.iter().map(ReductionAnswer::words));
     if !answer.outliers.is_empty() {
         text.push_str(&format!("\n{}", outliers(answer, width)));
     }

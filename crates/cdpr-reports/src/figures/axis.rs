@@ -80,6 +80,13 @@ impl Axis {
         Self { low, high, pixels, spacing: Spacing::Logarithmic, ticks }
     }
 
+    /// Spaced by ratio over exactly these positive values, with ticks at the powers of ten inside.
+    pub(super) fn exact_logarithmic(low: f64, high: f64, pixels: (f64, f64)) -> Self {
+        let (first, last) = ((low.log10() - 1e-9).ceil() as i32, (high.log10() + 1e-9).floor() as i32);
+        let ticks = (first..=last).map(|decade| (10_f64.powi(decade), number::power_of_ten(decade))).collect();
+        Self { low, high: high.max(low * 1.01), pixels, spacing: Spacing::Logarithmic, ticks }
+    }
+
     /// Logarithmic when the values span more than a factor 12, else linear from zero.
     pub(super) fn fitting(low: f64, high: f64, pixels: (f64, f64), count: usize) -> Self {
         match low > 0.0 && high > 12.0 * low {

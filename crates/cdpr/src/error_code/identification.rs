@@ -54,7 +54,10 @@ impl ErrorCode for fit::InputError {
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions | Self::PosesWithoutTensions => "data::no-tensions",
-            Self::RobustCost { .. } | Self::PriorCost { .. } | Self::RecordingCost { .. } => "setting::cost",
+            Self::RobustCost { .. }
+            | Self::PriorCost { .. }
+            | Self::RecordingCost { .. }
+            | Self::PenaltyCost { .. } => "setting::cost",
             Self::NoPrediction { .. } => "data::no-prediction",
             Self::CableState { reason, .. } => reason.code(),
             Self::NegativeTension { .. } => "data::negative-tensions",

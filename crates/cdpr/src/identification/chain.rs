@@ -6,23 +6,27 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{UnitQuaternion, Vector3};
 use serde::Serialize;
 use thiserror::Error;
 
 use super::evaluation::{ErrorBlocks, EvaluationError, evaluate, evaluate_fitted};
 use super::fit::{self, Fit, Prior, fit};
 use super::loss::Loss;
-use crate::geometry::{MotionPattern, Pose};
-use crate::measurement::Samples;
+use super::point_robot::{point_pattern, without_rotation};
+use super::reduction::propose_reduction;
+use crate::geometry::Pose;
+use crate::measurement::{Samples, Split};
 use crate::metamodel::accuracy::Accuracy;
 use crate::metamodel::study::CommandedPose;
 use crate::metamodel::{Experiment, InputError};
 use crate::model::{FreeParameters, Model, ModelError, ParameterError};
-use crate::robot::{Cable, ParameterKind, Robot};
+use crate::robot::{Cable, ParameterKind};
 
 /// Standard deviation that drawings promise of platform anchors, the ridge of sec. 6.5 (m).
 const PLATFORM_ANCHORS: f64 = 0.02;
+
+/// Parts of a record that are held out in turn.
+const PARTS: usize = 5;
 
 /// Poses along every edge of the larger region, its corners included.
 const ON_EDGE: usize = 11;
@@ -212,14 +216,10 @@ impl Chain {
         seed: u64,
     ) -> Result<(), ChainError> {
         let control = &experiment.control;
-        let point = match control.robot().motion_pattern {
-            MotionPattern::Spatial => MotionPattern::SpatialPoint,
-            MotionPattern::Planar => MotionPattern::PlanarPoint,
-            _ => {
-                self.left_out.push("constant orientation: the platform of this robot does not turn".to_owned());
-                return Ok(());
-            }
-        };
+        if point_pattern(control.robot().motion_pattern).is_none() {
+            self.left_out.push("constant orientation: the platform of this robot does not turn".to_owned());
+            return Ok(());
+        }
         let Some(first) = level.first() else {
             self.left_out.push("constant orientation: no pose of the study has that of the initial pose".to_owned());
             return Ok(());
@@ -227,13 +227,19 @@ impl Chain {
         let turn = first.pose.rotation;
         let mut record = experiment.record(level, seed)?.samples;
         record.poses.iter_mut().for_each(|pose| pose.rotation = turn);
-        let full = identified(control, "frame-anchor,platform-anchor", &record, Vec::new())?;
-        let with_rank = |blocks: &ErrorBlocks, title: Title, fit: &Fit| step(title, blocks, Some(fit));
+        let both = "frame-anchor,platform-anchor";
+        let full = identified(control, both, &record, Vec::new())?;
         let blocks = evaluate_fitted(&full.model, &record)?.blocks();
         let title = ["constant-orientation", "one orientation: frame and platform anchors", "6.3"];
-        self.steps.push(with_rank(&blocks, title, &full));
-        record.poses.iter_mut().for_each(|pose| pose.rotation = UnitQuaternion::identity());
-        let nominal = Model::new(reduced(control.robot(), point, &first.pose), control.composition())?;
+        self.steps.push(step(title, &blocks, Some(&full)));
+        let folds = Split::Blocks(PARTS).folds(&record, seed).unwrap_or_default();
+        let settings = fit::Settings { loss: Loss::Squared, ..fit::Settings::default() };
+        let Some(smaller) = propose_reduction(control, &record, (&full, &settings), &both.parse()?, None, &folds)?
+        else {
+            self.left_out.push("constant orientation: no smaller model predicts as well".to_owned());
+            return Ok(());
+        };
+        let (record, nominal) = (without_rotation(&record), smaller.nominal);
         self.predicted(["reduced-nominal", "the same, anchors a − b, nominal", "6.3"], &nominal, &record, None)?;
         let fit = identified(&nominal, "frame-anchor", &record, Vec::new())?;
         self.predicted(["reduced-identified", "anchors a − b identified", "6.3"], &fit.model, &record, Some(&fit))
@@ -318,18 +324,6 @@ fn changes(before: &Model, after: &Model) -> [f64; 2] {
     // components that the motion pattern leaves alone do not change at all
     let all: Vec<f64> = cables.flat_map(along).filter(|change| *change > 0.0).collect();
     [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)]
-}
-
-/// The robot as a point: platform anchors of this pose taken off the frame anchors, a − R b.
-fn reduced(robot: &Robot, pattern: MotionPattern, pose: &Pose) -> Robot {
-    let mut point = robot.clone();
-    point.motion_pattern = pattern;
-    for cable in &mut point.cables {
-        cable.frame_anchor -= pose.rotation * cable.platform_anchor;
-        cable.platform_anchor = Vector3::zeros();
-    }
-    point.home = point.home.map(|home| Pose { rotation: UnitQuaternion::identity(), ..home });
-    point
 }
 
 /// Poses along the edges of a box, in the orientation of a start; corners count for every edge that they end.

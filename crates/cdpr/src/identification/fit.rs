@@ -5,6 +5,7 @@ mod cautions;
 mod checks;
 mod descent;
 mod frames;
+mod frozen;
 mod input_error;
 mod optimum;
 mod profile;
@@ -15,9 +16,11 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
-use checks::{checked_parameters, explains_tensions, is_at_bound, length_residuals};
+pub(super) use checks::{checked_parameters, explains_tensions};
+use checks::{is_at_bound, length_residuals};
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
+pub(super) use frozen::FrozenLengths;
 pub use input_error::InputError;
 pub(super) use profile::Course;
 pub use profile::{Profile, ProfilePoint, profiles};
@@ -117,31 +120,41 @@ pub fn optimal_parameters(
     settings: &Settings,
 ) -> Result<OptimalParameters, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
+    optimum_of(model, samples, &parameters, settings)
+}
+
+/// The same for a list of parameters.
+pub(super) fn optimum_of(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Result<OptimalParameters, InputError> {
     let samples = &*model.with_lengths(samples)?;
     if settings.is_other_objective() {
-        let optimum = objective::optimum(model, samples, &parameters, settings, &|| ())?;
+        let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
             converged: optimum.end().converged,
             iterations: optimum.end().iterations,
             history: optimum.end().history.clone(),
-            parameters,
+            parameters: parameters.to_vec(),
         });
     }
     if explains_tensions(model) {
-        let optimum = elastostatic::find(model, samples, &parameters, settings, &|| ())?;
+        let optimum = elastostatic::find(model, samples, parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
             converged: optimum.converged(),
             iterations: optimum.iterations(),
             history: optimum.history().to_vec(),
-            parameters,
+            parameters: parameters.to_vec(),
         });
     }
-    let (optimum, _) = optimum::find(model, samples, &parameters, settings, &|| ())?;
+    let (optimum, _) = optimum::find(model, samples, parameters, settings, &|| ())?;
     Ok(OptimalParameters {
         model: optimum.calibrated(model)?,
-        parameters,
+        parameters: parameters.to_vec(),
         converged: optimum.converged(),
         iterations: optimum.iterations(),
         history: optimum.history(),

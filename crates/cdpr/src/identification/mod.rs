@@ -27,12 +27,16 @@ mod normal_equations;
 mod norms;
 mod objective;
 mod outliers;
+mod path;
 mod plausibility;
+mod point_robot;
 mod pose_band;
 mod pose_lanes;
 mod prediction;
+mod quadratic;
 mod recorded;
 mod recordings;
+mod reduction;
 mod resampling;
 pub mod selection;
 mod starts;
@@ -55,8 +59,10 @@ pub use objective::{
     ActiveSample, Certificate, JudgedOptimum, Minimize, Objective, ObjectiveValues, OptimumOf, compare_objectives,
 };
 pub use outliers::Outlier;
+pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards, penalty_path};
 pub use plausibility::{Distrust, distrust};
 pub use pose_band::PoseBand;
 pub use prediction::PredictionError;
+pub use reduction::{Evidence, Reduction, propose_reduction};
 pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use starts::{StartOptimum, Starts};

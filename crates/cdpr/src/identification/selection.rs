@@ -14,6 +14,7 @@ mod warnings;
 mod worse;
 
 pub use criterion::SelectionCriterion;
+pub(super) use judge::reported_part;
 pub use judgement::{CandidateFailure, HeldOut, JudgedCandidate, Judgement};
 pub use preferences::Preference;
 pub use rating::Rating;

@@ -174,7 +174,8 @@ impl FreeParameters {
         Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
     }
 
-    fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
+    /// True where this kind of a cable (0-based) is named.
+    pub(crate) fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
         let covers = |cables: &Option<Vec<usize>>| cables.as_ref().is_none_or(|list| list.contains(&cable));
         self.selections.iter().any(|(other, cables)| *other == kind && covers(cables))
     }

@@ -78,7 +78,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Normal equations at `values`; false where a row is not finite.
-    fn equations(
+    pub(super) fn equations(
         &self,
         values: &[f64],
         at: &Linearization,

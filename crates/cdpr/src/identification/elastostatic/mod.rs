@@ -8,6 +8,7 @@ mod adjust;
 mod analysis;
 mod balance;
 mod descent;
+mod frozen;
 mod linearization;
 mod measurement_noise;
 mod noise;
@@ -21,5 +22,6 @@ mod tests;
 
 pub(super) use analysis::report;
 pub(super) use balance::{Balance, checked_start};
+pub(super) use frozen::FrozenBalance;
 pub(super) use optimum::find;
 pub(super) use pose_rows::pose_rows;

@@ -9,12 +9,12 @@ use crate::solve::not_positive;
 
 /// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
 /// without tensions, cable by cable.
-pub(super) fn explains_tensions(model: &Model) -> bool {
+pub(in crate::identification) fn explains_tensions(model: &Model) -> bool {
     model.needs_tensions()
 }
 
 /// The free parameters, where model, samples and settings allow a fit of them.
-pub(super) fn checked_parameters(
+pub(in crate::identification) fn checked_parameters(
     model: &Model,
     samples: &Samples,
     free: &FreeParameters,

@@ -5,6 +5,7 @@ use crate::identification::blocks::{Block, SLOTS};
 use crate::identification::further::FURTHER;
 use crate::identification::normal_equations::NormalEquations;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
+use crate::identification::quadratic::Quadratic;
 use crate::scalar::ldl;
 use crate::solve::{
     self, Control, NormalSystem, OF_SINGULAR, REGULAR, ROUNDING_GAIN, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -68,6 +69,11 @@ pub(super) fn cost(block: &Block, poses: &PoseLanes, settings: &Settings, change
     search!(block, poses, settings, cost(change))
 }
 
+/// Writes half the weighted squares after a change of the block's start values.
+pub(super) fn write(block: &Block, poses: &PoseLanes, settings: &Settings, to: (&[f64], &mut Quadratic)) {
+    search!(block, poses, settings, write(to))
+}
+
 struct Search<'a, const P: usize> {
     block: &'a Block,
     poses: &'a PoseLanes,
@@ -113,6 +119,19 @@ impl<'a, const P: usize> Search<'a, P> {
         let mut change = [0.0; P];
         change.copy_from_slice(from);
         self.equations(&change).1.cost
+    }
+
+    fn write(&self, (change, to): (&[f64], &mut Quadratic)) {
+        let mut own = [0.0; P];
+        own[..change.len()].copy_from_slice(change);
+        let (_, equations) = self.equations(&own);
+        to.value = 0.5 * equations.cost;
+        for i in 0..change.len() {
+            to.gradient[i] = equations.gradient[i];
+            (0..=i).for_each(|j| {
+                (to.hessian[(i, j)], to.hessian[(j, i)]) = (equations.matrix[i][j], equations.matrix[i][j]);
+            });
+        }
     }
 
     fn run(&self, from: Option<&[f64]>) -> End {

@@ -142,6 +142,12 @@ pub enum InputError {
         /// The cost.
         minimize: Minimize,
     },
+    /// A penalty beside another cost than squares.
+    #[error("a path of penalties is one of squared lengths and wrenches, not of {words}: leave that out")]
+    PenaltyCost {
+        /// The other cost in words.
+        words: String,
+    },
     /// Frames or clocks beside another cost than squared lengths.
     #[error("`{name}` is found by squares of lengths: identify it so first, and hold it then")]
     RecordingCost {

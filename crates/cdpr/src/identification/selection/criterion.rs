@@ -128,7 +128,7 @@ impl SelectionCriterion {
     }
 
     /// The error of each sample.
-    pub(super) fn of(self, evaluation: &Evaluation) -> Vec<f64> {
+    pub(in crate::identification) fn of(self, evaluation: &Evaluation) -> Vec<f64> {
         match self {
             Self::Position => evaluation.position.clone(),
             Self::Rotation => evaluation.rotation.clone(),

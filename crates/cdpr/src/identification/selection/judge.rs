@@ -35,7 +35,7 @@ pub(super) fn regions(samples: &Samples, folds: &[Fold], count: usize) -> Result
 }
 
 /// Samples of the fit that is reported: the training part of one fold, everything where several take turns.
-fn reported_part(samples: &Samples, folds: &[Fold]) -> Vec<usize> {
+pub(in crate::identification) fn reported_part(samples: &Samples, folds: &[Fold]) -> Vec<usize> {
     if let [fold] = folds { fold.train.clone() } else { (0..samples.len()).collect() }
 }
 

@@ -1,0 +1,143 @@
+//! Path of a penalty on the parameters of a fit.
+
+use std::path::{Path, PathBuf};
+
+use cdpr::identification::fit::Fit;
+use cdpr::identification::{PathSettings, Penalty, PenaltyPath, Towards, penalty_path, propose_reduction};
+use cdpr::measurement::{Samples, Split};
+use cdpr::model::FreeParameters;
+use cdpr_reports::answers::{PathAnswer, ReductionAnswer};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use super::Task;
+use crate::failure::Failure;
+use crate::selecting::{DataDivision, one_file, two_files};
+
+/// Parts that take turns where neither a split nor other data are named.
+const PARTS: usize = 5;
+
+/// Options of a path.
+#[derive(Clone, Debug, Args)]
+pub(super) struct PathArguments {
+    /// Follow a penalty on the free parameters from one that holds them all down to none: ridge, lasso (parameters leave one by one) or group-lasso
+    /// (whole anchors leave). λ is chosen by cross-validation with the rule of one standard error, on --split, --validation or five blocks.
+    #[arg(long, value_name = "PENALTY", value_parser = penalties())]
+    path: Option<Penalty>,
+
+    /// Values from which changes are penalised: those of the file, or zero (ratios: one).
+    #[arg(long, value_name = "CENTRE", default_value = Towards::default().name(), value_parser = centres(), requires = "path")]
+    towards: Towards,
+
+    /// Free parameters that the penalty acts on, e.g. platform-anchor. Default: all.
+    #[arg(long, value_name = "LIST", default_value = "", hide_default_value = true, requires = "path")]
+    shrink: FreeParameters,
+
+    /// Figure of the path to write (SVG): parameters and held-out error over λ.
+    #[arg(long, value_name = "FILE", requires = "path")]
+    path_figure: Option<PathBuf>,
+
+    /// Robot file at the chosen λ to write; `--out` is that of λ = 0, the fit.
+    #[arg(long, value_name = "FILE", requires = "path")]
+    out_path: Option<PathBuf>,
+
+    /// Robot file of the smaller model to write that the rank, the noise of orientations or the path show.
+    #[arg(long, value_name = "FILE")]
+    out_reduced: Option<PathBuf>,
+}
+
+fn penalties() -> impl TypedValueParser<Value = Penalty> {
+    let named = |name: String| Penalty::ALL.into_iter().find(|penalty| penalty.name() == name);
+    PossibleValuesParser::new(Penalty::ALL.map(Penalty::name)).map(move |name| named(name).unwrap_or_default())
+}
+
+fn centres() -> impl TypedValueParser<Value = Towards> {
+    let named = |name: String| Towards::ALL.into_iter().find(|centre| centre.name() == name);
+    PossibleValuesParser::new(Towards::ALL.map(Towards::name)).map(move |name| named(name).unwrap_or_default())
+}
+
+/// What the options ask for, with the files to write.
+#[derive(Default)]
+pub(super) struct Found {
+    pub(super) path: Option<PathAnswer>,
+    pub(super) reduction: Option<ReductionAnswer>,
+    pub(super) warning: Option<String>,
+    files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl Found {
+    pub(super) fn files(&self) -> impl Iterator<Item = (&Path, &[u8])> {
+        self.files.iter().map(|(path, content)| (path.as_path(), &content[..]))
+    }
+}
+
+/// The path of a penalty, and the smaller model that it or the fit shows.
+pub(super) fn find(task: &Task<'_>, fit: &Fit, other: Option<&Samples>) -> Result<Found, Failure> {
+    let options = &task.arguments.path;
+    let mut found = Found::default();
+    let division = match division(task, other) {
+        Ok(division) => division,
+        // without a path nobody asked for parts
+        Err(_) if options.path.is_none() && options.out_reduced.is_none() => return Ok(found),
+        Err(failure) => return Err(failure),
+    };
+    let path = options.follow(task, fit, &division, &mut found)?;
+    let of_fit = (fit, &task.settings());
+    let (samples, free) = (&division.samples, &task.arguments.free);
+    let proposal = propose_reduction(task.model, samples, of_fit, free, path.as_ref(), &division.folds);
+    let proposal = proposal.map_err(|error| Failure::refused(&task.arguments.data.name(), &error))?;
+    match (&proposal, &options.out_reduced) {
+        (None, Some(path)) => found.warning = Some(nothing_smaller(path)),
+        (Some(proposal), Some(path)) => {
+            found.files.push((path.clone(), proposal.model.robot().to_toml().into_bytes()));
+        }
+        _ => {}
+    }
+    let out = options.out_reduced.as_ref().map(|path| path.display().to_string());
+    found.reduction = proposal.map(|proposal| ReductionAnswer::new(&proposal, out));
+    Ok(found)
+}
+
+fn nothing_smaller(path: &Path) -> String {
+    format!(
+        "{} is not written: no smaller model shows that predicts data held out as well. One shows where all poses have one orientation and \
+         frame-anchor and platform-anchor are free, or where parameters leave `--path lasso`",
+        path.display()
+    )
+}
+
+/// Parts of the data that are held out: as the options say, else contiguous blocks.
+fn division(task: &Task<'_>, other: Option<&Samples>) -> Result<DataDivision, Failure> {
+    if let (Some(other), Some(name)) = (other, task.validation_name()) {
+        return two_files(task.samples, other, &name);
+    }
+    let parts = Split::Blocks(task.samples.len().clamp(2, PARTS));
+    one_file(task.samples.clone(), Some(task.arguments.split.unwrap_or(parts)), task.arguments.seed)
+}
+
+impl PathArguments {
+    /// Follows the path that is asked for, if any.
+    fn follow(
+        &self,
+        task: &Task<'_>,
+        fit: &Fit,
+        division: &DataDivision,
+        found: &mut Found,
+    ) -> Result<Option<PenaltyPath>, Failure> {
+        let Some(penalty) = self.path else { return Ok(None) };
+        let settings =
+            PathSettings { penalty, towards: self.towards, shrink: self.shrink.clone(), ..PathSettings::default() };
+        let (of_fit, free) = ((fit, &task.settings()), &task.arguments.free);
+        let path = penalty_path(task.model, &division.samples, of_fit, free, &settings, &division.folds)
+            .map_err(|error| Failure::refused(&task.arguments.data.name(), &error))?;
+        let out = self.out_path.as_ref().map(|path| path.display().to_string());
+        let answer = PathAnswer::new(&path, &settings, division.words.clone(), out);
+        if let Some(file) = &self.out_path {
+            found.files.push((file.clone(), path.model.robot().to_toml().into_bytes()));
+        }
+        let figure = self.path_figure.as_ref().and_then(|file| Some((file.clone(), answer.figure()?.file())));
+        found.files.extend(figure.map(|(file, figure)| (file, figure.into_bytes())));
+        found.path = Some(answer);
+        Ok(Some(path))
+    }
+}

@@ -1,0 +1,55 @@
+//! Smaller model that a fit proposes: JSON and words.
+
+use cdpr::geometry::MotionPattern;
+use cdpr::identification::{Evidence, Reduction};
+use serde::Serialize;
+
+use crate::number_format::fixed;
+
+/// Smaller model, with the numbers that show it.
+#[derive(Serialize)]
+pub struct ReductionAnswer {
+    evidence: Evidence,
+    reason: String,
+    patterns: [MotionPattern; 2],
+    parameter_count: [usize; 2],
+    left: Vec<String>,
+    position_mean_m: [f64; 2],
+    standard_error: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+}
+
+impl ReductionAnswer {
+    /// Of a proposal, with the name of the file that it is written to.
+    pub fn new(found: &Reduction, out: Option<String>) -> Self {
+        Self {
+            evidence: found.evidence,
+            reason: found.reason.clone(),
+            patterns: found.patterns,
+            parameter_count: found.parameter_count,
+            left: found.left.clone(),
+            position_mean_m: found.position_mean_m,
+            standard_error: found.standard_error,
+            out,
+        }
+    }
+
+    pub(super) fn words(&self) -> String {
+        let Self { reason, patterns: [before, after], parameter_count: [full, reduced], .. } = self;
+        let [of_full, of_reduced] = self.position_mean_m.map(|error| fixed(1e3 * error, 3));
+        let pattern = if before == after {
+            String::new()
+        } else {
+            format!(", motion pattern {} → {}", before.name(), after.name())
+        };
+        let error = fixed(1e3 * self.standard_error, 3);
+        let file = match &self.out {
+            Some(out) => format!("written to {out}"),
+            None => "`--out-reduced FILE` writes it".to_owned(),
+        };
+        format!(
+            "\nsmaller model: {full} → {reduced} parameters{pattern}\n{reason}.\nHeld-out position error, mean: {of_reduced} instead of {of_full} ± {error} mm; {file}\n"
+        )
+    }
+}

@@ -1,0 +1,67 @@
+//! Errors along a path on samples that its fits had not seen, and the penalty that they choose.
+
+use super::course::{Place, Question};
+use crate::identification::bootstrap;
+use crate::identification::evaluation::evaluate_fitted;
+use crate::identification::fit::InputError;
+use crate::identification::point_robot::{as_point, without_rotation};
+use crate::measurement::{Fold, Samples};
+use crate::model::Model;
+
+/// Mean errors at all penalties with that of the best, its standard error and the choice.
+pub(super) struct Validated {
+    /// Not a number where a penalty has no error.
+    pub(super) errors: Vec<f64>,
+    pub(super) standard_errors: Vec<f64>,
+    pub(super) best: usize,
+    pub(super) chosen: usize,
+}
+
+/// Follows the path on every training part, with penalties in proportion to its samples, and judges each place by what was held out; `None`
+/// where no place predicts a sample.
+pub(super) fn validated(
+    question: &Question<'_>,
+    samples: &Samples,
+    (folds, followed): (&[Fold], usize),
+    places: &[Place],
+) -> Result<Option<Validated>, InputError> {
+    let mut series = vec![Vec::new(); places.len()];
+    for fold in folds {
+        let share = fold.train.len() as f64 / followed as f64;
+        let lambdas: Vec<f64> = places.iter().map(|place| place.lambda * share).collect();
+        let of_fold = match folds.len() {
+            1 => places.to_vec(),
+            _ => question.follow(&samples.subset(&fold.train), Some(&lambdas))?,
+        };
+        let held = samples.subset(&fold.validation);
+        for (errors, place) in series.iter_mut().zip(&of_fold) {
+            errors.extend(errors_at(question, &held, place));
+        }
+    }
+    let count = series.iter().map(Vec::len).max().unwrap_or(0);
+    let is_common = |&sample: &usize| series.iter().all(|errors| errors.get(sample).is_some_and(|e| e.is_finite()));
+    let common: Vec<usize> = (0..count).filter(is_common).collect();
+    if common.is_empty() {
+        return Ok(None);
+    }
+    let of_common = |errors: &Vec<f64>| common.iter().map(|&sample| errors[sample]).collect::<Vec<f64>>();
+    let series: Vec<Vec<f64>> = series.iter().map(of_common).collect();
+    let errors: Vec<f64> = series.iter().map(|errors| errors.iter().sum::<f64>() / errors.len() as f64).collect();
+    let seed = question.settings.seed;
+    let standard_errors: Vec<f64> = series.iter().map(|errors| bootstrap::standard_error(errors, seed)).collect();
+    let best = (0..errors.len()).min_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
+    let room = if standard_errors[best].is_finite() { standard_errors[best] } else { 0.0 };
+    // penalties fall along the path: the first place within reach is the simplest
+    let chosen = errors.iter().position(|error| *error <= errors[best] + room).unwrap_or(best);
+    Ok(Some(Validated { errors, standard_errors, best, chosen }))
+}
+
+/// Errors of all samples held out, of a model without platform anchors as those of a point.
+fn errors_at(question: &Question<'_>, held: &Samples, place: &Place) -> Vec<f64> {
+    let errors = |model: Model| match as_point(&model) {
+        Some(point) => evaluate_fitted(&point, &without_rotation(held)).ok(),
+        None => evaluate_fitted(&model, held).ok(),
+    };
+    let model = question.model.with_parameters(question.parameters, &place.values);
+    model.and_then(errors).map_or_else(|| vec![f64::NAN; held.len()], |errors| question.path.criterion.of(&errors))
+}
