@@ -30,7 +30,7 @@ pub use settings::{Prior, Settings};
 use super::clock;
 use super::elastostatic;
 use super::identifiability::{Analysis, KinematicState as State, analyse};
-use super::likelihood::Residuals;
+use super::likelihood::FittedRows;
 use super::loss::{Loss, RobustLoss};
 use super::misfit::Misfit;
 use super::norms::Norms;
@@ -179,7 +179,7 @@ fn report(
     let noise = Noise::of(&optimum.misfit(samples, settings), &optimum.norms, weights.absolute);
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
     let state = State { model: &calibrated, samples, poses: &optimum.poses, blocks: &optimum.blocks, values: &values };
-    let analysis = analyse(&state, &optimum.norms, noise.inflation, settings);
+    let (analysis, series) = analyse(&state, &optimum.norms, noise.inflation, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -192,7 +192,8 @@ fn report(
     let mut warnings = analysis.warnings.clone();
     warnings.extend(warnings::suspicious_units(model, samples));
     let noise_factor = weights.noise * noise.factor;
-    let residuals = residuals_of(&optimum, samples, weights);
+    let row_weights =
+        optimum.blocks.iter().map(|block| weights.of_cable(block.cable)[..samples.len()].to_vec()).collect();
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
     Ok(Fit {
         model: calibrated,
@@ -213,24 +214,15 @@ fn report(
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
         warnings,
-        residuals,
+        rows: Some(FittedRows {
+            series,
+            weights: row_weights,
+            noise: weights.noise,
+            norms: optimum.norms,
+            absolute: weights.absolute,
+            with_wrenches: false,
+        }),
     })
-}
-
-/// Whitened lengths at the optimum.
-fn residuals_of(optimum: &optimum::Optimum, samples: &Samples, weights: &Weights) -> Residuals {
-    let count = samples.len();
-    let mut log_variances = vec![0.0; count];
-    let mut whitened = Vec::with_capacity(optimum.blocks.len());
-    for (block, end) in optimum.blocks.iter().zip(&optimum.ends) {
-        let (row, _) = block.rows(&optimum.poses, &end.values, count);
-        let own = weights.of_cable(block.cable);
-        log_variances.iter_mut().zip(own).for_each(|(log, weight)| *log -= 2.0 * weight.ln());
-        whitened.push(row);
-    }
-    let rows = vec![whitened.len(); count];
-    let noise = weights.noise;
-    Residuals { absolute: weights.absolute, ..Residuals::of(&whitened, (log_variances, rows), (noise, &optimum.norms)) }
 }
 
 /// Noise that residuals tell, in units of the weights.

@@ -105,18 +105,25 @@ pub(super) struct KinematicState<'a> {
     pub(super) values: &'a [CableValues],
 }
 
-/// Analyses all blocks at their optimum. `inflation` multiplies the noise of every row.
-pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64, settings: &Settings) -> Analysis {
+/// Analyses all blocks at their optimum and tells their residuals, whitened by the weights. `inflation` multiplies the noise of every row.
+pub(super) fn analyse(
+    state: &KinematicState<'_>,
+    norms: &Norms,
+    inflation: f64,
+    settings: &Settings,
+) -> (Analysis, Vec<Vec<f64>>) {
     let KinematicState { model, samples, poses, blocks, values } = *state;
     let mut analysis = Analysis::default();
     let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
     let (mut directions, mut rows, mut parameters) = (Vec::new(), Vec::new(), Vec::<Parameter>::new());
     let mut longest_time = 1.0_f64;
+    let mut series = Vec::with_capacity(blocks.len());
     for (block, values) in blocks.iter().zip(values) {
+        let (mut residuals, columns) = block.rows(poses, values, samples.len());
+        series.push(residuals.clone());
         if block.parameters.is_empty() {
             continue;
         }
-        let (mut residuals, columns) = block.rows(poses, values, samples.len());
         norms.weigh(&mut residuals);
         let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
         let mut plain = weighted.clone();
@@ -160,7 +167,7 @@ pub(super) fn analyse(state: &KinematicState<'_>, norms: &Norms, inflation: f64,
             longest_time.sqrt()
         ));
     }
-    analysis
+    (analysis, series)
 }
 
 /// Singular values and right singular vectors of a tall matrix, by way of its QR factor.

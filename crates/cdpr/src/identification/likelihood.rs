@@ -9,7 +9,8 @@ mod tests;
 
 use serde::Serialize;
 
-pub(super) use residuals::{Residuals, Rows};
+pub(super) use residuals::FittedRows;
+use residuals::{Residuals, Rows};
 
 use super::fit::Fit;
 use super::loss::Loss;
@@ -57,37 +58,54 @@ pub struct Information {
     pub bic: f64,
 }
 
-/// Information of fits in the order given; those with the same rows share samples, noise and correlation.
-pub(super) fn information(robot: &Robot, fits: &[&Fit], loss: Loss) -> Vec<Information> {
+/// Information of fits in the order given; those with the same rows share samples, noise and correlation. None of a fit that made something
+/// else small than what its rows leave.
+pub(super) fn information(robot: &Robot, fits: &[&Fit], loss: Loss) -> Vec<Option<Information>> {
+    let rated = |(place, fit): (usize, &&Fit)| {
+        let residuals = Residuals::of(fit.rows.as_ref()?);
+        Some(Rated { place, residuals, free: fit.parameters.len(), parameters: effective_parameters(robot, fit) })
+    };
     let mut found = vec![None; fits.len()];
-    for first in 0..fits.len() {
-        if found[first].is_some() {
-            continue;
-        }
-        let group: Vec<usize> = (first..fits.len())
-            .filter(|&other| found[other].is_none() && fits[first].residuals.same_rows(&fits[other].residuals))
-            .collect();
-        let members: Vec<&Fit> = group.iter().map(|&index| fits[index]).collect();
-        for (index, one) in group.into_iter().zip(of_group(robot, &members, loss)) {
-            found[index] = Some(one);
-        }
+    let mut open: Vec<Rated> = fits.iter().enumerate().filter_map(rated).collect();
+    while let Some(first) = open.first() {
+        let kind = first.residuals.kind();
+        let (group, rest): (Vec<Rated>, Vec<Rated>) =
+            open.into_iter().partition(|other| other.residuals.kind() == kind);
+        of_group(&group, loss, &mut found);
+        open = rest;
     }
-    found.into_iter().flatten().collect()
+    found
 }
 
-fn of_group(robot: &Robot, fits: &[&Fit], loss: Loss) -> Vec<Information> {
-    let kept = kept_samples(fits, loss);
-    let counts: Vec<f64> = fits.iter().map(|fit| effective_parameters(robot, fit)).collect();
-    let all: Vec<Rows> = fits.iter().map(|fit| fit.residuals.over(&kept)).collect();
-    let variance = |k: usize| all[k].cost / (all[k].count as f64 - counts[k]).max(1.0);
-    let quietest = (0..fits.len()).min_by(|&a, &b| variance(a).total_cmp(&variance(b))).unwrap_or(0);
-    let independent = fits[quietest].residuals.independent_share;
-    let common = fits[0].residuals.absolute.then(|| variance(quietest).max(1.0));
-    all.iter().zip(counts).map(|(rows, count)| of_rows(rows, (count, independent), common, fits[0])).collect()
+/// A fit with its rows.
+struct Rated {
+    place: usize,
+    residuals: Residuals,
+    /// Free parameters.
+    free: usize,
+    /// Directions of parameters, frames and clock that the data determine.
+    parameters: f64,
+}
+
+fn of_group(group: &[Rated], loss: Loss, found: &mut [Option<Information>]) {
+    let kept = kept_samples(group, loss);
+    let all: Vec<Rows> = group.iter().map(|one| one.residuals.over(&kept)).collect();
+    let variance = |k: usize| all[k].cost / (all[k].count as f64 - group[k].parameters).max(1.0);
+    let quietest = (0..group.len()).min_by(|&a, &b| variance(a).total_cmp(&variance(b))).unwrap_or(0);
+    let independent = group[quietest].residuals.independent_share;
+    let common = group[0].residuals.absolute.then(|| variance(quietest).max(1.0));
+    for (one, rows) in group.iter().zip(&all) {
+        found[one.place] = Some(of_rows(rows, (one.parameters, independent), common, one.residuals.with_wrenches));
+    }
 }
 
 /// Criteria of rows with so many parameters and this share of independent ones, at a common variance of the noise or their own.
-fn of_rows(rows: &Rows, (parameters, independent): (f64, f64), common: Option<f64>, fit: &Fit) -> Information {
+fn of_rows(
+    rows: &Rows,
+    (parameters, independent): (f64, f64),
+    common: Option<f64>,
+    with_wrenches: bool,
+) -> Information {
     let n = rows.count as f64;
     let variance = common.unwrap_or_else(|| (rows.cost / n).max(LEAST_VARIANCE));
     let twice = -(rows.cost / variance + rows.log_variance + n * (std::f64::consts::TAU * variance).ln());
@@ -106,7 +124,7 @@ fn of_rows(rows: &Rows, (parameters, independent): (f64, f64), common: Option<f6
             Some(variance) if variance > 1.0 => NoiseSource::Enlarged,
             Some(_) => NoiseSource::Stated,
         },
-        with_wrenches: fit.residuals.with_wrenches,
+        with_wrenches,
         aic,
         aicc: if room > 0.0 { aic + 2.0 * k * (k + 1.0) / room } else { f64::NAN },
         bic: deviance + k * effective.ln(),
@@ -115,17 +133,17 @@ fn of_rows(rows: &Rows, (parameters, independent): (f64, f64), common: Option<f6
 
 /// Samples with the same rows in all fits, where these agree on which cables are slack, that at least one of them explains; outliers stay in
 /// under least squares.
-fn kept_samples(fits: &[&Fit], loss: Loss) -> Vec<usize> {
-    let first = &fits[0].residuals.rows;
-    let outliers: Vec<Vec<usize>> = fits.iter().map(|fit| outliers(fit)).collect();
+fn kept_samples(group: &[Rated], loss: Loss) -> Vec<usize> {
+    let first = &group[0].residuals.rows;
+    let outliers: Vec<Vec<usize>> = group.iter().map(outliers).collect();
     let is_explained = |sample: &usize| outliers.iter().any(|of_one| of_one.binary_search(sample).is_err());
-    let is_same = |sample: &usize| fits.iter().all(|fit| fit.residuals.rows[*sample] == first[*sample]);
+    let is_same = |sample: &usize| group.iter().all(|one| one.residuals.rows[*sample] == first[*sample]);
     (0..first.len()).filter(is_same).filter(|sample| loss == Loss::Squared || is_explained(sample)).collect()
 }
 
-fn outliers(fit: &Fit) -> Vec<usize> {
-    let Residuals { squares, absolute, rows, .. } = &fit.residuals;
-    let extent = Extent { rows: rows.iter().sum(), parameters: fit.parameters.len(), absolute: *absolute };
+fn outliers(one: &Rated) -> Vec<usize> {
+    let Residuals { squares, absolute, rows, .. } = &one.residuals;
+    let extent = Extent { rows: rows.iter().sum(), parameters: one.free, absolute: *absolute };
     Norms::new(squares.clone(), None, extent).outliers().collect()
 }
 

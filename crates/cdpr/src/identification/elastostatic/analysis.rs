@@ -12,7 +12,7 @@ use crate::identification::fit::{
 };
 use crate::identification::identifiability::Analysis;
 use crate::identification::joint_analysis::{JointRows, analyse_together};
-use crate::identification::likelihood::Residuals;
+use crate::identification::likelihood::FittedRows;
 use crate::identification::outliers;
 use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
@@ -28,7 +28,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     let model = &optimum.start_model;
     let noise = Noise::of(&optimum.misfit, &optimum.norms, optimum.absolute);
     let noise_factor = optimum.noise * noise.factor;
-    let analysis = analyse(&optimum, samples, parameters, noise.inflation, settings);
+    let (analysis, series) = analyse(&optimum, samples, parameters, noise.inflation, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -39,7 +39,14 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         (status, reason) = (Status::NotPredictive, why);
     }
     let loss = used(optimum.norms.loss);
-    let residuals = residuals_of(&optimum, samples);
+    let rows = FittedRows {
+        weights: row_weights(&optimum, samples, series.len()),
+        series,
+        noise: optimum.noise,
+        norms: optimum.norms.clone(),
+        absolute: optimum.absolute,
+        with_wrenches: true,
+    };
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
@@ -64,29 +71,22 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),
         outliers,
         warnings: all_warnings,
-        residuals,
+        rows: Some(rows),
         model: optimum.calibrated,
     }
 }
 
-/// Whitened wrenches and lengths at the optimum.
-fn residuals_of(optimum: &Optimum, samples: &Samples) -> Residuals {
-    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Residuals::default() };
-    let row_model = RowModel::new(&optimum.calibrated, load, &[]);
-    let mut rows = SampleRows::new(&optimum.calibrated, 0);
-    let mut whitened = vec![Vec::with_capacity(samples.len()); rows.count];
-    let (mut log_variances, mut counts) = (vec![0.0; samples.len()], vec![0; samples.len()]);
-    let telling = |deviation: &f64| *deviation < SLACK_SIGMA * optimum.noise;
-    for (sample, (log, count)) in log_variances.iter_mut().zip(&mut counts).enumerate() {
-        optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
-        whitened.iter_mut().enumerate().for_each(|(row, series)| series.push(rows.residual(row)));
-        for deviation in optimum.linearization.deviations(sample).filter(telling) {
-            *log += 2.0 * deviation.ln();
-            *count += 1;
+/// 1/σ of every row over the samples, 0 for the length rows of slack cables.
+fn row_weights(optimum: &Optimum, samples: &Samples, rows: usize) -> Vec<Vec<f64>> {
+    let mut weights = vec![Vec::with_capacity(samples.len()); rows];
+    let least = 1.0 / (SLACK_SIGMA * optimum.noise);
+    for sample in 0..samples.len() {
+        for (row, deviation) in optimum.linearization.deviations(sample).enumerate() {
+            let weight = 1.0 / deviation;
+            weights[row].push(if weight > least { weight } else { 0.0 });
         }
     }
-    let residuals = Residuals::of(&whitened, (log_variances, counts), (optimum.noise, &optimum.norms));
-    Residuals { absolute: optimum.absolute, with_wrenches: true, ..residuals }
+    weights
 }
 
 /// Modelled minus recorded lengths of a sample (from 0) at its measured pose and tensions (m).
@@ -148,16 +148,21 @@ fn analyse(
     parameters: &[Parameter],
     inflation: f64,
     settings: &Settings,
-) -> Analysis {
-    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Analysis { inflation, ..Analysis::default() } };
+) -> (Analysis, Vec<Vec<f64>>) {
+    let Ok(load) = Load::of(optimum.calibrated.robot()) else {
+        return (Analysis { inflation, ..Analysis::default() }, Vec::new());
+    };
     let (plain, weighted, series) = stacked(optimum, samples, parameters, load);
     let model = &optimum.calibrated;
     let problem = Problem::new(&optimum.start_model, samples, &optimum.tensions, parameters, settings);
-    let rows = JointRows { model, samples, parameters, scale: problem.scale(), plain, weighted, series, inflation };
+    let mut weighed = series.clone();
+    weighed.iter_mut().for_each(|row| optimum.norms.weigh(row));
+    let scale = problem.scale();
+    let rows = JointRows { model, samples, parameters, scale, plain, weighted, series: weighed, inflation };
     let mut analysis = analyse_together(rows, settings);
     analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
     analysis.weak_directions.extend(analysis.unknown_stiffness.clone());
-    analysis
+    (analysis, series)
 }
 
 /// Jacobian without weights, with weights, and the whitened residuals row by row of a sample.
@@ -178,8 +183,7 @@ fn stacked(
         copy(&rows, sample, &mut plain);
         optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
         copy(&rows, sample, &mut weighted);
-        let weight = optimum.norms.weight(sample);
-        (0..count).for_each(|row| residuals[row].push(weight * rows.residual(row)));
+        (0..count).for_each(|row| residuals[row].push(rows.residual(row)));
     }
     (plain, weighted, residuals)
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::frames::RecordingFrames;
 use crate::identification::clock::ClockOffset;
 use crate::identification::identifiability::{Analysis, Correlation};
-use crate::identification::likelihood::Residuals;
+use crate::identification::likelihood::FittedRows;
 use crate::identification::loss::Loss;
 use crate::identification::objective::Certificate;
 use crate::identification::outliers::{self, Outlier};
@@ -100,8 +100,8 @@ pub struct Fit {
     pub outlier_warning: Option<String>,
     /// Further warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
-    /// Residuals in units of the accuracies.
-    pub(in crate::identification) residuals: Residuals,
+    /// Rows that were made small by their likelihood; none under another objective.
+    pub(in crate::identification) rows: Option<FittedRows>,
 }
 
 impl Fit {

@@ -3,9 +3,26 @@
 use crate::identification::autocorrelation::correlation_time;
 use crate::identification::norms::Norms;
 
+/// Rows of a fit at its optimum, as its analysis leaves them: each a series over the samples.
+#[derive(Clone, Debug)]
+pub(crate) struct FittedRows {
+    /// Residuals whitened by the weights.
+    pub(in crate::identification) series: Vec<Vec<f64>>,
+    /// 1/σ of each given the rows of its sample before it; 0 where it says nothing.
+    pub(in crate::identification) weights: Vec<Vec<f64>>,
+    /// Noise that the weights stand for, as a multiple of stated or assumed accuracies.
+    pub(in crate::identification) noise: f64,
+    /// Weights of the samples.
+    pub(in crate::identification) norms: Norms,
+    /// False when no sensor accuracy is known.
+    pub(in crate::identification) absolute: bool,
+    /// Whether wrenches are rows besides lengths.
+    pub(in crate::identification) with_wrenches: bool,
+}
+
 /// Residuals of a fit in units of what the stated or assumed accuracies let expect.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Residuals {
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::identification) struct Residuals {
     /// rᵀ Σ⁻¹ r of each sample.
     pub(in crate::identification) squares: Vec<f64>,
     /// ln det Σ of each sample.
@@ -31,19 +48,18 @@ pub(in crate::identification) struct Rows {
 }
 
 impl Residuals {
-    /// Of whitened rows, each a series over the samples, with ln det Σ of every sample and the number of its rows; `noise` is what the
-    /// weights stand for, as a multiple of stated or assumed accuracies. Outliers say as little of correlation as of parameters.
-    pub(in crate::identification) fn of(
-        series: &[Vec<f64>],
-        (mut log_variances, rows): (Vec<f64>, Vec<usize>),
-        (noise, norms): (f64, &Norms),
-    ) -> Self {
-        let mut squares = vec![0.0; rows.len()];
-        for row in series {
+    /// Of the rows of a fit. Outliers say as little of correlation as of parameters.
+    pub(in crate::identification) fn of(fitted: &FittedRows) -> Self {
+        let FittedRows { series, weights, noise, norms, absolute, with_wrenches } = fitted;
+        let samples = series.first().map_or(0, Vec::len);
+        let (mut squares, mut log_variances, mut rows) = (vec![0.0; samples], vec![0.0; samples], vec![0; samples]);
+        for (row, weights) in series.iter().zip(weights) {
             squares.iter_mut().zip(row).for_each(|(square, value)| *square += (noise * value).powi(2));
+            for sample in (0..samples).filter(|&sample| weights[sample] > 0.0) {
+                log_variances[sample] -= 2.0 * (noise * weights[sample]).ln();
+                rows[sample] += 1;
+            }
         }
-        let less = 2.0 * noise.ln();
-        log_variances.iter_mut().zip(&rows).for_each(|(log, &rows)| *log -= rows as f64 * less);
         let time = |row: &Vec<f64>| {
             let mut row = row.clone();
             norms.weigh(&mut row);
@@ -55,15 +71,14 @@ impl Residuals {
             log_variances,
             rows,
             independent_share: independent / series.len().max(1) as f64,
-            absolute: false,
-            with_wrenches: false,
+            absolute: *absolute,
+            with_wrenches: *with_wrenches,
         }
     }
 
-    /// Whether other residuals are of the same kind of rows and the same samples, so that their likelihoods can be compared.
-    pub(in crate::identification) fn same_rows(&self, other: &Self) -> bool {
-        let kind = |one: &Self| (one.with_wrenches, one.absolute, one.rows.len());
-        kind(self) == kind(other)
+    /// Kind of the rows, their noise and their number of samples: likelihoods of equal ones can be compared.
+    pub(in crate::identification) fn kind(&self) -> (bool, bool, usize) {
+        (self.with_wrenches, self.absolute, self.rows.len())
     }
 
     /// These samples together.

@@ -43,7 +43,7 @@ fn fitted(samples: &Samples, free: &str, settings: &Settings) -> Fit {
 }
 
 fn of(fits: &[&Fit], loss: Loss) -> Vec<Information> {
-    information(model().robot(), fits, loss)
+    information(model().robot(), fits, loss).into_iter().flatten().collect()
 }
 
 /// Residual sum of squares of a regression on a constant, from the raw lengths; without offsets that of the lengths themselves.

@@ -13,10 +13,8 @@ use crate::identification::fit::{
 use crate::identification::identifiability::Analysis;
 use crate::identification::joint_analysis::{JointRows, analyse_together};
 use crate::identification::joint_descent::{Around, End, descend};
-use crate::identification::likelihood::Residuals;
 use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
-use crate::identification::norms::Norms;
 use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
@@ -269,7 +267,6 @@ pub(crate) fn fit(
 ) -> Result<Fit, InputError> {
     let optimum = optimum(model, samples, parameters, settings, progress)?;
     let analysis = analyse(&optimum, samples, parameters, settings);
-    let residuals = residuals_of(&optimum, samples);
     let Optimum { start_model, calibrated, end, starts, certificate, unit, stacked, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
@@ -301,17 +298,8 @@ pub(crate) fn fit(
         samples: samples.len(),
         outlier_warning: None,
         warnings: all_warnings,
-        residuals,
+        rows: None,
     })
-}
-
-/// Residuals with the same accuracy for all of a kind.
-fn residuals_of(optimum: &Optimum, samples: &Samples) -> Residuals {
-    let (stacked, count) = (&optimum.stacked, optimum.stacked.samples());
-    let rows = (vec![0.0; count], vec![stacked.size; count]);
-    let residuals = Residuals::of(&series(stacked), rows, (1.0, &Norms::default()));
-    let absolute = samples.sigmas.position.is_some();
-    Residuals { absolute, with_wrenches: optimum.unit.is_none(), ..residuals }
 }
 
 /// Residuals of every row of a sample over the samples.

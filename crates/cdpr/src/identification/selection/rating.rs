@@ -9,6 +9,9 @@ use crate::measurement::Samples;
 use crate::metamodel::field::diagonal;
 use crate::robot::Robot;
 
+/// Reason why criteria are missing beside other objectives.
+const WITHOUT_LIKELIHOOD: &str = "; no AIC and BIC: they follow from a likelihood, which least squares of lengths make large and this objective does not";
+
 /// Choices of several criteria.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rating {
@@ -27,7 +30,7 @@ pub(super) fn inform((robot, samples): (&Robot, &Samples), candidates: &mut [Jud
     let found = likelihood::information(robot, &fits, settings.fit.loss);
     let judgements = candidates.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok());
     for (judgement, information) in judgements.zip(found) {
-        judgement.information = Some(information);
+        judgement.information = information;
         let diagonal = diagonal(|| judgement.validation_samples.iter().map(|&sample| samples.poses[sample].position));
         judgement.relative_position_error =
             (diagonal > 0.0).then(|| judgement.validation.position_error_m.mean / diagonal);
@@ -38,11 +41,14 @@ pub(super) fn inform((robot, samples): (&Robot, &Samples), candidates: &mut [Jud
 pub(super) fn rate(outcome: Outcome<'_>, settings: &Settings) -> Rating {
     let criteria = preferences(outcome, settings);
     let agrees = criteria.windows(2).all(|pair| pair[0].candidate == pair[1].candidate);
-    let words = match criteria.len() {
+    let mut words = match criteria.len() {
         0 | 1 => String::new(),
         _ if agrees => format!("all {} criteria choose `{}`", criteria.len(), criteria[0].candidate_name),
         _ => disagreement(&criteria),
     };
+    if settings.fit.is_other_objective() && !words.is_empty() {
+        words.push_str(WITHOUT_LIKELIHOOD);
+    }
     Rating { criteria, agrees, words }
 }
 
