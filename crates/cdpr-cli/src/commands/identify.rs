@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
-    ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, compare_objectives,
+    Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, compare_objectives,
     evaluate_fitted, frame_warning,
 };
 use cdpr::measurement::{Samples, Split};
@@ -318,16 +318,19 @@ impl Task<'_> {
         [&after, &before].map(|errors| if errors.is_empty() { errors.blocks() } else { errors.subset(&kept).blocks() })
     }
 
-    /// What the fit made small, with the errors of the calibrated model on the samples and on a machine.
+    /// The objective, with the errors of the calibrated model on the samples and on a machine.
     fn objective(&self, fit: &Fit, train: [&Evaluation; 2], samples: &Samples) -> Result<ObjectiveAnswer, Failure> {
         let settings = self.settings();
         let values = |errors| ObjectiveValues::of(self.model, samples, errors, settings.rotation_length);
         let driven = |model: &Model| self.drive.map(|drive| drive.of(model)).transpose();
+        let drive = |model: &Model| match driven(model) {
+            Ok(None) => Driven::Nowhere,
+            Ok(Some(accuracy)) => Driven::To(Box::new(accuracy)),
+            Err(failure) => Driven::Refused(failure.message().to_owned()),
+        };
         let objectives = match self.arguments.compare_objectives {
-            true => compare_objectives(self.model, samples, &self.arguments.free, &settings, &|model| {
-                driven(model).unwrap_or_default()
-            })
-            .map_err(|error| Failure::refused(&self.arguments.data.name(), &error))?,
+            true => compare_objectives(self.model, samples, &self.arguments.free, &settings, &drive)
+                .map_err(|error| Failure::refused(&self.arguments.data.name(), &error))?,
             false => Vec::new(),
         };
         Ok(ObjectiveAnswer {
@@ -336,6 +339,7 @@ impl Task<'_> {
             objective_values: values(train[0]),
             objective_values_before: values(train[1]),
             certificate: fit.certificate.clone(),
+            converged: fit.status != fit::Status::NotConverged,
             driven: driven(&fit.model)?,
             driven_before: driven(self.model)?,
             objectives,

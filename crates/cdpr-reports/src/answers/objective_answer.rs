@@ -22,6 +22,9 @@ pub struct ObjectiveAnswer {
     /// Proof of the least largest error.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
+    /// Whether the search of the fit ended at an optimum.
+    #[serde(skip)]
+    pub converged: bool,
     /// The calibrated controller on a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
@@ -33,15 +36,12 @@ pub struct ObjectiveAnswer {
     pub objectives: Vec<JudgedOptimum>,
 }
 
-/// Share of the error before from which on a controller drives no better.
-const WORSE: f64 = 1.0;
-
 impl ObjectiveAnswer {
     /// Doubts about the objective.
     pub(super) fn doubts(&self) -> Vec<String> {
         let (Some(driven), Some(before)) = (&self.driven, &self.driven_before) else { return Vec::new() };
         let (after, before) = (driven.position_error_m.mean, before.position_error_m.mean);
-        let is_worse = after > WORSE * before;
+        let is_worse = after > before;
         let words = || {
             format!(
                 "the calibrated controller drives worse than the one as given: {} instead of {} mm in the mean, whatever it predicts",
@@ -59,7 +59,7 @@ impl ObjectiveAnswer {
             text.push_str(&format!("\nobjective: {} of {}\n", self.cost(), self.residuals(pattern)));
         }
         if let Some(certificate) = &self.certificate {
-            text.push_str(&proof(certificate));
+            text.push_str(&proof(certificate, self.converged));
         }
         if let Some(driven) = &self.driven {
             text.push_str(&format!("\n{}", self.driven_table(driven, pattern, width)));
@@ -114,8 +114,16 @@ impl ObjectiveAnswer {
 }
 
 /// Samples that hold the largest error up.
-fn proof(certificate: &Certificate) -> String {
+fn proof(certificate: &Certificate, converged: bool) -> String {
     let names: Vec<String> = certificate.active.iter().map(|active| active.sample.to_string()).collect();
+    if !converged {
+        return format!(
+            "the search for the least largest error stopped before its end: {} samples have the largest ({}), and it may still fall (gap {:.0e})\n",
+            names.len(),
+            names.join(", "),
+            certificate.gap
+        );
+    }
     format!(
         "the largest error is the least near here: {} samples have it ({}), and no change of the parameters makes all of them smaller (gap {:.0e})\n",
         names.len(),
@@ -126,7 +134,7 @@ fn proof(certificate: &Certificate) -> String {
 
 /// A row for each optimum, a column for each error that judges it.
 fn comparison(optima: &[JudgedOptimum], pattern: MotionPattern, width: Option<usize>) -> String {
-    let is_driven = optima.iter().any(|optimum| optimum.driven.is_some());
+    let is_driven = optima.iter().any(|optimum| optimum.driven.is_some() || optimum.not_driven.is_some());
     let mut heading = vec!["optimum of", "length rms mm", "mean", "max", "pose rms mm", "mean", "max", "predicted mm"];
     heading.extend(pattern.has_rotation().then_some("°"));
     heading.extend(is_driven.then_some("driven mm"));
@@ -134,19 +142,8 @@ fn comparison(optima: &[JudgedOptimum], pattern: MotionPattern, width: Option<us
     let mut table = Table::with_heading(heading.into_iter().map(str::to_owned).collect());
     for optimum in optima {
         let values = &optimum.values;
-        let name = optimum.of.map_or_else(
-            || "(as given)".to_owned(),
-            |of| {
-                format!(
-                    "{} {}{}",
-                    of.objective.name(),
-                    of.minimize,
-                    if optimum.converged { "" } else { " (not converged)" }
-                )
-            },
-        );
         let norms = [&values.length_norm_m, &values.pose_norm_m].map(|norm| [norm.rms, norm.mean, norm.max]);
-        let mut row = vec![name];
+        let mut row = vec![name(optimum)];
         row.extend(norms.as_flattened().iter().map(|norm| cell(Some(1e3 * norm), 3)));
         row.push(cell(Some(1e3 * optimum.predicted.position_error_m.mean), 3));
         if pattern.has_rotation() {
@@ -161,6 +158,18 @@ fn comparison(optima: &[JudgedOptimum], pattern: MotionPattern, width: Option<us
         }
         table.row(row);
     }
-    table.text(width)
-        + "norms of a sample's length residuals and pose errors; predicted and driven: means over the poses\n"
+    let mut text = table.text(width)
+        + "norms of a sample's length residuals and pose errors; predicted and driven: means over the poses\n";
+    for optimum in optima {
+        if let Some(reason) = &optimum.not_driven {
+            text.push_str(&format!("{} does not drive: {reason}\n", name(optimum)));
+        }
+    }
+    text
+}
+
+fn name(optimum: &JudgedOptimum) -> String {
+    let Some(of) = optimum.of else { return "(as given)".to_owned() };
+    let end = if optimum.converged { "" } else { " (not converged)" };
+    format!("{} {}{end}", of.objective.name(), of.minimize)
 }

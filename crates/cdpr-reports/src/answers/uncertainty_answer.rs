@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use cdpr::geometry::Pose;
-use cdpr::identification::fit::Profile;
+use cdpr::identification::fit::{Fit, Profile};
 use cdpr::identification::{PoseBand, Resampled};
 use cdpr::model::Model;
 use serde::Serialize;
@@ -26,10 +26,24 @@ pub struct UncertaintyAnswer {
     /// Bands of poses that the calibrated model commands.
     #[serde(skip)]
     pub bands: Vec<(Pose, Option<PoseBand>)>,
+    /// Doubt about the bands in words: parameters without a deviation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub band_warning: Option<String>,
 }
 
 /// Half width of a 95 % interval of a normal distribution, in standard deviations.
 const NORMAL_95: f64 = 1.959_964;
+
+/// Doubt about bands that some parameters say nothing to.
+fn band_warning(fit: &Fit) -> Option<String> {
+    let (without, count) = (fit.without_deviation(), fit.parameters.len());
+    (without > 0).then(|| match without == count {
+        true => format!("none of the {count} parameters has a standard deviation, so there are none of the pose"),
+        false => format!(
+            "{without} of {count} parameters have no standard deviation and are left out, so that these are lower bounds of the pose's"
+        ),
+    })
+}
 
 /// A unit for people and the factor to it.
 fn shown(unit: &'static str) -> (&'static str, f64) {
@@ -41,6 +55,17 @@ fn shown(unit: &'static str) -> (&'static str, f64) {
 }
 
 impl UncertaintyAnswer {
+    /// Of what was found for a fit.
+    pub fn new(
+        fit: &Fit,
+        profiles: Vec<Profile>,
+        bootstrap: Option<Resampled>,
+        bands: Vec<(Pose, Option<PoseBand>)>,
+    ) -> Self {
+        let band_warning = if bands.is_empty() { None } else { band_warning(fit) };
+        Self { profiles, bootstrap, bands, band_warning }
+    }
+
     pub(super) fn words(&self, width: Option<usize>) -> String {
         let mut text = String::new();
         if !self.profiles.is_empty() {
@@ -54,7 +79,27 @@ impl UncertaintyAnswer {
                 bootstrap_table(found, width)
             ));
         }
+        text.extend(self.band_words());
         text
+    }
+
+    fn band_words(&self) -> Option<String> {
+        let known: Vec<f64> = self.bands.iter().filter_map(|(_, band)| Some(band.as_ref()?.position)).collect();
+        if self.bands.is_empty() {
+            return None;
+        }
+        let doubt = self.band_warning.as_ref().map_or_else(String::new, |words| format!(": {words}"));
+        let (mean, largest) =
+            (known.iter().sum::<f64>() / known.len() as f64, known.iter().copied().fold(0.0, f64::max));
+        Some(match known.len() {
+            0 => format!("\nbands of poses{doubt}\n"),
+            count => format!(
+                "\nbands of {count} of {} poses{doubt}\nstandard deviation of the position {} mm in the mean, at most {} mm\n",
+                self.bands.len(),
+                significant(1e3 * mean, 3),
+                significant(1e3 * largest, 3)
+            ),
+        })
     }
 
     fn profile_table(&self, width: Option<usize>) -> String {

@@ -56,6 +56,7 @@ impl ErrorCode for fit::InputError {
             Self::NoTensions | Self::PosesWithoutTensions => "data::no-tensions",
             Self::RobustCost { .. }
             | Self::PriorCost { .. }
+            | Self::ProfileCost { .. }
             | Self::RecordingCost { .. }
             | Self::PenaltyCost { .. } => "setting::cost",
             Self::NoPrediction { .. } => "data::no-prediction",

@@ -35,6 +35,8 @@ mod pose_lanes;
 mod prediction;
 mod quadratic;
 mod recorded;
+#[cfg(test)]
+mod recorded_curves;
 mod recordings;
 mod reduction;
 mod resampling;
@@ -56,7 +58,8 @@ pub use identifiability::{Analysis, Correlation};
 pub use likelihood::{Information, NoiseSource};
 pub use loss::Loss;
 pub use objective::{
-    ActiveSample, Certificate, JudgedOptimum, Minimize, Objective, ObjectiveValues, OptimumOf, compare_objectives,
+    ActiveSample, Certificate, Driven, JudgedOptimum, Minimize, Objective, ObjectiveValues, OptimumOf,
+    compare_objectives,
 };
 pub use outliers::Outlier;
 pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards, penalty_path};

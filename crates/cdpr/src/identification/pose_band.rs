@@ -25,9 +25,10 @@ pub struct PoseBand {
 
 impl Fit {
     /// Bands of the poses at which a machine with the true parameters ends when the calibrated model commands these poses, to first order:
-    /// J Σ Jᵀ, J by central differences of one hundredth of a deviation; `None` where a pose has no answer.
+    /// J Σ Jᵀ, J by central differences of one hundredth of a deviation; `None` where a pose has no answer, and everywhere where no free
+    /// parameter has a deviation.
     ///
-    /// Parameters that the data do not determine have no deviation and are left out.
+    /// A parameter that the data do not determine has none and is left out: the band is then a lower bound ([`Fit::without_deviation`]).
     pub fn pose_bands(&self, poses: &[Pose]) -> Result<Vec<Option<PoseBand>>, InputError> {
         // a model that answers no command is refused only where one is asked for
         if poses.is_empty() {
@@ -35,6 +36,9 @@ impl Fit {
         }
         let offsets = vec![0.0; self.model.cable_count()];
         let places: Vec<usize> = (0..self.parameters.len()).filter(|&k| self.parameters[k].sigma.is_some()).collect();
+        if places.is_empty() && !self.parameters.is_empty() {
+            return Ok(vec![None; poses.len()]);
+        }
         let mut effects = Vec::with_capacity(places.len());
         for &place in &places {
             let driven = |side: f64| -> Result<Vec<Option<Pose>>, InputError> {
@@ -52,6 +56,11 @@ impl Fit {
             effects.push(driven(-1.0)?.iter().zip(&driven(1.0)?).map(effect).collect::<Vec<_>>());
         }
         Ok((0..poses.len()).map(|pose| self.band(&places, &effects, pose)).collect())
+    }
+
+    /// Free parameters without a standard deviation: the data do not determine them, or their cost knows none.
+    pub fn without_deviation(&self) -> usize {
+        self.parameters.iter().filter(|estimate| estimate.sigma.is_none()).count()
     }
 
     /// The calibrated model with a parameter so many standard deviations away, as far as its bounds allow.

@@ -71,7 +71,7 @@ fn tensions_follow_where_the_machine_is_the_model_and_are_not_compared_where_non
     assert!(assessed.outcomes.iter().all(|outcome| commanded(outcome).is_none()));
 }
 
-/// What is reached shrinks with the error of the tensions that is allowed, and every way to ask agrees.
+/// The reachable workspace shrinks with the error of the tensions that is allowed, and every way to ask agrees.
 #[test]
 fn the_reachable_workspace_may_ask_for_tensions_near_the_commanded_ones() {
     let sizes: Vec<f64> = [None, Some(400.0), Some(200.0), Some(50.0)]

@@ -74,7 +74,7 @@ impl UncertaintyArguments {
     }
 }
 
-/// What the options ask for.
+/// Profiles, deviations and bands that the options ask for.
 pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<UncertaintyAnswer, Failure> {
     let options = &task.arguments.uncertainty;
     let refused = |error: cdpr::identification::fit::InputError| Failure::refused(&task.arguments.data.name(), &error);
@@ -86,7 +86,7 @@ pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<UncertaintyAnswer, Fail
     let poses = options.uncertainty.as_ref().map_or_else(Vec::new, |_| grid(&fit.model, &fit.as_fitted(samples)));
     let bands = fit.pose_bands(&poses).map_err(|error| Failure::refused(&task.model.robot().name, &error))?;
     let bands = poses.into_iter().zip(bands).collect();
-    Ok(UncertaintyAnswer { profiles, bootstrap: bootstrap.transpose().map_err(refused)?, bands })
+    Ok(UncertaintyAnswer::new(fit, profiles, bootstrap.transpose().map_err(refused)?, bands))
 }
 
 /// Poses over the box of the data and a quarter of it beyond, in the orientation of the home pose.

@@ -148,6 +148,14 @@ pub enum InputError {
         /// The other cost in words.
         words: String,
     },
+    /// Profiles of a cost that is no sum of squares.
+    #[error(
+        "a profile's interval follows from a sum of squares, which the {minimize} of norms is not: a bootstrap tells deviations of this cost"
+    )]
+    ProfileCost {
+        /// The cost.
+        minimize: Minimize,
+    },
     /// Frames or clocks beside another cost than squared lengths.
     #[error("`{name}` is found by squares of lengths: identify it so first, and hold it then")]
     RecordingCost {

@@ -11,6 +11,7 @@ use super::{Fit, InputError, Settings, optimum};
 use crate::identification::elastostatic;
 use crate::identification::evaluation::evaluate_fitted;
 use crate::identification::loss::Loss;
+use crate::identification::objective::{self, Minimize};
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, Robot};
@@ -32,7 +33,7 @@ const NEAR: f64 = 0.25;
 /// Standard deviations beyond which an interval counts as open.
 const OPEN: f64 = 50.0;
 
-/// Course of the weighted squares over one parameter.
+/// Course of the weighted squares (of the objective) over one parameter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Profile {
     /// Name of the parameter.
@@ -72,14 +73,17 @@ pub struct ProfilePoint {
 
 /// Profiles of these free parameters (places in [`Fit::parameters`]); of parameters that the data do not determine there is none.
 ///
-/// Profiles are of the squares of the samples that are no outliers, in the frames and on the clock that were found. Where parameters have
-/// priors and no accuracy is stated, the noise is what the residuals tell.
+/// Profiles are of the squares of the samples that are no outliers, in the frames and on the clock that were found; costs that are no sums of
+/// squares are refused. Where parameters have priors and no accuracy is stated, the noise is what the residuals tell.
 pub fn profiles(
     given: &Model,
     samples: &Samples,
     (fit, settings): (&Fit, &Settings),
     chosen: &[usize],
 ) -> Result<Vec<Profile>, InputError> {
+    if settings.minimize != Minimize::Squares && !chosen.is_empty() {
+        return Err(InputError::ProfileCost { minimize: settings.minimize });
+    }
     let samples = fit.as_fitted(samples).subset(&fit.trusted_samples(samples.len()));
     let problem = Course::new(given, samples, fit, settings)?;
     chosen.iter().filter_map(|&place| problem.profile(place).transpose()).collect()
@@ -104,7 +108,8 @@ impl<'a> Course<'a> {
         settings: &Settings,
     ) -> Result<Self, InputError> {
         let stated = samples.sigmas.length.is_some() || samples.sigmas.position.is_some();
-        if !stated && !settings.priors.is_empty() && fit.noise_factor.is_finite() {
+        let weighs_priors = !settings.priors.is_empty() && !settings.is_other_objective();
+        if !stated && weighs_priors && fit.noise_factor.is_finite() {
             samples.sigmas.length = Some(ASSUMED_NOISE * fit.noise_factor);
             let tensions = samples.tensions.as_ref().filter(|_| samples.sigmas.tension.is_none());
             let mean = tensions.map(|tensions| tensions.iter().sum::<f64>() / tensions.len() as f64);
@@ -244,6 +249,10 @@ impl<'a> Course<'a> {
     /// The model at the least weighted squares over these parameters, and that sum.
     fn minimise(&self, model: &Model, samples: &Samples, parameters: &[Parameter]) -> Result<(Model, f64), InputError> {
         let (samples, settings) = (&*model.with_lengths(samples)?, &self.settings);
+        if settings.is_other_objective() {
+            let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
+            return Ok((optimum.calibrated().clone(), optimum.end().cost));
+        }
         if explains_tensions(model) {
             let optimum = elastostatic::find(model, samples, parameters, settings, &|| ())?;
             return Ok((optimum.calibrated().clone(), optimum.cost()));

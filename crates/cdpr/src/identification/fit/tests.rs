@@ -7,6 +7,7 @@ use crate::geometry::Pose;
 use crate::identification::blocks::{Accumulate, Block};
 use crate::identification::fit::{Minimizer, Settings};
 use crate::identification::pose_lanes::PoseLanes;
+use crate::identification::recorded_curves::curve;
 use crate::identification::weights::length_weights;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, Model, place_pulleys};
@@ -15,13 +16,7 @@ use crate::scalar::{Unit, dispatch_on};
 
 /// Thirteen poses, so that the last group is padded; lengths of the model itself plus millimetres.
 fn samples(model: &Model) -> Samples {
-    let home = model.robot().home_or_middle();
-    let pose = |index: u32| {
-        let t = f64::from(index);
-        let shift = Vector3::new(t.sin(), (1.7 * t).cos(), 0.5 * (2.3 * t).sin());
-        Pose::from_xyz_angles(home.position + shift, [0.1 * t.cos(), 0.1 * (1.3 * t).sin(), 0.2 * (0.7 * t).sin()])
-    };
-    let poses: Vec<Pose> = (0..13).map(pose).collect();
+    let poses = curve(model, 13, 1.0);
     let lengths = poses.iter().flat_map(|pose| model.cable_lengths(pose).unwrap());
     let lengths = lengths.enumerate().map(|(index, length)| length + 1e-3 * (index as f64).sin()).collect();
     let sigmas =

@@ -1,54 +1,30 @@
 use std::f64::consts::TAU;
 
-use nalgebra::Vector3;
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Normal};
-
 use super::{Information, NoiseSource, information};
-use crate::geometry::Pose;
 use crate::identification::fit::{Fit, Prior, Settings, fit};
 use crate::identification::loss::Loss;
-use crate::measurement::{Samples, SensorSigmas};
-use crate::model::{Composition, FreeParameters, Model};
-use crate::robot::{ParameterKind, Robot};
+use crate::identification::recorded_curves::{SIGMA, curve, noisy, points};
+use crate::measurement::Samples;
+use crate::model::FreeParameters;
+use crate::robot::ParameterKind;
 
-/// Noise of the lengths (m).
-const SIGMA: f64 = 1e-3;
-
-fn model() -> Model {
-    Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap()
-}
-
-/// Exact poses, lengths with an offset of the cables' numbers (mm) and seeded noise.
+/// Lengths with an offset of the cables' numbers (mm).
 fn samples(count: usize, seed: u64, stated: Option<f64>) -> Samples {
-    let (model, mut rng) = (model(), ChaCha8Rng::seed_from_u64(seed));
-    let noise = Normal::new(0.0, SIGMA).unwrap();
-    let home = model.robot().home_or_middle();
-    let pose = |index: usize| {
-        let t = index as f64;
-        Pose::from_xyz_angles(home.position + Vector3::new(t.sin(), (1.7 * t).cos(), 0.5 * (2.3 * t).sin()), [0.0; 3])
-    };
-    let poses: Vec<Pose> = (0..count).map(pose).collect();
-    let of_pose = |pose: &Pose| model.cable_lengths(pose).unwrap();
-    let lengths = poses.iter().flat_map(|pose| of_pose(pose).into_iter().enumerate().collect::<Vec<_>>());
-    let lengths = lengths.map(|(cable, length)| length + 1e-3 * cable as f64 + noise.sample(&mut rng)).collect();
-    let sigmas = SensorSigmas { length: stated, ..SensorSigmas::default() };
-    Samples { poses, lengths, cable_count: 8, sigmas, ..Samples::default() }
+    noisy(&points(), curve(&points(), count, 0.0), seed, stated, 1e-3)
 }
 
 fn fitted(samples: &Samples, free: &str, settings: &Settings) -> Fit {
     let free: FreeParameters = free.parse().unwrap();
-    fit(&model(), samples, &free, settings).unwrap()
+    fit(&points(), samples, &free, settings).unwrap()
 }
 
 fn of(fits: &[&Fit], loss: Loss) -> Vec<Information> {
-    information(model().robot(), fits, loss).into_iter().flatten().collect()
+    information(points().robot(), fits, loss).into_iter().flatten().collect()
 }
 
 /// Residual sum of squares of a regression on a constant, from the raw lengths; without offsets that of the lengths themselves.
 fn sum_of_squares(samples: &Samples, with_offsets: bool) -> f64 {
-    let model = model();
+    let model = points();
     let modelled: Vec<Vec<f64>> = samples.poses.iter().map(|pose| model.cable_lengths(pose).unwrap()).collect();
     let rest = |sample: usize, cable: usize| samples.lengths[8 * sample + cable] - modelled[sample][cable];
     let count = samples.len();

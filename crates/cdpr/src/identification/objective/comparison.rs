@@ -38,6 +38,20 @@ pub struct JudgedOptimum {
     /// The controller with these parameters on a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
+    /// Reason in words why it does not drive there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub not_driven: Option<String>,
+}
+
+/// Outcome of putting a calibrated model on a machine.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Driven {
+    /// There is no machine.
+    Nowhere,
+    /// Errors there.
+    To(Box<Accuracy>),
+    /// Reason why it does not drive.
+    Refused(String),
 }
 
 /// Objective and cost of an optimum.
@@ -67,22 +81,28 @@ fn finite(norms: impl Iterator<Item = f64>) -> PoseErrorStatistics {
 }
 
 /// The model as given and the optimum of every objective under every cost, each judged by all of them, and by `drive`, which puts a calibrated
-/// model on a machine.
+/// model on a machine where there is one.
 pub fn compare_objectives(
     model: &Model,
     samples: &Samples,
     free: &FreeParameters,
     settings: &Settings,
-    drive: &dyn Fn(&Model) -> Option<Accuracy>,
+    drive: &dyn Fn(&Model) -> Driven,
 ) -> Result<Vec<JudgedOptimum>, InputError> {
     let judged = |calibrated: &Model, of: Option<OptimumOf>, converged: bool| {
         let errors = evaluate_fitted(calibrated, samples).ok()?;
+        let (driven, not_driven) = match drive(calibrated) {
+            Driven::Nowhere => (None, None),
+            Driven::To(accuracy) => (Some(*accuracy), None),
+            Driven::Refused(reason) => (None, Some(reason)),
+        };
         Some(JudgedOptimum {
             of,
             converged,
             values: ObjectiveValues::of(model, samples, &errors, settings.rotation_length),
             predicted: errors.blocks(),
-            driven: drive(calibrated),
+            driven,
+            not_driven,
         })
     };
     let mut all: Vec<JudgedOptimum> = judged(model, None, true).into_iter().collect();

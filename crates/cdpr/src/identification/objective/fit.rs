@@ -110,16 +110,7 @@ pub(crate) fn optimum(
     if !vectors.write(&end.values, &mut stacked) {
         return Err(InputError::NotFinite);
     }
-    Ok(Optimum {
-        calibrated,
-        end,
-        starts,
-        stacked,
-        scale: scale.clone(),
-        unit,
-        certificate,
-        start_model: start_model.clone(),
-    })
+    Ok(Optimum { calibrated, end, starts, stacked, scale, unit, certificate, start_model })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.

@@ -66,6 +66,8 @@ struct Barrier<'a, V> {
     /// Metres that one unit of each parameter is worth.
     scale: &'a [f64],
     stacked: Stacked,
+    /// Memory for the same, each sample weighted by its slack.
+    weighted: Stacked,
 }
 
 /// Finds it from these values; nothing where they have no residuals.
@@ -77,7 +79,7 @@ pub(super) fn minimise<V: Vectors>(
     max_iterations: u32,
 ) -> Option<Minimax> {
     let stacked = Stacked::new(vectors, parameters.len());
-    let mut barrier = Barrier { vectors, parameters, scale, stacked };
+    let mut barrier = Barrier { vectors, parameters, scale, weighted: stacked.clone(), stacked };
     let values = barrier.inside(from);
     let largest = barrier.largest_square(&values)?;
     let mut point = Point { values, bound: 1.2 * largest + f64::MIN_POSITIVE };
@@ -172,24 +174,23 @@ impl<V: Vectors> Barrier<'_, V> {
     }
 
     /// Gradient and Gauss–Newton Hessian of the merit where it was last asked, parameters in metres, then s.
-    fn derivatives(&self, point: &Point, weight: f64) -> (DVector<f64>, DMatrix<f64>) {
+    fn derivatives(&mut self, point: &Point, weight: f64) -> (DVector<f64>, DMatrix<f64>) {
         let (count, samples) = (self.parameters.len(), self.stacked.samples());
-        let mut weighted = self.stacked.clone();
+        self.weighted.clone_from(&self.stacked);
         let mut of_squares = DMatrix::zeros(count + 1, samples);
         for sample in 0..samples {
             let slack = point.bound - self.stacked.square(sample);
             let gradient = self.stacked.gradient(sample) * (2.0 / slack);
             of_squares.view_mut((0, sample), (count, 1)).copy_from(&gradient);
             of_squares[(count, sample)] = -1.0 / slack;
-            weighted.scale(sample, (2.0 / slack).sqrt());
+            self.weighted.scale(sample, (2.0 / slack).sqrt());
         }
         // the derivative of −ln(s − ‖r‖²) is its column, the outer product of which is one part of the second
         let mut gradient = of_squares.column_sum();
         gradient[count] += 1.0 / weight;
         let mut hessian = &of_squares * of_squares.transpose();
-        let bend = weighted.jacobian.tr_mul(&weighted.jacobian);
         let mut corner = hessian.view_mut((0, 0), (count, count));
-        corner += bend;
+        corner.gemm_tr(1.0, &self.weighted.jacobian, &self.weighted.jacobian, 1.0);
         for (k, (parameter, value)) in self.parameters.iter().zip(&point.values).enumerate() {
             let (low, high) = parameter.bounds();
             let (below, above) = (1.0 / (value - low), 1.0 / (high - value));

@@ -14,7 +14,7 @@ mod problem;
 mod tests;
 mod vectors;
 
-pub use comparison::{JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
+pub use comparison::{Driven, JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
 pub(super) use fit::{check_recording, fit, optimum};
 pub use minimax::{ActiveSample, Certificate};
 use serde::Serialize;

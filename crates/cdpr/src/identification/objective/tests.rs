@@ -8,9 +8,9 @@ use super::minimax;
 use super::problem::ObjectiveVectors;
 use super::vectors::{Stacked, Vectors};
 use super::{Minimize, Objective};
-use crate::geometry::Pose;
 use crate::geometry::Wrench;
 use crate::identification::fit::{Minimizer, Settings, fit};
+use crate::identification::recorded_curves::curve;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model, place_pulleys};
 use crate::robot::{ExternalWrench, Robot};
@@ -18,13 +18,7 @@ use crate::statics::{Load, controlled_lengths};
 
 /// Eleven turned poses; lengths of the model under its load plus two millimetres up and down, tensions plus ten newtons.
 fn samples(model: &Model) -> Samples {
-    let home = model.robot().home_or_middle();
-    let pose = |index: u32| {
-        let t = f64::from(index);
-        let shift = Vector3::new(t.sin(), (1.7 * t).cos(), 0.5 * (2.3 * t).sin());
-        Pose::from_xyz_angles(home.position + shift, [0.1 * t.cos(), 0.1 * (1.3 * t).sin(), 0.2 * (0.7 * t).sin()])
-    };
-    let poses: Vec<Pose> = (0..11).map(pose).collect();
+    let poses = curve(model, 11, 1.0);
     let wave = |index: usize| (1.3 * index as f64).sin();
     let (mut lengths, mut tensions) = (Vec::new(), Vec::new());
     for pose in &poses {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Residual vectors of all samples, one after the other, and their derivatives by the free parameters.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Stacked {
     /// Entries of one sample's vector.
     pub(super) size: usize,
@@ -22,6 +22,18 @@ pub(super) trait Vectors {
 
     /// Writes vectors and derivatives at parameter values; false where a sample has none.
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool;
+}
+
+impl Clone for Stacked {
+    fn clone(&self) -> Self {
+        Self { size: self.size, residuals: self.residuals.clone(), jacobian: self.jacobian.clone() }
+    }
+
+    fn clone_from(&mut self, other: &Self) {
+        self.size = other.size;
+        self.residuals.copy_from(&other.residuals);
+        self.jacobian.copy_from(&other.jacobian);
+    }
 }
 
 impl Stacked {

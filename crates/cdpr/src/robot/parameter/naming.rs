@@ -36,15 +36,26 @@ impl<'t> Head<'t> {
 
 /// Name of a pattern axis in the world: x, y or z.
 pub(crate) fn axis_name(robot: &Robot, axis: usize) -> String {
-    let names = if robot.motion_pattern.is_planar() { robot.plane.axes() } else { "xyz".to_owned() };
-    names.chars().nth(axis).map(String::from).unwrap_or_default()
+    axis_letter(robot, axis).map(String::from).unwrap_or_default()
+}
+
+fn axis_letter(robot: &Robot, axis: usize) -> Option<char> {
+    match robot.motion_pattern.is_planar() {
+        true => robot.plane.axes().chars().nth(axis),
+        false => ['x', 'y', 'z'].get(axis).copied(),
+    }
 }
 
 impl Parameter {
     /// Name for people and results, e.g. `frame-anchor[1].x`, `compliance[3]`, `wrench.force_z` or `mass`.
     pub fn name(&self, robot: &Robot) -> String {
-        let cable = if self.kind.owner() == Owner::Cable { format!("[{}]", self.cable + 1) } else { String::new() };
-        format!("{}{cable}{}", self.kind, self.component_name(robot))
+        let mut name = String::with_capacity(32);
+        name.push_str(self.kind.name());
+        if self.kind.owner() == Owner::Cable {
+            name.extend(["[", &(self.cable + 1).to_string(), "]"]);
+        }
+        self.push_component(robot, &mut name);
+        name
     }
 
     /// Key in the robot file, e.g. `cable[1].frame_anchor_m[1]` or `platform.mass_kg`; `None` for the wrench, which has two, and for turns of axes.
@@ -87,18 +98,26 @@ impl Parameter {
 
     /// Component as people say it, with what stands before it; empty where there is one.
     fn component_name(&self, robot: &Robot) -> String {
+        let mut name = String::new();
+        self.push_component(robot, &mut name);
+        name
+    }
+
+    fn push_component(&self, robot: &Robot, name: &mut String) {
         let is_planar = robot.motion_pattern.is_planar();
-        match self.kind {
+        let (word, letter) = match self.kind {
             ParameterKind::Wrench => match self.axis.checked_sub(robot.motion_pattern.translations()) {
-                None => format!(".force_{}", axis_name(robot, self.axis)),
-                Some(_) if is_planar => ".moment".to_owned(),
-                Some(axis) => format!(".moment_{}", axis_name(robot, axis)),
+                None => (".force_", axis_letter(robot, self.axis)),
+                Some(_) if is_planar => (".moment", None),
+                Some(axis) => (".moment_", axis_letter(robot, axis)),
             },
-            ParameterKind::Moment if is_planar => String::new(),
-            kind if kind.is_turn() && kind.components(robot) > 1 => format!(".turn_{}", self.axis + 1),
-            kind if kind.is_vector() => format!(".{}", axis_name(robot, self.axis)),
-            _ => String::new(),
-        }
+            ParameterKind::Moment if is_planar => ("", None),
+            kind if kind.is_turn() && kind.components(robot) > 1 => (".turn_", ['1', '2'].get(self.axis).copied()),
+            kind if kind.is_vector() => (".", axis_letter(robot, self.axis)),
+            _ => ("", None),
+        };
+        name.push_str(word);
+        name.extend(letter);
     }
 
     /// Entry in the list of the robot file, from 1; empty where the key has one number.

@@ -1,41 +1,21 @@
 use nalgebra::Vector3;
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Normal};
 
 use super::{CHI_SQUARED_95, Profile, profiles};
-use crate::geometry::Pose;
-use crate::identification::fit::{Fit, Prior, Settings, fit};
-use crate::measurement::{Samples, SensorSigmas};
+use crate::identification::fit::{Fit, InputError, Prior, Settings, fit};
+use crate::identification::objective::{Minimize, Objective};
+use crate::identification::recorded_curves::{SIGMA, curve, noisy, points};
+use crate::measurement::Samples;
 use crate::model::{Composition, FreeParameters, Model};
-use crate::robot::{ParameterKind, Robot};
+use crate::robot::ParameterKind;
 
-const SIGMA: f64 = 1e-3;
-
-fn model() -> Model {
-    Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap()
-}
-
-/// Exact poses, lengths of the model with seeded noise of the stated size.
 fn samples(count: usize, seed: u64) -> Samples {
-    let (model, mut rng) = (model(), ChaCha8Rng::seed_from_u64(seed));
-    let noise = Normal::new(0.0, SIGMA).unwrap();
-    let home = model.robot().home_or_middle();
-    let pose = |index: usize| {
-        let t = index as f64;
-        Pose::from_xyz_angles(home.position + Vector3::new(t.sin(), (1.7 * t).cos(), 0.5 * (2.3 * t).sin()), [0.0; 3])
-    };
-    let poses: Vec<Pose> = (0..count).map(pose).collect();
-    let lengths = poses.iter().flat_map(|pose| model.cable_lengths(pose).unwrap());
-    let lengths = lengths.map(|length| length + noise.sample(&mut rng)).collect();
-    let sigmas = SensorSigmas { length: Some(SIGMA), ..SensorSigmas::default() };
-    Samples { poses, lengths, cable_count: 8, sigmas, ..Samples::default() }
+    noisy(&points(), curve(&points(), count, 0.0), seed, Some(SIGMA), 0.0)
 }
 
 fn profiled(samples: &Samples, free: &str, settings: &Settings, place: usize) -> (Fit, Profile) {
     let free: FreeParameters = free.parse().unwrap();
-    let fit = fit(&model(), samples, &free, settings).unwrap();
-    let mut found = profiles(&model(), samples, (&fit, settings), &[place]).unwrap();
+    let fit = fit(&points(), samples, &free, settings).unwrap();
+    let mut found = profiles(&points(), samples, (&fit, settings), &[place]).unwrap();
     (fit, found.remove(0))
 }
 
@@ -91,7 +71,7 @@ fn a_prior_is_part_of_the_profile() {
 /// A radius of nothing is a bound: the interval is open below.
 #[test]
 fn an_interval_that_meets_a_bound_is_open_there() {
-    let robot = model().robot().clone();
+    let robot = points().robot().clone();
     let pulleys = crate::model::place_pulleys(&robot, &[(0.001, Vector3::z()); 8], &robot.home_or_middle()).unwrap();
     let given = Model::new(pulleys, Composition::PULLEY).unwrap();
     let samples = samples(30, 4);
@@ -101,4 +81,33 @@ fn an_interval_that_meets_a_bound_is_open_there() {
     let profile = profiles(&given, &samples, (&fit, &Settings::default()), &[place]).unwrap().remove(0);
     assert_eq!(profile.interval[0].is_none(), fit.parameters[place].value < 1.9 * sigma, "{profile:?}");
     assert!(profile.points.iter().all(|point| profile.value + point.shift >= 0.0));
+}
+
+/// Errors of predicted poses have profiles of their own squares. Offsets move them almost linearly: the interval is that of the linear deviation but
+/// for the bend of a millimetre in metres, and it is not that of the lengths.
+#[test]
+fn predicted_poses_have_the_profile_of_their_own_squares() {
+    let samples = noisy(&points(), curve(&points(), 30, 1.0), 4, Some(SIGMA), 0.0);
+    let of_poses = Settings { objective: Objective::Pose, ..Settings::default() };
+    let (fit, profile) = profiled(&samples, "length-offset", &of_poses, 2);
+    let half = CHI_SQUARED_95.sqrt() * fit.parameters[2].sigma.unwrap();
+    let [low, high] = profile.interval.map(Option::unwrap);
+    for one in [profile.value - low, high - profile.value] {
+        assert!((one / half - 1.0).abs() < 1e-2, "{one} {half}");
+    }
+    assert!(profile.points.iter().all(|point| point.refitted > -1e-9 && point.held >= point.refitted - 1e-9));
+    let (by_lengths, _) = profiled(&samples, "length-offset", &Settings::default(), 2);
+    assert!(half > 1.2 * CHI_SQUARED_95.sqrt() * by_lengths.parameters[2].sigma.unwrap());
+}
+
+#[test]
+fn costs_that_are_no_squares_have_no_profile() {
+    let samples = samples(20, 5);
+    let settings = Settings { minimize: Minimize::Max, ..Settings::default() };
+    let fit = fit(&points(), &samples, &"length-offset".parse().unwrap(), &settings).unwrap();
+    let refused = profiles(&points(), &samples, (&fit, &settings), &[0]);
+    assert_eq!(refused, Err(InputError::ProfileCost { minimize: Minimize::Max }));
+    assert_eq!(fit.without_deviation(), 8);
+    let home = points().robot().home_or_middle();
+    assert_eq!(fit.pose_bands(&[home]).unwrap(), [None]);
 }
