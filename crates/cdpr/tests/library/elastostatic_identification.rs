@@ -2,11 +2,12 @@
 //! 64 tension tests, noise of the study `twin-measurements`.
 
 use super::support::builtin;
+use super::support::studies::study;
 use cdpr::identification::fit::{Fit, Prior, Settings, Status, fit};
 use cdpr::identification::{ErrorBlocks, evaluate};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::{Study, winch_offsets};
+use cdpr::metamodel::winch_offsets;
 use cdpr::model::{Composition, Model};
 use cdpr::robot::{ParameterKind, Robot};
 use rand::SeedableRng;
@@ -16,14 +17,9 @@ use rand_distr::{Distribution, StandardNormal};
 const SIXTY_TWO: &str = "frame-anchor,platform-anchor,compliance,wrench";
 const MACHINE: &str = "cablerobot-simulator-helicopter-elastostatic-calibrated";
 
-fn study() -> Study {
-    let path = format!("{}/../../studies/twin-measurements.toml", env!("CARGO_MANIFEST_DIR"));
-    Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap()
-}
-
 /// What the study records on a machine: with noise, and the truth behind it.
 fn measured(machine: &Robot, with_tension_tests: bool, seed: u64) -> (Samples, Samples) {
-    let mut study = study();
+    let mut study = study("twin-measurements");
     if !with_tension_tests {
         study.poses.as_mut().unwrap().tension_tests = None;
     }

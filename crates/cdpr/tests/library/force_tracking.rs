@@ -1,29 +1,12 @@
 //! Force control: commanded against emerging tensions, and what one linear step says of both and of the reachable workspace.
 
-use super::support::builtin;
+use super::support::studies::{experiment, experiment_with};
 use cdpr::metamodel::errors::TensionErrorStatistics;
 use cdpr::metamodel::field::field;
 use cdpr::metamodel::reachable::Census;
-use cdpr::metamodel::{Experiment, InputError, Robots, Study};
-use cdpr::robot::Robot;
+use cdpr::metamodel::{Experiment, InputError};
 use cdpr::workspace::Criterion;
 use cdpr::workspace::grid::{self, Grid};
-
-/// A study of the repository, changed as text.
-fn experiment_with(name: &str, change: impl Fn(String) -> String) -> Experiment {
-    let folder = format!("{}/../../studies", env!("CARGO_MANIFEST_DIR"));
-    let text = change(std::fs::read_to_string(format!("{folder}/{name}.toml")).unwrap());
-    let study = Study::from_toml_bytes(text.as_bytes(), name).unwrap();
-    let robots = Robots::of(&study, |robot| match robot.strip_suffix(".toml") {
-        Some(_) => Robot::from_toml(&std::fs::read_to_string(format!("{folder}/{robot}")).unwrap(), robot),
-        None => Ok(builtin(robot)),
-    });
-    Experiment::new(study, robots.unwrap()).unwrap()
-}
-
-fn experiment(name: &str) -> Experiment {
-    experiment_with(name, |text| text)
-}
 
 /// Sec. 4.5 with pulleys mounted as in the study: position 8.199, 10.085, 27.337 mm, tensions 136.4 N in the mean norm and 95.2 N in the root
 /// mean square, by a script of its own; after the identification of 14 parameters 3.93 mm driven, by another search for them (1 %).

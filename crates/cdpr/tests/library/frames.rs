@@ -1,12 +1,13 @@
 //! Poses of a tracker with a world of its own and of a marker that is not the platform, on the elastic twin.
 
 use super::support::builtin;
+use super::support::studies::study;
 use cdpr::geometry::Pose;
 use cdpr::identification::selection::{self, Judgement, Selection, Warnings, select};
 use cdpr::identification::{FrameEstimate, Prior, candidate, fit};
 use cdpr::measurement::{Samples, Split};
 use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::{Study, winch_offsets};
+use cdpr::metamodel::winch_offsets;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use cdpr::robot::{ParameterKind, Robot};
@@ -15,9 +16,7 @@ use rand_chacha::ChaCha8Rng;
 
 /// The record of the study from which the elastostatic model is identified, the machine, and a file whose frame anchors are wrong by centimetres.
 fn record() -> (Robot, Robot, Samples) {
-    let folder = format!("{}/../../studies", env!("CARGO_MANIFEST_DIR"));
-    let path = format!("{folder}/twin-elastostatic-measurements.toml");
-    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
+    let study = study("twin-elastostatic-measurements");
     let control = Model::new(builtin(&study.control.robot), Composition::STANDARD).unwrap();
     let machine = Model::new(builtin(&study.machine.robot), Composition::ELASTIC).unwrap();
     let pose = study.initial_pose(machine.robot()).unwrap();

@@ -153,9 +153,8 @@ fn an_elastic_fit_names_displaced_rows_and_keeps_its_parameters() {
 /// Tensions and lengths recorded at the poses of the study of the twin.
 fn measured_with_tensions(machine: &cdpr::robot::Robot) -> Samples {
     use cdpr::metamodel::simulate::simulate;
-    use cdpr::metamodel::{Study, winch_offsets};
-    let path = format!("{}/../../studies/twin-measurements.toml", env!("CARGO_MANIFEST_DIR"));
-    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
+    use cdpr::metamodel::winch_offsets;
+    let study = super::support::studies::study("twin-measurements");
     let control = Model::new(builtin(&study.control.robot), Composition::STANDARD).unwrap();
     let machine = Model::new(machine.clone(), Composition::ELASTIC).unwrap();
     let pose = study.initial_pose(machine.robot()).unwrap();

@@ -1,24 +1,12 @@
 //! Starts of an identification: the optima they lead to (requirements, C22).
 
-use std::convert::Infallible;
-
+use super::support::studies::record;
 use super::support::{builtin, measured, with_pulleys};
 use cdpr::identification::Objective;
 use cdpr::identification::fit::{Fit, Settings, Status, fit};
 use cdpr::measurement::Samples;
-use cdpr::metamodel::{Experiment, Robots, Study};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::Robot;
-
-/// Record of a study's machine.
-fn record(name: &str) -> Samples {
-    let path = format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
-    let robots = Robots::of(&study, |name| Ok::<_, Infallible>(builtin(name))).unwrap();
-    let experiment = Experiment::new(study, robots).unwrap();
-    let poses = experiment.poses(Vec::new(), 1).unwrap();
-    experiment.record(&poses, 1).unwrap().samples
-}
 
 #[track_caller]
 fn identified(robot: Robot, composition: Composition, free: &str, samples: &Samples, settings: &Settings) -> Fit {
@@ -41,7 +29,7 @@ fn assert_one_optimum(fit: &Fit, count: usize, spread: f64) {
 /// Frame anchors of the dissertation's machine from a_N + U(−0.5, 0.5) m (section 6.8): another program found one optimum to 5e-6 m.
 #[test]
 fn all_starts_of_a_kinematic_fit_lead_to_one_optimum() {
-    let samples = record("twin-kinematic-measurements");
+    let samples = record("twin-kinematic-measurements", 1);
     let settings = Settings { starts: 50, ..Settings::default() };
     let robot = builtin("cablerobot-simulator-helicopter");
     let fit = identified(robot, Composition::STANDARD, "frame-anchor", &samples, &settings);
@@ -51,7 +39,7 @@ fn all_starts_of_a_kinematic_fit_lead_to_one_optimum() {
 
 #[test]
 fn all_starts_of_a_fit_of_predicted_poses_lead_to_one_optimum() {
-    let samples = record("planar-wide-grid");
+    let samples = record("planar-wide-grid", 1);
     let settings = Settings { starts: 7, objective: Objective::Pose, ..Settings::default() };
     let fit = identified(builtin("planar-example"), Composition::STANDARD, "frame-anchor", &samples, &settings);
     // another program: unique from six starts of ± 0.5 m; 45 mm of residual make Gauss–Newton end where rounding hides a gain, some micrometres apart

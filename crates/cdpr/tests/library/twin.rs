@@ -3,22 +3,12 @@
 //! The studies are those of the folder `studies`; the numbers were recomputed from the dissertation's printed parameters with
 //! an independent implementation and stand in its corrected form (a factor 10 in sec. 4.4, k_F = 200 kN in sec. 3.6).
 
-use std::convert::Infallible;
-
-use super::support::builtin;
+use super::support::studies::experiment;
 use cdpr::geometry::Pose;
 use cdpr::metamodel::accuracy::Accuracy;
 use cdpr::metamodel::study::CommandedPose;
-use cdpr::metamodel::{Experiment, Robots, Status, Study};
+use cdpr::metamodel::{Experiment, Status};
 use cdpr::nalgebra::{Matrix2, Vector2, Vector3};
-
-/// A study of the repository with its models and winch offsets.
-fn experiment(name: &str) -> Experiment {
-    let path = format!("{}/../../studies/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path).unwrap();
-    let robots = Robots::of(&study, |name| Ok::<_, Infallible>(builtin(name))).unwrap();
-    Experiment::new(study, robots).unwrap()
-}
 
 fn accuracy(experiment: &Experiment) -> Accuracy {
     let poses = experiment.poses(Vec::new(), 0).unwrap();

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod property;
+pub(crate) mod studies;
 
 use cdpr::geometry::{Pose, Twist};
 use cdpr::measurement::{Samples, SensorSigmas};
