@@ -8,15 +8,16 @@ use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 
 /// What each judge is given: the example that writes its cases, and the script that judges them.
-const JUDGES: [(&str, &str); 3] = [
+const JUDGES: [(&str, &str); 4] = [
     ("judge_cases", "judges/mujoco/judge.py"),
     (TIMED, "judges/tensions/judge.py"),
     ("judge_losses", "judges/losses/judge.py"),
+    ("judge_paths", "judges/paths/judge.py"),
 ];
 /// The judge that also compares times.
 const TIMED: &str = "judge_tensions";
 
-/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, and SciPy our robust calibrations; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, SciPy our robust calibrations, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
