@@ -3,6 +3,7 @@
 mod driving;
 mod path;
 mod report;
+mod scaling;
 mod uncertainty;
 
 use std::path::PathBuf;
@@ -121,6 +122,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     path: Box<path::PathArguments>,
+
+    #[command(flatten)]
+    scaling: Box<scaling::ScalingArguments>,
 }
 
 /// Minimizers by their names, short ones too.
@@ -154,19 +158,24 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let calibrated = result.fit.model.robot().to_toml();
     let uncertainty = uncertainty::find(&task, &result.fit)?;
     let files = uncertainty.files(&result.fit.model);
+    let (scaling, map) = scaling::find(&task, &result.fit)?;
     let mut path = path::find(&task, &result.fit, other.as_ref())?;
     let found = (path.path.take(), path.reduction.take(), path.warning.take());
-    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
+    let answer =
+        task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found).with_scaling(scaling);
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &answer.warnings()))
+        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &answer.warnings(), &answer.additions()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
     let report_file = arguments.report.as_deref().zip(page.as_deref().map(str::as_bytes));
-    files::write_all(&calibrated_file.into_iter().chain(report_file).chain(path.files()).collect::<Vec<_>>())?;
+    let map = map.as_ref().map(|(path, content)| (path.as_path(), &content[..]));
+    files::write_all(
+        &calibrated_file.into_iter().chain(report_file).chain(path.files()).chain(map).collect::<Vec<_>>(),
+    )?;
     output.answer(&answer)
 }
 
@@ -257,7 +266,7 @@ impl Task<'_> {
 
     fn settings(&self) -> fit::Settings {
         let Arguments { hold, prior, starts, minimizer, loss, seed, .. } = self.arguments;
-        self.arguments.objective.of(fit::Settings {
+        self.arguments.scaling.of(self.arguments.objective.of(fit::Settings {
             hold: hold.clone(),
             priors: prior.clone(),
             starts: *starts,
@@ -265,7 +274,7 @@ impl Task<'_> {
             loss: *loss,
             seed: *seed,
             ..fit::Settings::default()
-        })
+        }))
     }
 
     /// Descents of this many fits.

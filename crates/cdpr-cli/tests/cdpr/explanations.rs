@@ -21,6 +21,7 @@ fn an_error_shows_its_code_in_words_and_in_json_and_the_code_is_explained() {
         ("identify planar-example data.csv --free frame-ankor", "parameter::unknown-name"),
         ("select planar-example data.csv --require position=1", "requirement::unknown-figure"),
         ("select planar-example data.csv --split halves", "split::syntax"),
+        ("identify planar-example data.csv --free frame-anchor --row-weight 3", "scale::syntax"),
         ("select planar-example data.csv --candidates ;", "candidate::none"),
         ("explain nothing-like-it", "usage::unknown-code"),
         ("place-pulleys planar-example --axis 0,1 --out nowhere/robot.toml --radius 0.1", "io::write"),

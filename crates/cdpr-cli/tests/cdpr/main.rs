@@ -28,6 +28,7 @@ mod newcomer;
 mod objectives;
 mod penalties;
 mod reachable;
+mod scaling;
 mod selection;
 mod sensitivity;
 mod shells;

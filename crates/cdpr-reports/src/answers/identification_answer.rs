@@ -13,7 +13,9 @@ use super::identification_words as words;
 use super::objective_answer::ObjectiveAnswer;
 use super::path_answer::PathAnswer;
 use super::reduction_answer::ReductionAnswer;
+use super::scaling_answer::ScalingAnswer;
 use super::{Answer, UncertaintyAnswer};
+use crate::report::Addition;
 
 /// Parameters of a model with errors before and after.
 #[derive(Serialize)]
@@ -69,6 +71,8 @@ pub struct IdentificationAnswer {
     pub(super) path: Option<PathAnswer>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) reduction: Option<ReductionAnswer>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) scaling: Option<ScalingAnswer>,
     #[serde(skip)]
     pub(super) pattern: MotionPattern,
 }
@@ -155,6 +159,7 @@ impl IdentificationAnswer {
             uncertainty: UncertaintyAnswer::default(),
             path: None,
             reduction: None,
+            scaling: None,
             pattern: model.robot().motion_pattern,
         }
     }
@@ -176,9 +181,22 @@ impl IdentificationAnswer {
         Self { path, reduction, ..self }
     }
 
+    /// The same with the condition under scales.
+    #[must_use]
+    pub fn with_scaling(self, scaling: Option<ScalingAnswer>) -> Self {
+        Self { scaling, ..self }
+    }
+
     /// Warnings for the reader, doubts about the outcome first.
     pub fn warnings(&self) -> Warnings {
         Warnings { list: self.warnings.clone(), doubts: self.doubts }
+    }
+
+    /// Parts of the page: smaller model, path of a penalty, condition.
+    pub fn additions(&self) -> Vec<Addition> {
+        let path = self.path.iter().map(PathAnswer::addition);
+        let reduction = self.reduction.iter().map(ReductionAnswer::addition);
+        reduction.chain(path).chain(self.scaling.iter().map(ScalingAnswer::addition)).collect()
     }
 
     /// Reason of the status.

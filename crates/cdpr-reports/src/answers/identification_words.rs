@@ -42,6 +42,7 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     text.push_str(&answer.objective.words(answer.pattern, width));
     text.extend(answer.path.iter().map(|path| path.words(width)));
     text.extend(answer.reduction.iter().map(ReductionAnswer::words));
+    text.extend(answer.scaling.iter().map(|scaling| scaling.words(width)));
     if !answer.outliers.is_empty() {
         text.push_str(&format!("\n{}", outliers(answer, width)));
     }

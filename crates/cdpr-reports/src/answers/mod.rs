@@ -25,6 +25,7 @@ mod path_answer;
 mod pose_answer;
 mod rating_answer;
 mod reduction_answer;
+mod scaling_answer;
 mod selection_answer;
 mod selection_words;
 mod share;
@@ -58,6 +59,7 @@ pub use pose_answer::{PoseAnswer, axis_names, components, degrees_of_freedom, ti
 pub use rating_answer::RatingAnswer;
 pub(crate) use rating_answer::{above_least, largest};
 pub use reduction_answer::ReductionAnswer;
+pub use scaling_answer::ScalingAnswer;
 pub use selection_answer::{AsGiven, CandidateAnswer, FoldAnswer, JudgedAnswer, SelectionAnswer, Timing};
 pub use share::{BEYOND_THE_WHOLE, is_beyond_the_whole};
 pub use singular_pose::has_no_path;

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};
 use crate::number_format::{cell, significant};
+use crate::report::Addition;
 use crate::table::Table;
 
 /// Path of a penalty with its choice.
@@ -46,6 +47,8 @@ pub struct PathChoice {
 
 /// Rows of a table of the path at most, those marked besides.
 const ROWS: usize = 10;
+/// Words below the figure on a page.
+const FIGURE_WORDS: &str = "Changes of all penalised parameters over the penalty, strong ones left; numbers above: parameters off the centre. Below: mean error on data held out, with its standard error.";
 /// Parameters that are named before the rest is counted.
 const NAMED: usize = 12;
 
@@ -88,16 +91,26 @@ impl PathAnswer {
     }
 
     pub(super) fn words(&self, width: Option<usize>) -> String {
-        let PathChoice { penalty, held_out, left, out, .. } = &self.path_choice;
+        let PathChoice { penalty, held_out, out, .. } = &self.path_choice;
         let (best, chosen) = (self.place(self.path_choice.best_lambda), self.place(self.path_choice.chosen_lambda));
         let mut text = format!("\npath: {penalty} towards {}, judged by {held_out}\n\n", self.centre());
         text.push_str(&self.table([best, chosen], width));
-        let Some(chosen) = chosen else {
-            return text + "no λ is chosen: no place of the path predicts the data held out\n";
+        text.push_str(&self.choice_words());
+        if let Some(out) = out {
+            text.push_str(&format!("robot at the chosen λ written to {out}\n"));
+        }
+        text
+    }
+
+    /// The choice and what leaves.
+    fn choice_words(&self) -> String {
+        let PathChoice { penalty, left, chosen_lambda, .. } = &self.path_choice;
+        let Some(chosen) = self.place(*chosen_lambda) else {
+            return "no λ is chosen: no place of the path predicts the data held out\n".to_owned();
         };
         let point = &self.path[chosen];
         let (count, all) = (point.parameter_count, self.path_parameters.len());
-        text.push_str(&format!(
+        let mut text = format!(
             "chosen: λ = {} {}, the largest within one standard error of the best: {}\n",
             significant(point.lambda, 3),
             self.unit(),
@@ -105,14 +118,23 @@ impl PathAnswer {
                 Penalty::Ridge => "a ridge leaves no parameter out".to_owned(),
                 _ => format!("{count} of {all} parameters"),
             }
-        ));
+        );
         if !left.is_empty() {
             text.push_str(&format!("left at {}: {}\n", self.centre(), named(left)));
         }
-        if let Some(out) = out {
-            text.push_str(&format!("robot at the chosen λ written to {out}\n"));
-        }
         text
+    }
+
+    /// Part of a page.
+    pub(super) fn addition(&self) -> Addition {
+        let PathChoice { penalty, held_out, .. } = &self.path_choice;
+        Addition {
+            id: "path",
+            title: "Path of a penalty",
+            gist: format!("{penalty} towards {}, judged by {held_out}", self.centre()),
+            sentences: self.choice_words().lines().map(str::to_owned).collect(),
+            figure: self.figure().map(|figure| (figure, FIGURE_WORDS)),
+        }
     }
 
     fn table(&self, [best, chosen]: [Option<usize>; 2], width: Option<usize>) -> String {

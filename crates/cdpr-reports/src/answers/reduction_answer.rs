@@ -4,7 +4,8 @@ use cdpr::geometry::MotionPattern;
 use cdpr::identification::{Evidence, Reduction};
 use serde::Serialize;
 
-use crate::number_format::fixed;
+use crate::number_format::{decimals_for, fixed};
+use crate::report::Addition;
 
 /// Smaller model, with the numbers that show it.
 #[derive(Serialize)]
@@ -35,21 +36,42 @@ impl ReductionAnswer {
         }
     }
 
+    /// Part of a page.
+    pub(super) fn addition(&self) -> Addition {
+        let [heading, reason, errors] = self.sentences();
+        Addition {
+            id: "reduction",
+            title: "Smaller model",
+            gist: heading,
+            sentences: vec![reason, errors],
+            figure: None,
+        }
+    }
+
     pub(super) fn words(&self) -> String {
+        let [heading, reason, errors] = self.sentences();
+        format!("\nsmaller model: {heading}\n{reason}\n{errors}\n")
+    }
+
+    /// Size, reason and errors.
+    fn sentences(&self) -> [String; 3] {
         let Self { reason, patterns: [before, after], parameter_count: [full, reduced], .. } = self;
-        let [of_full, of_reduced] = self.position_mean_m.map(|error| fixed(1e3 * error, 3));
+        let decimals = decimals_for(Some(1e3 * self.standard_error));
+        let [of_full, of_reduced] = self.position_mean_m.map(|error| fixed(1e3 * error, decimals));
         let pattern = if before == after {
             String::new()
         } else {
             format!(", motion pattern {} → {}", before.name(), after.name())
         };
-        let error = fixed(1e3 * self.standard_error, 3);
+        let error = fixed(1e3 * self.standard_error, decimals);
         let file = match &self.out {
             Some(out) => format!("written to {out}"),
             None => "`--out-reduced FILE` writes it".to_owned(),
         };
-        format!(
-            "\nsmaller model: {full} → {reduced} parameters{pattern}\n{reason}.\nHeld-out position error, mean: {of_reduced} instead of {of_full} ± {error} mm; {file}\n"
-        )
+        [
+            format!("{full} → {reduced} parameters{pattern}"),
+            format!("{reason}."),
+            format!("Held-out position error, mean: {of_reduced} instead of {of_full} ± {error} mm; {file}"),
+        ]
     }
 }

@@ -75,6 +75,7 @@ impl Comparison {
             seed: self.settings.seed,
             version: env!("CARGO_PKG_VERSION"),
             warnings: &data.warnings,
+            additions: &[],
         }
     }
 }

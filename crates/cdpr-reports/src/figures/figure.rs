@@ -1,7 +1,7 @@
 //! A finished figure: as a file of its own, and as a part of a page.
 
 use super::drawing::escape;
-use super::{colour, correlations, tracking};
+use super::{colour, correlations, penalty_path, tracking};
 
 /// Width of the text of a page of A4 (mm).
 const PAGE_WIDTH: f64 = 180.0;
@@ -65,6 +65,7 @@ pub fn page_style() -> String {
         .lines()
         .chain(correlations::STYLE.lines())
         .chain(tracking::STYLE.lines())
+        .chain(penalty_path::STYLE.lines())
         .filter(|rule| !rule.contains(".tone-"))
         .map(|rule| format!(".figure {rule}\n"));
     colour::of_page(&rules.collect::<String>())

@@ -6,6 +6,7 @@
 mod arrow;
 mod axis;
 pub mod colour;
+mod condition_cells;
 mod convergence;
 mod correlations;
 mod difference_map;
@@ -24,6 +25,7 @@ mod tracking;
 
 use frame::Frame;
 
+pub use condition_cells::ConditionCells;
 pub use convergence::convergence;
 pub use correlations::correlations;
 pub use difference_map::{DifferenceMap, DifferencePoint};

@@ -34,14 +34,10 @@ const BETWEEN: f64 = 40.0;
 /// Parameters that are named at the end of their curves, and the least distance of names (pixels).
 const NAMED: usize = 10;
 const LINE: f64 = 14.0;
-const TONES: [&str; 6] = [
-    "curve thin tone-4",
-    "curve thin tone-2",
-    "curve thin tone-3",
-    "curve thin tone-5",
-    "curve thin tone-6",
-    "curve thin tone-1",
-];
+/// Looks of the curves of a kind.
+pub(super) const STYLE: &str = include_str!("penalty_path.css");
+/// Kinds with looks of their own.
+const LOOKS: usize = 6;
 
 impl PathCurves {
     /// The drawing; `None` without penalties.
@@ -50,7 +46,8 @@ impl PathCurves {
         let is_validated = self.errors.iter().any(|(error, _)| error.is_finite());
         let lower = if is_validated { BETWEEN + HEIGHTS[1] } else { 0.0 };
         let mut drawing =
-            Drawing::new(LEFT + WIDTH + 190.0, TOP + HEIGHTS[0] + lower + 50.0, "Parameters over a penalty");
+            Drawing::new(LEFT + WIDTH + 190.0, TOP + HEIGHTS[0] + lower + 50.0, "Parameters over a penalty")
+                .with_style(STYLE);
         // strong penalties left
         let x = Axis::exact_logarithmic(low, high, (LEFT + WIDTH, LEFT));
         let bottom = TOP + HEIGHTS[0];
@@ -93,13 +90,13 @@ impl PathCurves {
         drawing.line("zero", (LEFT, y.place(0.0)), (LEFT + WIDTH, y.place(0.0)));
         let mut kinds: Vec<&str> = Vec::new();
         for (kind, _, changes) in &self.parameters {
-            let tone = kinds.iter().position(|other| other == kind).unwrap_or_else(|| {
+            let look = kinds.iter().position(|other| other == kind).unwrap_or_else(|| {
                 kinds.push(kind);
                 kinds.len() - 1
             });
             let points: Vec<(f64, f64)> =
                 self.lambdas.iter().zip(changes).map(|(&lambda, &change)| (x.place(lambda), y.place(change))).collect();
-            drawing.polyline(TONES[tone % TONES.len()], &points, false);
+            drawing.polyline(&format!("path kind-{}", look % LOOKS), &points, false);
         }
         self.draw_names(drawing, &y);
         Some(kinds)
@@ -133,8 +130,8 @@ impl PathCurves {
 
     fn legend(&self, drawing: &mut Drawing, kinds: &[&str]) {
         let mut left = LEFT;
-        for (kind, tone) in kinds.iter().zip(TONES) {
-            drawing.polyline(&tone.replace(" thin", ""), &[(left, 16.0), (left + 26.0, 16.0)], false);
+        for (look, kind) in kinds.iter().enumerate() {
+            drawing.polyline(&format!("path key kind-{}", look % LOOKS), &[(left, 16.0), (left + 26.0, 16.0)], false);
             drawing.text("tick", Anchor::Start, (left + 32.0, 20.0), kind);
             left += 54.0 + 6.6 * kind.chars().count() as f64;
         }

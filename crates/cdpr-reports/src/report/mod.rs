@@ -1,6 +1,7 @@
 //! The self-contained report: one HTML file whose tables and figures need no script, and whose charts with choices and 3-D scene a script
 //! draws from the data in the file; nothing comes from the network.
 
+mod addition;
 mod candidates;
 mod coverage;
 mod criterion;
@@ -15,6 +16,7 @@ mod table;
 mod tests;
 mod verdict;
 
+pub use addition::Addition;
 pub use criterion::value_and_error;
 pub(crate) use criterion::within;
 pub use verdict::times;
@@ -69,6 +71,8 @@ pub struct Report<'a> {
     pub version: &'a str,
     /// Warnings about the data, or all of an identification; text between backticks is shown as code.
     pub warnings: &'a Warnings,
+    /// Parts that options of this run ask for.
+    pub additions: &'a [Addition],
 }
 
 /// A candidate that was judged.
@@ -139,6 +143,7 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
         gists => gists::all(input, shown.as_ref()),
         verdict => verdict::verdict(input, shown.as_ref()),
         candidates => candidates::table(input),
+        additions => addition::all(input.additions),
         rating => rating::rating(input),
         untried => input.selection.untried.iter().map(|words| prose(words)).collect::<Value>(),
         is_selection => input.purpose == Purpose::Selection,

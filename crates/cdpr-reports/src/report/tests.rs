@@ -138,6 +138,7 @@ fn report<'a>(robot: &'a Robot, samples: &'a Samples, selection: &'a Selection, 
         seed: 1,
         version: "0.1.0",
         warnings: &WARNINGS,
+        additions: &[],
     }
 }
 

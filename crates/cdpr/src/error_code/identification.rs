@@ -58,7 +58,9 @@ impl ErrorCode for fit::InputError {
             | Self::PriorCost { .. }
             | Self::ProfileCost { .. }
             | Self::RecordingCost { .. }
-            | Self::PenaltyCost { .. } => "setting::cost",
+            | Self::PenaltyCost { .. }
+            | Self::RowWeightCost { .. } => "setting::cost",
+            Self::RowWeightSyntax { .. } | Self::ScaleSyntax { .. } | Self::ScaledTwice { .. } => "scale::syntax",
             Self::NoPrediction { .. } => "data::no-prediction",
             Self::CableState { reason, .. } => reason.code(),
             Self::NegativeTension { .. } => "data::negative-tensions",

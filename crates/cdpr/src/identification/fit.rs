@@ -25,7 +25,7 @@ pub use input_error::InputError;
 pub(super) use profile::Course;
 pub use profile::{Profile, ProfilePoint, profiles};
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
-pub use settings::{Prior, Settings};
+pub use settings::{Prior, RowWeights, Settings};
 
 use super::clock;
 use super::elastostatic;

@@ -40,6 +40,7 @@ mod recorded_curves;
 mod recordings;
 mod reduction;
 mod resampling;
+mod scaling;
 pub mod selection;
 mod starts;
 pub mod test_bench;
@@ -68,4 +69,7 @@ pub use pose_band::PoseBand;
 pub use prediction::PredictionError;
 pub use reduction::{Evidence, Reduction, propose_reduction};
 pub use resampling::{Resampled, ResampledDeviation, resampled};
+pub use scaling::{
+    ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
+};
 pub use starts::{StartOptimum, Starts};

@@ -13,7 +13,7 @@ use super::path::{PenaltyPath, is_path_of};
 use super::point_robot::{as_point, point_robot, without_rotation};
 use super::selection::reported_part;
 use crate::geometry::MotionPattern;
-use crate::measurement::{Fold, Samples};
+use crate::measurement::{Fold, Samples, decimals};
 use crate::model::{FreeParameters, Model};
 use crate::robot::{Parameter, ParameterKind};
 
@@ -117,9 +117,10 @@ fn of_path(model: &Model, parameters: &[Parameter], path: &PenaltyPath) -> Optio
     let (left, kept) = (of(&left), of(&kept));
     let nominal = model.with_parameters(&left, &centres)?;
     let reason = format!(
-        "{} of {} parameters leave the path at the largest penalty whose held-out error is within one standard error of the best (λ = {:.3e})",
+        "{} of {} parameters leave the path at the largest penalty whose held-out error is within one standard error of the best (λ = {:.*})",
         left.len(),
         parameters.len(),
+        decimals(2.0, chosen.lambda),
         chosen.lambda
     );
     Some(Candidate { evidence: Evidence::Path, reason, nominal: as_point(&nominal).unwrap_or(nominal), kept, left })

@@ -9,7 +9,7 @@ use super::Task;
 use crate::command_line;
 use crate::failure::Failure;
 use crate::selecting::two_files;
-use cdpr_reports::report::{Purpose, Report, render};
+use cdpr_reports::report::{Addition, Purpose, Report, render};
 
 /// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
 pub(super) fn page(
@@ -17,6 +17,7 @@ pub(super) fn page(
     other: Option<&cdpr::measurement::Samples>,
     reason: &str,
     warnings: &Warnings,
+    additions: &[Addition],
 ) -> Result<String, Failure> {
     let arguments = task.arguments;
     let name = arguments.data.name();
@@ -62,6 +63,7 @@ pub(super) fn page(
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
         warnings,
+        additions,
     };
     render(&report).map_err(|error| Failure::unwritable("the report", &error))
 }

@@ -50,7 +50,9 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
-    all_warnings.extend(noise_warnings(samples, &optimum, noise_factor, parameters.len()));
+    if settings.row_weights.is_none() {
+        all_warnings.extend(noise_warnings(samples, &optimum, noise_factor, parameters.len()));
+    }
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(prior_conflicts(&estimates));
     Fit {

@@ -13,6 +13,7 @@ use crate::geometry::{Pose, Twist};
 use crate::identification::loss::RobustLoss;
 use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
+use crate::model::Model;
 use crate::scalar::LANES;
 
 /// Points of linearisation with the weights there.
@@ -71,6 +72,25 @@ impl Linearization {
             invert(factor, count, &mut scratch, weight);
         }
         Some(linearization)
+    }
+
+    /// At the measured values, with a weight of its own for each row of a sample.
+    pub(super) fn weighted(model: &Model, samples: &Samples, tensions: &[f64], weights: &[f64]) -> Self {
+        let (count, padded) = (weights.len(), weights.len().next_multiple_of(LANES));
+        let (mut factor, mut square) = (vec![0.0; count * count], vec![0.0; count * padded]);
+        for (row, weight) in weights.iter().enumerate() {
+            (factor[row * (count + 1)], square[row * (padded + 1)]) = (*weight, weight * weight);
+        }
+        debug_assert_eq!(count, model.dof() + model.cable_count());
+        Self {
+            count,
+            informative_rows: samples.len() * count,
+            poses: samples.poses.clone(),
+            tensions: tensions.to_vec(),
+            shifts: vec![0.0; samples.len() * count],
+            factors: factor.repeat(samples.len()),
+            weights: square.repeat(samples.len()),
+        }
     }
 
     /// Corrects poses and tensions for a model's parameters, and weighs there.

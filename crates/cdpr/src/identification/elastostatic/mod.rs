@@ -16,6 +16,7 @@ mod normal;
 mod optimum;
 mod pose_rows;
 mod robust;
+mod row_weights;
 mod rows;
 #[cfg(test)]
 mod tests;
@@ -23,5 +24,5 @@ mod tests;
 pub(super) use analysis::report;
 pub(super) use balance::{Balance, checked_start};
 pub(super) use frozen::FrozenBalance;
-pub(super) use optimum::find;
 pub(super) use pose_rows::pose_rows;
+pub(super) use row_weights::{find, weighted_jacobian};

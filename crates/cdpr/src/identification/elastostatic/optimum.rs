@@ -102,7 +102,7 @@ pub(crate) fn find(
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
-fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Starts) {
+pub(super) fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Starts) {
     // one start only has to come near; several must be told apart
     let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
     let part =

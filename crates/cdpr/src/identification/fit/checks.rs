@@ -24,6 +24,10 @@ pub(in crate::identification) fn checked_parameters(
     if let Some((name, value)) = not_positive(positive) {
         return Err(InputError::Setting { name, value });
     }
+    if settings.row_weights.is_some() && (!explains_tensions(model) || settings.is_other_objective()) {
+        let words = if explains_tensions(model) { "another objective" } else { "the lengths of rigid cables" };
+        return Err(InputError::RowWeightCost { words: words.to_owned() });
+    }
     if samples.is_empty() {
         return Err(InputError::NoSamples);
     }

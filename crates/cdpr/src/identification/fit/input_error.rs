@@ -142,6 +142,36 @@ pub enum InputError {
         /// The cost.
         minimize: Minimize,
     },
+    /// Row weights beside what has no rows to weigh.
+    #[error(
+        "row weights are of the squares of lengths and wrenches of an elastic model, not of {words}: leave them or that out"
+    )]
+    RowWeightCost {
+        /// The other cost in words.
+        words: String,
+    },
+    /// Row weights that cannot be read.
+    #[error(
+        "cannot read the row weights `{text}`: write length=W, wrench=W or both with numbers above 0, e.g. length=1e4,wrench=1"
+    )]
+    RowWeightSyntax {
+        /// The text.
+        text: String,
+    },
+    /// A scale that cannot be read.
+    #[error(
+        "cannot read the scale `{text}`: write NAME=UNIT with a number above 0, e.g. compliance=1e-6, or two names A,B for a map"
+    )]
+    ScaleSyntax {
+        /// The text.
+        text: String,
+    },
+    /// Scales of parameters that are not free.
+    #[error("a map over the scales of {names} needs both of them free and different from each other")]
+    ScaledTwice {
+        /// The kinds.
+        names: String,
+    },
     /// A penalty beside another cost than squares.
     #[error("a path of penalties is one of squared lengths and wrenches, not of {words}: leave that out")]
     PenaltyCost {

@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use serde::Serialize;
+
 use super::input_error::InputError;
 use crate::identification::loss::Loss;
 use crate::identification::objective::{Minimize, Objective};
@@ -22,6 +24,8 @@ pub struct Settings {
     pub hold: FreeParameters,
     /// Ridges towards the start value.
     pub priors: Vec<Prior>,
+    /// Weights of the rows of an elastic model in place of accuracies; measured poses and tensions count as exact then.
+    pub row_weights: Option<RowWeights>,
     /// Residuals that are made small.
     pub objective: Objective,
     /// Cost of all samples' residuals.
@@ -50,6 +54,7 @@ impl Default for Settings {
         Self {
             hold: FreeParameters::default(),
             priors: Vec::new(),
+            row_weights: None,
             objective: Objective::default(),
             minimize: Minimize::default(),
             rotation_length: None,
@@ -68,6 +73,45 @@ impl Settings {
     /// True where anything but squares of lengths is minimised.
     pub(in crate::identification) fn is_other_objective(&self) -> bool {
         (self.objective, self.minimize) != (Objective::Length, Minimize::Squares)
+    }
+}
+
+/// Weights of the rows of lengths and wrenches (w_ρ of sec. 4.5).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RowWeights {
+    /// Of wrenches: forces (1/N) and moments (1/(N·m)).
+    pub wrench: f64,
+    /// Of lengths (1/m).
+    pub length: f64,
+}
+
+impl Default for RowWeights {
+    fn default() -> Self {
+        Self { wrench: 1.0, length: 1.0 }
+    }
+}
+
+impl FromStr for RowWeights {
+    type Err = InputError;
+
+    /// Reads `length=1e4,wrench=1`; 1 where one is not named.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let syntax = || InputError::RowWeightSyntax { text: text.to_owned() };
+        let mut weights = Self::default();
+        for item in text.split(',') {
+            let (name, value) = item.split_once('=').ok_or_else(syntax)?;
+            let value: f64 = value.trim().parse().map_err(|_| syntax())?;
+            let own = match name.trim() {
+                "length" => &mut weights.length,
+                "wrench" => &mut weights.wrench,
+                _ => return Err(syntax()),
+            };
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(syntax());
+            }
+            *own = value;
+        }
+        Ok(weights)
     }
 }
 

@@ -1,0 +1,62 @@
+//! Scales of parameters, weights of rows, and the condition that they lead to.
+
+use std::path::PathBuf;
+
+use cdpr::identification::fit::{Fit, InputError, RowWeights, Settings};
+use cdpr::identification::{KindScale, condition_map, conditioning, scaled_kind};
+use cdpr_reports::answers::ScalingAnswer;
+use clap::Args;
+
+use super::Task;
+use crate::failure::Failure;
+
+/// Options of scales and weights.
+#[derive(Clone, Debug, Args)]
+pub(super) struct ScalingArguments {
+    /// Tell the condition of the Jacobian with parameters counted in these units (SI), e.g. compliance=1e-6,wrench=1e3, or in those of the least condition
+    /// (auto), and what makes it large. axial-stiffness counts compliances by 1/compliance. The fit does not depend on it.
+    #[arg(long, value_name = "NAME=UNIT,…|auto", value_delimiter = ',')]
+    scale: Vec<String>,
+
+    /// Weights of the rows of an elastic model in place of accuracies: length=W (1/m), wrench=W (1/N). Poses and tensions count as exact.
+    #[arg(long, value_name = "NAME=WEIGHT,…")]
+    row_weight: Option<RowWeights>,
+
+    /// Map of the condition over the units of two kinds (SVG), e.g. compliance,wrench map.svg.
+    #[arg(long, value_names = ["A,B", "FILE"], num_args = 2)]
+    condition_map: Option<Vec<String>>,
+}
+
+impl ScalingArguments {
+    /// Settings of a fit with these weights.
+    pub(super) fn of(&self, settings: Settings) -> Settings {
+        Settings { row_weights: self.row_weight, ..settings }
+    }
+}
+
+/// Answer and file of what the options ask for.
+pub(super) type Found = (Option<ScalingAnswer>, Option<(PathBuf, Vec<u8>)>);
+
+pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<Found, Failure> {
+    let ScalingArguments { scale, condition_map: map, .. } = &*task.arguments.scaling;
+    if scale.is_empty() && map.is_none() {
+        return Ok((None, None));
+    }
+    let refused = |error: InputError| Failure::refused(&task.arguments.data.name(), &error);
+    let of_option = |error: InputError| Failure::refused("--scale or --condition-map", &error);
+    let is_auto = matches!(&scale[..], [one] if one == "auto") || scale.is_empty();
+    let names = if is_auto { &[] } else { &scale[..] };
+    let scales: Vec<KindScale> =
+        names.iter().map(|text| text.parse()).collect::<Result<_, InputError>>().map_err(of_option)?;
+    let samples = fit.as_fitted(task.samples);
+    let (free, settings) = (&task.arguments.free, task.settings());
+    let question = (&settings, &scales[..]);
+    let found = conditioning(&fit.model, &samples, free, question).map_err(refused)?;
+    let answer = ScalingAnswer::new(found, is_auto);
+    let Some([kinds, file]) = map.as_deref() else { return Ok((Some(answer), None)) };
+    let pair = kinds.split_once(',').ok_or_else(|| of_option(InputError::ScaleSyntax { text: kinds.clone() }))?;
+    let kinds = [scaled_kind(pair.0).map_err(of_option)?, scaled_kind(pair.1).map_err(of_option)?];
+    let map = condition_map(&fit.model, &samples, free, question, kinds).map_err(of_option)?;
+    let figure = answer.map(&map).map(|figure| (PathBuf::from(file), figure.file().into_bytes()));
+    Ok((Some(answer), figure))
+}
