@@ -6,7 +6,7 @@ use cdpr::model::FreeParameters;
 use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};
-use crate::number_format::{cell, significant};
+use crate::number_format::{cell, condition, significant};
 use crate::report::Addition;
 use crate::table::Table;
 
@@ -112,7 +112,7 @@ impl PathAnswer {
         let (count, all) = (point.parameter_count, self.path_parameters.len());
         let mut text = format!(
             "chosen: λ = {} {}, the largest within one standard error of the best: {}\n",
-            significant(point.lambda, 3),
+            condition(point.lambda),
             self.unit(),
             match *penalty {
                 Penalty::Ridge => "a ridge leaves no parameter out".to_owned(),
@@ -158,7 +158,7 @@ impl PathAnswer {
             };
             let figure = |value: Option<f64>| cell(value.map(|value| criterion.in_unit(value)), 3);
             table.row(vec![
-                significant(point.lambda, 3),
+                condition(point.lambda),
                 point.parameter_count.to_string(),
                 significant(point.squares, 5),
                 figure(point.validation),

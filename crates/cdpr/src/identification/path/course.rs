@@ -12,8 +12,10 @@ use crate::robot::{Parameter, ParameterKind};
 
 /// Share by which the first penalty is beyond the least that holds everything: rounding shall let nothing move.
 const BEYOND: f64 = 1e-9;
-/// Penalties go down to this share of the first.
-const LEAST: f64 = 1e-4;
+/// Penalties go down to a share of the first between these, and to where the squares are nearly the least.
+const LEAST: (f64, f64) = (1e-8, 1e-4);
+/// Share of the least squares that the last penalty may add.
+const NEAR: f64 = 0.1;
 /// The ridge's first one as a multiple of the largest second derivative, and its share.
 const RIDGE: (f64, f64) = (100.0, 1e-10);
 /// Gradient below this share of what noise makes of it is rounding: the penalised parameters stay at their centre whatever λ > 0.
@@ -123,37 +125,52 @@ impl Question<'_> {
         parts.iter_mut().for_each(|part| {
             part.minimise(f64::INFINITY);
         });
-        let own = self.lambdas(parts);
+        let own = match lambdas {
+            Some(_) => Vec::new(),
+            None => self.lambdas(parts),
+        };
         for &lambda in lambdas.unwrap_or(&own) {
-            let mut place = Place {
-                lambda,
-                values: Vec::new(),
-                changes: Vec::new(),
-                is_off: Vec::new(),
-                squares: 0.0,
-                converged: true,
-            };
-            for part in &mut *parts {
-                place.converged &= part.minimise(lambda);
-                place.squares += 2.0 * part.half_squares();
-                place.values.extend(part.values());
-                place.changes.extend(part.changes());
-                place.is_off.extend(part.is_off());
-            }
-            take(place);
+            take(minimised(parts, lambda));
         }
     }
 
-    /// Penalties from the least that holds all parameters down by equal ratios, and 0.
-    fn lambdas(&self, parts: &[Part<'_>]) -> Vec<f64> {
+    /// Penalties from the least that holds all parameters down by equal ratios to where the squares are nearly the least, and 0.
+    fn lambdas(&self, parts: &mut [Part<'_>]) -> Vec<f64> {
         let curvature = parts.iter().map(Part::curvature).fold(0.0, f64::max);
         let holding = parts.iter().map(Part::least_holding).fold(0.0, f64::max);
         let (top, least) = match self.path.penalty {
             Penalty::Ridge => (RIDGE.0 * curvature, RIDGE.1),
-            _ => ((1.0 + BEYOND) * holding.max(NO_GRADIENT * curvature.sqrt()), LEAST),
+            _ => {
+                let top = (1.0 + BEYOND) * holding.max(NO_GRADIENT * curvature.sqrt());
+                (top, (near_the_least(parts) / top).clamp(LEAST.0, LEAST.1))
+            }
         };
         let last = self.path.points.max(2) - 1;
         let share = |point: usize| least.powf(point as f64 / last as f64);
         (0..=last).map(|point| top * share(point)).chain([0.0]).collect()
     }
+}
+
+/// Least value at a penalty, from where the parts stand.
+fn minimised(parts: &mut [Part<'_>], lambda: f64) -> Place {
+    let mut place =
+        Place { lambda, values: Vec::new(), changes: Vec::new(), is_off: Vec::new(), squares: 0.0, converged: true };
+    for part in parts {
+        place.converged &= part.minimise(lambda);
+        place.squares += 2.0 * part.half_squares();
+        place.values.extend(part.values());
+        place.changes.extend(part.changes());
+        place.is_off.extend(part.is_off());
+    }
+    place
+}
+
+/// Penalty at which the squares exceed their least by no more than a share: by 2 λ Σ |u|, u the changes at the least. The parts stay where they are.
+fn near_the_least(parts: &mut [Part<'_>]) -> f64 {
+    let (mut squares, mut penalty) = (0.0, 0.0);
+    for part in parts {
+        let (half, own) = part.at_the_least();
+        (squares, penalty) = (squares + 2.0 * half, penalty + own);
+    }
+    if penalty > 0.0 { NEAR * squares / (2.0 * penalty) } else { f64::INFINITY }
 }

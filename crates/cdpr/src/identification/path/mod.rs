@@ -133,7 +133,7 @@ fn told(question: &Question<'_>, places: &[Place], found: Option<Validated>) -> 
     let point = |(k, place): (usize, &Place)| PathPoint {
         lambda: place.lambda,
         parameter_count: place.is_off.iter().filter(|is_off| **is_off).count(),
-        validation: figure(|found| &found.errors, k),
+        validation: figure(|found| &found.errors, k).filter(|error| error.is_finite()),
         standard_error: figure(|found| &found.standard_errors, k).filter(|error| error.is_finite()),
         squares: place.squares,
         converged: place.converged,

@@ -102,6 +102,16 @@ impl<'a> Part<'a> {
         self.groups.iter().filter(|group| group.weight > 0.0).map(of).fold(0.0, f64::max)
     }
 
+    /// ½χ² and the norms that the penalty weighs, at the least squares.
+    pub(super) fn at_the_least(&mut self) -> (f64, f64) {
+        let here = self.here.clone();
+        self.minimise(0.0);
+        let norms = self.groups.iter().map(|group| group.penalty(1.0, &self.here.changes)).sum();
+        let half = self.half_squares();
+        self.here = here;
+        (half, norms)
+    }
+
     /// Descends to the least value for this λ; false where it is not found.
     pub(super) fn minimise(&mut self, lambda: f64) -> bool {
         let mut damping = 0.0;

@@ -8,6 +8,9 @@ use crate::identification::point_robot::{as_point, without_rotation};
 use crate::measurement::{Fold, Samples};
 use crate::model::Model;
 
+/// Places that answer this share of the samples that the best one answers are rated, on the samples that all of them answer.
+const RATED: f64 = 0.9;
+
 /// Mean errors at all penalties with that of the best, its standard error and the choice.
 pub(super) struct Validated {
     /// Not a number where a penalty has no error.
@@ -38,18 +41,25 @@ pub(super) fn validated(
             errors.extend(errors_at(question, &held, place));
         }
     }
-    let count = series.iter().map(Vec::len).max().unwrap_or(0);
-    let is_common = |&sample: &usize| series.iter().all(|errors| errors.get(sample).is_some_and(|e| e.is_finite()));
-    let common: Vec<usize> = (0..count).filter(is_common).collect();
+    let answered = |errors: &[f64]| errors.iter().filter(|error| error.is_finite()).count() as f64;
+    let most = series.iter().map(|errors| answered(errors)).fold(0.0, f64::max);
+    let is_rated: Vec<bool> = series.iter().map(|errors| most > 0.0 && answered(errors) >= RATED * most).collect();
+    let rated = || series.iter().zip(&is_rated).filter(|(_, is_rated)| **is_rated).map(|(errors, _)| errors);
+    let count = rated().map(Vec::len).min().unwrap_or(0);
+    let common: Vec<usize> = (0..count).filter(|&sample| rated().all(|errors| errors[sample].is_finite())).collect();
     if common.is_empty() {
         return Ok(None);
     }
-    let of_common = |errors: &Vec<f64>| common.iter().map(|&sample| errors[sample]).collect::<Vec<f64>>();
-    let series: Vec<Vec<f64>> = series.iter().map(of_common).collect();
+    let of_common = |(errors, is_rated): (&Vec<f64>, &bool)| match is_rated {
+        true => common.iter().map(|&sample| errors[sample]).collect::<Vec<f64>>(),
+        false => Vec::new(),
+    };
+    let series: Vec<Vec<f64>> = series.iter().zip(&is_rated).map(of_common).collect();
     let errors: Vec<f64> = series.iter().map(|errors| errors.iter().sum::<f64>() / errors.len() as f64).collect();
     let seed = question.settings.seed;
     let standard_errors: Vec<f64> = series.iter().map(|errors| bootstrap::standard_error(errors, seed)).collect();
-    let best = (0..errors.len()).min_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
+    let finite = (0..errors.len()).filter(|&place| errors[place].is_finite());
+    let best = finite.min_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
     let room = if standard_errors[best].is_finite() { standard_errors[best] } else { 0.0 };
     // penalties fall along the path: the first place within reach is the simplest
     let chosen = errors.iter().position(|error| *error <= errors[best] + room).unwrap_or(best);
