@@ -4,7 +4,7 @@
 //! identification (6.4, 6.5) → force control on the edges of a larger region.
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use serde::Serialize;
 use thiserror::Error;

@@ -6,7 +6,8 @@ use crate::robot::Robot;
 
 const REGION: [[f64; 2]; 3] = [[-2.0, 2.0], [-2.0, 2.0], [0.75, 2.75]];
 
-fn experiment(name: &str) -> Experiment {
+/// A study of the book.
+pub(in crate::identification) fn experiment(name: &str) -> Experiment {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
     let path = folder.join(format!("{name}.toml"));
     let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path.display().to_string()).unwrap();

@@ -3,10 +3,11 @@
 use nalgebra::DMatrix;
 
 use super::adjust::Adjust;
+use super::balance::checked_start;
 use super::descent::Problem;
 use super::linearization::Linearization;
 use super::measurement_noise::sigmas;
-use super::optimum::{self, Optimum, check_paths, checked_tensions, search, with_constant_wrench};
+use super::optimum::{self, Optimum, checked_tensions, search};
 use super::rows::{RowModel, SampleRows};
 use crate::identification::fit::{InputError, RowWeights, Settings};
 use crate::identification::loss::Loss;
@@ -34,8 +35,7 @@ pub(crate) fn find(
         return Err(InputError::RowWeightCost { words: format!("the loss `{}`", settings.loss.name()) });
     }
     let tensions = checked_tensions(model, samples)?;
-    let start_model = with_constant_wrench(model, samples, &tensions, parameters)?;
-    check_paths(&start_model, samples, &tensions)?;
+    let start_model = checked_start(model, samples, parameters)?;
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let linearization = Linearization::weighted(&start_model, samples, &tensions, &of_rows(&start_model, weights));
     let (found, starts) = search(&problem, &linearization, progress);

@@ -1,15 +1,13 @@
 //! Conditions against numbers of sec. 4.5, scales and maps.
 
-use std::path::Path;
-
 use nalgebra::DVector;
 
 use super::jacobian::jacobian;
 use super::{KindScale, condition_map, conditioning, of_matrix, scaled_kind};
 use crate::geometry::Pose;
+use crate::identification::chain::tests::experiment;
 use crate::identification::fit::{RowWeights, Settings, fit};
 use crate::measurement::Samples;
-use crate::metamodel::{Experiment, Robots, Study};
 use crate::model::{Composition, FreeParameters, Model};
 use crate::robot::{CableStiffness, ParameterKind, Robot};
 use crate::statics::controlled_lengths;
@@ -29,17 +27,6 @@ fn free() -> FreeParameters {
 
 fn settings() -> Settings {
     Settings { row_weights: Some(ROWS), ..Settings::default() }
-}
-
-fn experiment(name: &str) -> Experiment {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
-    let path = folder.join(format!("{name}.toml"));
-    let study = Study::from_toml_bytes(&std::fs::read(&path).unwrap(), &path.display().to_string()).unwrap();
-    let read = |name: &str| match Robot::builtin(name) {
-        Some(robot) => Ok(robot),
-        None => Robot::from_file(folder.join(name)),
-    };
-    Experiment::new(study.clone(), Robots::of(&study, read).unwrap()).unwrap()
 }
 
 /// The 25 poses of W_T1 with closed-form tensions of the nominal model (eq. 3.41).
