@@ -13,6 +13,8 @@ const EXACT: f64 = 1e-8;
 const ROUNDING: (f64, f64) = (1e-13, 1e-12);
 /// Damping after a first step that does not help, and its growth.
 const DAMPING: (f64, f64) = (1e-4, 10.0);
+/// Share of the cost that is rounding, and steps in succession that gain no more: conditions along weak directions are then as exact as numbers are.
+const STALLED: (f64, usize) = (1e-13, 4);
 /// Steps below this are rounding (m).
 const RESTING: f64 = 1e-13;
 
@@ -114,7 +116,7 @@ impl<'a> Part<'a> {
 
     /// Descends to the least value for this λ; false where it is not found.
     pub(super) fn minimise(&mut self, lambda: f64) -> bool {
-        let mut damping = 0.0;
+        let (mut damping, mut stalled) = (0.0, 0);
         for _ in 0..STEPS {
             let tolerance = self.tolerance(lambda);
             if self.violation(lambda) <= tolerance {
@@ -135,7 +137,8 @@ impl<'a> Part<'a> {
             } else {
                 damping = f64::max(DAMPING.0, DAMPING.1 * damping);
             }
-            if step <= RESTING {
+            stalled = if (here - trial).abs() <= STALLED.0 * here.abs() { stalled + 1 } else { 0 };
+            if step <= RESTING || stalled >= STALLED.1 {
                 return true;
             }
         }
