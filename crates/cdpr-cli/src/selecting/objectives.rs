@@ -9,8 +9,8 @@ use crate::numbers::positive_length;
 /// Residuals and cost of a fit.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ObjectiveArguments {
-    /// Residuals that are made small: of the lengths at the measured poses, or of the poses that the model predicts from the recorded lengths (of
-    /// elastic models with the tensions).
+    /// Residuals that are made small: of the lengths at the measured poses, of the poses that the model predicts from the recorded lengths (of
+    /// elastic models with the tensions), or of both in their stated accuracies, the poses unknown (rigid models).
     #[arg(long, value_name = "OBJECTIVE", default_value = Objective::default().name(), value_parser = objectives())]
     objective: Objective,
 

@@ -34,6 +34,22 @@ fn every_optimum_is_judged_by_all_others() {
     assert!(is_near(&squares["pose_norm_m"]["rms"], 38.885));
 }
 
+/// Lengths and poses in their accuracies; without these refused in words.
+#[test]
+fn poses_are_unknowns_where_accuracies_are_known() {
+    let (folder, _) = recorded();
+    let run = identify(&folder, "--objective both");
+    assert_eq!(run.exit_code, 2, "{}", run.stdout);
+    assert!(run.stderr.contains("data::no-accuracies"), "{}", run.stderr);
+    let run =
+        identify(&folder, "--objective both --sigma length_m=0.03,position_m=0.03 --compare-objectives --format json");
+    let answer: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(answer["objective"], "both");
+    assert_eq!(answer["objectives"].as_array().unwrap().len(), 10);
+    let run = identify(&folder, "--objective both --sigma length_m=0.03,position_m=0.03");
+    assert!(run.stdout.contains("lengths and poses in their accuracies, the poses unknown"), "{}", run.stdout);
+}
+
 #[test]
 fn costs_that_exclude_each_other_are_refused_in_words() {
     let (folder, _) = recorded();

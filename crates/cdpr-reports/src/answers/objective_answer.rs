@@ -85,6 +85,7 @@ impl ObjectiveAnswer {
                 format!("the errors of predicted poses, rotations by {} m", cell(Some(length), 3))
             }
             Objective::Pose => "the errors of predicted poses".to_owned(),
+            Objective::Both => "lengths and poses in their accuracies, the poses unknown".to_owned(),
             _ => "the length residuals".to_owned(),
         }
     }
@@ -118,10 +119,9 @@ fn proof(certificate: &Certificate, converged: bool) -> String {
     let names: Vec<String> = certificate.active.iter().map(|active| active.sample.to_string()).collect();
     if !converged {
         return format!(
-            "the search for the least largest error stopped before its end: {} samples have the largest ({}), and it may still fall (gap {:.0e})\n",
+            "the search for the least largest error stopped before its end: {} samples have the largest now ({}), and it may still fall\n",
             names.len(),
-            names.join(", "),
-            certificate.gap
+            names.join(", ")
         );
     }
     format!(

@@ -56,11 +56,13 @@ impl ErrorCode for fit::InputError {
             Self::NoTensions | Self::PosesWithoutTensions => "data::no-tensions",
             Self::RobustCost { .. }
             | Self::PriorCost { .. }
+            | Self::UnknownPosesOfElastic
             | Self::ProfileCost { .. }
             | Self::RecordingCost { .. }
             | Self::PenaltyCost { .. }
             | Self::RowWeightCost { .. } => "setting::cost",
             Self::RowWeightSyntax { .. } | Self::ScaleSyntax { .. } | Self::ScaledTwice { .. } => "scale::syntax",
+            Self::NoAccuracies => "data::no-accuracies",
             Self::NoPrediction { .. } => "data::no-prediction",
             Self::CableState { reason, .. } => reason.code(),
             Self::NegativeTension { .. } => "data::negative-tensions",

@@ -3,6 +3,7 @@
 use super::further::{FURTHER, further_values};
 use crate::cable::outlet::Outlet;
 use crate::cable::{CableEnd, CablePath};
+use crate::geometry::Pose;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::scalar::{LANES, Lanes, constants};
@@ -16,12 +17,17 @@ pub(super) struct PoseLanes {
 
 impl PoseLanes {
     pub(super) fn new(samples: &Samples) -> Self {
-        let groups = samples.len().div_ceil(LANES);
+        Self::of(&samples.poses)
+    }
+
+    /// Lanes of poses.
+    pub(super) fn of(poses: &[Pose]) -> Self {
+        let groups = poses.len().div_ceil(LANES);
         let column = || vec![0.0; groups * LANES];
         let mut lanes =
             Self { position: std::array::from_fn(|_| column()), rotation: std::array::from_fn(|_| column()), groups };
         for index in 0..groups * LANES {
-            let pose = &samples.poses[index.min(samples.len() - 1)];
+            let pose = &poses[index.min(poses.len() - 1)];
             for (column, value) in lanes.position.iter_mut().zip(pose.position.iter()) {
                 column[index] = *value;
             }

@@ -126,6 +126,18 @@ pub enum InputError {
          add the columns tension_N_1, tension_N_2, … to the data, or choose a model without `elastic`"
     )]
     PosesWithoutTensions,
+    /// Poses as unknowns of an elastic model.
+    #[error(
+        "wrenches and lengths of an elastic model are weighed by the accuracy of the measured poses already, so that poses are no unknowns of theirs: \
+         take the objective `length`"
+    )]
+    UnknownPosesOfElastic,
+    /// Poses as unknowns without accuracies.
+    #[error(
+        "poses are unknowns beside lengths where the accuracies of both are known: state length_m and position_m (and rotation_rad), in the sidecar file \
+         DATA.meta.toml or by --sigma"
+    )]
+    NoAccuracies,
     /// A robust loss of what has no square.
     #[error("the loss `{}` and {cost} cannot be combined: a robust loss weighs squared residuals of lengths", .loss.name())]
     RobustCost {

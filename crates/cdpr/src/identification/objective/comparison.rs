@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::metric::default_length;
+use super::problem::ObjectiveVectors;
 use super::{Minimize, Objective};
 use crate::identification::evaluation::{ErrorBlocks, Evaluation, evaluate_fitted};
 use crate::identification::fit::{InputError, Settings, Status, fit};
@@ -107,6 +108,11 @@ pub fn compare_objectives(
     };
     let mut all: Vec<JudgedOptimum> = judged(model, None, true).into_iter().collect();
     for objective in Objective::ALL {
+        if objective == Objective::Both
+            && ObjectiveVectors::of(model, samples, &[], &Settings { objective, ..settings.clone() }).is_err()
+        {
+            continue;
+        }
         for minimize in Minimize::ALL {
             let settings = Settings { objective, minimize, ..settings.clone() };
             let found = fit(model, samples, free, &settings)?;

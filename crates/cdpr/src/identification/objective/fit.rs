@@ -52,6 +52,7 @@ fn check(settings: &Settings) -> Result<(), InputError> {
     if !matches!(settings.loss, Loss::Auto | Loss::Squared) {
         let cost = match settings.objective {
             Objective::Pose => "errors of predicted poses".to_owned(),
+            Objective::Both => "lengths with poses as unknowns".to_owned(),
             Objective::Length => format!("the {} of norms", settings.minimize),
         };
         return Err(InputError::RobustCost { loss: settings.loss, cost });
@@ -312,7 +313,7 @@ fn caution(settings: &Settings) -> Option<String> {
 fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
     let priors = estimates.iter().filter_map(|e| Some((e.change / e.prior_sigma?).powi(2)));
     let prior_cost: f64 = priors.clone().sum();
-    let rows = stacked.residuals.len() + priors.count();
+    let rows = stacked.free_rows() + priors.count();
     let cost = stacked.residuals.norm_squared() + prior_cost;
     Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
 }
@@ -322,7 +323,7 @@ fn analyse(optimum: &Optimum, samples: &Samples, parameters: &[Parameter], setti
     let misfit = Misfit {
         cost: stacked.residuals.norm_squared(),
         prior_cost: 0.0,
-        freedom: stacked.residuals.len().saturating_sub(parameters.len()),
+        freedom: stacked.free_rows().saturating_sub(parameters.len()),
     };
     let inflation = inflation(misfit.factor(), unit.is_none() && samples.sigmas.position.is_some());
     let rows = JointRows {

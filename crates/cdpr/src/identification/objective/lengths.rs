@@ -1,6 +1,7 @@
 //! Vectors in joint space: modelled minus recorded lengths of all cables of a sample (eq. 4.8).
 
 use super::vectors::{Stacked, Vectors};
+use crate::geometry::Pose;
 use crate::identification::blocks::Block;
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::weights::Weights;
@@ -25,6 +26,11 @@ impl LengthVectors {
             Block::new(model, cable, own, samples, &weights)
         };
         Self { samples: samples.len(), blocks: (0..model.cable_count()).map(block).collect(), poses }
+    }
+
+    /// Takes lengths at other poses than the measured ones, one of each sample.
+    pub(super) fn move_to(&mut self, poses: &[Pose]) {
+        self.poses = PoseLanes::of(poses);
     }
 }
 

@@ -40,7 +40,7 @@ pub struct Certificate {
     pub active: Vec<ActiveSample>,
     /// ‖Σ λ ∂‖r‖²/∂p‖/Σ λ ‖∂‖r‖²/∂p‖: 0 where nothing makes all of them smaller to first order.
     pub subgradient: f64,
-    /// Bound of what the largest norm lies above the least near here, relative.
+    /// Bound of what the largest norm lies above the least near here, relative; not a number where the search did not end there.
     pub gap: f64,
 }
 
@@ -97,7 +97,7 @@ pub(super) fn minimise<V: Vectors>(
         }
         weight *= SHRINK;
     }
-    let gap = constraints * weight / point.bound;
+    let gap = if converged { constraints * weight / point.bound } else { f64::NAN };
     let certificate = barrier.certificate(&point, gap)?;
     Some(Minimax { values: point.values, history, iterations, converged, certificate })
 }
@@ -120,7 +120,8 @@ impl<V: Vectors> Barrier<'_, V> {
 
     /// Newton steps to the centre of a weight; whether it is reached, and their number.
     fn centre(&mut self, point: &mut Point, weight: f64) -> Option<(bool, u32)> {
-        let mut merit = self.merit(point, weight)?;
+        let from = point.bound;
+        let mut merit = self.merit(point, (from, weight))?;
         for step_count in 0..STEPS {
             let (gradient, hessian) = self.derivatives(point, weight);
             let step = newton(&gradient, hessian)?;
@@ -131,13 +132,13 @@ impl<V: Vectors> Barrier<'_, V> {
             let mut fraction = 1.0;
             loop {
                 let trial = self.moved(point, &step, fraction);
-                match self.merit(&trial, weight) {
-                    Some(reached) if reached <= merit - 1e-4 * fraction * decrement => {
+                match self.merit(&trial, (from, weight)) {
+                    Some(reached) if reached < merit - 1e-4 * fraction * decrement => {
                         (*point, merit) = (trial, reached);
                         break;
                     }
                     _ if fraction < 1e-10 => {
-                        self.merit(point, weight)?;
+                        self.merit(point, (from, weight))?;
                         // only rounding is left of the slacks
                         return Some((decrement < 1.0, step_count));
                     }
@@ -154,9 +155,9 @@ impl<V: Vectors> Barrier<'_, V> {
         Point { values, bound: point.bound + fraction * step[point.values.len()] }
     }
 
-    /// s/μ − Σ ln(s − ‖r‖²) − Σ ln of the room to the bounds; nothing outside.
-    fn merit(&mut self, point: &Point, weight: f64) -> Option<f64> {
-        let mut merit = point.bound / weight;
+    /// (s − s₀)/μ − Σ ln(s − ‖r‖²) − Σ ln of the room to the bounds; nothing outside. s₀ keeps the digits that s/μ would take.
+    fn merit(&mut self, point: &Point, (from, weight): (f64, f64)) -> Option<f64> {
+        let mut merit = (point.bound - from) / weight;
         for (parameter, value) in self.parameters.iter().zip(&point.values) {
             let (low, high) = parameter.bounds();
             for room in [value - low, high - value].into_iter().filter(|room| room.is_finite()) {

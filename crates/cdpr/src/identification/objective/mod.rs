@@ -12,6 +12,7 @@ mod poses;
 mod problem;
 #[cfg(test)]
 mod tests;
+mod unknown_poses;
 mod vectors;
 
 pub use comparison::{Driven, JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
@@ -29,6 +30,8 @@ pub enum Objective {
     Length,
     /// Predicted minus measured poses at the recorded lengths, of elastic models with the tensions there (Cartesian space, eq. 4.1, 4.31).
     Pose,
+    /// Both together, each in its stated accuracy, of rigid models: poses are unknowns beside the parameters (total least squares).
+    Both,
 }
 
 /// Cost of the residual vectors of all samples.
@@ -47,13 +50,14 @@ pub enum Minimize {
 
 impl Objective {
     /// All of them, the default first.
-    pub const ALL: [Self; 2] = [Self::Length, Self::Pose];
+    pub const ALL: [Self; 3] = [Self::Length, Self::Pose, Self::Both];
 
     /// Name in options and files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Length => "length",
             Self::Pose => "pose",
+            Self::Both => "both",
         }
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct PoseVectors<'a> {
     samples: &'a Samples,
     parameters: &'a [Parameter],
     metric: Metric,
-    /// Predictions of the last parameters: where the next search begins.
+    /// Measured poses: where every search begins, whatever was predicted before.
     guesses: PoseBatch,
     lengths: LaneTable,
     solutions: Solutions,
@@ -79,11 +79,8 @@ impl<'a> PoseVectors<'a> {
             self.lengths.write(sample, &controlled);
         }
         model.forward_batch((&self.settings, false), &self.lengths, &self.guesses, state, &mut self.solutions).ok()?;
-        let all = || 0..self.samples.len();
-        self.unpredicted = all().find(|&sample| self.solutions.status(sample) != Status::Converged);
-        self.unpredicted.is_none().then_some(())?;
-        self.guesses = all().map(|sample| self.solutions.pose(sample)).collect::<Vec<_>>().iter().collect();
-        Some(())
+        self.unpredicted = (0..self.samples.len()).find(|&sample| self.solutions.status(sample) != Status::Converged);
+        self.unpredicted.is_none().then_some(())
     }
 }
 
@@ -151,7 +148,7 @@ impl PoseVectors<'_> {
 }
 
 /// Change of the rotation vector of an error with a turn of the predicted pose (world): the inverse of the left Jacobian of SO(3).
-fn by_turn(error: &Twist) -> Matrix3<f64> {
+pub(super) fn by_turn(error: &Twist) -> Matrix3<f64> {
     let vector: Vector3<f64> = error.fixed_rows::<3>(3).into_owned();
     let (angle, cross) = (vector.norm(), vector.cross_matrix());
     let second = match angle < 1e-4 {

@@ -5,6 +5,7 @@ use super::balance::BalanceVectors;
 use super::lengths::LengthVectors;
 use super::metric::{Metric, position_sigma};
 use super::poses::PoseVectors;
+use super::unknown_poses::UnknownPoses;
 use super::vectors::{Stacked, Vectors};
 use crate::identification::elastostatic::Balance;
 use crate::identification::fit::{ASSUMED_NOISE, InputError, Settings};
@@ -17,6 +18,7 @@ pub(super) enum ObjectiveVectors<'a> {
     Lengths(LengthVectors),
     Balance(BalanceVectors<'a>),
     Poses(PoseVectors<'a>),
+    Both(UnknownPoses<'a>),
 }
 
 impl<'a> ObjectiveVectors<'a> {
@@ -34,12 +36,21 @@ impl<'a> ObjectiveVectors<'a> {
                 let unit = (!is_elastic).then(|| position_sigma(samples));
                 Ok((Self::Poses(PoseVectors::new(model, samples, parameters, metric)), unit))
             }
+            (Objective::Both, true) => Err(InputError::UnknownPosesOfElastic),
+            (Objective::Both, false) => {
+                let sigmas = &samples.sigmas;
+                let (Some(sigma), Some(_)) = (known(sigmas.length), known(sigmas.position)) else {
+                    return Err(InputError::NoAccuracies);
+                };
+                let metric = Metric::of(model, samples, settings.rotation_length)?;
+                Ok((Self::Both(UnknownPoses::new(model, samples, parameters, (metric, sigma))), None))
+            }
             (Objective::Length, true) => {
                 let balance = Balance::new(model, samples, parameters)?;
                 Ok((Self::Balance(BalanceVectors::new(model, samples, parameters, balance)), None))
             }
             (Objective::Length, false) => {
-                let sigma = samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE);
+                let sigma = known(samples.sigmas.length).unwrap_or(ASSUMED_NOISE);
                 Ok((Self::Lengths(LengthVectors::new(model, samples, parameters, sigma)), Some(sigma)))
             }
         }
@@ -54,12 +65,25 @@ impl<'a> ObjectiveVectors<'a> {
     }
 }
 
+/// A stated accuracy that is one.
+fn known(sigma: Option<f64>) -> Option<f64> {
+    sigma.filter(|sigma| *sigma > 0.0)
+}
+
 impl Vectors for ObjectiveVectors<'_> {
     fn size(&self) -> usize {
         match self {
             Self::Lengths(vectors) => vectors.size(),
             Self::Balance(vectors) => vectors.size(),
             Self::Poses(vectors) => vectors.size(),
+            Self::Both(vectors) => vectors.size(),
+        }
+    }
+
+    fn unknowns(&self) -> usize {
+        match self {
+            Self::Both(vectors) => vectors.unknowns(),
+            _ => 0,
         }
     }
 
@@ -68,6 +92,7 @@ impl Vectors for ObjectiveVectors<'_> {
             Self::Lengths(vectors) => vectors.samples(),
             Self::Balance(vectors) => vectors.samples(),
             Self::Poses(vectors) => vectors.samples(),
+            Self::Both(vectors) => vectors.samples(),
         }
     }
 
@@ -76,6 +101,7 @@ impl Vectors for ObjectiveVectors<'_> {
             Self::Lengths(vectors) => vectors.write(values, stacked),
             Self::Balance(vectors) => vectors.write(values, stacked),
             Self::Poses(vectors) => vectors.write(values, stacked),
+            Self::Both(vectors) => vectors.write(values, stacked),
         }
     }
 }

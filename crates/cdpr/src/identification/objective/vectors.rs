@@ -7,6 +7,8 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Stacked {
     /// Entries of one sample's vector.
     pub(super) size: usize,
+    /// Unknowns of each sample that are eliminated from its vector.
+    pub(super) unknowns: usize,
     pub(super) residuals: DVector<f64>,
     /// A row for each residual, a column for each parameter.
     pub(super) jacobian: DMatrix<f64>,
@@ -17,6 +19,11 @@ pub(super) trait Vectors {
     /// Entries of one sample's vector.
     fn size(&self) -> usize;
 
+    /// Unknowns of each sample that are eliminated from its vector.
+    fn unknowns(&self) -> usize {
+        0
+    }
+
     /// Number of samples.
     fn samples(&self) -> usize;
 
@@ -26,11 +33,11 @@ pub(super) trait Vectors {
 
 impl Clone for Stacked {
     fn clone(&self) -> Self {
-        Self { size: self.size, residuals: self.residuals.clone(), jacobian: self.jacobian.clone() }
+        Self { residuals: self.residuals.clone(), jacobian: self.jacobian.clone(), ..*self }
     }
 
     fn clone_from(&mut self, other: &Self) {
-        self.size = other.size;
+        (self.size, self.unknowns) = (other.size, other.unknowns);
         self.residuals.copy_from(&other.residuals);
         self.jacobian.copy_from(&other.jacobian);
     }
@@ -40,7 +47,17 @@ impl Stacked {
     /// Room for the vectors of so many parameters.
     pub(super) fn new(vectors: &impl Vectors, parameters: usize) -> Self {
         let rows = vectors.size() * vectors.samples();
-        Self { size: vectors.size(), residuals: DVector::zeros(rows), jacobian: DMatrix::zeros(rows, parameters) }
+        Self {
+            size: vectors.size(),
+            unknowns: vectors.unknowns(),
+            residuals: DVector::zeros(rows),
+            jacobian: DMatrix::zeros(rows, parameters),
+        }
+    }
+
+    /// Entries of all vectors that no unknown of a sample explains.
+    pub(super) fn free_rows(&self) -> usize {
+        self.samples() * (self.size - self.unknowns)
     }
 
     /// Number of samples.
