@@ -5,6 +5,12 @@ use crate::scalar::Select;
 /// Share of the tolerance below which a step is the last, whatever the steps before it were.
 const NEGLIGIBLE: f64 = 1e-3;
 
+/// Length of the steps behind one of this size that go on shrinking at this rate.
+#[inline(always)]
+pub(super) fn left<N: Select>(size: N, contraction: N) -> N {
+    size * contraction / (size.constant(1.0) - contraction)
+}
+
 /// Lanes in which this step is the last: the remaining ones, if they go on shrinking at this rate, add up to less than the
 /// tolerance.
 ///

@@ -1,12 +1,9 @@
 //! The loop.
 
-use super::convergence::settles;
+use super::convergence::{left, settles};
 use super::damping::{is_exhausted, is_felt, lowered, raised, regularised};
-use super::{Control, End, Mask, Problem, Rules, Step, StepRule, Stop, Trial};
+use super::{Control, End, HIDDEN_GAIN, Mask, Problem, Rules, Step, StepRule, Stop, Trial};
 use crate::scalar::{Real, Select};
-
-/// Promised share of the cost below which the cost before and after a step do not tell how good the promise was.
-const HIDDEN_GAIN: f64 = 1e-10;
 
 /// Share of a step below which its direction is no use.
 const LEAST_FRACTION: f64 = 1e-8;
@@ -43,7 +40,8 @@ pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> End<P::
         steps += 1;
         search.iterations = search.iterations + n.constant(1.0).select(search.running, n.constant(0.0));
     }
-    End { stop: search.stop, iterations: search.iterations, damping: search.control.damping }
+    let (left, gain) = (search.left(), search.step.gain);
+    End { stop: search.stop, iterations: search.iterations, damping: search.control.damping, left, gain }
 }
 
 /// State of the loop, lane by lane.
@@ -83,6 +81,15 @@ impl<'a, P: Problem> Search<'a, P> {
             stop: n.constant(Stop::IterationLimit as u8 as f64),
             iterations: zero,
         }
+    }
+
+    /// Length of the steps left.
+    #[inline(always)]
+    fn left(&self) -> P::Number {
+        let (size, rate) = (self.step.size, self.contraction);
+        let behind = left(self.reach, rate);
+        let is_shorter = behind.is_less(size);
+        behind.select(size.both(is_shorter, rate.is_less(size.constant(0.5))), size)
     }
 
     /// Ends lanes for a reason.

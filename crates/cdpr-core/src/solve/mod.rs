@@ -17,6 +17,8 @@ pub use descend::descend;
 
 use crate::scalar::Select;
 
+/// Promised share of the cost below which the cost before and after a step do not tell how good the promise was.
+pub const HIDDEN_GAIN: f64 = 1e-10;
 /// Smallest pivot of least squares, beside its diagonal entry, that determines a direction: undamped, others would wander on
 /// rounding errors.
 pub const REGULAR: f64 = 1e-11;
@@ -141,6 +143,10 @@ pub struct End<N> {
     pub iterations: N,
     /// Damping of the last step.
     pub damping: N,
+    /// Length of the steps left, as the convergence test takes it: of the last step, or of those behind it where they shrink.
+    pub left: N,
+    /// Share of the cost that the last step promised to remove.
+    pub gain: N,
 }
 
 impl<N: Select> End<N> {

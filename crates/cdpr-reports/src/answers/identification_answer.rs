@@ -3,7 +3,9 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::fit::{Estimate, Fit, Status};
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, distrust};
+use cdpr::identification::{
+    Analysis, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, StoppedBy, distrust,
+};
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
@@ -30,6 +32,7 @@ pub struct IdentificationAnswer {
     #[serde(skip)]
     pub(super) is_gross: bool,
     pub(super) reason: String,
+    pub(super) stopped_by: StoppedBy,
     pub(super) iterations: u32,
     pub(super) parameter_count: usize,
     #[serde(flatten)]
@@ -133,6 +136,7 @@ impl IdentificationAnswer {
             trusted,
             is_gross,
             reason: fit.reason,
+            stopped_by: fit.stopped_by,
             iterations: fit.iterations,
             parameter_count: fit.parameters.len(),
             analysis: fit.analysis,

@@ -23,6 +23,9 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     let (doubts, remarks) = answer.warnings.split_at(answer.doubts);
     doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
     text.push_str(&format!("{status} after {iterations} iterations: {reason}\n"));
+    if answer.status != Status::NotConverged && !answer.parameters.is_empty() {
+        text.push_str(&format!("ended by {}\n", answer.stopped_by));
+    }
     if !answer.parameters.is_empty() {
         text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
     }

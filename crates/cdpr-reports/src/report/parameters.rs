@@ -92,6 +92,7 @@ pub(super) fn identifiability(shown: &Shown<'_>) -> Value {
         condition_scaled => number::condition(analysis.condition_scaled),
         noise_factor => number::significant(fit.noise_factor, 3),
         iterations => fit.iterations,
+        stopped_by => fit.stopped_by.to_string(),
         starts => (fit.starts.count > 1).then(|| prose(&start_summary(&fit.starts))),
         optima => (fit.starts.optima.len() > 1).then(|| optima(fit).into_value()),
         weak,

@@ -34,6 +34,7 @@ use super::likelihood::FittedRows;
 use super::loss::{Loss, RobustLoss};
 use super::misfit::Misfit;
 use super::norms::Norms;
+use super::stopping::{StoppedBy, StoppingRule};
 use super::weights::Weights;
 use super::{objective, outliers};
 use crate::measurement::Samples;
@@ -135,7 +136,7 @@ pub(super) fn optimum_of(
         let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
-            converged: optimum.end().converged,
+            converged: optimum.end().converged(),
             iterations: optimum.end().iterations,
             history: optimum.end().history.clone(),
             parameters: parameters.to_vec(),
@@ -155,7 +156,7 @@ pub(super) fn optimum_of(
     Ok(OptimalParameters {
         model: optimum.calibrated(model)?,
         parameters: parameters.to_vec(),
-        converged: optimum.converged(),
+        converged: optimum.stopped().converged(),
         iterations: optimum.iterations(),
         history: optimum.history(),
     })
@@ -185,7 +186,7 @@ fn report(
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
         .collect();
-    let (status, reason) = verdict(&analysis, &estimates, optimum.converged(), settings);
+    let (status, reason) = verdict(&analysis, &estimates, &optimum.stopped());
     let recorded = calibrated.with_lengths(samples)?;
     let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&calibrated, &recorded, sample));
     let loss = used(optimum.norms.loss);
@@ -199,6 +200,7 @@ fn report(
         model: calibrated,
         status,
         reason,
+        stopped_by: optimum.stopped(),
         iterations: optimum.iterations(),
         history: optimum.history(),
         parameters: estimates,
@@ -286,19 +288,16 @@ pub(super) fn estimate(
     }
 }
 
-pub(super) fn verdict(
-    analysis: &Analysis,
-    estimates: &[Estimate],
-    converged: bool,
-    settings: &Settings,
-) -> (Status, String) {
+pub(super) fn verdict(analysis: &Analysis, estimates: &[Estimate], stopped: &StoppedBy) -> (Status, String) {
     let count = estimates.len();
-    if !converged {
-        let limit = settings.max_iterations;
-        return (
-            Status::NotConverged,
-            format!("the limit of {limit} iterations was reached before the parameters settled"),
-        );
+    if !stopped.converged() {
+        let reason = match stopped.rule {
+            StoppingRule::IterationLimit => {
+                format!("{stopped} was reached before the parameters settled")
+            }
+            _ => format!("the parameters did not settle: {stopped}"),
+        };
+        return (Status::NotConverged, reason);
     }
     if count == 0 {
         return (Status::Converged, "nothing was free".to_owned());

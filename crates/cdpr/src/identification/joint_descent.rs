@@ -3,6 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::starts::Ending;
+use super::stopping::StoppedBy;
 use crate::robot::Parameter;
 use crate::solve::{
     self, Control, Minimizer, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -39,7 +40,13 @@ pub(super) struct End {
     pub(super) cost: f64,
     pub(super) iterations: u32,
     pub(super) history: Vec<f64>,
-    pub(super) converged: bool,
+    pub(super) stopped: StoppedBy,
+}
+
+impl End {
+    pub(super) fn converged(&self) -> bool {
+        self.stopped.converged()
+    }
 }
 
 impl Ending for End {
@@ -48,7 +55,7 @@ impl Ending for End {
     }
 
     fn converged(&self) -> bool {
-        self.converged
+        self.converged()
     }
 
     fn place(&self) -> &[f64] {
@@ -70,12 +77,12 @@ pub(super) fn descend<S: System>(
     let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
     let end = solve::descend(&mut descent, &rules);
     let mut iterations = end.iterations as u32;
+    let is_fixed = from.is_empty() && end.stop() != Stop::Degenerate;
+    let stopped = if is_fixed { StoppedBy::at_start(rules.tolerance) } else { StoppedBy::of(&end, &rules) };
     let Place { mut values, equations } = descent.here;
     if end.stop() == Stop::Degenerate {
-        return End { values, cost: f64::NAN, iterations, history: Vec::new(), converged: false };
+        return End { values, cost: f64::NAN, iterations, history: Vec::new(), stopped };
     }
-    // a parameter that moves nothing at all is analysis' to name
-    let converged = from.is_empty() || matches!(end.stop(), Stop::Stationary | Stop::Singular);
     if end.stop() == Stop::Stationary && end.damping == 0.0 {
         iterations += 1;
         // the gradient still knows the way to more digits, and the step costs no evaluation
@@ -83,7 +90,7 @@ pub(super) fn descend<S: System>(
             values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
         }
     }
-    End { values, cost: equations.cost(), iterations, history: descent.history, converged }
+    End { values, cost: equations.cost(), iterations, history: descent.history, stopped }
 }
 
 impl Around<'_> {

@@ -43,6 +43,7 @@ mod resampling;
 mod scaling;
 pub mod selection;
 mod starts;
+mod stopping;
 pub mod test_bench;
 mod weights;
 mod words;
@@ -73,3 +74,4 @@ pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
 pub use starts::{StartOptimum, Starts};
+pub use stopping::{StoppedBy, StoppingRule};

@@ -5,7 +5,8 @@ mod settings;
 
 pub(crate) use cdpr_core::solve::bounded::Room;
 pub(crate) use cdpr_core::solve::{
-    Control, End, OF_SINGULAR, Problem, REGULAR, ROUNDING_GAIN, Rules, Step, StepRule, Stop, Trial, descend,
+    Control, End, HIDDEN_GAIN, OF_SINGULAR, Problem, REGULAR, ROUNDING_GAIN, Rules, Step, StepRule, Stop, Trial,
+    descend,
 };
 pub use minimizer::Minimizer;
 pub(crate) use minimizer::{NormalSystem, Surroundings};

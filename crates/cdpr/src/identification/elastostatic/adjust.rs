@@ -6,6 +6,7 @@ use super::noise::Sigmas;
 use super::rows::RowModel;
 use crate::identification::fit::InputError;
 use crate::identification::norms::{Extent, Norms};
+use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::model::Model;
 use crate::statics::Load;
 
@@ -93,7 +94,8 @@ impl Adjust<'_> {
             end.history.push(step.cost);
             (end.values, end.cost) = (step.values, step.cost);
             if step.predicted_reduction <= FINAL_REDUCTION * step.cost {
-                end.converged = true;
+                let value = step.predicted_reduction / step.cost;
+                end.stopped = StoppedBy { rule: StoppingRule::Cost, value, limit: FINAL_REDUCTION };
                 return Ok(true);
             }
             if !(step.predicted_reduction < 0.25 * last_predicted_reduction) {

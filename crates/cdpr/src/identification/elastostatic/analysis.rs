@@ -34,7 +34,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(model, &optimum.calibrated, *parameter, sigma, settings))
         .collect();
-    let (mut status, mut reason) = verdict(&analysis, &estimates, optimum.converged(), settings);
+    let (mut status, mut reason) = verdict(&analysis, &estimates, &optimum.stopped());
     if let Some(why) = without_forward_problem(&optimum.calibrated, &estimates) {
         (status, reason) = (Status::NotPredictive, why);
     }
@@ -58,6 +58,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     Fit {
         status,
         reason,
+        stopped_by: optimum.stopped(),
         iterations: optimum.iterations(),
         history: optimum.history().to_vec(),
         parameters: estimates,

@@ -12,6 +12,7 @@ use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
 use crate::identification::starts::{self, Landscape, Part, Starts};
+use crate::identification::stopping::StoppedBy;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{ExternalWrench, Parameter, ParameterKind, Robot};
@@ -50,7 +51,11 @@ impl Optimum {
     }
 
     pub(crate) fn converged(&self) -> bool {
-        self.end.converged
+        self.end.converged()
+    }
+
+    pub(super) fn stopped(&self) -> StoppedBy {
+        self.end.stopped
     }
 
     pub(crate) fn iterations(&self) -> u32 {
@@ -88,7 +93,7 @@ pub(crate) fn find(
     let mut misfit = problem.misfit(&end, &linearization);
     if !parameters.is_empty() {
         norms = adjust.norms(&end, &linearization, absolute)?;
-        if let Some(tail) = norms.to_ask(settings.loss, end.converged) {
+        if let Some(tail) = norms.to_ask(settings.loss, end.converged()) {
             let found = robust::minimise(tail, &adjust, (&end, &linearization, &norms))?;
             if settings.loss != Loss::Auto || found.norms.any_beyond(1.0) {
                 misfit = found.misfit;

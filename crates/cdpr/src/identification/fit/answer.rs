@@ -10,6 +10,7 @@ use crate::identification::loss::Loss;
 use crate::identification::objective::Certificate;
 use crate::identification::outliers::{self, Outlier};
 use crate::identification::starts::Starts;
+use crate::identification::stopping::StoppedBy;
 use crate::model::Model;
 use crate::robot::Parameter;
 
@@ -64,6 +65,8 @@ pub struct Fit {
     pub status: Status,
     /// The status in words, with numbers.
     pub reason: String,
+    /// The rule that ended the search; of cables that were identified apart that of the one whose end says least of an optimum.
+    pub stopped_by: StoppedBy,
     /// Steps of the cable that needed most.
     pub iterations: u32,
     /// Weighted sum of squared residuals (of their loss) and priors after each step, all cables together.

@@ -6,6 +6,7 @@ use crate::identification::further::FURTHER;
 use crate::identification::normal_equations::NormalEquations;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::identification::quadratic::Quadratic;
+use crate::identification::stopping::StoppedBy;
 use crate::scalar::ldl;
 use crate::solve::{
     self, Control, NormalSystem, OF_SINGULAR, REGULAR, ROUNDING_GAIN, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -24,7 +25,7 @@ pub(super) struct End {
     pub(super) cost: f64,
     pub(super) iterations: u32,
     pub(super) history: Vec<f64>,
-    pub(super) converged: bool,
+    pub(super) stopped: StoppedBy,
 }
 
 /// Calls a method of the search that has as many parameters as the block.
@@ -150,8 +151,7 @@ impl<'a, const P: usize> Search<'a, P> {
         };
         let end = descend(&mut descent, &rules);
         let mut iterations = end.iterations as u32;
-        // a parameter that moves no length at all is analysis' to name
-        let converged = P == 0 || matches!(end.stop(), Stop::Stationary | Stop::Singular);
+        let stopped = if P == 0 { StoppedBy::at_start(rules.tolerance) } else { StoppedBy::of(&end, &rules) };
         if end.stop() == Stop::Stationary && end.damping == 0.0 {
             iterations += 1;
             descent.part();
@@ -162,7 +162,7 @@ impl<'a, const P: usize> Search<'a, P> {
             descent.history.push(descent.here.equations.cost);
         }
         let Descent { here: Place { change, values, equations }, history, .. } = descent;
-        End { values, change: change.to_vec(), cost: equations.cost, iterations, history, converged }
+        End { values, change: change.to_vec(), cost: equations.cost, iterations, history, stopped }
     }
 
     fn advance(&self, end: &mut End) -> Option<f64> {

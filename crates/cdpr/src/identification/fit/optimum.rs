@@ -6,6 +6,7 @@ use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::identification::starts::{self, Ending, Landscape, Part, Starts};
+use crate::identification::stopping::StoppedBy;
 use crate::identification::weights::{Weights, length_weights, weights_of};
 use crate::measurement::Samples;
 use crate::model::{Model, ModelError};
@@ -35,8 +36,8 @@ pub(super) struct Optimum {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rounds {
     pub(super) count: u32,
-    /// False where the last descent ended at the limit of rounds.
-    pub(super) converged: bool,
+    /// End of the last descent; none without a robust loss.
+    pub(super) stopped: Option<StoppedBy>,
     /// Loss and priors after each round of the last descent.
     pub(super) history: Vec<f64>,
 }
@@ -107,7 +108,7 @@ impl Ending for descent::End {
     }
 
     fn converged(&self) -> bool {
-        self.converged
+        self.stopped.converged()
     }
 
     fn place(&self) -> &[f64] {
@@ -202,9 +203,15 @@ impl Optimum {
         self.ends.iter().map(|end| end.iterations).max().unwrap_or(0) + self.rounds.count
     }
 
-    pub(super) fn converged(&self) -> bool {
-        let is_settled = self.norms.loss.is_none() || self.rounds.converged;
-        is_settled && self.ends.iter().all(|end| end.converged)
+    /// The rule that ended the search, of the cable whose end says least of an optimum.
+    pub(super) fn stopped(&self) -> StoppedBy {
+        let of_rounds = self.rounds.stopped.filter(|_| self.norms.loss.is_some());
+        let cables = StoppedBy::worst(self.ends.iter().map(|end| end.stopped)).unwrap_or(StoppedBy::at_start(0.0));
+        match of_rounds {
+            // descents between reweightings end where they may
+            Some(rounds) if cables.converged() => rounds,
+            _ => cables,
+        }
     }
 
     /// The calibrated model.

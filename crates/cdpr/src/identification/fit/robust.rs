@@ -10,6 +10,7 @@ use crate::identification::blocks::Block;
 use crate::identification::loss::{Loss, RobustLoss, Tail};
 use crate::identification::norms::{Extent, Norms};
 use crate::identification::pose_lanes::CableValues;
+use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::weights::Weights;
 use crate::solve::ROUNDING_GAIN;
 
@@ -33,7 +34,7 @@ impl Optimum {
         let extent = Extent { rows: samples.lengths.len(), parameters, absolute: weights.absolute };
         self.norms = Norms::new(vec![0.0; samples.len()], None, extent);
         self.measure(weights);
-        let Some(tail) = self.norms.to_ask(settings.loss, self.converged()) else { return Ok(()) };
+        let Some(tail) = self.norms.to_ask(settings.loss, self.stopped().converged()) else { return Ok(()) };
         let squared = (self.ends.clone(), self.norms.clone(), weights.clone());
         self.minimise(tail, given, weights)?;
         if settings.loss == Loss::Auto && !self.norms.any_beyond(1.0) {
@@ -81,7 +82,9 @@ impl Optimum {
     fn descend_under(&mut self, loss: RobustLoss, weights: &Weights, settings: &Settings) {
         self.norms.loss = Some(loss);
         self.rounds.history.clear();
-        self.rounds.converged = false;
+        let limit = settings.max_iterations;
+        self.rounds.stopped =
+            Some(StoppedBy { rule: StoppingRule::IterationLimit, value: f64::from(limit), limit: f64::from(limit) });
         let (mut least, mut is_damped) = (f64::INFINITY, false);
         let mut best = self.places();
         let mut factors = vec![0.0; weights.padded_samples()];
@@ -98,10 +101,12 @@ impl Optimum {
                 self.return_to(&best);
                 self.write_squares(weights);
                 // whole descents cannot raise the loss: what they raise is rounding
-                self.rounds.converged = is_damped;
-            }
-            if self.rounds.converged {
-                break;
+                if is_damped {
+                    let value = (cost - least) / least;
+                    self.rounds.stopped =
+                        Some(StoppedBy { rule: StoppingRule::Rounding, value: value.abs(), limit: ROUNDING_RISE });
+                    break;
+                }
             }
             is_damped = !helps;
             factors
@@ -111,8 +116,16 @@ impl Optimum {
             self.blocks.iter_mut().for_each(|block| block.set_weights_times(weights, &factors));
             self.rounds.count += 1;
             let reduction = self.move_all(settings, is_damped);
-            self.rounds.converged =
-                self.size_of_move(&best) <= settings.tolerance || reduction <= ROUNDING_GAIN * least;
+            let (size, gain) = (self.size_of_move(&best), reduction / least);
+            if size <= settings.tolerance {
+                self.rounds.stopped =
+                    Some(StoppedBy { rule: StoppingRule::Step, value: size, limit: settings.tolerance });
+                break;
+            }
+            if reduction <= ROUNDING_GAIN * least {
+                self.rounds.stopped = Some(StoppedBy { rule: StoppingRule::Cost, value: gain, limit: ROUNDING_GAIN });
+                break;
+            }
         }
         self.measure(weights);
     }
@@ -128,9 +141,9 @@ impl Optimum {
             let step = if is_damped { None } else { advance(block, poses, settings, end) };
             reduction += step.unwrap_or(f64::INFINITY);
             if step.is_none() {
-                let before = end.converged;
+                let before = end.stopped;
                 *end = run(block, poses, &few, Some(&end.change));
-                end.converged = before;
+                end.stopped = before;
             }
         }
         reduction

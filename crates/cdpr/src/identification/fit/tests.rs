@@ -8,6 +8,7 @@ use crate::identification::blocks::{Accumulate, Block};
 use crate::identification::fit::{Minimizer, Settings};
 use crate::identification::pose_lanes::PoseLanes;
 use crate::identification::recorded_curves::curve;
+use crate::identification::stopping::StoppingRule;
 use crate::identification::weights::length_weights;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, Model, place_pulleys};
@@ -150,6 +151,12 @@ fn every_minimizer_ends_at_the_same_cost() {
             let settings = Settings { minimizer, ..Settings::default() };
             let found = fit(model, &samples, &free.parse().unwrap(), &settings).unwrap();
             assert_ne!(found.status, super::Status::NotConverged, "{minimizer:?} {free}: {}", found.reason);
+            let stopped = found.stopped_by;
+            assert!(stopped.rule < StoppingRule::IterationLimit && stopped.value <= stopped.limit, "{stopped:?}");
+            for estimate in &found.parameters {
+                let (low, high) = estimate.parameter.bounds();
+                assert!(estimate.value >= low && estimate.value <= high, "{minimizer:?}: {estimate:?}");
+            }
             found
         };
         let reference = of(Minimizer::LevenbergMarquardt);
@@ -159,6 +166,11 @@ fn every_minimizer_ends_at_the_same_cost() {
             let other = of(minimizer);
             let (cost, expected) = (other.noise_factor.powi(2), reference.noise_factor.powi(2));
             assert!((cost / expected - 1.0).abs() < 1e-10, "{minimizer:?} {free}: {cost} {expected}");
+            for (other, reference) in other.parameters.iter().zip(&reference.parameters) {
+                // an interior search ends this near to its bound
+                let is_same = (other.value - reference.value).abs() < 1e-6;
+                assert!(is_same || !reference.at_bound, "{minimizer:?}: {other:?} {reference:?}");
+            }
         }
     }
 }

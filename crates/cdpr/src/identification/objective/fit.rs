@@ -16,6 +16,7 @@ use crate::identification::joint_descent::{Around, End, descend};
 use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::starts::{self, Landscape, Part, Starts};
+use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
@@ -193,7 +194,7 @@ impl Search<'_> {
         let mut smoothing = start / vectors.samples() as f64;
         let mut end = End { cost: start, history: vec![start], ..squares };
         for _ in 0..SMOOTHINGS {
-            if !end.converged || !(smoothing > 0.0) {
+            if !end.converged() || !(smoothing > 0.0) {
                 break;
             }
             smoothing *= 0.1;
@@ -238,12 +239,20 @@ impl Search<'_> {
         let limit = 10 * self.settings.max_iterations;
         let found = minimax::minimise(vectors, self.parameters, self.scale, &squares.values, limit);
         let found = found.ok_or(InputError::NotFinite)?;
+        let stopped = match found.converged {
+            true => StoppedBy { rule: StoppingRule::Gap, value: found.certificate.gap, limit: minimax::GAP },
+            false => StoppedBy {
+                rule: StoppingRule::IterationLimit,
+                value: f64::from(found.iterations),
+                limit: f64::from(limit),
+            },
+        };
         let end = End {
             cost: found.certificate.largest,
             values: found.values,
             iterations: squares.iterations + found.iterations,
             history: found.history,
-            converged: found.converged,
+            stopped,
         };
         Ok((end, Some(found.certificate)))
     }
@@ -265,7 +274,7 @@ pub(crate) fn fit(
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
         .collect();
-    let (status, reason) = verdict(&analysis, &estimates, end.converged, settings);
+    let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
     let noise_factor = misfit(&stacked, &estimates).factor();
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
@@ -275,6 +284,7 @@ pub(crate) fn fit(
         model: calibrated,
         status,
         reason,
+        stopped_by: end.stopped,
         iterations: end.iterations,
         history: end.history,
         parameters: estimates,

@@ -10,7 +10,7 @@ use super::vectors::{Stacked, Vectors};
 use crate::robot::Parameter;
 
 /// Gap at the end, relative to the largest square.
-const GAP: f64 = 1e-8;
+pub(super) const GAP: f64 = 1e-8;
 /// Factor of the barrier's weight from one centre to the next.
 const SHRINK: f64 = 0.1;
 /// Most Newton steps to a centre.

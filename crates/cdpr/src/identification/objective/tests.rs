@@ -14,6 +14,7 @@ use super::{Minimize, Objective};
 use crate::geometry::{Twist, Wrench};
 use crate::identification::fit::{InputError, Minimizer, Settings, fit};
 use crate::identification::recorded_curves::{curve, noisy, points};
+use crate::identification::stopping::StoppingRule;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model, place_pulleys};
 use crate::robot::{ExternalWrench, Parameter, Robot};
@@ -105,6 +106,8 @@ fn every_minimizer_ends_at_the_same_cost() {
         let cost = |minimizer: Minimizer| {
             let settings = Settings { objective, minimize, minimizer, ..Settings::default() };
             let found = fit(&model, &samples, &"frame-anchor".parse().unwrap(), &settings).unwrap();
+            let stopped = found.stopped_by;
+            assert!(stopped.rule < StoppingRule::IterationLimit && stopped.value <= stopped.limit, "{stopped:?}");
             *found.history.last().unwrap()
         };
         let costs = Minimizer::ALL.map(cost);

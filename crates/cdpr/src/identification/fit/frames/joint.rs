@@ -5,6 +5,7 @@ use super::search::{AT_OPTIMUM, find};
 use super::{start, uncertainty};
 use crate::identification::clock;
 use crate::identification::fit::{Fit, InputError, Settings, Status};
+use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Robot;
@@ -40,6 +41,8 @@ pub(in crate::identification::fit) fn fit(
     uncertainty::complete(&mut fit, &found, &freed, settings);
     if !found.converged && fit.status == Status::Converged {
         fit.status = Status::NotConverged;
+        let steps = AT_OPTIMUM.steps as f64;
+        fit.stopped_by = StoppedBy { rule: StoppingRule::IterationLimit, value: steps, limit: steps };
         fit.reason =
             format!("frames of tracker and marker did not settle in {} steps; {}", AT_OPTIMUM.steps, fit.reason);
     }
