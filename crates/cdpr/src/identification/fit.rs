@@ -297,7 +297,11 @@ pub(super) fn verdict(analysis: &Analysis, estimates: &[Estimate], stopped: &Sto
             }
             _ => format!("the parameters did not settle: {stopped}"),
         };
-        return (Status::NotConverged, reason);
+        let weak = match analysis.weak_directions.len() {
+            0 => String::new(),
+            _ => format!("; the data hold them weakly along: {}", analysis.weak_directions.join("; ")),
+        };
+        return (Status::NotConverged, reason + &weak);
     }
     if count == 0 {
         return (Status::Converged, "nothing was free".to_owned());
