@@ -138,7 +138,7 @@ pub(super) fn optimum_of(
             model: optimum.calibrated().clone(),
             converged: optimum.end().converged(),
             iterations: optimum.end().iterations,
-            history: optimum.end().history.clone(),
+            history: optimum.end().trail.costs.clone(),
             parameters: parameters.to_vec(),
         });
     }
@@ -148,7 +148,7 @@ pub(super) fn optimum_of(
             model: optimum.calibrated().clone(),
             converged: optimum.converged(),
             iterations: optimum.iterations(),
-            history: optimum.history().to_vec(),
+            history: optimum.trail().costs.clone(),
             parameters: parameters.to_vec(),
         });
     }
@@ -158,7 +158,7 @@ pub(super) fn optimum_of(
         parameters: parameters.to_vec(),
         converged: optimum.stopped().converged(),
         iterations: optimum.iterations(),
-        history: optimum.history(),
+        history: optimum.trail().costs,
     })
 }
 
@@ -196,13 +196,15 @@ fn report(
     let row_weights =
         optimum.blocks.iter().map(|block| weights.of_cable(block.cable)[..samples.len()].to_vec()).collect();
     warnings.extend(warnings::of_fit(weights, noise_factor, &estimates));
+    let trail = optimum.trail();
     Ok(Fit {
         model: calibrated,
         status,
         reason,
         stopped_by: optimum.stopped(),
         iterations: optimum.iterations(),
-        history: optimum.history(),
+        history: trail.costs.clone(),
+        trail,
         parameters: estimates,
         analysis,
         noise_factor,

@@ -4,6 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::starts::Ending;
 use super::stopping::StoppedBy;
+use super::trail::Trail;
 use crate::robot::Parameter;
 use crate::solve::{
     self, Control, Minimizer, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -31,6 +32,8 @@ pub(super) struct Around<'a> {
     /// Metres that one unit of each parameter is worth.
     pub(super) scale: &'a [f64],
     pub(super) minimizer: Minimizer,
+    /// Whether the places on the way are kept.
+    pub(super) keeps_course: bool,
 }
 
 /// End of a descent.
@@ -39,7 +42,7 @@ pub(super) struct End {
     pub(super) values: Vec<f64>,
     pub(super) cost: f64,
     pub(super) iterations: u32,
-    pub(super) history: Vec<f64>,
+    pub(super) trail: Trail,
     pub(super) stopped: StoppedBy,
 }
 
@@ -72,8 +75,8 @@ pub(super) fn descend<S: System>(
     rules: &Rules<f64>,
 ) -> End {
     let trial = Place { values: from.to_vec(), equations };
-    let mut descent =
-        Descent { system, around, here: trial.clone(), here_cost: f64::INFINITY, trial, history: Vec::new() };
+    let trail = Trail::new(around.keeps_course, 0);
+    let mut descent = Descent { system, around, here: trial.clone(), here_cost: f64::INFINITY, trial, trail };
     let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
     let end = solve::descend(&mut descent, &rules);
     let mut iterations = end.iterations as u32;
@@ -81,7 +84,7 @@ pub(super) fn descend<S: System>(
     let stopped = if is_fixed { StoppedBy::at_start(rules.tolerance) } else { StoppedBy::of(&end, &rules) };
     let Place { mut values, equations } = descent.here;
     if end.stop() == Stop::Degenerate {
-        return End { values, cost: f64::NAN, iterations, history: Vec::new(), stopped };
+        return End { values, cost: f64::NAN, iterations, trail: Trail::default(), stopped };
     }
     if end.stop() == Stop::Stationary && end.damping == 0.0 {
         iterations += 1;
@@ -90,7 +93,7 @@ pub(super) fn descend<S: System>(
             values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
         }
     }
-    End { values, cost: equations.cost(), iterations, history: descent.history, stopped }
+    End { values, cost: equations.cost(), iterations, trail: descent.trail, stopped }
 }
 
 impl Around<'_> {
@@ -123,7 +126,7 @@ struct Descent<'a, 'p, S: System> {
     /// Infinite before the start.
     here_cost: f64,
     trial: Place<S::Equations>,
-    history: Vec<f64>,
+    trail: Trail,
 }
 
 impl<S: System> solve::Problem for Descent<'_, '_, S> {
@@ -157,7 +160,7 @@ impl<S: System> solve::Problem for Descent<'_, '_, S> {
         if helps {
             std::mem::swap(&mut self.here, &mut self.trial);
             self.here_cost = self.here.equations.cost();
-            self.history.push(self.here_cost);
+            self.trail.push(self.here_cost, || self.here.values.clone());
         }
     }
 }

@@ -19,6 +19,7 @@ pub(crate) mod support;
 
 mod caspr_import;
 mod compositions;
+mod course;
 mod coverage;
 mod elastostatic_extremes;
 mod elastostatic_identification;

@@ -78,7 +78,7 @@ impl Adjust<'_> {
             }
             self.noise *= noise;
             // costs in other units
-            end.history.clear();
+            end.trail.costs.clear();
             self.settle(end, linearization)?;
         }
         Ok(())
@@ -91,7 +91,7 @@ impl Adjust<'_> {
             self.correct(end, linearization)?;
             let Some(step) = self.problem.plain_step(&end.values, linearization) else { return Ok(false) };
             end.iterations += 1;
-            end.history.push(step.cost);
+            end.trail.push(step.cost, || end.values.clone());
             (end.values, end.cost) = (step.values, step.cost);
             if step.predicted_reduction <= FINAL_REDUCTION * step.cost {
                 let value = step.predicted_reduction / step.cost;
@@ -113,7 +113,8 @@ impl Adjust<'_> {
             self.correct(end, linearization)?;
             let more = self.problem.descend(&end.values, linearization, FINAL_REDUCTION);
             let gained = (more.cost - end.cost).abs();
-            *end = End { iterations: end.iterations + more.iterations, ..more };
+            let trail = std::mem::take(&mut end.trail).then(more.trail);
+            *end = End { iterations: end.iterations + more.iterations, trail, ..more };
             if round > 0 && before.distance_to(linearization) < 1e-6 && gained <= 1e-9 * end.cost {
                 break;
             }

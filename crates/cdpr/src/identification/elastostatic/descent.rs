@@ -152,7 +152,8 @@ impl<'a> Problem<'a> {
             least_gain: stop,
             rule: self.settings.minimizer.rule(),
         };
-        let around = Around { parameters: self.parameters, scale: &self.scale, minimizer: self.settings.minimizer };
+        let Settings { minimizer, keeps_course, .. } = *self.settings;
+        let around = Around { parameters: self.parameters, scale: &self.scale, minimizer, keeps_course };
         descend(&mut Squares { problem: self, at, rows }, &around, from, equations, &rules)
     }
 }

@@ -13,6 +13,7 @@ use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
 use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::stopping::StoppedBy;
+use crate::identification::trail::Trail;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{ExternalWrench, Parameter, ParameterKind, Robot};
@@ -62,8 +63,8 @@ impl Optimum {
         self.end.iterations
     }
 
-    pub(crate) fn history(&self) -> &[f64] {
-        &self.end.history
+    pub(crate) fn trail(&self) -> &Trail {
+        &self.end.trail
     }
 }
 

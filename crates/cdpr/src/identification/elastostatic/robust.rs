@@ -48,7 +48,8 @@ pub(super) fn minimise(
         let robust = problem.under(tail.at(found.norms.dimension(), scale));
         let adjust = Adjust { problem: &robust, sigmas, noise: found.noise };
         let near = robust.descend(&found.end.values, &found.linearization, NEAR_PROMISE);
-        found.end = End { iterations: found.end.iterations + near.iterations, ..near };
+        let trail = found.end.trail.then(near.trail);
+        found.end = End { iterations: found.end.iterations + near.iterations, trail, ..near };
         adjust.settle(&mut found.end, &mut found.linearization)?;
         found.norms = adjust.norms(&found.end, &found.linearization, absolute)?;
         found.misfit = robust.misfit(&found.end, &found.linearization);

@@ -1,6 +1,6 @@
 //! Least squares of wrenches and lengths with weights of their own in place of accuracies (w_ρ of sec. 4.5).
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::adjust::Adjust;
 use super::balance::checked_start;
@@ -41,7 +41,7 @@ pub(crate) fn find(
     let (found, starts) = search(&problem, &linearization, progress);
     let mut end = problem.descend(&found.values, &linearization, FINAL_PROMISE);
     end.iterations += found.iterations;
-    end.history = [found.history, end.history].concat();
+    end.trail = found.trail.joined(end.trail);
     let mean = tensions.iter().sum::<f64>() / tensions.len() as f64;
     let norms =
         Adjust { problem: &problem, sigmas: sigmas(samples, mean).0, noise: 1.0 }.norms(&end, &linearization, false)?;
@@ -67,25 +67,27 @@ fn of_rows(model: &Model, weights: RowWeights) -> Vec<f64> {
     (0..n + m).map(|row| if row < n { weights.wrench } else { weights.length }).collect()
 }
 
-/// Jacobian of the rows at what was measured, with their weights.
-pub(crate) fn weighted_jacobian(
+/// Rows at what was measured, with their weights, and their Jacobian.
+pub(crate) fn weighted_rows(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
     weights: RowWeights,
-) -> Result<DMatrix<f64>, InputError> {
+) -> Result<(DVector<f64>, DMatrix<f64>), InputError> {
     let tensions = samples.tensions.as_deref().ok_or(InputError::NoTensions)?;
     let row_model = RowModel::new(model, Load::of(model.robot())?, parameters);
     let mut rows = SampleRows::new(model, parameters.len());
     let (of_rows, m) = (of_rows(model, weights), model.cable_count());
     let mut jacobian = DMatrix::zeros(samples.len() * rows.count, parameters.len());
+    let mut residuals = DVector::zeros(jacobian.nrows());
     for (sample, pose) in samples.poses.iter().enumerate() {
         row_model.write(pose, &tensions[sample * m..][..m], Recorded::of(samples, sample), &mut rows);
         for row in 0..rows.count {
+            residuals[sample * rows.count + row] = of_rows[row] * rows.residual(row);
             for column in 0..parameters.len() {
                 jacobian[(sample * rows.count + row, column)] = of_rows[row] * rows.entries[row * rows.stride + column];
             }
         }
     }
-    Ok(jacobian)
+    Ok((residuals, jacobian))
 }

@@ -11,6 +11,7 @@ use crate::identification::objective::Certificate;
 use crate::identification::outliers::{self, Outlier};
 use crate::identification::starts::Starts;
 use crate::identification::stopping::StoppedBy;
+use crate::identification::trail::Trail;
 use crate::model::Model;
 use crate::robot::Parameter;
 
@@ -103,6 +104,8 @@ pub struct Fit {
     pub outlier_warning: Option<String>,
     /// Further warnings in words: doubts about noise, bounds and rank.
     pub warnings: Vec<String>,
+    /// Way to the optimum.
+    pub(in crate::identification) trail: Trail,
     /// Rows that were made small by their likelihood; none under another objective.
     pub(in crate::identification) rows: Option<FittedRows>,
 }

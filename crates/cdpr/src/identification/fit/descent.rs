@@ -7,6 +7,7 @@ use crate::identification::normal_equations::NormalEquations;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::identification::quadratic::Quadratic;
 use crate::identification::stopping::StoppedBy;
+use crate::identification::trail::Trail;
 use crate::scalar::ldl;
 use crate::solve::{
     self, Control, NormalSystem, OF_SINGULAR, REGULAR, ROUNDING_GAIN, Room, Rules, Step, StepRule, Stop, Surroundings,
@@ -24,7 +25,7 @@ pub(super) struct End {
     pub(super) change: Vec<f64>,
     pub(super) cost: f64,
     pub(super) iterations: u32,
-    pub(super) history: Vec<f64>,
+    pub(super) trail: Trail,
     pub(super) stopped: StoppedBy,
 }
 
@@ -140,9 +141,9 @@ impl<'a, const P: usize> Search<'a, P> {
         change.iter_mut().zip(from.into_iter().flatten()).for_each(|(value, &earlier)| *value = earlier);
         let values = self.block.start;
         let none = NormalEquations { cost: f64::INFINITY, gradient: [0.0; P], matrix: [[0.0; P]; P] };
-        let history = Vec::with_capacity(HISTORY_CAPACITY);
+        let trail = Trail::new(self.settings.keeps_course, HISTORY_CAPACITY);
         let here = Place { change, values, equations: none };
-        let mut descent = Descent { search: self, here, trial: here, history };
+        let mut descent = Descent { search: self, here, trial: here, trail };
         let rules = Rules {
             tolerance: self.settings.tolerance,
             max_iterations: if P == 0 { 0 } else { self.settings.max_iterations },
@@ -159,10 +160,10 @@ impl<'a, const P: usize> Search<'a, P> {
         if end.stop() == Stop::Degenerate {
             // a start without a cost is told as it is
             descent.here = descent.trial;
-            descent.history.push(descent.here.equations.cost);
+            descent.remember();
         }
-        let Descent { here: Place { change, values, equations }, history, .. } = descent;
-        End { values, change: change.to_vec(), cost: equations.cost, iterations, history, stopped }
+        let Descent { here: Place { change, values, equations }, trail, .. } = descent;
+        End { values, change: change.to_vec(), cost: equations.cost, iterations, trail, stopped }
     }
 
     fn advance(&self, end: &mut End) -> Option<f64> {
@@ -235,7 +236,7 @@ struct Descent<'a, 'b, const P: usize> {
     search: &'a Search<'b, P>,
     here: Place<P>,
     trial: Place<P>,
-    history: Vec<f64>,
+    trail: Trail,
 }
 
 impl<const P: usize> solve::Problem for Descent<'_, '_, P> {
@@ -265,12 +266,17 @@ impl<const P: usize> solve::Problem for Descent<'_, '_, P> {
     fn accept(&mut self, helps: bool, _: f64) {
         if helps {
             self.here = self.trial;
-            self.history.push(self.here.equations.cost);
+            self.remember();
         }
     }
 }
 
 impl<const P: usize> Descent<'_, '_, P> {
+    fn remember(&mut self) {
+        let Place { values, equations, .. } = &self.here;
+        self.trail.push(equations.cost, || self.search.block.values(values).collect());
+    }
+
     /// Takes a last step that costs no evaluation: the gradient still knows the way to more digits.
     fn part(&mut self) {
         let Place { change, values, equations } = &mut self.here;

@@ -7,6 +7,7 @@ use crate::identification::norms::Norms;
 use crate::identification::pose_lanes::{CableValues, PoseLanes};
 use crate::identification::starts::{self, Ending, Landscape, Part, Starts};
 use crate::identification::stopping::StoppedBy;
+use crate::identification::trail::{Trail, side_by_side};
 use crate::identification::weights::{Weights, length_weights, weights_of};
 use crate::measurement::Samples;
 use crate::model::{Model, ModelError};
@@ -39,7 +40,7 @@ pub(super) struct Rounds {
     /// End of the last descent; none without a robust loss.
     pub(super) stopped: Option<StoppedBy>,
     /// Loss and priors after each round of the last descent.
-    pub(super) history: Vec<f64>,
+    pub(super) trail: Trail,
 }
 
 /// Problem of a fit.
@@ -164,7 +165,9 @@ impl Optimum {
     fn reweigh(&mut self, weights: &Weights, settings: &Settings) {
         for (block, end) in self.blocks.iter_mut().zip(&mut self.ends) {
             block.set_weights(weights);
+            let before = std::mem::take(&mut end.trail);
             *end = descent::run(block, &self.poses, settings, Some(&end.change));
+            end.trail = before.then(std::mem::take(&mut end.trail));
         }
     }
 
@@ -189,13 +192,13 @@ impl Optimum {
         squares.sum()
     }
 
-    pub(super) fn history(&self) -> Vec<f64> {
-        if !self.rounds.history.is_empty() {
-            return self.rounds.history.clone();
+    /// Way of all cables together.
+    pub(super) fn trail(&self) -> Trail {
+        let of_cables = side_by_side(&self.ends.iter().map(|end| &end.trail).collect::<Vec<_>>());
+        match self.rounds.trail.costs.is_empty() {
+            true => of_cables,
+            false => of_cables.then(self.rounds.trail.clone()),
         }
-        let steps = self.ends.iter().map(|end| end.history.len()).max().unwrap_or(0);
-        let at = |end: &descent::End, step: usize| end.history[step.min(end.history.len() - 1)];
-        (0..steps).map(|step| self.ends.iter().map(|end| at(end, step)).sum()).collect()
     }
 
     /// Steps of the cable that needed most.

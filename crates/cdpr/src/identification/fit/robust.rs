@@ -11,6 +11,7 @@ use crate::identification::loss::{Loss, RobustLoss, Tail};
 use crate::identification::norms::{Extent, Norms};
 use crate::identification::pose_lanes::CableValues;
 use crate::identification::stopping::{StoppedBy, StoppingRule};
+use crate::identification::trail::Trail;
 use crate::identification::weights::Weights;
 use crate::solve::ROUNDING_GAIN;
 
@@ -81,7 +82,7 @@ impl Optimum {
     /// Descends under one loss, its scale fixed, from where the cables are.
     fn descend_under(&mut self, loss: RobustLoss, weights: &Weights, settings: &Settings) {
         self.norms.loss = Some(loss);
-        self.rounds.history.clear();
+        self.rounds.trail = std::mem::take(&mut self.rounds.trail).then(Trail::new(settings.keeps_course, 0));
         let limit = settings.max_iterations;
         self.rounds.stopped =
             Some(StoppedBy { rule: StoppingRule::IterationLimit, value: f64::from(limit), limit: f64::from(limit) });
@@ -95,7 +96,7 @@ impl Optimum {
             let helps = cost <= least * (1.0 + ROUNDING_RISE);
             if helps {
                 least = cost;
-                self.rounds.history.push(cost);
+                self.push(cost);
                 self.remember(&mut best);
             } else {
                 self.return_to(&best);
@@ -141,9 +142,8 @@ impl Optimum {
             let step = if is_damped { None } else { advance(block, poses, settings, end) };
             reduction += step.unwrap_or(f64::INFINITY);
             if step.is_none() {
-                let before = end.stopped;
-                *end = run(block, poses, &few, Some(&end.change));
-                end.stopped = before;
+                let (stopped, trail) = (end.stopped, std::mem::take(&mut end.trail));
+                *end = End { stopped, trail, ..run(block, poses, &few, Some(&end.change)) };
             }
         }
         reduction
@@ -158,6 +158,14 @@ impl Optimum {
                 .fold(0.0, f64::max)
         };
         self.blocks.iter().zip(&self.ends).zip(since).map(of_block).fold(0.0, f64::max)
+    }
+
+    /// Goes on to the place where the cables are.
+    fn push(&mut self, cost: f64) {
+        let Self { blocks, ends, rounds, .. } = self;
+        rounds
+            .trail
+            .push(cost, || blocks.iter().zip(&*ends).flat_map(|(block, end)| block.values(&end.values)).collect());
     }
 
     fn places(&self) -> Vec<Place> {

@@ -47,6 +47,8 @@ pub struct Settings {
     pub starts: u32,
     /// Seed of the other starts.
     pub seed: u64,
+    /// Keep the way to the optimum, for [`course`](crate::identification::course).
+    pub keeps_course: bool,
 }
 
 impl Default for Settings {
@@ -65,6 +67,7 @@ impl Default for Settings {
             weak_direction_limit: 0.1,
             starts: 1,
             seed: 0,
+            keeps_course: false,
         }
     }
 }

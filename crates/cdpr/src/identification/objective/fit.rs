@@ -17,6 +17,7 @@ use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::stopping::{StoppedBy, StoppingRule};
+use crate::identification::trail::Trail;
 use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
@@ -192,7 +193,8 @@ impl Search<'_> {
     fn follow_norms(&self, vectors: &mut ObjectiveVectors<'_>, squares: End) -> End {
         let start = sum_of_norms(vectors, &squares.values);
         let mut smoothing = start / vectors.samples() as f64;
-        let mut end = End { cost: start, history: vec![start], ..squares };
+        let mut end = End { cost: start, ..squares };
+        end.trail.costs = vec![start];
         for _ in 0..SMOOTHINGS {
             if !end.converged() || !(smoothing > 0.0) {
                 break;
@@ -200,8 +202,8 @@ impl Search<'_> {
             smoothing *= 0.1;
             let next = self.descend_under(Some(smoothing), vectors, &end.values);
             let cost = sum_of_norms(vectors, &next.values);
-            end.history.push(cost);
-            end = End { cost, iterations: end.iterations + next.iterations, history: end.history, ..next };
+            let trail = end.trail.joined(Trail { costs: vec![cost], ..next.trail });
+            end = End { cost, iterations: end.iterations + next.iterations, trail, ..next };
         }
         end
     }
@@ -219,7 +221,8 @@ impl Search<'_> {
         let ridges = self.ridges();
         let stacked = Stacked::new(vectors, self.parameters.len());
         let mut cost = Cost { vectors, stacked, smoothing, ridges: &ridges };
-        let around = Around { parameters: self.parameters, scale: self.scale, minimizer: self.settings.minimizer };
+        let Settings { minimizer, keeps_course, .. } = *self.settings;
+        let around = Around { parameters: self.parameters, scale: self.scale, minimizer, keeps_course };
         let rules = Rules {
             tolerance: self.settings.tolerance,
             max_iterations: self.settings.max_iterations,
@@ -251,7 +254,7 @@ impl Search<'_> {
             cost: found.certificate.largest,
             values: found.values,
             iterations: squares.iterations + found.iterations,
-            history: found.history,
+            trail: squares.trail.clone().then(Trail { costs: found.history, ..Trail::default() }),
             stopped,
         };
         Ok((end, Some(found.certificate)))
@@ -286,7 +289,8 @@ pub(crate) fn fit(
         reason,
         stopped_by: end.stopped,
         iterations: end.iterations,
-        history: end.history,
+        history: end.trail.costs.clone(),
+        trail: end.trail,
         parameters: estimates,
         analysis,
         noise_factor,

@@ -4,10 +4,10 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::design;
-use super::jacobian::jacobian;
 use super::question::{Question, of_matrix};
 use crate::identification::fit::InputError;
 use crate::identification::identifiability::with_unit_columns;
+use crate::identification::plain_rows::PlainRows;
 use crate::robot::ParameterKind;
 
 /// One factor of the condition.
@@ -38,7 +38,7 @@ pub(super) fn of(question: &Question<'_>, matrix: &DMatrix<f64>) -> Result<Vec<I
     let corners = design::corners(question.model, &question.samples);
     let corners = corners.filter(|corners| corners.len() * question.model.cable_count() >= question.parameters.len());
     let designed = match &corners {
-        Some(corners) => jacobian(question.model, corners, &question.parameters, question.weights)?,
+        Some(corners) => PlainRows::of(question.model, corners, &question.parameters, question.weights)?.jacobian,
         None => matrix.clone(),
     };
     let unit = |matrix: &DMatrix<f64>, kinds: &[ParameterKind]| {

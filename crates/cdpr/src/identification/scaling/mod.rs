@@ -2,7 +2,6 @@
 
 mod design;
 mod influences;
-mod jacobian;
 mod least;
 mod question;
 #[cfg(test)]
@@ -12,11 +11,11 @@ use serde::Serialize;
 
 use super::fit::{InputError, RowWeights, Settings};
 use super::identifiability::with_unit_columns;
+use super::plain_rows::PlainRows;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model};
 use crate::robot::ParameterKind;
 pub use influences::Influence;
-use jacobian::jacobian;
 pub use question::{KindScale, scaled_kind};
 use question::{Question, of_matrix};
 
@@ -75,7 +74,7 @@ pub fn conditioning(
     (settings, scales): (&Settings, &[KindScale]),
 ) -> Result<Conditioning, InputError> {
     let question = Question::new(model, samples, free, settings)?;
-    let matrix = jacobian(model, &question.samples, &question.parameters, question.weights)?;
+    let matrix = PlainRows::of(model, &question.samples, &question.parameters, question.weights)?.jacobian;
     let kinds = question.kinds();
     let scales = match scales.is_empty() {
         true => least::scales(&matrix, &question.parameters, &kinds),
@@ -108,7 +107,7 @@ pub fn condition_map(
     kinds: [ParameterKind; 2],
 ) -> Result<ConditionMap, InputError> {
     let question = Question::new(model, samples, free, settings)?;
-    let matrix = jacobian(model, &question.samples, &question.parameters, question.weights)?;
+    let matrix = PlainRows::of(model, &question.samples, &question.parameters, question.weights)?.jacobian;
     let others: Vec<KindScale> = scales.iter().copied().filter(|scale| !kinds.contains(&scale.kind)).collect();
     let rest = question.scaled(&matrix, &others);
     let Some(centres) = question.centres(&rest, kinds) else {

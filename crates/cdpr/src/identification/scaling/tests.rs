@@ -2,11 +2,11 @@
 
 use nalgebra::DVector;
 
-use super::jacobian::jacobian;
 use super::{KindScale, condition_map, conditioning, of_matrix, scaled_kind};
 use crate::geometry::Pose;
 use crate::identification::chain::tests::experiment;
 use crate::identification::fit::{RowWeights, Settings, fit};
+use crate::identification::plain_rows::PlainRows;
 use crate::measurement::Samples;
 use crate::model::{Composition, FreeParameters, Model};
 use crate::robot::{CableStiffness, ParameterKind, Robot};
@@ -91,7 +91,7 @@ fn found_scales_have_the_least_condition_of_a_map() {
 fn steps_do_not_depend_on_scales() {
     let (model, samples) = ideal();
     let parameters = free().parameters(&model, &FreeParameters::default()).unwrap();
-    let matrix = jacobian(&model, &samples, &parameters, ROWS).unwrap();
+    let matrix = PlainRows::of(&model, &samples, &parameters, ROWS).unwrap().jacobian;
     let right = DVector::from_fn(matrix.nrows(), |row, _| (1.3 * row as f64).sin());
     let step = |scale: &dyn Fn(ParameterKind) -> f64| {
         let factors: Vec<f64> = parameters.iter().map(|parameter| scale(parameter.kind)).collect();
