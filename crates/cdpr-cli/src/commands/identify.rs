@@ -1,5 +1,6 @@
 //! `cdpr identify`: optimal parameters of one model from measurements.
 
+mod course;
 mod driving;
 mod path;
 mod report;
@@ -12,8 +13,8 @@ use std::process::ExitCode;
 use cdpr::identification::fit::{self, Fit, Minimizer, Prior, descent_count, fit_observed};
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
-    Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, compare_objectives,
-    evaluate_fitted, frame_warning,
+    CourseStep, Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning,
+    compare_objectives, course, evaluate_fitted, frame_warning,
 };
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::{FreeParameters, Model};
@@ -125,6 +126,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     scaling: Box<scaling::ScalingArguments>,
+
+    #[command(flatten)]
+    course: course::CourseArguments,
 }
 
 /// Minimizers by their names, short ones too.
@@ -161,8 +165,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let (scaling, map) = scaling::find(&task, &result.fit)?;
     let mut path = path::find(&task, &result.fit, other.as_ref())?;
     let found = (path.path.take(), path.reduction.take(), path.warning.take());
-    let answer =
-        task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found).with_scaling(scaling);
+    let (course, course_files) = arguments.course.answer(&result);
+    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
+    let answer = answer.with_scaling(scaling).with_course(course);
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
@@ -172,9 +177,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
     let report_file = arguments.report.as_deref().zip(page.as_deref().map(str::as_bytes));
-    let map = map.as_ref().map(|(path, content)| (path.as_path(), &content[..]));
+    let further = map.iter().chain(&course_files).map(|(path, content)| (path.as_path(), &content[..]));
     files::write_all(
-        &calibrated_file.into_iter().chain(report_file).chain(path.files()).chain(map).collect::<Vec<_>>(),
+        &calibrated_file.into_iter().chain(report_file).chain(path.files()).chain(further).collect::<Vec<_>>(),
     )?;
     output.answer(&answer)
 }
@@ -197,6 +202,7 @@ struct Identification {
     train: Samples,
     train_on_one_clock: Samples,
     validation: Option<(Evaluation, Evaluation)>,
+    course: Vec<CourseStep>,
 }
 
 impl Task<'_> {
@@ -208,17 +214,24 @@ impl Task<'_> {
     }
 
     /// A fit to all samples.
-    fn of_all(&self, fit: Fit, validation: Option<(Evaluation, Evaluation)>) -> Identification {
+    fn of_all(&self, fit: Fit, validation: Option<(Evaluation, Evaluation)>) -> Result<Identification, Failure> {
         self.of(fit, self.samples, validation)
     }
 
     /// A fit to these samples.
-    fn of(&self, fit: Fit, samples: &Samples, validation: Option<(Evaluation, Evaluation)>) -> Identification {
+    fn of(
+        &self,
+        fit: Fit,
+        samples: &Samples,
+        validation: Option<(Evaluation, Evaluation)>,
+    ) -> Result<Identification, Failure> {
         let trusted = fit.trusted_samples(samples.len());
         let train_on_one_clock = fit.as_fitted(samples).subset(&trusted);
         let train = fit.in_robot_frame(samples).subset(&trusted);
         let frame_warning = frame_warning(self.model.robot(), &fit, samples, &self.settings());
-        Identification { fit, samples: samples.len(), frame_warning, train, train_on_one_clock, validation }
+        let course = course(samples, (&fit, &self.settings()))
+            .map_err(|error| Failure::refused(&self.arguments.data.name(), &error))?;
+        Ok(Identification { fit, samples: samples.len(), frame_warning, train, train_on_one_clock, validation, course })
     }
 
     /// Fits to all samples or to those of the one fold; several folds are only fitted to for judging.
@@ -229,10 +242,10 @@ impl Task<'_> {
                 self.evaluate(&fit.model, &fit.as_fitted(other))?,
                 self.evaluate_given(&fit.in_robot_frame(other))?,
             ));
-            return Ok(self.of_all(fit, validation));
+            return self.of_all(fit, validation);
         }
         let Some(split) = self.arguments.split else {
-            return Ok(self.of_all(self.fit(self.samples)?, None));
+            return self.of_all(self.fit(self.samples)?, None);
         };
         let folds = split
             .folds(self.samples, self.arguments.seed)
@@ -259,7 +272,7 @@ impl Task<'_> {
             after.extend(&self.evaluate(&fit.model, &as_fitted)?);
             before.extend(&self.evaluate_given(&fit.in_robot_frame(&held))?);
         }
-        let mut result = self.of(reported, &train, Some((after, before)));
+        let mut result = self.of(reported, &train, Some((after, before)))?;
         result.fit.renumber_outliers(part);
         Ok(result)
     }
@@ -273,6 +286,7 @@ impl Task<'_> {
             minimizer: *minimizer,
             loss: *loss,
             seed: *seed,
+            keeps_course: self.arguments.course.is_asked(),
             ..fit::Settings::default()
         }))
     }
@@ -363,7 +377,7 @@ impl Task<'_> {
     }
 
     fn answer(&self, result: Identification, mut warnings: Warnings) -> Result<IdentificationAnswer, Failure> {
-        let Identification { fit, samples, frame_warning, train, train_on_one_clock, validation } = result;
+        let Identification { fit, samples, frame_warning, train, train_on_one_clock, validation, .. } = result;
         warnings.doubt(frame_warning);
         let validation = validation.map(|(after, before)| self.blocks(after, before, &mut warnings));
         let errors = [self.evaluate(&fit.model, &train_on_one_clock)?, self.evaluate_given(&train)?];

@@ -10,6 +10,7 @@ use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
 use serde::Serialize;
 
+use super::course_answer::CourseAnswer;
 use super::error_table::convergence_remark;
 use super::identification_words as words;
 use super::objective_answer::ObjectiveAnswer;
@@ -50,6 +51,8 @@ pub struct IdentificationAnswer {
     #[serde(flatten)]
     pub(super) frames: Option<RecordingFrames>,
     pub(super) history: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) course: Option<CourseAnswer>,
     #[serde(flatten)]
     pub(super) objective: ObjectiveAnswer,
     /// Errors of the calibrated model on the samples of the fit, as `train`.
@@ -150,6 +153,7 @@ impl IdentificationAnswer {
             clock_sigma: fit.clock_offset.map(|clock| clock.sigma),
             frames: fit.frames,
             history: fit.history,
+            course: None,
             objective: found.objective,
             predicted: train,
             train,
@@ -185,6 +189,12 @@ impl IdentificationAnswer {
         Self { path, reduction, ..self }
     }
 
+    /// The same with the course of the fit.
+    #[must_use]
+    pub fn with_course(self, course: Option<CourseAnswer>) -> Self {
+        Self { course, ..self }
+    }
+
     /// The same with the condition under scales.
     #[must_use]
     pub fn with_scaling(self, scaling: Option<ScalingAnswer>) -> Self {
@@ -196,11 +206,12 @@ impl IdentificationAnswer {
         Warnings { list: self.warnings.clone(), doubts: self.doubts }
     }
 
-    /// Parts of the page: smaller model, path of a penalty, condition.
+    /// Parts of the page: smaller model, path of a penalty, condition, course.
     pub fn additions(&self) -> Vec<Addition> {
         let path = self.path.iter().map(PathAnswer::addition);
         let reduction = self.reduction.iter().map(ReductionAnswer::addition);
-        reduction.chain(path).chain(self.scaling.iter().map(ScalingAnswer::addition)).collect()
+        let scaling = self.scaling.iter().map(ScalingAnswer::addition);
+        reduction.chain(path).chain(scaling).chain(self.course.iter().map(CourseAnswer::addition)).collect()
     }
 
     /// Reason of the status.

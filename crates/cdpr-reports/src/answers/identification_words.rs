@@ -40,6 +40,7 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     if let Some(frames) = &answer.frames {
         text.push_str(&format!("\n{}", frame_words(frames)));
     }
+    text.extend(answer.course.iter().map(|course| course.words(width)));
     text.push_str(&answer.uncertainty.words(width));
     text.push_str(&format!("\n{}", errors(answer, width)));
     text.push_str(&answer.objective.words(answer.pattern, width));

@@ -46,7 +46,7 @@ fn band_warning(fit: &Fit) -> Option<String> {
 }
 
 /// A unit for people and the factor to it.
-fn shown(unit: &'static str) -> (&'static str, f64) {
+pub(super) fn shown(unit: &'static str) -> (&'static str, f64) {
     match unit {
         "m" => ("mm", 1e3),
         "1/N" => ("1/GN", 1e9),

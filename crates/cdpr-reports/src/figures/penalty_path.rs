@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
+use super::{end_names, finite_range};
 use crate::number_format::significant;
 
 /// Path of a penalty, in units for people.
@@ -31,9 +31,8 @@ const WIDTH: f64 = 560.0;
 const TOP: f64 = 70.0;
 const HEIGHTS: [f64; 2] = [300.0, 140.0];
 const BETWEEN: f64 = 40.0;
-/// Parameters that are named at the end of their curves, and the least distance of names (pixels).
+/// Parameters that are named at the end of their curves.
 const NAMED: usize = 10;
-const LINE: f64 = 14.0;
 /// Looks of the curves of a kind.
 pub(super) const STYLE: &str = include_str!("penalty_path.css");
 /// Kinds with looks of their own.
@@ -110,22 +109,8 @@ impl PathCurves {
         ends.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         ends.truncate(NAMED);
         ends.retain(|(_, change)| *change != 0.0);
-        ends.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let mut heights: Vec<f64> = ends.iter().map(|(_, change)| y.place(*change)).collect();
-        for k in 1..heights.len() {
-            heights[k] = heights[k].max(heights[k - 1] + LINE);
-        }
-        let overflow = heights.last().map_or(0.0, |last| (last - (TOP + HEIGHTS[0])).max(0.0));
-        let mut most = TOP + HEIGHTS[0];
-        for height in heights.iter_mut().rev().filter(|_| overflow > 0.0) {
-            *height = height.min(most);
-            most = *height - LINE;
-        }
-        for ((name, change), height) in ends.iter().zip(heights) {
-            let right = LEFT + WIDTH;
-            drawing.line("zero", (right, y.place(*change)), (right + 10.0, height));
-            drawing.text("name", Anchor::Start, (right + 14.0, height + 4.0), name);
-        }
+        let ends = ends.into_iter().map(|(name, change)| (name, y.place(change))).collect();
+        end_names::draw(drawing, LEFT + WIDTH, (TOP, TOP + HEIGHTS[0]), ends);
     }
 
     fn legend(&self, drawing: &mut Drawing, kinds: &[&str]) {

@@ -65,7 +65,7 @@ pub fn course(samples: &Samples, (fit, settings): (&Fit, &Settings)) -> Result<V
     Ok(steps)
 }
 
-/// What is told of a step to these values.
+/// Step to these values.
 fn step(
     (model, parameters): (&Model, &[Parameter]),
     samples: &Samples,

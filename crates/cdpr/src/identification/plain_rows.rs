@@ -20,7 +20,7 @@ pub(super) struct PlainRows {
     weights: RowWeights,
 }
 
-/// What a row is of.
+/// Quantity of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RowKind {
     /// A cable's length (m).
