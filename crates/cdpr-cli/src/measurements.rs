@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use cdpr::measurement::{MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
+use cdpr::measurement::{InternalSamples, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
 use cdpr::model::Model;
 use cdpr::reading::Size;
 use clap::Args;
@@ -102,6 +102,27 @@ impl DataArguments {
     /// The samples, with the accuracies of the sidecar and then those of the command line.
     pub(crate) fn read(&self, model: &Model, output: &Output) -> Result<Samples, Failure> {
         self.read_file(&self.data, self.merge.as_deref(), model, output)
+    }
+
+    /// True where the data have no poses, or few of them with gaps allowed, and no tracker's log is merged with them.
+    pub(crate) fn lacks_poses(&self, model: &Model) -> Result<bool, Failure> {
+        let (source, robot) = (self.source(&self.data)?, model.robot());
+        if self.merge.is_some() || source.file().lacks_poses(robot)? {
+            return Ok(self.merge.is_none());
+        }
+        let has_few = |internal: InternalSamples| 2 * internal.whole_poses() < internal.samples.len();
+        Ok(self.skip_invalid && source.file().internal_samples(robot).is_ok_and(|(internal, _)| has_few(internal)))
+    }
+
+    /// The samples without poses.
+    pub(crate) fn read_internal(&self, model: &Model, output: &Output) -> Result<InternalSamples, Failure> {
+        let source = self.source(&self.data)?;
+        let (mut internal, notices) = source.file().internal_samples(model.robot())?;
+        notices.iter().for_each(|notice| output.remark(notice));
+        let samples = model.with_lengths(&internal.samples).map_err(|error| Failure::refused(&source.name, &error))?;
+        internal.samples = Samples { sigmas: source.sigmas, ..samples.into_owned() };
+        self.sigma.iter().for_each(|option| option.apply(&mut internal.samples.sigmas));
+        Ok(internal)
     }
 
     /// Another data set, whole in one file, with the same options of the command line.

@@ -5,6 +5,7 @@ mod driving;
 mod path;
 mod report;
 mod scaling;
+mod self_calibration;
 mod uncertainty;
 
 use std::path::PathBuf;
@@ -114,6 +115,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 
+    /// Samples to write with the poses that were found (CSV), where the data have none.
+    #[arg(long, value_name = "FILE")]
+    out_poses: Option<PathBuf>,
+
     /// Report to write: tables and charts in one HTML file.
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -129,6 +134,22 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     course: course::CourseArguments,
+}
+
+impl Arguments {
+    fn settings(&self) -> fit::Settings {
+        let Arguments { hold, prior, starts, minimizer, loss, seed, .. } = self;
+        self.scaling.of(self.objective.of(fit::Settings {
+            hold: hold.clone(),
+            priors: prior.clone(),
+            starts: *starts,
+            minimizer: *minimizer,
+            loss: *loss,
+            seed: *seed,
+            keeps_course: self.course.is_asked(),
+            ..fit::Settings::default()
+        }))
+    }
 }
 
 /// Minimizers by their names, short ones too.
@@ -148,6 +169,12 @@ fn minimizers() -> impl TypedValueParser<Value = Minimizer> {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
+    if arguments.data.lacks_poses(&model)? {
+        return self_calibration::run(&arguments, &model, output);
+    }
+    if arguments.out_poses.is_some() {
+        return Err(poses_are_there(&arguments.data.name()));
+    }
     let samples = arguments.data.read(&model, output)?;
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, &model, output));
@@ -182,6 +209,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         &calibrated_file.into_iter().chain(report_file).chain(path.files()).chain(further).collect::<Vec<_>>(),
     )?;
     output.answer(&answer)
+}
+
+/// Refuses poses that were measured as an answer.
+fn poses_are_there(data: &str) -> Failure {
+    let message = format!("{data}: --out-poses writes poses that were found, and these data have measured ones");
+    Failure::input("data::has-poses", message, "leave it out")
 }
 
 /// One identification with its data.
@@ -278,17 +311,7 @@ impl Task<'_> {
     }
 
     fn settings(&self) -> fit::Settings {
-        let Arguments { hold, prior, starts, minimizer, loss, seed, .. } = self.arguments;
-        self.arguments.scaling.of(self.arguments.objective.of(fit::Settings {
-            hold: hold.clone(),
-            priors: prior.clone(),
-            starts: *starts,
-            minimizer: *minimizer,
-            loss: *loss,
-            seed: *seed,
-            keeps_course: self.arguments.course.is_asked(),
-            ..fit::Settings::default()
-        }))
+        self.arguments.settings()
     }
 
     /// Descents of this many fits.

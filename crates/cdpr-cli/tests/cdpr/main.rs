@@ -33,6 +33,7 @@ mod rating;
 mod reachable;
 mod scaling;
 mod selection;
+mod self_calibration;
 mod sensitivity;
 mod shells;
 mod starting;

@@ -299,7 +299,7 @@ fn a_log_without_poses_is_refused_and_merged_with_that_of_a_tracker() {
     std::fs::write(folder.path().join("log.csv"), log).unwrap();
     std::fs::write(folder.path().join("tracker.csv"), track).unwrap();
     let columns = "--columns cable_length_m_1=L1,cable_length_m_2=L2,cable_length_m_3=L3,cable_length_m_4=L4";
-    let refused = cdpr_in(folder.path(), &format!("identify square.toml log.csv --free length-offset {columns}"));
+    let refused = cdpr_in(folder.path(), &format!("select square.toml log.csv {columns}"));
     assert_eq!(refused.exit_code, 2);
     assert!(refused.stderr.contains("csv::no-poses") && refused.stderr.contains("--merge"), "{}", refused.stderr);
     let run = cdpr_in(

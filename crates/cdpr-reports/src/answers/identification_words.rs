@@ -1,6 +1,7 @@
 //! An identification in tables and sentences.
 
-use cdpr::identification::fit::Status;
+use cdpr::identification::Analysis;
+use cdpr::identification::fit::{Estimate, Status};
 
 use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
@@ -12,12 +13,7 @@ use crate::table::Table;
 
 pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
-    let status = match answer.status {
-        Status::Converged => "converged",
-        Status::NotIdentifiable => "not identifiable",
-        Status::NotPredictive => "no forward problem",
-        _ => "not converged",
-    };
+    let status = status_words(answer.status);
     let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");
     // what must be known before the outcome
     let (doubts, remarks) = answer.warnings.split_at(answer.doubts);
@@ -27,7 +23,11 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
         text.push_str(&format!("ended by {}\n", answer.stopped_by));
     }
     if !answer.parameters.is_empty() {
-        text.push_str(&format!("\n{}\n{}", parameters(answer, width), identifiability(answer)));
+        text.push_str(&format!(
+            "\n{}\n{}",
+            parameters(&answer.parameters, width),
+            identifiability(&answer.analysis, answer.parameter_count, answer.noise_factor)
+        ));
     }
     if let (Some(offset), Some(sigma)) = (answer.clock_offset, answer.clock_sigma) {
         let side = if offset > 0.0 { "late" } else { "early" };
@@ -61,10 +61,21 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     text
 }
 
-fn parameters(answer: &Identified, width: Option<usize>) -> String {
+/// A fit's status.
+pub(super) fn status_words(status: Status) -> &'static str {
+    match status {
+        Status::Converged => "converged",
+        Status::NotIdentifiable => "not identifiable",
+        Status::NotPredictive => "no forward problem",
+        _ => "not converged",
+    }
+}
+
+/// A row for every parameter.
+pub(super) fn parameters(estimates: &[Estimate], width: Option<usize>) -> String {
     let mut table =
         Table::new(["parameter", "unit", "start", "value", "± sigma", "change", ""]).left_column(1).left_column(6);
-    for estimate in &answer.parameters {
+    for estimate in estimates {
         // compliances per newton have more zeros than anybody wants to count
         let (unit, factor, decimals) = match estimate.unit {
             "1/N" => ("1/GN", 1e9, 2),
@@ -108,14 +119,14 @@ fn outliers(answer: &Identified, width: Option<usize>) -> String {
     table.text(width) + &more
 }
 
-fn identifiability(answer: &Identified) -> String {
-    let Identified { analysis, parameter_count, noise_factor, .. } = answer;
+/// Rank, condition, weak directions.
+pub(super) fn identifiability(analysis: &Analysis, parameter_count: usize, noise_factor: f64) -> String {
     let mut text = format!(
         "rank {} of {parameter_count}, condition {}, with unit columns {}, noise factor {}\n",
         analysis.rank,
         condition_number(analysis.condition),
         condition_number(analysis.condition_scaled),
-        cell(Some(*noise_factor), 3)
+        cell(Some(noise_factor), 3)
     );
     for direction in &analysis.weak_directions {
         text.push_str(&format!("weak direction: {direction}\n"));

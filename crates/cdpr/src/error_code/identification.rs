@@ -49,7 +49,9 @@ impl ErrorCode for fit::InputError {
             Self::NoFrames { .. } => "data::no-frames",
             Self::MarkerOfPoint => "parameter::marker-of-point",
             Self::CableCount { .. } => "data::cable-count",
-            Self::TooFewSamples { .. } | Self::TooFewRows { .. } => "data::too-few-samples",
+            Self::TooFewSamples { .. } | Self::TooFewRows { .. } | Self::TooFewEquations { .. } => {
+                "data::too-few-samples"
+            }
             Self::Degenerate { reason, .. } => reason.code(),
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
@@ -57,11 +59,14 @@ impl ErrorCode for fit::InputError {
             Self::RobustCost { .. }
             | Self::PriorCost { .. }
             | Self::UnknownPosesOfElastic
+            | Self::PoselessOfElastic
             | Self::ProfileCost { .. }
             | Self::RecordingCost { .. }
             | Self::PenaltyCost { .. }
             | Self::RowWeightCost { .. } => "setting::cost",
             Self::RowWeightSyntax { .. } | Self::ScaleSyntax { .. } | Self::ScaledTwice { .. } => "scale::syntax",
+            Self::NoEquationLeft { .. } => "data::no-equations",
+            Self::NoPoses => "data::no-poses-found",
             Self::NoAccuracies => "data::no-accuracies",
             Self::NoPrediction { .. } => "data::no-prediction",
             Self::CableState { reason, .. } => reason.code(),

@@ -44,6 +44,7 @@ mod reduction;
 mod resampling;
 mod scaling;
 pub mod selection;
+mod self_calibration;
 mod starts;
 mod stopping;
 pub mod test_bench;
@@ -77,5 +78,6 @@ pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
+pub use self_calibration::{GaugeFixing, SelfCalibration, self_calibrate};
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};

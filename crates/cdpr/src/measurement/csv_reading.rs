@@ -3,6 +3,7 @@
 mod complaints;
 mod content;
 mod header;
+mod internal;
 mod layout;
 mod merging;
 mod options;
@@ -98,6 +99,8 @@ struct Table {
     samples: Samples,
     notices: Vec<String>,
     format: Format,
+    /// Components of the poses that are known, where the file is read for those.
+    known: Vec<Vec<bool>>,
     /// Angles of the poses as the file gives them (rad), if it gives angles.
     angles: Vec<[f64; 3]>,
     too_far: TooFar,
@@ -117,6 +120,7 @@ struct TooFar {
 #[derive(Default)]
 struct Numbers {
     pose: Option<Pose>,
+    known: Vec<bool>,
     angles: Option<[f64; 3]>,
     recorded: Vec<f64>,
     tensions: Vec<f64>,
@@ -127,7 +131,7 @@ impl CsvFile<'_> {
     fn table(&self) -> Result<Table, ReadError> {
         let mut samples = Samples { cable_count: self.robot.cable_count(), ..Samples::default() };
         let (mut recorded, mut tensions, mut set, mut time) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (mut lines, mut angles) = (Vec::new(), Vec::new());
+        let (mut lines, mut angles, mut known) = (Vec::new(), Vec::new(), Vec::new());
         let (mut too_far, farthest) = (TooFar::default(), magnitudes::farthest(self.robot));
         let (mut notices, mut numbers) = (Vec::new(), Numbers::default());
         let (format, skipped) = self.rows(&mut notices, &mut |format, row| {
@@ -139,6 +143,9 @@ impl CsvFile<'_> {
             lines.push(row.line);
             samples.poses.push(numbers.pose.unwrap_or_else(Pose::identity));
             angles.extend(numbers.angles);
+            if self.content == Content::Internal {
+                known.push(numbers.known.clone());
+            }
             recorded.extend(&numbers.recorded);
             tensions.extend(&numbers.tensions);
             time.extend(numbers.time);
@@ -161,12 +168,15 @@ impl CsvFile<'_> {
                     .push(format!("{}: the motor angles are not needed, since the lengths are given", self.file_name));
             }
         }
-        Ok(Table { samples, notices, format, angles, too_far, skipped })
+        Ok(Table { samples, notices, format, known, angles, too_far, skipped })
     }
 
     /// All numbers of a row, or its first mistake.
     fn numbers(&self, format: &Format, row: &rows::Row<'_>, numbers: &mut Numbers) -> Result<(), ReadError> {
         let columns = &format.columns;
+        if self.content == Content::Internal {
+            self.known_components(format, row, numbers)?;
+        }
         if self.content.has_poses() {
             numbers.pose = Some(self.pose(format, row)?);
             numbers.angles = self.angles(format, row)?;
@@ -190,7 +200,7 @@ impl CsvFile<'_> {
 
     /// The samples of a table whose numbers are of the robot's size, with all remarks.
     fn judged(&self, table: Table) -> Result<Reading, ReadError> {
-        let Table { mut samples, mut notices, format, angles, too_far, mut skipped } = table;
+        let Table { mut samples, mut notices, format, angles, too_far, mut skipped, .. } = table;
         let (rows, mut mix_up) = (samples.len() + skipped.count(), None);
         if samples.motor_angles.is_none() {
             match magnitudes::judge(self.robot, &samples, &angles) {

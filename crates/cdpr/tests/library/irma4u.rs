@@ -1,8 +1,7 @@
 //! A real robot with swivelling pulleys: motion capture, swivel encoders and inclinometer of the University of Bologna's IRMA4U,
 //! read where they may be read. `cargo test -p cdpr --lib irma4u -- --nocapture` prints the figures of the book's page.
 
-use std::path::PathBuf;
-
+use super::support::shared;
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::candidate::parse_list;
 use cdpr::identification::fit::{self, Status};
@@ -16,17 +15,6 @@ use cdpr::robot::Robot;
 const CABLES: usize = 4;
 /// What the swivel encoders count from: the platform hangs below its pulleys.
 const REFERENCE: Vector3<f64> = Vector3::new(0.0, 0.0, -1.0);
-
-/// A file beside the project; `None` with a word where it is absent, a failure where it must be there.
-fn shared(path: &str) -> Option<Vec<u8>> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data").join(path);
-    let bytes = std::fs::read(&path).ok();
-    if bytes.is_none() {
-        assert!(std::env::var("CI").as_deref() != Ok("true"), "CI must have {}", path.display());
-        eprintln!("skipped: {} is not here (its licence forbids a copy in the repository)", path.display());
-    }
-    bytes
-}
 
 fn robot(name: &str) -> Option<Robot> {
     let file = format!("{name}.toml");

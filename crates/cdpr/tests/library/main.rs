@@ -46,6 +46,7 @@ mod random_workspaces;
 mod reader_properties;
 mod robot_files;
 mod selection_truth;
+mod self_calibration;
 mod sensitivity;
 mod starts;
 mod statics_properties;

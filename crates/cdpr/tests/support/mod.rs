@@ -4,6 +4,8 @@
 pub(crate) mod property;
 pub(crate) mod studies;
 
+use std::path::PathBuf;
+
 use cdpr::geometry::{Pose, Twist};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
@@ -19,6 +21,17 @@ use rand_chacha::ChaCha8Rng;
 /// Sensor noise of the demo: standard deviations per axis.
 pub(crate) const NOISE: SensorSigmas =
     SensorSigmas { position: Some(0.001155), rotation: Some(0.00101), length: Some(0.0002), tension: Some(50.0) };
+
+/// A file beside the project; `None` with a word where it is absent, a failure where it must be there.
+pub(crate) fn shared(path: &str) -> Option<Vec<u8>> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data").join(path);
+    let bytes = std::fs::read(&path).ok();
+    if bytes.is_none() {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "CI must have {}", path.display());
+        eprintln!("skipped: {} is not here (measured data are no part of the repository)", path.display());
+    }
+    bytes
+}
 
 pub(crate) fn builtin(name: &str) -> Robot {
     Robot::builtin(name).unwrap_or_else(|| panic!("{name} is built in"))

@@ -26,6 +26,10 @@ pub(crate) struct Drive {
 }
 
 impl DriveArguments {
+    pub(crate) fn is_asked(&self) -> bool {
+        self.drive.is_some()
+    }
+
     /// Reads the study.
     pub(crate) fn read(&self, seed: u64) -> Result<Option<Drive>, Failure> {
         let Some(path) = &self.drive else { return Ok(None) };

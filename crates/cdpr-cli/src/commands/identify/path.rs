@@ -116,6 +116,10 @@ fn division(task: &Task<'_>, other: Option<&Samples>) -> Result<DataDivision, Fa
 }
 
 impl PathArguments {
+    pub(super) fn is_asked(&self) -> bool {
+        self.path.is_some() || self.out_reduced.is_some()
+    }
+
     /// Follows the path that is asked for, if any.
     fn follow(
         &self,

@@ -28,6 +28,10 @@ pub(super) struct ScalingArguments {
 }
 
 impl ScalingArguments {
+    pub(super) fn is_asked(&self) -> bool {
+        !self.scale.is_empty() || self.row_weight.is_some() || self.condition_map.is_some()
+    }
+
     /// Settings of a fit with these weights.
     pub(super) fn of(&self, settings: Settings) -> Settings {
         Settings { row_weights: self.row_weight, ..settings }

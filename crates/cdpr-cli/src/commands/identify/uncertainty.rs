@@ -37,6 +37,10 @@ pub(super) struct UncertaintyArguments {
 }
 
 impl UncertaintyArguments {
+    pub(super) fn is_asked(&self) -> bool {
+        !self.profile.is_empty() || self.bootstrap.is_some() || self.uncertainty.is_some()
+    }
+
     /// Writes the folder, where one is asked for.
     pub(super) fn write(&self, all: &[NamedFile]) -> Result<(), Failure> {
         let Some(folder) = &self.uncertainty else { return Ok(()) };

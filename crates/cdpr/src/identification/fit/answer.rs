@@ -124,7 +124,7 @@ impl Fit {
     }
 
     /// States the values of the robot as given: the starts are those of one that may have been completed, with a wrench for instance.
-    pub(super) fn tell_nominal_values(&mut self, model: &Model) {
+    pub(in crate::identification) fn tell_nominal_values(&mut self, model: &Model) {
         self.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
     }
 

@@ -138,6 +138,40 @@ pub enum InputError {
          DATA.meta.toml or by --sigma"
     )]
     NoAccuracies,
+    /// Unknown poses of an elastic model.
+    #[error(
+        "poses that nobody measured are found for rigid models only: of elastic ones wrenches and lengths of a sample tell tensions and pose together, which needs measured poses here"
+    )]
+    PoselessOfElastic,
+    /// Lengths that their poses explain whole.
+    #[error(
+        "without measured poses {cables} cable lengths a sample tell the {dof} unknowns of its pose and nothing else: no equation is left for the parameters. Calibration \
+         without poses needs more cables than degrees of freedom, or a part of every pose measured"
+    )]
+    NoEquationLeft {
+        /// Cables.
+        cables: usize,
+        /// Degrees of freedom.
+        dof: usize,
+    },
+    /// Fewer equations than parameters where poses are unknown.
+    #[error(
+        "{parameters} free parameters and {equations} equations: each of {samples} samples at an unknown pose leaves as many as it has more cables than unknowns. Record more \
+         poses, free less, or state priors (--prior)"
+    )]
+    TooFewEquations {
+        /// Free parameters that the gauge does not hold.
+        parameters: usize,
+        /// Equations.
+        equations: usize,
+        /// Samples.
+        samples: usize,
+    },
+    /// Lengths that no poses belong to.
+    #[error(
+        "no poses are found at which the recorded lengths fit the robot at its file's values: are these the lengths of this robot, in metres, in the order of its cables?"
+    )]
+    NoPoses,
     /// A robust loss of what has no square.
     #[error("the loss `{}` and {cost} cannot be combined: a robust loss weighs squared residuals of lengths", .loss.name())]
     RobustCost {

@@ -88,7 +88,7 @@ pub(super) fn deviations_of_norms(stacked: &Stacked) -> Option<Vec<Option<f64>>>
     write_norms(&mut stacked.clone(), LEAST_NORM, &mut equations);
     let inverse = (equations.hessian * 2.0).try_inverse()?;
     // as many samples as the parameters take away tell nothing
-    let left = samples as f64 - count as f64 / (stacked.size - stacked.unknowns) as f64;
+    let left = samples as f64 * (1.0 - count as f64 / stacked.free_rows() as f64);
     let covariance = &inverse * (&pulls * pulls.transpose()) * &inverse * (samples as f64 / left.max(1.0));
     Some((0..count).map(|k| Some(covariance[(k, k)].max(0.0).sqrt())).collect())
 }

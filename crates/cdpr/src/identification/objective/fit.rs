@@ -103,6 +103,18 @@ pub(crate) fn optimum(
             None => InputError::NotFinite,
         });
     }
+    search((vectors, stacked), (&start_model, parameters), (scale, unit, mean_tension), settings, progress)
+}
+
+/// Finds the optimum of vectors from a model's values; `scale` is metres of one unit of each parameter, `unit` metres of one unit of the vectors.
+pub(in crate::identification) fn search(
+    (mut vectors, mut stacked): (impl Vectors, Stacked),
+    (start_model, parameters): (&Model, &[Parameter]),
+    (scale, unit, mean_tension): (Vec<f64>, Option<f64>, f64),
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<Optimum, InputError> {
+    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let search = Search { parameters, scale: &scale, start: &start, settings };
     let (end, starts) = search.run(&mut vectors, mean_tension, progress);
     let (end, certificate) = match settings.minimize {
@@ -113,14 +125,14 @@ pub(crate) fn optimum(
     if !vectors.write(&end.values, &mut stacked) {
         return Err(InputError::NotFinite);
     }
-    Ok(Optimum { calibrated, end, starts, stacked, scale, unit, certificate, start_model })
+    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, stacked, scale, unit, certificate })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
 const SMOOTHINGS: u32 = 9;
 
 /// Σ ‖r‖ at these values; not a number where there are no vectors.
-fn sum_of_norms(vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
+fn sum_of_norms(vectors: &mut impl Vectors, values: &[f64]) -> f64 {
     let mut stacked = Stacked::new(vectors, values.len());
     match vectors.write(values, &mut stacked) {
         true => (0..stacked.samples()).map(|sample| stacked.square(sample).sqrt()).sum(),
@@ -129,12 +141,12 @@ fn sum_of_norms(vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
 }
 
 /// All parameters under an objective.
-struct Together<'a, 'v, 's> {
+struct Together<'a, 's, V> {
     search: &'a Search<'s>,
-    vectors: &'a mut ObjectiveVectors<'v>,
+    vectors: &'a mut V,
 }
 
-impl Landscape for Together<'_, '_, '_> {
+impl<V: Vectors> Landscape for Together<'_, '_, V> {
     type End = End;
 
     fn descend(&mut self, _: usize, change: &[f64]) -> End {
@@ -157,7 +169,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Descends from the file's values and from other starts; the lowest end wins. The largest norm starts from least squares.
-    fn run(&self, vectors: &mut ObjectiveVectors<'_>, tension: f64, progress: &dyn Fn()) -> (End, Starts) {
+    fn run(&self, vectors: &mut impl Vectors, tension: f64, progress: &dyn Fn()) -> (End, Starts) {
         let part =
             Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
         let samples = vectors.samples();
@@ -169,7 +181,7 @@ impl Search<'_> {
     }
 
     /// Cost that descents make small; not a number where there are no vectors.
-    fn cost(&self, vectors: &mut ObjectiveVectors<'_>, values: &[f64]) -> f64 {
+    fn cost(&self, vectors: &mut impl Vectors, values: &[f64]) -> f64 {
         if self.settings.minimize == Minimize::Mean {
             return sum_of_norms(vectors, values);
         }
@@ -181,7 +193,7 @@ impl Search<'_> {
         }
     }
 
-    fn descend(&self, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+    fn descend(&self, vectors: &mut impl Vectors, from: &[f64]) -> End {
         let squares = self.descend_under(None, vectors, from);
         match self.settings.minimize {
             Minimize::Mean => self.follow_norms(vectors, squares),
@@ -190,7 +202,7 @@ impl Search<'_> {
     }
 
     /// The least sum of norms, from an optimum of least squares by ever less smoothing.
-    fn follow_norms(&self, vectors: &mut ObjectiveVectors<'_>, squares: End) -> End {
+    fn follow_norms(&self, vectors: &mut impl Vectors, squares: End) -> End {
         let start = sum_of_norms(vectors, &squares.values);
         let mut smoothing = start / vectors.samples() as f64;
         let mut end = End { cost: start, ..squares };
@@ -217,7 +229,7 @@ impl Search<'_> {
     }
 
     /// Descends by squares, or by norms with this smoothing.
-    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut ObjectiveVectors<'_>, from: &[f64]) -> End {
+    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut impl Vectors, from: &[f64]) -> End {
         let ridges = self.ridges();
         let stacked = Stacked::new(vectors, self.parameters.len());
         let mut cost = Cost { vectors, stacked, smoothing, ridges: &ridges };
@@ -233,11 +245,7 @@ impl Search<'_> {
     }
 
     /// The least largest norm, from an optimum of least squares.
-    fn minimax(
-        &self,
-        vectors: &mut ObjectiveVectors<'_>,
-        squares: &End,
-    ) -> Result<(End, Option<Certificate>), InputError> {
+    fn minimax(&self, vectors: &mut impl Vectors, squares: &End) -> Result<(End, Option<Certificate>), InputError> {
         // Newton steps of all centres
         let limit = 10 * self.settings.max_iterations;
         let found = minimax::minimise(vectors, self.parameters, self.scale, &squares.values, limit);
@@ -270,6 +278,18 @@ pub(crate) fn fit(
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
     let optimum = optimum(model, samples, parameters, settings, progress)?;
+    let mut fit = report(optimum, samples, parameters, settings);
+    fit.warnings.extend(warnings::suspicious_units(model, samples));
+    Ok(fit)
+}
+
+/// The fit of an optimum in full.
+pub(in crate::identification) fn report(
+    optimum: Optimum,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Fit {
     let analysis = analyse(&optimum, samples, parameters, settings);
     let Optimum { start_model, calibrated, end, starts, certificate, unit, stacked, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
@@ -280,10 +300,9 @@ pub(crate) fn fit(
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
     let noise_factor = misfit(&stacked, &estimates).factor();
     let mut all_warnings = analysis.warnings.clone();
-    all_warnings.extend(warnings::suspicious_units(model, samples));
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(caution(settings));
-    Ok(Fit {
+    Fit {
         model: calibrated,
         status,
         reason,
@@ -305,7 +324,7 @@ pub(crate) fn fit(
         outlier_warning: None,
         warnings: all_warnings,
         rows: None,
-    })
+    }
 }
 
 /// Residuals of every row of a sample over the samples.

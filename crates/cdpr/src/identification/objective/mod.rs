@@ -8,6 +8,7 @@ mod fit;
 mod lengths;
 mod metric;
 mod minimax;
+mod poseless;
 mod poses;
 mod problem;
 #[cfg(test)]
@@ -16,9 +17,11 @@ mod unknown_poses;
 mod vectors;
 
 pub use comparison::{Driven, JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
-pub(super) use fit::{check_recording, fit, optimum};
+pub(super) use fit::{check_recording, fit, optimum, report, search};
 pub use minimax::{ActiveSample, Certificate};
+pub(super) use poseless::PoselessVectors;
 use serde::Serialize;
+pub(super) use vectors::{Stacked, Vectors};
 
 /// Residuals that an identification makes small.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

@@ -130,7 +130,7 @@ impl Vectors for UnknownPoses<'_> {
     }
 
     fn unknowns(&self) -> usize {
-        self.model.dof()
+        self.model.dof() * self.samples.len()
     }
 
     fn samples(&self) -> usize {

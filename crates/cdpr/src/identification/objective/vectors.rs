@@ -4,22 +4,22 @@ use nalgebra::{DMatrix, DVector};
 
 /// Residual vectors of all samples, one after the other, and their derivatives by the free parameters.
 #[derive(Debug)]
-pub(super) struct Stacked {
+pub(in crate::identification) struct Stacked {
     /// Entries of one sample's vector.
     pub(super) size: usize,
-    /// Unknowns of each sample that are eliminated from its vector.
+    /// Unknowns of all samples that are eliminated from their vectors.
     pub(super) unknowns: usize,
-    pub(super) residuals: DVector<f64>,
+    pub(in crate::identification) residuals: DVector<f64>,
     /// A row for each residual, a column for each parameter.
-    pub(super) jacobian: DMatrix<f64>,
+    pub(in crate::identification) jacobian: DMatrix<f64>,
 }
 
 /// Residual vectors as functions of the free parameters.
-pub(super) trait Vectors {
+pub(in crate::identification) trait Vectors {
     /// Entries of one sample's vector.
     fn size(&self) -> usize;
 
-    /// Unknowns of each sample that are eliminated from its vector.
+    /// Unknowns of all samples that are eliminated from their vectors.
     fn unknowns(&self) -> usize {
         0
     }
@@ -45,7 +45,7 @@ impl Clone for Stacked {
 
 impl Stacked {
     /// Room for the vectors of so many parameters.
-    pub(super) fn new(vectors: &impl Vectors, parameters: usize) -> Self {
+    pub(in crate::identification) fn new(vectors: &impl Vectors, parameters: usize) -> Self {
         let rows = vectors.size() * vectors.samples();
         Self {
             size: vectors.size(),
@@ -56,8 +56,8 @@ impl Stacked {
     }
 
     /// Entries of all vectors that no unknown of a sample explains.
-    pub(super) fn free_rows(&self) -> usize {
-        self.samples() * (self.size - self.unknowns)
+    pub(in crate::identification) fn free_rows(&self) -> usize {
+        self.residuals.len().saturating_sub(self.unknowns)
     }
 
     /// Number of samples.

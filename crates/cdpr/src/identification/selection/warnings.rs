@@ -34,6 +34,11 @@ impl Fit {
         self.gathered(distrust, Some(today), Vec::new(), of_data)
     }
 
+    /// The same where nothing compares it with the model as given.
+    pub fn own_warnings(&self, of_data: &Warnings) -> Warnings {
+        self.gathered(&Distrust::default(), None, Vec::new(), of_data)
+    }
+
     /// Everything that a fit and its data are warned of: mistakes of the data stand first, for they explain the doubts that follow from them.
     fn gathered(
         &self,

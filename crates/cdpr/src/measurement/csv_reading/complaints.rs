@@ -76,8 +76,8 @@ impl CsvFile<'_> {
         if positions.iter().any(|name| header_mistakes::probably_meant(name, &unclaimed).is_some()) {
             return Ok(());
         }
-        let message = "the file has no poses: parameters are found by comparing recorded lengths with measured poses, \
-                       and self-calibration, which does without, is not there yet";
+        let message = "the file has no poses: models are compared by recorded lengths and measured poses; only the identification of one rigid model \
+                       does without";
         let help = format!(
             "give the tracker's log with --merge FILE, or say which columns are the pose with --columns {}=…; \
              robot \"{}\" needs {}",

@@ -18,13 +18,15 @@ pub(super) enum Content {
     Track,
     /// Poses alone.
     Poses,
+    /// Lengths or their changes; components of poses where a row has them.
+    Internal,
 }
 
 impl Content {
     /// Whether a column of this quantity is read.
     pub(super) fn takes(self, quantity: Quantity) -> bool {
         match self {
-            Self::Samples => true,
+            Self::Samples | Self::Internal => true,
             Self::Log => !quantity.is_of_pose(),
             Self::Track => quantity.is_of_pose() || quantity == Quantity::Time,
             Self::Poses => quantity.is_of_pose(),
@@ -33,12 +35,12 @@ impl Content {
 
     /// Whether poses are read.
     pub(super) fn has_poses(self) -> bool {
-        self != Self::Log
+        !matches!(self, Self::Log | Self::Internal)
     }
 
     /// Whether lengths or motor angles are read.
     pub(super) fn has_cables(self) -> bool {
-        matches!(self, Self::Samples | Self::Log)
+        matches!(self, Self::Samples | Self::Log | Self::Internal)
     }
 
     /// Whether a name map speaks of two files, of which this is one.

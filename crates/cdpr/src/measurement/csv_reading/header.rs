@@ -95,6 +95,9 @@ impl CsvFile<'_> {
             return Ok(columns);
         }
         columns.extend(changes.into_iter().map(|(cable, column)| (Quantity::Length(cable), column)));
+        if self.content == Content::Internal {
+            return Ok(columns);
+        }
         notices.push(format!(
             "{}: the columns cable_length_change_… count from an unknown pose: each cable's length-offset is unknown, free it",
             self.file_name

@@ -118,7 +118,9 @@ fn data_without_poses_are_refused_with_the_reason() {
     assert_eq!((error.code, error.line()), ("csv::no-poses", Some(1)));
     let words = error.to_string();
     assert!(
-        words.contains("self-calibration") && words.contains("--merge") && words.contains("--columns x_m=…,y_m=…"),
+        words.contains("identification of one rigid model")
+            && words.contains("--merge")
+            && words.contains("--columns x_m=…,y_m=…"),
         "{words}"
     );
 }

@@ -1,0 +1,141 @@
+//! A robot calibrated without measured poses: JSON and words.
+
+use cdpr::identification::fit::{Estimate, Status};
+use cdpr::identification::selection::Warnings;
+use cdpr::identification::{Analysis, GaugeFixing, SelfCalibration, Starts, StoppedBy};
+use cdpr::model::Model;
+use serde::Serialize;
+
+use super::Answer;
+use super::identification_words::{identifiability, parameters, status_words};
+use super::start_words::start_words;
+use crate::number_format::significant;
+
+/// Parameters found from lengths at unknown poses.
+#[derive(Serialize)]
+pub struct SelfCalibrationAnswer {
+    robot: String,
+    model: String,
+    free: String,
+    data: String,
+    samples: usize,
+    status: Status,
+    reason: String,
+    stopped_by: StoppedBy,
+    iterations: u32,
+    parameter_count: usize,
+    equations: usize,
+    cost_m2: f64,
+    length_rms_m: f64,
+    gauge: GaugeFixing,
+    #[serde(flatten)]
+    analysis: Analysis,
+    frame_anchors_m: Vec<Vec<f64>>,
+    parameters: Vec<Estimate>,
+    noise_factor: f64,
+    starts: Starts,
+    history: Vec<f64>,
+    warnings: Vec<String>,
+    #[serde(skip)]
+    doubts: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out_poses: Option<String>,
+}
+
+impl SelfCalibrationAnswer {
+    /// Of a calibration of a model's parameters, named, from data of a name; names of the files that are written.
+    pub fn new(
+        found: SelfCalibration,
+        (model, free): (&Model, String),
+        (data, of_data): (String, &Warnings),
+        [out, out_poses]: [Option<String>; 2],
+    ) -> Self {
+        let SelfCalibration { fit, samples, cost_m2, length_rms_m, equations, parameter_count, gauge } = found;
+        let Warnings { list: warnings, doubts } = fit.own_warnings(of_data);
+        let axes = model.axes();
+        let anchor = |cable: &cdpr::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
+        Self {
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            free,
+            data,
+            samples: samples.len(),
+            status: fit.status,
+            reason: fit.reason,
+            stopped_by: fit.stopped_by,
+            iterations: fit.iterations,
+            parameter_count,
+            equations,
+            cost_m2,
+            length_rms_m,
+            gauge,
+            frame_anchors_m: fit.model.robot().cables.iter().map(anchor).collect(),
+            analysis: fit.analysis,
+            parameters: fit.parameters,
+            noise_factor: fit.noise_factor,
+            starts: fit.starts,
+            history: fit.history,
+            warnings,
+            doubts,
+            out,
+            out_poses,
+        }
+    }
+
+    /// Motions that the data leave free, and parameters that fix them.
+    fn gauge_words(&self) -> String {
+        let GaugeFixing { motions, held, mirrored, at_origin } = &self.gauge;
+        let mut text = String::new();
+        if *at_origin {
+            text.push_str("lengths count from their values at the world's origin, which is where they were zeroed\n");
+        }
+        if !motions.is_empty() {
+            let image = if *mirrored { ", and mirror images" } else { "" };
+            text.push_str(&format!(
+                "no length changes by: {}{image}; fixed by {} at the file's values\n",
+                motions.join(", "),
+                held.join(", ")
+            ));
+        }
+        text
+    }
+}
+
+impl Answer for SelfCalibrationAnswer {
+    fn is_negative(&self) -> bool {
+        self.status != Status::Converged
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let Self { robot, model, data, samples, parameter_count, equations, iterations, reason, .. } = self;
+        let mut text = format!(
+            "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}, poses unknown ({equations} equations are left for the parameters)\n"
+        );
+        let (doubts, remarks) = self.warnings.split_at(self.doubts);
+        doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        text.push_str(&format!("{} after {iterations} iterations: {reason}\n", status_words(self.status)));
+        text.push_str(&format!("ended by {}\n", self.stopped_by));
+        text.push_str(&format!(
+            "lengths: {} mm rms, sum of squares {} mm²\n",
+            significant(1e3 * self.length_rms_m, 3),
+            significant(1e6 * self.cost_m2, 6)
+        ));
+        text.push_str(&self.gauge_words());
+        text.push_str(&format!(
+            "\n{}\n{}",
+            parameters(&self.parameters, width),
+            identifiability(&self.analysis, *parameter_count, self.noise_factor)
+        ));
+        if !remarks.is_empty() {
+            text.push_str("\nwarnings\n");
+            remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
+        }
+        text.push_str(&start_words(&self.starts, width));
+        for (what, path) in [("calibrated robot", &self.out), ("samples with the poses found", &self.out_poses)] {
+            text.extend(path.iter().map(|path| format!("\n{what} written to {path}\n")));
+        }
+        text
+    }
+}

@@ -1,0 +1,171 @@
+//! Motions of everything together that the rows do not see, and parameters that fix them.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use serde::Serialize;
+
+use crate::identification::objective::Stacked;
+use crate::measurement::InternalSamples;
+use crate::model::Model;
+use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::decomposition::svd;
+
+/// Change of the rows below which a motion changes none, beside the sizes that add up to it.
+const UNSEEN: f64 = 1e-7;
+/// Share of a motion that is another one.
+const SAME: f64 = 1e-6;
+
+/// Motions of everything together that no length sees, and the convention that fixes them.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct GaugeFixing {
+    /// The motions, and the size where the lengths leave it open.
+    pub motions: Vec<String>,
+    /// Parameters that stay at the file's values to fix them.
+    pub held: Vec<String>,
+    /// True where the mirror image of the robot fits as well.
+    pub mirrored: bool,
+    /// True where lengths count from their values at the world's origin.
+    pub at_origin: bool,
+}
+
+/// Gauge of free parameters.
+pub(super) struct Gauge {
+    /// Names of the motions.
+    motions: Vec<String>,
+    /// Places of the parameters that fix them.
+    pub(super) held: Vec<usize>,
+}
+
+/// A motion of everything together, with the change of every parameter by it.
+struct Motion {
+    name: String,
+    changes: DVector<f64>,
+}
+
+impl Gauge {
+    /// Gauge at a model's values, where these are the rows.
+    pub(super) fn of(model: &Model, parameters: &[Parameter], rows: &Stacked) -> Self {
+        let motions = motions(model, parameters);
+        let mut seen = DMatrix::zeros(rows.jacobian.nrows(), motions.len());
+        for (mut column, motion) in seen.column_iter_mut().zip(&motions) {
+            let sizes = rows.jacobian.column_iter().zip(motion.changes.iter());
+            let size: f64 = sizes.map(|(column, change)| column.norm() * change.abs()).sum();
+            column.copy_from(&(&rows.jacobian * &motion.changes / size.max(f64::MIN_POSITIVE)));
+        }
+        let unseen = unseen(seen);
+        let is_named = |k: &usize| unseen.row(*k).norm() > 1.0 - SAME;
+        let mut names: Vec<String> = (0..motions.len()).filter(is_named).map(|k| motions[k].name.clone()).collect();
+        let others = unseen.ncols() - names.len();
+        if others > 0 {
+            names.push(format!("{others} further motions, each a shift and a turn together"));
+        }
+        let mut moved = DMatrix::zeros(parameters.len(), motions.len());
+        motions.iter().enumerate().for_each(|(k, motion)| moved.set_column(k, &motion.changes));
+        let held = held(moved * unseen, model, parameters);
+        Self { motions: names, held }
+    }
+
+    pub(super) fn told(self, model: &Model, parameters: &[Parameter], internal: &InternalSamples) -> GaugeFixing {
+        let is_point = model.robot().cables.iter().all(|cable| cable.platform_anchor == Vector3::zeros());
+        GaugeFixing {
+            mirrored: is_point && internal.known_count() == 0 && !self.motions.is_empty(),
+            at_origin: internal.are_changes,
+            motions: self.motions,
+            held: self.held.into_iter().map(|k| parameters[k].name(model.robot())).collect(),
+        }
+    }
+}
+
+/// Combinations of motions that change no row: a column each.
+fn unseen(seen: DMatrix<f64>) -> DMatrix<f64> {
+    let count = seen.ncols();
+    let none = || DMatrix::zeros(count, 0);
+    if count == 0 {
+        return none();
+    }
+    // as many rows as motions at least, or the decomposition leaves null directions out
+    let rows = seen.nrows().max(count);
+    let Some(found) = svd(seen.resize_vertically(rows, 0.0), false, true) else { return none() };
+    let Some(right) = found.v_t else { return none() };
+    let places: Vec<usize> = (0..count).filter(|&k| found.singular_values[k] < UNSEEN).collect();
+    DMatrix::from_fn(count, places.len(), |row, column| right[(places[column], row)])
+}
+
+/// Shifts and turns of the world and of the platform's frame, and a change of size, where they move a free parameter.
+fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
+    let mut all = Vec::new();
+    let mut push = |name: String, change: &dyn Fn(&Parameter) -> f64| {
+        let changes = DVector::from_iterator(parameters.len(), parameters.iter().map(change));
+        if changes.norm() > 0.0 {
+            all.push(Motion { name, changes });
+        }
+    };
+    let robot = model.robot();
+    let axis_of = |parameter: &Parameter| model.axes().get(parameter.axis).copied().unwrap_or_else(Vector3::zeros);
+    let places: [(&str, ParameterKind); 2] =
+        [("", ParameterKind::FrameAnchor), (" of the platform's frame", ParameterKind::PlatformAnchor)];
+    for (of, kind) in places {
+        let anchor = |parameter: &Parameter| match kind {
+            ParameterKind::FrameAnchor => robot.cables[parameter.cable].frame_anchor,
+            _ => robot.cables[parameter.cable].platform_anchor,
+        };
+        for twist in model.twist_basis() {
+            let (shift, turn) = (twist.fixed_rows::<3>(0).into_owned(), twist.fixed_rows::<3>(3).into_owned());
+            let is_turn = turn.norm() > 0.0;
+            let name = axis_name(if is_turn { &turn } else { &shift });
+            let name = if is_turn { format!("turn about {name}{of}") } else { format!("shift along {name}{of}") };
+            push(name, &|parameter| match parameter.kind == kind {
+                true => (shift + turn.cross(&anchor(parameter))).dot(&axis_of(parameter)),
+                false => 0.0,
+            });
+        }
+        if kind == ParameterKind::FrameAnchor && model.dof() == model.axes().len() {
+            // a point turns with the world
+            for (name, turn) in turns_of_points(model) {
+                push(format!("turn about {name}"), &|parameter| match parameter.kind == kind {
+                    true => turn.cross(&anchor(parameter)).dot(&axis_of(parameter)),
+                    false => 0.0,
+                });
+            }
+        }
+    }
+    push("size".to_owned(), &|parameter| match parameter.kind {
+        ParameterKind::FrameAnchor => robot.cables[parameter.cable].frame_anchor.dot(&axis_of(parameter)),
+        ParameterKind::PlatformAnchor => robot.cables[parameter.cable].platform_anchor.dot(&axis_of(parameter)),
+        ParameterKind::LengthScale => -parameter.value(robot),
+        _ => 0.0,
+    });
+    all
+}
+
+/// Axes about which the world of a robot without turns can be turned.
+fn turns_of_points(model: &Model) -> Vec<(String, Vector3<f64>)> {
+    let turns = match model.axes() {
+        [first, second] => vec![first.cross(second)],
+        axes => axes.to_vec(),
+    };
+    turns.into_iter().map(|turn| (axis_name(&turn).to_owned(), turn)).collect()
+}
+
+fn axis_name(axis: &Vector3<f64>) -> &'static str {
+    ["x", "y", "z"][axis.iamax()]
+}
+
+/// Parameters that the motions move most, one for each: at equal sizes one whose value is zero, then the first.
+fn held(mut moved: DMatrix<f64>, model: &Model, parameters: &[Parameter]) -> Vec<usize> {
+    let mut held = Vec::new();
+    for _ in 0..moved.ncols() {
+        let size = |k: usize| moved.row(k).norm();
+        let largest = (0..parameters.len()).map(size).fold(0.0, f64::max);
+        let near = |k: &usize| size(*k) > (1.0 - SAME) * largest;
+        let is_zero = |k: &usize| parameters[*k].value(model.robot()) == 0.0;
+        let first = |mut places: Box<dyn Iterator<Item = usize> + '_>| places.next();
+        let all = || (0..parameters.len()).filter(near);
+        let Some(place) = first(Box::new(all().filter(is_zero))).or_else(|| first(Box::new(all()))) else { break };
+        let row = moved.row(place).transpose();
+        let left = &moved * &row * (row.transpose() / row.norm_squared());
+        moved -= left;
+        held.push(place);
+    }
+    held.sort_unstable();
+    held
+}

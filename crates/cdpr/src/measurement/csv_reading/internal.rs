@@ -1,0 +1,97 @@
+//! Files of sensors inside the machine: poses are known in part or not at all.
+
+use super::content::Content;
+use super::rows::{CsvFile, Format, Row};
+use super::{MeasurementFile, Numbers};
+use crate::geometry::{MotionPattern, Pose};
+use crate::measurement::InternalSamples;
+use crate::measurement::columns::{Quantity, meaning};
+use crate::reading::ReadError;
+use crate::robot::Robot;
+
+impl MeasurementFile<'_> {
+    /// True for a file in which no column is, or was meant to be, one of a pose.
+    pub fn lacks_poses(&self, robot: &Robot) -> Result<bool, ReadError> {
+        self.with_content(Content::Internal, robot, |file| {
+            let is_pose =
+                |name: &str| meaning(name).is_ok_and(|column| column.is_some_and(|c| c.quantity.is_of_pose()));
+            Ok(!file.meant_names().any(is_pose) && file.refuse_without_poses().is_err())
+        })
+    }
+
+    /// Lengths or their changes, with the components of poses that rows have, and remarks: empty cells of a pose are unknown components of it.
+    pub fn internal_samples(&self, robot: &Robot) -> Result<(InternalSamples, Vec<String>), ReadError> {
+        self.with_content(Content::Internal, robot, |file| {
+            let mut table = file.table()?;
+            let are_changes = file.has_changes_only();
+            let known = std::mem::take(&mut table.known);
+            let rows = table.samples.len() + table.skipped.count();
+            if let Some(error) = table.too_far.first {
+                return Err(error);
+            }
+            table.notices.extend(table.skipped.words(file.file_name, rows));
+            Ok((InternalSamples { samples: table.samples, known, are_changes }, table.notices))
+        })
+    }
+}
+
+impl CsvFile<'_> {
+    /// Names of the columns as measurements have them.
+    fn meant_names(&self) -> impl Iterator<Item = &str> {
+        let names = self.layout.fields().into_iter().map(|name| name.trim().trim_matches('"'));
+        names.map(|name| {
+            let mapped = self.options.columns.iter().find(|(_, column)| column.as_str() == name);
+            mapped.map_or(name, |(meant, _)| meant.as_str())
+        })
+    }
+
+    /// True where lengths are given by their changes alone.
+    fn has_changes_only(&self) -> bool {
+        let has = |wanted: fn(Quantity) -> bool| {
+            self.meant_names().any(|name| meaning(name).is_ok_and(|column| column.is_some_and(|c| wanted(c.quantity))))
+        };
+        has(|quantity| matches!(quantity, Quantity::LengthChange(_)))
+            && !has(|quantity| matches!(quantity, Quantity::Length(_) | Quantity::MotorAngle(_)))
+    }
+
+    /// The components of a pose that a row has; the others are those of the identity.
+    pub(super) fn known_components(
+        &self,
+        format: &Format,
+        row: &Row<'_>,
+        numbers: &mut Numbers,
+    ) -> Result<(), ReadError> {
+        let pattern = self.robot.motion_pattern;
+        let is_given = |quantity: Quantity| {
+            let column = format.columns.get(&quantity);
+            column.is_some_and(|(index, _)| !row.record[*index].trim_ascii().is_empty())
+        };
+        let mut components = Vec::with_capacity(6);
+        numbers.known.clear();
+        for axis in 0..pattern.translations() {
+            let is_known = is_given(Quantity::Position(axis));
+            numbers.known.push(is_known);
+            components.push(if is_known { self.number(format, row, Quantity::Position(axis))? } else { 0.0 });
+        }
+        let is_turn_known = match pattern {
+            MotionPattern::Planar => is_given(Quantity::Angle),
+            MotionPattern::Spatial => is_given(Quantity::Euler(0)) || is_given(Quantity::Quaternion(0)),
+            _ => false,
+        };
+        numbers.known.resize(pattern.dof(), is_turn_known);
+        if is_turn_known && numbers.known.iter().all(|known| *known) {
+            numbers.pose = Some(self.pose(format, row)?);
+            return Ok(());
+        }
+        if is_turn_known {
+            let message = "an orientation without the whole position is not read yet";
+            return Err(self
+                .at(row, 0, "csv::pose", message.to_owned())
+                .with_help("give the position too, or leave both out"));
+        }
+        components.resize(pattern.dof(), 0.0);
+        let pose = pattern.pose(self.robot.plane, &components);
+        numbers.pose = Some(pose.unwrap_or_else(|_| Pose::identity()));
+        Ok(())
+    }
+}

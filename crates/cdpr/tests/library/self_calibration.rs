@@ -1,0 +1,230 @@
+//! Calibration without poses: Hangprinters of the shared data, the ranks of requirement C21, and machines without noise.
+
+use super::support::{builtin, shared};
+use cdpr::geometry::{Pose, Twist};
+use cdpr::identification::fit::{InputError, Settings, Status};
+use cdpr::identification::{SelfCalibration, self_calibrate};
+use cdpr::measurement::{InternalSamples, MeasurementFile, ReadingOptions, Samples};
+use cdpr::model::{Composition, Model};
+use cdpr::nalgebra::Vector3;
+use cdpr::robot::Robot;
+
+/// Model and length changes of a Hangprinter, of one session or of all.
+fn hangprinter(set: &str, session: Option<&str>) -> Option<(Model, InternalSamples)> {
+    let read = |name: &str| shared(&format!("measurements/{set}/{name}"));
+    let robot = Robot::from_toml_bytes(&read("robot.toml")?, "robot.toml").unwrap();
+    let columns = (1..=4).map(|k| (format!("cable_length_change_m_{k}"), format!("length_change_{k}_in_m")));
+    let options = ReadingOptions { columns: columns.collect(), skip_invalid: false };
+    let text = String::from_utf8(read("samples.csv")?).unwrap();
+    let is_of =
+        |line: &&str| session.is_none_or(|own| line.starts_with("session") || line.starts_with(&format!("{own},")));
+    let text: String = text.lines().filter(is_of).map(|line| format!("{line}\n")).collect();
+    let file = MeasurementFile { bytes: text.as_bytes(), name: "samples.csv", options: &options };
+    assert!(file.lacks_poses(&robot).unwrap());
+    let (samples, _) = file.internal_samples(&robot).unwrap();
+    assert!(samples.are_changes);
+    Some((Model::new(robot, Composition::STANDARD).unwrap(), samples))
+}
+
+fn calibrated(set: &str, session: Option<&str>, starts: u32) -> Option<SelfCalibration> {
+    let (model, samples) = hangprinter(set, session)?;
+    let settings = Settings { starts, ..Settings::default() };
+    Some(self_calibrate(&model, &samples, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap())
+}
+
+#[track_caller]
+fn assert_cost(found: &SelfCalibration, expected_mm2: f64, digits: f64) {
+    let cost = 1e6 * found.cost_m2;
+    assert!(
+        (cost - expected_mm2).abs() < digits,
+        "{cost} instead of {expected_mm2} mm²: {:?}",
+        found.fit.starts.optima
+    );
+}
+
+/// Reference results of a SciPy program and of the authors (session 2); digits as they state them.
+#[test]
+fn hangprinters_are_calibrated_from_length_changes_alone() {
+    let of = |session: Option<&str>, starts: u32| calibrated("hangprinter-hp3", session, starts);
+    let Some(second) = of(Some("2"), 1) else { return };
+    assert_cost(&second, 0.25490, 1e-5);
+    let anchors =
+        [[0.0, -1164.31, -143.53], [998.78, 585.33, -114.98], [-977.11, 518.88, -105.60], [0.0, 0.0, 2874.87]];
+    for (cable, expected) in second.fit.model.robot().cables.iter().zip(anchors) {
+        let away = (1e3 * cable.frame_anchor - Vector3::from(expected)).amax();
+        assert!(away < 0.05, "{away} mm: {}", cable.frame_anchor);
+    }
+    assert_eq!((second.parameter_count, second.fit.analysis.rank, second.fit.parameters.len()), (12, 9, 9));
+    assert_eq!(second.gauge.held, ["frame-anchor[1].x", "frame-anchor[4].x", "frame-anchor[4].y"]);
+    assert_eq!(second.gauge.motions, ["turn about x", "turn about y", "turn about z"]);
+    assert!(second.gauge.mirrored && second.gauge.at_origin);
+    assert_cost(&of(Some("1"), 1).unwrap(), 9.4347, 1e-4);
+    assert_cost(&of(Some("3"), 20).unwrap(), 24.4415, 1e-4);
+    let all = of(None, 1).unwrap();
+    assert_cost(&all, 133.2173, 1e-4);
+    let last = all.fit.parameters.last().unwrap();
+    let sigma = 1e3 * last.sigma.unwrap();
+    assert!(last.name == "frame-anchor[4].z" && (sigma / 45.0 - 1.0).abs() < 0.1, "{}: {sigma} mm", last.name);
+}
+
+/// From the hand-measured start and from random ones.
+#[test]
+fn the_older_hangprinter_has_one_best_optimum() {
+    let Some(one) = calibrated("hangprinter-hp2", None, 1) else { return };
+    let many = calibrated("hangprinter-hp2", None, 40).unwrap();
+    println!("{:?} {:?}", one.fit.starts.optima, many.fit.starts.optima);
+    assert_cost(&one, 221.392, 1e-3);
+    assert_cost(&many, 221.392, 1e-3);
+}
+
+/// Lengths of a model at poses, without noise.
+fn exact(model: &Model, poses: &[Pose]) -> Samples {
+    let length = |pose: &Pose, cable: usize| model.recorded_length(cable, model.path(cable, pose).unwrap().0.length);
+    let m = model.cable_count();
+    let lengths = poses.iter().flat_map(|pose| (0..m).map(move |cable| length(pose, cable))).collect();
+    Samples { poses: poses.to_vec(), lengths, cable_count: m, ..Samples::default() }
+}
+
+/// Generic poses about the home pose, by a sequence that fills their box.
+fn generic(model: &Model, count: usize, (range, turn): (f64, f64)) -> Vec<Pose> {
+    let home = model.robot().home_or_middle();
+    let share = |sample: usize, direction: usize| {
+        let irrational = [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0][direction].sqrt();
+        2.0 * ((sample + 1) as f64 * irrational).fract() - 1.0
+    };
+    let pose = |sample: usize| {
+        let twist: Twist = (model.twist_basis().iter().enumerate())
+            .map(|(k, twist)| {
+                twist * share(sample, k) * if twist.fixed_rows::<3>(3).norm() > 0.0 { turn } else { range }
+            })
+            .sum();
+        home.displaced(&twist)
+    };
+    (0..count).map(pose).collect()
+}
+
+/// Parameters, rank and number of gauge motions of lengths at unknown poses.
+fn ranks(model: &Model, poses: &[Pose], known: &[bool], free: &str) -> [usize; 3] {
+    let mut internal = InternalSamples::without_poses(exact(model, poses), model.dof(), false);
+    internal.known.iter_mut().for_each(|own| own.copy_from_slice(known));
+    let settings = Settings::default();
+    let found = self_calibrate(model, &internal, &free.parse().unwrap(), &settings, &|| ()).unwrap();
+    [found.parameter_count, found.fit.analysis.rank, found.gauge.motions.len()]
+}
+
+/// Requirement C21, the rows of rigid models: ranks of an independent program.
+#[test]
+fn ranks_and_gauges_are_those_of_the_requirement() {
+    let planar = Model::new(builtin("planar-example"), Composition::STANDARD).unwrap();
+    let poses = |count: usize| generic(&planar, count, (1.5, 0.0));
+    let unknown = [false; 2];
+    assert_eq!(ranks(&planar, &poses(3), &unknown, "frame-anchor"), [8, 5, 3]);
+    assert_eq!(ranks(&planar, &poses(5), &unknown, "frame-anchor,length-offset"), [12, 9, 3]);
+    assert_eq!(ranks(&planar, &poses(12), &unknown, "frame-anchor,length-offset,length-scale"), [16, 12, 4]);
+
+    let spatial = builtin("cablerobot-simulator-helicopter-kinematic-calibrated");
+    let spatial = Model::new(spatial, Composition::STANDARD).unwrap();
+    let poses = |count: usize| generic(&spatial, count, (1.2, 0.35));
+    let unknown = [false; 6];
+    assert_eq!(ranks(&spatial, &poses(18), &unknown, "frame-anchor,platform-anchor"), [48, 36, 12]);
+    assert_eq!(ranks(&spatial, &poses(22), &unknown, "frame-anchor,platform-anchor,length-offset"), [56, 44, 12]);
+    let all = "frame-anchor,platform-anchor,length-offset,length-scale";
+    assert_eq!(ranks(&spatial, &poses(60), &unknown, all), [64, 51, 13]);
+    assert_eq!(ranks(&spatial, &poses(30), &unknown, "frame-anchor"), [24, 18, 6]);
+    assert_eq!(ranks(&spatial, &poses(30), &unknown, "frame-anchor,length-offset"), [32, 26, 6]);
+
+    // orientations are known and all the same: only a − b counts
+    let upright = generic(&spatial, 30, (1.2, 0.0));
+    let turns_known = [false, false, false, true, true, true];
+    assert_eq!(ranks(&spatial, &upright, &turns_known, "frame-anchor")[..2], [24, 18]);
+    assert_eq!(ranks(&spatial, &upright, &turns_known, "frame-anchor,length-offset")[..2], [32, 26]);
+    // the same, not known
+    assert_eq!(ranks(&spatial, &upright, &unknown, "frame-anchor,platform-anchor")[..2], [48, 14]);
+}
+
+/// Five lines to a point.
+fn five_lines() -> Robot {
+    lines(5)
+}
+
+fn lines(count: usize) -> Robot {
+    let anchors = [[0.0, -1.2, -0.1], [1.1, -0.3, 0.0], [0.7, 1.0, -0.2], [-0.9, 0.8, -0.05], [0.1, 0.05, 2.6]];
+    let cable = |(name, anchor): (char, [f64; 3])| {
+        format!("[[cable]]\nname = \"{name}\"\nframe_anchor_m = {anchor:?}\nplatform_anchor_m = [0.0, 0.0, 0.0]\n")
+    };
+    let cables: String = ('A'..).zip(anchors).take(count).map(cable).collect();
+    let head = format!("layout_version = 1\nname = \"lines\"\nmotion_pattern = \"3T\"\ncable_count = {count}\n");
+    Robot::from_toml(&format!("{head}[home_pose]\nposition_m = [0.0, 0.0, 0.3]\n{cables}"), "lines.toml").unwrap()
+}
+
+fn changes(samples: &Samples, model: &Model) -> InternalSamples {
+    let origin = exact(model, &[Pose::identity()]).lengths;
+    let lengths = samples.lengths.iter().zip(origin.iter().cycle()).map(|(length, origin)| length - origin).collect();
+    InternalSamples::without_poses(Samples { lengths, ..samples.clone() }, model.dof(), true)
+}
+
+/// Distances of all pairs of anchors, which no gauge changes (m).
+fn distances(robot: &Robot) -> Vec<f64> {
+    let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
+    anchors().flat_map(|a| anchors().map(move |b| (a - b).norm())).collect()
+}
+
+#[test]
+fn without_noise_anchors_come_back_from_any_start() {
+    let truth = Model::new(five_lines(), Composition::STANDARD).unwrap();
+    let internal = changes(&exact(&truth, &generic(&truth, 20, (0.5, 0.0))), &truth);
+    let mut start = five_lines();
+    for (k, cable) in start.cables.iter_mut().enumerate() {
+        let away = |axis: usize| 0.25 * ((k * 3 + axis) as f64 * 1.7).sin();
+        cable.frame_anchor += Vector3::new(away(0), away(1), away(2));
+    }
+    let model = Model::new(start, Composition::STANDARD).unwrap();
+    let settings = Settings { starts: 8, ..Settings::default() };
+    let found = self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap();
+    assert_eq!(found.fit.status, Status::Converged, "{}", found.fit.reason);
+    let pairs = distances(found.fit.model.robot()).into_iter().zip(distances(truth.robot()));
+    let worst = pairs.map(|(found, truth)| (found - truth).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-9, "{worst} m");
+}
+
+/// Intervals of 95 % hold the truth, pooled over parameters of 200 calibrations with 0.5 mm of noise; the file has the true anchors, which the gauge keeps.
+#[test]
+fn intervals_hold_the_truth() {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, Normal};
+    let model = Model::new(five_lines(), Composition::STANDARD).unwrap();
+    let clean = changes(&exact(&model, &generic(&model, 30, (0.5, 0.0))), &model);
+    let noise = Normal::new(0.0, 5e-4).unwrap();
+    let mut generator = rand_chacha::ChaCha8Rng::seed_from_u64(20);
+    let (mut inside, mut count) = (0, 0);
+    for _ in 0..200 {
+        let mut internal = clean.clone();
+        internal.samples.lengths.iter_mut().for_each(|length| *length += noise.sample(&mut generator));
+        let settings = Settings::default();
+        let found = self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap();
+        for estimate in &found.fit.parameters {
+            inside += usize::from(estimate.change.abs() <= 1.96 * estimate.sigma.unwrap());
+            count += 1;
+        }
+    }
+    let share = inside as f64 / count as f64;
+    println!("{share}");
+    assert!((0.93..=0.97).contains(&share), "{share}");
+}
+
+/// One end of every refusal.
+#[test]
+fn what_no_lengths_can_tell_is_refused_in_words() {
+    let refused = |robot: Robot, composition: Composition, free: &str| {
+        let model = Model::new(robot, composition).unwrap();
+        let poses = generic(&model, 4, (0.1, 0.1));
+        let internal = InternalSamples::without_poses(exact(&model, &poses), model.dof(), false);
+        self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap_err()
+    };
+    let three = refused(lines(3), Composition::STANDARD, "frame-anchor");
+    assert_eq!(three, InputError::NoEquationLeft { cables: 3, dof: 3 });
+    let elastic = refused(builtin("planar-example"), Composition::ELASTIC, "frame-anchor");
+    assert_eq!(elastic, InputError::PoselessOfElastic);
+    let few = refused(five_lines(), Composition::STANDARD, "frame-anchor,length-offset");
+    assert!(matches!(few, InputError::TooFewEquations { equations: 8, samples: 4, .. }), "{few}");
+}
