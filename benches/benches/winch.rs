@@ -17,6 +17,8 @@ fn drum(mounting: Option<Mounting>, groove_length: Option<f64>, layer_height: Op
         mounting,
         groove_length,
         layer_height,
+        build_up: 0.0,
+        advantage: 1.0,
     };
     Drum::new(parameters).expect("a drum")
 }

@@ -30,6 +30,8 @@ fn drum(distance: f64, ahead: f64) -> Parameters {
         }),
         groove_length: None,
         layer_height: None,
+        build_up: 0.0,
+        advantage: 1.0,
     }
 }
 

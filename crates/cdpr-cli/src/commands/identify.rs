@@ -49,7 +49,7 @@ Examples:
 
 const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale; \
-with pulleys pulley-radius, swivel-axis; with drums and recorded motor angles drum-radius, drum-pitch, drum-axis, start-length, start-angle; \
+with pulleys pulley-radius, swivel-axis; with recorded motor angles drum-radius, spool-build-up, start-length, with drums also drum-pitch, drum-axis, start-angle; \
 with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
 tension-scale, tension-offset; with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; `frame-anchor[1,3]` frees cables 1 and 3 only";
 

@@ -86,13 +86,13 @@ impl SelfCalibrationAnswer {
 
     /// Motions that the data leave free, and parameters that fix them.
     fn gauge_words(&self) -> String {
-        let GaugeFixing { motions, held, mirrored, at_origin } = &self.gauge;
+        let GaugeFixing { motions, held, at_origin, .. } = &self.gauge;
         let mut text = String::new();
         if *at_origin {
             text.push_str("lengths count from their values at the world's origin, which is where they were zeroed\n");
         }
         if !motions.is_empty() {
-            let image = if *mirrored { ", and mirror images" } else { "" };
+            let image = if self.gauge.free.contains(&"mirror") { ", and mirror images" } else { "" };
             text.push_str(&format!(
                 "no length changes by: {}{image}; fixed by {} at the file's values\n",
                 motions.join(", "),

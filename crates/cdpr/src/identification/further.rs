@@ -1,4 +1,4 @@
-//! Parameters of a cable beyond those of the kernels: pitch and start angle of its drum, turns of the axes of drum and pulley.
+//! Parameters of a cable beyond those of the kernels: pitch, start angle and build-up of its drum, turns of the axes of drum and pulley.
 //!
 //! Few fits free them. Their values and columns stand behind those of the kernels, which know nothing of them.
 
@@ -10,13 +10,14 @@ use crate::robot::{Axis, Cable, Parameter, ParameterKind};
 use crate::scalar::cross;
 
 /// Number of these parameters.
-pub(super) const FURTHER: usize = 6;
+pub(super) const FURTHER: usize = 7;
 
 /// Their places.
 pub(super) const PITCH: usize = 0;
 pub(super) const START_ANGLE: usize = 1;
 pub(super) const DRUM_TURN: usize = 2;
 pub(super) const SWIVEL_TURN: usize = 4;
+pub(super) const BUILD_UP: usize = 6;
 
 /// Place of a parameter; `None` for one of the kernels.
 pub(super) fn further_place(parameter: &Parameter) -> Option<usize> {
@@ -24,6 +25,7 @@ pub(super) fn further_place(parameter: &Parameter) -> Option<usize> {
         ParameterKind::DrumPitch => Some(PITCH),
         ParameterKind::StartAngle => Some(START_ANGLE),
         ParameterKind::DrumAxis => Some(DRUM_TURN + parameter.axis),
+        ParameterKind::SpoolBuildUp => Some(BUILD_UP),
         ParameterKind::SwivelAxis => Some(SWIVEL_TURN + parameter.axis),
         _ => None,
     }
@@ -48,6 +50,7 @@ pub(super) fn further_values(model: &Model, cable: usize) -> [f64; FURTHER] {
         turn(ParameterKind::DrumAxis, 1),
         turn(ParameterKind::SwivelAxis, 0),
         turn(ParameterKind::SwivelAxis, 1),
+        winch.build_up.unwrap_or(0.0),
     ]
 }
 
@@ -90,6 +93,7 @@ impl Turned {
 pub(super) fn set_drum(cable: &mut Cable, values: &[f64; FURTHER], axis: Option<&Turned>) {
     cable.winch.set_pitch(values[PITCH]);
     cable.winch.start_angle = Some(values[START_ANGLE]);
+    cable.winch.build_up = Some(values[BUILD_UP]);
     if let Some(turned) = axis {
         cable.winch.axis = Some(turned.at(&values[DRUM_TURN..SWIVEL_TURN]));
     }
@@ -114,7 +118,7 @@ impl Turns {
     #[inline]
     pub(super) fn turn_pulley(&self, outlet: &mut Outlet<f64>, values: &[f64; FURTHER]) {
         let Some(swivel) = &self.swivel else { return };
-        let turned = swivel.at(&values[SWIVEL_TURN..]);
+        let turned = swivel.at(&values[SWIVEL_TURN..BUILD_UP]);
         match outlet {
             Outlet::Point { .. } => {}
             Outlet::Swivel { swivel_axis, .. } => *swivel_axis = (*turned).into(),

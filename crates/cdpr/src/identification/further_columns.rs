@@ -1,6 +1,6 @@
 //! Columns of the Jacobian by parameters beyond those of the kernels.
 
-use super::further::{DRUM_TURN, PITCH, START_ANGLE, SWIVEL_TURN, Turns};
+use super::further::{BUILD_UP, DRUM_TURN, PITCH, START_ANGLE, SWIVEL_TURN, Turns};
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::recordings::Recordings;
 use crate::cable::winch::DrumLength;
@@ -25,8 +25,9 @@ pub(super) fn further_column(
             let turned = drum.by_turn(&values.further[DRUM_TURN..SWIVEL_TURN], place - DRUM_TURN);
             by_recorded(&|length| length.by_axis.dot(&turned))
         }
+        (BUILD_UP, ..) => by_recorded(&|length| length.by_build_up),
         (SWIVEL_TURN.., _, Some(swivel)) => {
-            let turn = swivel.rotation_by_turn(&values.further[SWIVEL_TURN..], place - SWIVEL_TURN).into();
+            let turn = swivel.rotation_by_turn(&values.further[SWIVEL_TURN..BUILD_UP], place - SWIVEL_TURN).into();
             dispatch(PulleyTurn { weights, poses, values, turn })
         }
         _ => zero(),

@@ -16,6 +16,8 @@ pub(super) struct Recorder {
     angles: Vec<f64>,
     /// Axis of the drum.
     axis: Option<Turned>,
+    /// True where the model has no drums.
+    is_ideal: bool,
 }
 
 /// Recorded lengths at some values of the parameters, with derivatives; padded.
@@ -33,19 +35,20 @@ pub(super) struct Recordings {
 impl Recorder {
     /// `None` where lengths are recorded, or none of the parameters changes the drum or the place of its first pulley.
     pub(super) fn of(model: &Model, cable: usize, parameters: &[Parameter], samples: &Samples) -> Option<Self> {
-        let data = &model.robot().cables[cable];
+        let (data, is_ideal) = (&model.robot().cables[cable], !model.composition().drum);
         let changes = |parameter: &Parameter| match parameter.kind {
+            ParameterKind::FrameAnchor if is_ideal => false,
             ParameterKind::FrameAnchor => data.winch.first_pulley.is_none() && data.winch.guided != Some(true),
             kind => kind.needs_motor_angles(),
         };
         let angles = samples.motor_angles.as_ref()?;
-        if !model.composition().drum || !parameters.iter().any(changes) {
+        if !parameters.iter().any(changes) {
             return None;
         }
         let mut angles: Vec<f64> = angles.iter().skip(cable).step_by(samples.cable_count).copied().collect();
         angles.resize(angles.len().next_multiple_of(LANES), angles.last().copied().unwrap_or(0.0));
         let axis = Turned::of(model, cable, ParameterKind::DrumAxis);
-        Some(Self { cable: data.clone(), angles, axis })
+        Some(Self { cable: data.clone(), angles, axis, is_ideal })
     }
 
     /// Lengths at the recorded angles; not numbers where the values make no drum, or the groove ends.
@@ -60,7 +63,8 @@ impl Recorder {
             ..self.cable.clone()
         };
         set_drum(&mut cable, &values.further, self.axis.as_ref());
-        let winch = Winch::of(&cable).and_then(Result::ok);
+        let winch = if self.is_ideal { Winch::ideal(&cable) } else { Winch::of(&cable) };
+        let winch = winch.and_then(Result::ok);
         let length = |winch: &Winch, angle: f64| winch.drum.gradient(angle / winch.gear_ratio).ok();
         let all: Vec<DrumLength> = self
             .angles

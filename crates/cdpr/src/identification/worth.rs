@@ -38,6 +38,8 @@ impl Worth {
             ParameterKind::LengthScale => self.length,
             // the radius turns with the whole length
             ParameterKind::DrumRadius => self.length / self.drum_radius,
+            // of the squares of the turns
+            ParameterKind::SpoolBuildUp => (0.5 * self.length / self.drum_radius).powi(2),
             ParameterKind::StartAngle => self.drum_radius,
             ParameterKind::DrumAxis => self.drum_travel.max(LEAST),
             ParameterKind::SwivelAxis => self.pulley_radius.max(LEAST),

@@ -49,7 +49,7 @@ impl RecordingParameter {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// Not a parameter.
-    #[error("`{name}` is not a parameter; known are clock-offset, tracker-frame, marker-frame, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, swivel-axis, drum-radius, drum-pitch, drum-axis, start-length, start-angle, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are clock-offset, tracker-frame, marker-frame, frame-anchor, platform-anchor, length-offset, length-scale, pulley-radius, swivel-axis, drum-radius, spool-build-up, drum-pitch, drum-axis, start-length, start-angle, compliance, hidden-length, wrench, tension-scale, tension-offset{}", suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -123,7 +123,7 @@ pub(crate) fn identified_kind(name: &str) -> Result<ParameterKind, ParameterErro
 pub(crate) fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&'static str> {
     match kind {
         ParameterKind::PulleyRadius | ParameterKind::SwivelAxis if !composition.pulley => Some("pulley"),
-        kind if kind.needs_motor_angles() && !composition.drum => Some("drum"),
+        kind if kind.needs_motor_angles() && !kind.is_of_ideal_winch() && !composition.drum => Some("drum"),
         ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => Some("elastic"),
         ParameterKind::HiddenLength if !composition.is_elastic() => Some("elastic"),
         kind if kind.needs_elasticity() && !composition.needs_tensions() => Some("elastic"),

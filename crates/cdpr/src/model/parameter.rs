@@ -15,9 +15,14 @@ impl ParameterKind {
         matches!(self, Self::Compliance | Self::HiddenLength | Self::TensionScale | Self::TensionOffset | Self::Wrench)
     }
 
+    /// True for what an ideal winch has, which models without drums have too.
+    pub(crate) fn is_of_ideal_winch(self) -> bool {
+        matches!(self, Self::DrumRadius | Self::SpoolBuildUp | Self::StartLength)
+    }
+
     /// True for what only recorded motor angles can tell.
     pub(crate) fn needs_motor_angles(self) -> bool {
-        matches!(self, Self::DrumRadius | Self::DrumPitch | Self::DrumAxis | Self::StartLength | Self::StartAngle)
+        matches!(self, Self::DrumPitch | Self::DrumAxis | Self::StartAngle) || self.is_of_ideal_winch()
     }
 }
 

@@ -108,6 +108,7 @@ impl Model {
         match parameter.kind {
             ParameterKind::DrumRadius => drum.by_radius,
             ParameterKind::DrumPitch => drum.by_pitch,
+            ParameterKind::SpoolBuildUp => drum.by_build_up,
             ParameterKind::StartLength => drum.by_start_length,
             ParameterKind::StartAngle => -drum.by_angle,
             ParameterKind::DrumAxis => {

@@ -228,6 +228,11 @@ pub(super) struct CableSection {
     pub(super) drum_layer_height_m: Option<f64>,
     /// Motor angle = gear_ratio · drum angle; 1 when missing.
     pub(super) gear_ratio: Option<f64>,
+    /// Squared radius that a spool gains with every metre wound on it (m): r² = drum_radius_m² − spool_build_up_m · length paid out by the spool. Not beside a groove (`drum_pitch_m`).
+    #[schemars(range(min = 0))]
+    pub(super) spool_build_up_m: Option<f64>,
+    /// Length on the drum over length of the cable, as tackle makes it: 2 where the cable runs to the platform and back; 1 when missing.
+    pub(super) mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder in one turn of the motor.
     pub(super) encoder_counts_per_turn: Option<f64>,
     /// Recorded length = length_scale · controlled length + length_offset_m.

@@ -28,6 +28,10 @@ pub struct CableWinch {
     pub start_length: Option<f64>,
     /// Motor angle = gear_ratio · drum angle; 1 when unknown.
     pub gear_ratio: Option<f64>,
+    /// Squared radius that a spool gains with every metre wound on it (m): 0 for a drum in whose groove the cable lies.
+    pub build_up: Option<f64>,
+    /// Length on the drum over length of the cable, as tackle makes it; 1 when unknown.
+    pub mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder in one turn of the motor.
     pub encoder_counts_per_turn: Option<f64>,
 }

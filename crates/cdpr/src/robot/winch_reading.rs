@@ -18,6 +18,8 @@ impl CableReader<'_> {
         let first_pulley = self.spatial("drum_pulley_m", section.drum_pulley_m.as_deref())?;
         let length = self.number(Kind::GrooveLength, section.drum_groove_length_m)?;
         let layer_height = self.number(Kind::LayerHeight, section.drum_layer_height_m)?;
+        let build_up = self.number(Kind::SpoolBuildUp, section.spool_build_up_m)?;
+        let mechanical_advantage = self.number(Kind::MechanicalAdvantage, section.mechanical_advantage)?;
         let encoder_counts_per_turn = self.number(Kind::EncoderCounts, section.encoder_counts_per_turn)?;
         let winch = CableWinch {
             radius,
@@ -30,6 +32,8 @@ impl CableReader<'_> {
             start_angle: section.drum_start_angle_rad,
             start_length: section.drum_start_length_m,
             gear_ratio: section.gear_ratio,
+            build_up,
+            mechanical_advantage,
             encoder_counts_per_turn,
         };
         self.check_first_pulley(&winch)?;
@@ -37,6 +41,11 @@ impl CableReader<'_> {
             return Err(self
                 .error("gear_ratio", "robot::gear-ratio", "gear_ratio is 0, so its motor could not move the drum")
                 .with_help("motor angle = gear_ratio · drum angle; it is negative where the motor turns backwards"));
+        }
+        if winch.build_up.is_some_and(|build_up| build_up > 0.0) && winch.groove.is_some() {
+            let message = "spool_build_up_m is given beside drum_pitch_m: a groove keeps the radius, cable that piles up changes it";
+            let help = "leave drum_pitch_m out for a spool, or spool_build_up_m for a grooved drum, whose layers have drum_layer_height_m";
+            return Err(self.error("spool_build_up_m", "robot::spool", message).with_help(help));
         }
         Ok(winch)
     }

@@ -166,6 +166,8 @@ impl Robot {
             drum_groove_length_m: cable.winch.groove_length(),
             drum_layer_height_m: cable.winch.layer_height(),
             gear_ratio: cable.winch.gear_ratio,
+            spool_build_up_m: cable.winch.build_up,
+            mechanical_advantage: cable.winch.mechanical_advantage,
             encoder_counts_per_turn: cable.winch.encoder_counts_per_turn,
             length_scale: cable.length_scale,
             length_offset_m: cable.length_offset,

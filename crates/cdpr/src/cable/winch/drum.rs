@@ -47,10 +47,10 @@ pub enum DrumError {
 /// A controlled length that the drum's groove does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
-    "the drum's groove holds {available:.4} m of cable, enough for controlled lengths from {shortest:.4} to {longest:.4} m, but {needed:.4} m is needed; use a longer groove (drum_groove_length_m), further layers (drum_layer_height_m) or another drum_start_length_m"
+    "{}, but {needed:.4} m is needed; {}", held(*.available, *.shortest, *.longest), mend(*.shortest)
 )]
 pub struct GrooveError {
-    /// Cable that the groove holds in its first layer (m).
+    /// Cable that the groove holds in its first layer, or the spool from the start on (m).
     pub available: f64,
     /// Least controlled length it allows (m).
     pub shortest: f64,
@@ -58,6 +58,28 @@ pub struct GrooveError {
     pub longest: f64,
     /// The controlled length asked for (m).
     pub needed: f64,
+}
+
+/// Cable that a drum holds, in words.
+fn held(available: f64, shortest: f64, longest: f64) -> String {
+    match shortest.is_finite() {
+        true => format!(
+            "the drum's groove holds {available:.4} m of cable, enough for controlled lengths from {shortest:.4} to {longest:.4} m"
+        ),
+        false => format!(
+            "the spool holds {available:.4} m of cable from its start on, enough for controlled lengths up to {longest:.4} m"
+        ),
+    }
+}
+
+/// Help where it is too little.
+fn mend(shortest: f64) -> &'static str {
+    match shortest.is_finite() {
+        true => {
+            "use a longer groove (drum_groove_length_m), further layers (drum_layer_height_m) or another drum_start_length_m"
+        }
+        false => "mend drum_radius_m, spool_build_up_m, mechanical_advantage or drum_start_length_m",
+    }
 }
 
 /// A drum that has been checked: both directions of its law.
@@ -88,29 +110,32 @@ impl Drum {
 
     /// Least and largest controlled length that the groove allows (m); `None` for a groove without ends.
     pub(crate) fn lengths(&self) -> Option<(f64, f64)> {
-        self.parameters.groove_length?;
         let (first, last) = (self.layers.first()?, self.layers.last()?);
-        Some((last.full().length, first.empty().length))
+        let longest = first.empty().length;
+        longest.is_finite().then(|| (self.geared_down(last.full().length), self.geared_down(longest)))
     }
 
     /// Controlled length at a drum angle (rad → m).
     #[inline]
     pub fn length(&self, angle: f64) -> Result<f64, GrooveError> {
-        Ok(self.layer_of_angle(angle)?.length(angle))
+        Ok(self.geared_down(self.layer_of_angle(angle)?.length(angle)))
     }
 
     /// [`Drum::length`] with its derivatives.
     pub fn gradient(&self, angle: f64) -> Result<DrumLength, GrooveError> {
-        Ok(self.layer_of_angle(angle)?.gradient(angle))
+        let Parameters { start_length, advantage, .. } = self.parameters;
+        Ok(self.layer_of_angle(angle)?.gradient(angle).geared_down(start_length, advantage))
     }
 
     /// Drum angle at a controlled length (m → rad): the exact inverse of [`Drum::length`].
     #[inline]
     pub fn angle(&self, length: f64) -> Result<f64, GrooveError> {
+        let Parameters { start_length, advantage, .. } = self.parameters;
+        let wound = start_length + advantage * (length - start_length);
         // the lengths of the layers decrease as the angles do
-        let within = |layer: &&Layer| length >= layer.full().length;
+        let within = |layer: &&Layer| wound >= layer.full().length;
         match self.layers.iter().find(within) {
-            Some(layer) if length <= layer.empty().length => Ok(layer.angle(length)),
+            Some(layer) if wound <= layer.empty().length => Ok(layer.angle(wound)),
             _ => Err(self.refuse(length)),
         }
     }
@@ -137,13 +162,21 @@ impl Drum {
         Ok(self.parameters.mounting.map(departure))
     }
 
+    /// Controlled length of a length on the drum, both counted from the start (m).
+    #[inline]
+    fn geared_down(&self, wound: f64) -> f64 {
+        let Parameters { start_length, advantage, .. } = self.parameters;
+        // tackle is rare: without it not a digit changes
+        if advantage == 1.0 { wound } else { start_length + (wound - start_length) / advantage }
+    }
+
     #[inline]
     fn layer_of_angle(&self, angle: f64) -> Result<&Layer, GrooveError> {
         let within = |layer: &&Layer| angle >= layer.full().angle;
         let nearest = || if self.layers[0].empty().angle < angle { self.layers.first() } else { self.layers.last() };
         match self.layers.iter().find(within) {
             Some(layer) if angle <= layer.empty().angle => Ok(layer),
-            _ => Err(self.refuse(nearest().map_or(f64::NAN, |layer| layer.length(angle)))),
+            _ => Err(self.refuse(nearest().map_or(f64::NAN, |layer| self.geared_down(layer.length(angle))))),
         }
     }
 
@@ -180,6 +213,8 @@ impl Parameters {
         if let Some(height) = self.layer_height {
             number("drum_layer_height_m", height, height > 0.0, "the height of a layer is above zero")?;
         }
+        number("spool_build_up_m", self.build_up, self.build_up >= 0.0, "a spool that gains cable grows")?;
+        number("mechanical_advantage", self.advantage, self.advantage > 0.0, "it is a ratio above zero")?;
         let Some(mounting) = self.mounting else { return Ok(()) };
         let norm = mounting.axis.norm();
         number("drum_axis", norm, (norm - 1.0).abs() < 1e-6, "the axis is a direction, of length 1")?;

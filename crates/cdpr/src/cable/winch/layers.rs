@@ -76,10 +76,12 @@ impl Layer {
             let (distance, place) = mounting.pulley_from_axis();
             FirstPulley { distance_squared: distance * distance, contact: start.along - place }
         });
-        let turns = Turns { radius, travel, pulley };
+        let turns = Turns { radius, travel, pulley, build_up: drum.build_up };
         let mut layer = Self { turns, start, end: start, is_first, mounting: drum.mounting };
         let sign = if is_first { 1.0 } else { -1.0 };
-        let turn = drum.groove_length.map_or(f64::INFINITY, |length| TAU * length / drum.pitch);
+        // a spool is empty at the angle where its radius would be none
+        let empty = if drum.build_up > 0.0 { 2.0 * drum.radius / drum.build_up } else { f64::INFINITY };
+        let turn = drum.groove_length.map_or(empty, |length| TAU * length / drum.pitch);
         layer.end = layer.end_after(sign * turn, drum.pitch);
         layer
     }
@@ -107,9 +109,9 @@ impl Layer {
     /// End at which the layer is full of cable: its least angle and length.
     #[inline]
     pub(super) fn full(&self) -> State {
-        match self.is_first && self.end.angle.is_finite() {
+        match self.is_first && self.end.angle.is_finite() && self.turns.build_up == 0.0 {
             true => self.start,
-            // without ends the first layer reaches as far as it is asked to
+            // without ends, or on a spool, the first layer reaches as far as it is asked to
             false if self.is_first => State { angle: f64::NEG_INFINITY, length: f64::NEG_INFINITY, ..self.start },
             false => self.end,
         }
@@ -155,6 +157,7 @@ impl Layer {
             by_angle: paid.by_turn,
             by_radius: self.start.by_radius + paid.by_radius,
             by_pitch: self.start.by_pitch - paid.by_turn * self.start.angle_by_pitch + sign * paid.by_travel / TAU,
+            by_build_up: paid.by_build_up,
             by_start_length: 1.0,
             by_pulley: self.start.by_pulley + by_pulley,
             by_axis: self.start.by_axis + by_axis,

@@ -25,8 +25,7 @@ pub struct Winch {
 }
 
 impl Winch {
-    /// The winch without its drum: controlled length linear in the drum angle, radius times angle from the start. `None`
-    /// without a radius.
+    /// The winch without its drum: radius times angle from the start, on a spool with the radius that it has there; `None` without a radius.
     ///
     /// It is what a controller assumes that knows a radius only, and the limit of a drum without pitch.
     pub(crate) fn ideal(cable: &Cable) -> Option<Result<Self, DrumError>> {
@@ -90,6 +89,8 @@ fn parameters(
         mounting,
         groove_length: ends.map(|ends| ends.length),
         layer_height: ends.and_then(|ends| ends.layer_height),
+        build_up: cable.winch.build_up.unwrap_or(0.0),
+        advantage: cable.winch.mechanical_advantage.unwrap_or(1.0),
     }
 }
 

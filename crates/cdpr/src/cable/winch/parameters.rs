@@ -28,6 +28,10 @@ pub struct Parameters {
     pub groove_length: Option<f64>,
     /// Radius that each further layer adds (m); `None` is a drum of one layer.
     pub layer_height: Option<f64>,
+    /// Squared radius Q that every metre wound adds (m), of a spool without pitch; 0 for a drum.
+    pub build_up: f64,
+    /// Length on the drum over controlled length beyond the start.
+    pub advantage: f64,
 }
 
 /// How a drum stands towards its first pulley.
@@ -54,6 +58,8 @@ pub struct DrumLength {
     pub by_radius: f64,
     /// By the pitch at a fixed angle.
     pub by_pitch: f64,
+    /// By the build-up at a fixed angle.
+    pub by_build_up: f64,
     /// By the start length: 1.
     pub by_start_length: f64,
     /// By the point where the cable enters the first pulley (world): the direction of the free part at the start minus that now.
@@ -63,12 +69,27 @@ pub struct DrumLength {
 }
 
 impl DrumLength {
+    /// Length of the cable where so many times its way from a start length lies on the drum, with its derivatives.
+    pub(super) fn geared_down(self, start_length: f64, advantage: f64) -> Self {
+        Self {
+            value: start_length + (self.value - start_length) / advantage,
+            by_angle: self.by_angle / advantage,
+            by_radius: self.by_radius / advantage,
+            by_pitch: self.by_pitch / advantage,
+            by_build_up: self.by_build_up / advantage,
+            by_start_length: self.by_start_length,
+            by_pulley: self.by_pulley / advantage,
+            by_axis: self.by_axis / advantage,
+        }
+    }
+
     /// Length and derivatives at an angle beyond the groove, where no error can be handed back: all NaN.
     pub(crate) const NAN: Self = Self {
         value: f64::NAN,
         by_angle: f64::NAN,
         by_radius: f64::NAN,
         by_pitch: f64::NAN,
+        by_build_up: f64::NAN,
         by_start_length: f64::NAN,
         by_pulley: Vector3::new(f64::NAN, f64::NAN, f64::NAN),
         by_axis: Vector3::new(f64::NAN, f64::NAN, f64::NAN),

@@ -22,6 +22,8 @@ fn drum(groove_length: Option<f64>, layer_height: Option<f64>) -> Parameters {
         }),
         groove_length,
         layer_height,
+        build_up: 0.0,
+        advantage: 1.0,
     }
 }
 
@@ -147,6 +149,7 @@ fn derivatives_by_the_drum_and_its_axis_agree_with_dual_numbers() {
             radius: variable(parameters.radius, 1),
             travel: variable(parameters.pitch, 2) / TAU,
             pulley: Some(pulley),
+            build_up: Dual::from(0.0),
         };
         let length = turns.paid_out(variable(angle, 0) - parameters.start_angle);
         let expected = length.eps.unwrap_generic(Const, Const::<1>);
@@ -299,4 +302,34 @@ fn a_missing_key_is_named() {
     assert_eq!(missing_key(&cable), Some("drum_axis"));
     cable.winch.guided = Some(true);
     assert_eq!(missing_key(&cable), None);
+}
+
+/// A Hangprinter's spool: r = R − Q φ/2, length change (R² − r²)/(Q M), until the spool is empty.
+#[test]
+fn a_spool_grows_with_what_is_wound_on_it() {
+    let (radius, build_up, advantage) = (0.0755, 5e-5, 2.0);
+    let parameters =
+        Parameters { radius, pitch: 0.0, build_up, advantage, mounting: None, start_angle: 0.0, ..drum(None, None) };
+    let spool = Drum::new(parameters).unwrap();
+    for angle in [-60.0, -4.931, 0.0, 7.17, 300.0] {
+        let now: f64 = radius - 0.5 * build_up * angle;
+        let expected = 3.0 + (radius * radius - now * now) / (build_up * advantage);
+        let found = spool.gradient(angle).unwrap();
+        // rounding of the difference of two squares over Q
+        assert!((found.value - expected).abs() < 1e-12 && (spool.length(angle).unwrap() - expected).abs() < 1e-12);
+        assert!((spool.angle(found.value).unwrap() - angle).abs() < 1e-9);
+        let moved = |change: f64| {
+            Drum::new(Parameters { build_up: build_up + change, ..parameters }).unwrap().length(angle).unwrap()
+        };
+        // the law is linear in Q
+        let slope = (moved(1e-5) - moved(-1e-5)) / 2e-5;
+        assert!((found.by_build_up - slope).abs() < 1e-9 * slope.abs().max(1.0), "{} {slope}", found.by_build_up);
+        assert!(
+            (found.by_angle - now / advantage).abs() < 1e-15 && (found.by_radius - angle / advantage).abs() < 1e-12
+        );
+    }
+    let longest = 3.0 + radius * radius / (build_up * advantage);
+    let beyond = spool.angle(longest + 0.01).unwrap_err().to_string();
+    assert!(beyond.contains(&format!("up to {longest:.4} m")) && beyond.contains("spool_build_up_m"), "{beyond}");
+    assert!(spool.length(2.0 * radius / build_up + 1.0).is_err());
 }

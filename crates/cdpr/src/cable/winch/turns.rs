@@ -11,6 +11,9 @@ use crate::scalar::Real;
 ///
 /// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the pulley from
 /// the drum's axis. A drum whose guide travels with the contact point keeps s constant: F = h φ. Without pitch both are r φ.
+///
+/// On a spool the cable lies on itself: every metre paid out takes Q from the squared radius, so that its radius r − Q φ/2 pays out
+/// F(φ) = r φ − Q φ²/4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Turns<T> {
     /// Radius r of the cable's centre line (m).
@@ -19,6 +22,8 @@ pub(crate) struct Turns<T> {
     pub travel: T,
     /// The first pulley; `None` where a guide travels with the contact point.
     pub pulley: Option<FirstPulley<T>>,
+    /// Squared radius Q that every metre wound adds (m), without travel and pulley.
+    pub build_up: T,
 }
 
 /// Place of the first pulley seen from the drum: distance from its axis, and offset along it.
@@ -41,6 +46,8 @@ pub(crate) struct PaidOut<T> {
     pub by_radius: T,
     /// ∂F/∂c by the travel (rad).
     pub by_travel: T,
+    /// ∂F/∂Q by the build-up.
+    pub by_build_up: T,
     /// ∂F/∂w by the place of the contact point.
     pub by_contact: T,
     /// ∂F/∂(d²) (1/m).
@@ -58,7 +65,7 @@ impl<T: Real> Turns<T> {
     #[inline(always)]
     pub(crate) fn paid_out(&self, turn: T) -> T {
         let wound = self.wound_per_radian() * turn;
-        let Some(pulley) = self.pulley else { return wound };
+        let Some(pulley) = self.pulley else { return wound - self.build_up * quarter_square(turn) };
         let (w, along) = (pulley.contact, self.travel * turn);
         let sum = pulley.free_length(self.radius, w + along) + pulley.free_length(self.radius, w);
         // s(φ) − s(0) without the difference of two nearly equal roots
@@ -72,9 +79,10 @@ impl<T: Real> Turns<T> {
         let zero = r.constant(0.0);
         let wound = PaidOut {
             value: self.paid_out(turn),
-            by_turn: h,
+            by_turn: h - self.build_up * turn * r.constant(0.5),
             by_radius: turn * r / h,
             by_travel: turn * c / h,
+            by_build_up: -quarter_square(turn),
             by_contact: zero,
             by_distance_squared: zero,
         };
@@ -101,7 +109,10 @@ impl<T: Real> Turns<T> {
     #[inline(always)]
     pub(crate) fn turn(&self, paid_out: T) -> T {
         let h = self.wound_per_radian();
-        let Some(pulley) = self.pulley else { return paid_out / h };
+        let Some(pulley) = self.pulley else {
+            let root = (h * h - self.build_up * paid_out).sqrt();
+            return (paid_out + paid_out) / (h + root);
+        };
         let (r, c, w) = (self.radius, self.travel, pulley.contact);
         let square = r * r;
         let k = paid_out - pulley.free_length(r, w);
@@ -112,6 +123,12 @@ impl<T: Real> Turns<T> {
         let slope = h - c * z / pulley.free_length(r, z);
         turn - (self.paid_out(turn) - paid_out) / slope
     }
+}
+
+/// φ²/4.
+#[inline(always)]
+fn quarter_square<T: Real>(turn: T) -> T {
+    turn * turn * turn.constant(0.25)
 }
 
 impl<T: Real> FirstPulley<T> {
@@ -129,21 +146,23 @@ mod tests {
 
     use super::*;
 
-    type Dual = DualVec<f64, Const<5>>;
+    type Dual = DualVec<f64, Const<6>>;
 
     fn fleeting(radius: f64, travel: f64, distance: f64, contact: f64) -> Turns<f64> {
         let pulley = FirstPulley { distance_squared: distance * distance, contact };
-        Turns { radius, travel, pulley: Some(pulley) }
+        Turns { radius, travel, pulley: Some(pulley), build_up: 0.0 }
     }
 
     /// Drums of robots, and one whose pitch is as large as its radius with the pulley close by.
-    fn drums() -> [Turns<f64>; 5] {
+    fn drums() -> [Turns<f64>; 6] {
         [
             fleeting(0.1, 0.008 / std::f64::consts::TAU, 1.5, -0.1),
             fleeting(0.06, -0.004 / std::f64::consts::TAU, 0.4, 0.3),
             fleeting(0.05, 0.05, 0.07, -0.4),
             fleeting(0.08, 0.0, 2.0, 0.2),
-            Turns { radius: 0.1, travel: 0.002, pulley: None },
+            Turns { radius: 0.1, travel: 0.002, pulley: None, build_up: 0.0 },
+            // a spool that is empty after 170 rad
+            Turns { radius: 0.3, travel: 0.0, pulley: None, build_up: 0.0035 },
         ]
     }
 
@@ -174,23 +193,26 @@ mod tests {
     #[test]
     fn derivatives_agree_with_dual_numbers_in_both_directions() {
         let variable =
-            |value: f64, index: usize| Dual::new(value, num_dual::Derivative::some(SVector::<f64, 5>::ith(index, 1.0)));
+            |value: f64, index: usize| Dual::new(value, num_dual::Derivative::some(SVector::<f64, 6>::ith(index, 1.0)));
         for drum in drums() {
             for turn in [-9.0, 0.0, 3.0, 41.0] {
                 let pulley = drum.pulley.map(|pulley| FirstPulley {
                     contact: variable(pulley.contact, 3),
                     distance_squared: variable(pulley.distance_squared, 4),
                 });
-                let dual = Turns { radius: variable(drum.radius, 1), travel: variable(drum.travel, 2), pulley };
+                let build_up = variable(drum.build_up, 5);
+                let dual =
+                    Turns { radius: variable(drum.radius, 1), travel: variable(drum.travel, 2), pulley, build_up };
                 let expected = dual.paid_out(variable(turn, 0));
                 let expected = expected.eps.unwrap_generic(Const, Const::<1>);
                 let found = drum.gradient(turn);
-                let found = SVector::<f64, 5>::from([
+                let found = SVector::<f64, 6>::from([
                     found.by_turn,
                     found.by_radius,
                     found.by_travel,
                     found.by_contact,
                     found.by_distance_squared,
+                    if drum.pulley.is_some() { 0.0 } else { found.by_build_up },
                 ]);
                 assert!((expected - found).amax() < 1e-12 * found.amax().max(1.0), "{drum:?}: {expected} {found}");
                 // the inverse: ∂φ/∂F = 1/F′, ∂φ/∂p = −(∂F/∂p)/F′
@@ -209,7 +231,7 @@ mod tests {
         assert!((ideal.value - 2.5).abs() < 1e-15 && (ideal.by_turn - 0.1).abs() < 1e-16);
         // the free part changes in proportion to the pitch, the helix with its square
         let difference = |travel: f64| fleeting(0.1, travel, 1.5, -0.3).paid_out(25.0) - 2.5;
-        let guided = |travel: f64| Turns { radius: 0.1, travel, pulley: None }.paid_out(25.0) - 2.5;
+        let guided = |travel: f64| Turns { radius: 0.1, travel, pulley: None, build_up: 0.0 }.paid_out(25.0) - 2.5;
         assert!((difference(1e-6) / difference(1e-7) - 10.0).abs() < 0.01);
         assert!((guided(1e-3) / guided(1e-4) - 100.0).abs() < 0.1);
         assert!((ideal.by_travel - difference(1e-7) / 1e-7).abs() < 1e-3);

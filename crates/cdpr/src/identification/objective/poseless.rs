@@ -68,7 +68,12 @@ impl<'a> PoselessVectors<'a> {
             guesses.push(Pose::identity());
             recorded.extend(std::iter::repeat_n(0.0, model.cable_count()));
         }
-        let with_origin = Samples { poses: guesses.clone(), lengths: recorded, ..internal.samples.clone() };
+        let mut motor_angles = internal.samples.motor_angles.clone();
+        if let Some(angles) = motor_angles.as_mut().filter(|_| internal.are_changes) {
+            angles.extend(std::iter::repeat_n(0.0, model.cable_count()));
+        }
+        let with_origin =
+            Samples { poses: guesses.clone(), lengths: recorded, motor_angles, ..internal.samples.clone() };
         let lengths = LengthVectors::new(model, &with_origin, parameters, sigma);
         let free = |known: &Vec<bool>| {
             model.twist_basis().iter().zip(known).filter(|(_, known)| !**known).map(|(twist, _)| *twist).collect()

@@ -11,18 +11,24 @@ use crate::scalar::decomposition::svd;
 
 /// Change of the rows below which a motion changes none, beside the sizes that add up to it.
 const UNSEEN: f64 = 1e-7;
+/// Change of the rows with the size, beside the changes that add up to it, below which the rows do not tell it: where poses are known or radii held it is above 0.1.
+const HAIR: f64 = 0.02;
+/// Name of the change of everything by one factor.
+const SIZE: &str = "size";
 /// Share of a motion that is another one.
 const SAME: f64 = 1e-6;
 
 /// Motions of everything together that no length sees, and the convention that fixes them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct GaugeFixing {
-    /// The motions, and the size where the lengths leave it open.
+    /// `anchors`: parameters held at the file's values; `known`: known poses leave nothing to fix.
+    pub kind: &'static str,
+    /// Freedom that the data leave: `translation`, `rotation`, `mirror`, `scale`.
+    pub free: Vec<&'static str>,
+    /// The motions that no row sees, and the size where the lengths leave it open.
     pub motions: Vec<String>,
     /// Parameters that stay at the file's values to fix them.
     pub held: Vec<String>,
-    /// True where the mirror image of the robot fits as well.
-    pub mirrored: bool,
     /// True where lengths count from their values at the world's origin.
     pub at_origin: bool,
 }
@@ -33,12 +39,16 @@ pub(super) struct Gauge {
     motions: Vec<String>,
     /// Places of the parameters that fix them.
     pub(super) held: Vec<usize>,
+    /// Change of the rows with the size, beside the changes that add up to it; nothing where no free parameter changes it, or it is not seen at all.
+    size: Option<f64>,
 }
 
 /// A motion of everything together, with the change of every parameter by it.
 struct Motion {
     name: String,
     changes: DVector<f64>,
+    /// True where the residuals grow with everything else, since the recorded lengths do.
+    grows_residuals: bool,
 }
 
 impl Gauge {
@@ -49,10 +59,16 @@ impl Gauge {
         for (mut column, motion) in seen.column_iter_mut().zip(&motions) {
             let sizes = rows.jacobian.column_iter().zip(motion.changes.iter());
             let size: f64 = sizes.map(|(column, change)| column.norm() * change.abs()).sum();
-            column.copy_from(&(&rows.jacobian * &motion.changes / size.max(f64::MIN_POSITIVE)));
+            let mut change = &rows.jacobian * &motion.changes;
+            if motion.grows_residuals {
+                change -= &rows.residuals;
+            }
+            column.copy_from(&(change / size.max(f64::MIN_POSITIVE)));
         }
-        let unseen = unseen(seen);
+        let unseen = unseen(seen.clone());
         let is_named = |k: &usize| unseen.row(*k).norm() > 1.0 - SAME;
+        let is_size = |motion: &Motion| motion.name == SIZE;
+        let size = motions.iter().position(is_size).map(|k| seen.column(k).norm()).filter(|size| *size > UNSEEN);
         let mut names: Vec<String> = (0..motions.len()).filter(is_named).map(|k| motions[k].name.clone()).collect();
         let others = unseen.ncols() - names.len();
         if others > 0 {
@@ -61,13 +77,33 @@ impl Gauge {
         let mut moved = DMatrix::zeros(parameters.len(), motions.len());
         motions.iter().enumerate().for_each(|(k, motion)| moved.set_column(k, &motion.changes));
         let held = held(moved * unseen, model, parameters);
-        Self { motions: names, held }
+        Self { motions: names, held, size }
+    }
+
+    /// Warning of a size that the rows see, but do not tell.
+    pub(super) fn scale_warning(&self) -> Option<String> {
+        let seen = self.size.filter(|size| *size < HAIR)?;
+        Some(format!(
+            "scale hangs on a hair: a robot of another size, its drums included, changes the lengths by {:.1} % of what its parts change them, so that the size found \
+             here is not one to build on; give one known distance (a position in the columns of the pose), or hold a radius that was measured, as with \
+             --hold drum-radius[1]",
+            100.0 * seen
+        ))
     }
 
     pub(super) fn told(self, model: &Model, parameters: &[Parameter], internal: &InternalSamples) -> GaugeFixing {
         let is_point = model.robot().cables.iter().all(|cable| cable.platform_anchor == Vector3::zeros());
+        let has = |word: &str| self.motions.iter().any(|motion| motion.contains(word));
+        let is_free_origin = internal.are_changes && internal.known_count() == 0;
+        let free = [
+            ("translation", is_free_origin || has("shift")),
+            ("rotation", has("turn")),
+            ("mirror", is_point && internal.known_count() == 0 && !self.motions.is_empty()),
+            ("scale", has(SIZE)),
+        ];
         GaugeFixing {
-            mirrored: is_point && internal.known_count() == 0 && !self.motions.is_empty(),
+            kind: if self.motions.is_empty() && !is_free_origin { "known" } else { "anchors" },
+            free: free.into_iter().filter(|(_, is_free)| *is_free).map(|(word, _)| word).collect(),
             at_origin: internal.are_changes,
             motions: self.motions,
             held: self.held.into_iter().map(|k| parameters[k].name(model.robot())).collect(),
@@ -92,11 +128,13 @@ fn unseen(seen: DMatrix<f64>) -> DMatrix<f64> {
 
 /// Shifts and turns of the world and of the platform's frame, and a change of size, where they move a free parameter.
 fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
+    let is_scaled = parameters.iter().any(|parameter| parameter.kind == ParameterKind::LengthScale);
     let mut all = Vec::new();
     let mut push = |name: String, change: &dyn Fn(&Parameter) -> f64| {
         let changes = DVector::from_iterator(parameters.len(), parameters.iter().map(change));
         if changes.norm() > 0.0 {
-            all.push(Motion { name, changes });
+            let grows_residuals = name == SIZE && !is_scaled;
+            all.push(Motion { name, changes, grows_residuals });
         }
     };
     let robot = model.robot();
@@ -128,10 +166,11 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
             }
         }
     }
-    push("size".to_owned(), &|parameter| match parameter.kind {
+    push(SIZE.to_owned(), &|parameter| match parameter.kind {
         ParameterKind::FrameAnchor => robot.cables[parameter.cable].frame_anchor.dot(&axis_of(parameter)),
         ParameterKind::PlatformAnchor => robot.cables[parameter.cable].platform_anchor.dot(&axis_of(parameter)),
         ParameterKind::LengthScale => -parameter.value(robot),
+        kind if kind.is_of_ideal_winch() && !is_scaled => parameter.value(robot),
         _ => 0.0,
     });
     all

@@ -68,15 +68,20 @@ pub fn self_calibrate(
     }
     let mut vectors = PoselessVectors::new(model, internal, &kept, sigma);
     let start = stacked(&mut vectors, model, &kept)?;
-    let scale = joint_worths(model, &kept, &as_found(model, internal, vectors.poses()).lengths, &[]);
+    let scale = joint_worths(model, &kept, &as_found(model, internal, vectors.poses())?.lengths, &[]);
     let optimum = search((vectors, start), (model, &kept), (scale, Some(sigma), 0.0), settings, progress)?;
     let calibrated = optimum.calibrated().clone();
     let mut vectors = PoselessVectors::new(&calibrated, internal, &all, sigma);
     let at_end = stacked(&mut vectors, &calibrated, &all)?;
     let cost_m2 = at_end.residuals.norm_squared() * sigma * sigma;
-    let found = as_found(&calibrated, internal, vectors.poses());
+    let mut found = as_found(&calibrated, internal, vectors.poses())?;
     let mut fit = report(optimum, &found, &kept, settings);
+    // angles from a common start are those of no start length
+    found.motor_angles = found.motor_angles.filter(|_| !internal.are_changes);
     fit.tell_nominal_values(model);
+    if let Some(words) = gauge.scale_warning() {
+        fit.warnings.insert(0, words);
+    }
     Ok(SelfCalibration {
         cost_m2,
         length_rms_m: (cost_m2 / samples.lengths.len() as f64).sqrt(),
@@ -98,14 +103,15 @@ fn stacked(vectors: &mut PoselessVectors<'_>, model: &Model, parameters: &[Param
     }
 }
 
-/// Samples at poses that were found, lengths counted from nothing.
-fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]) -> Samples {
-    let mut samples = Samples { poses: poses.to_vec(), ..internal.samples.clone() };
+/// Samples at poses that were found, lengths counted from nothing and as the model's winches have them.
+fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]) -> Result<Samples, InputError> {
+    let lengths = model.with_lengths(&internal.samples).map_err(InputError::Winch)?;
+    let mut samples = Samples { poses: poses.to_vec(), ..lengths.into_owned() };
     if internal.are_changes {
         let origin: Vec<f64> = (0..model.cable_count())
             .map(|cable| model.recorded_length(cable, model.path_or_nan(cable, &Pose::identity()).0.length))
             .collect();
         samples.lengths.iter_mut().zip(origin.iter().cycle()).for_each(|(length, origin)| *length += origin);
     }
-    samples
+    Ok(samples)
 }

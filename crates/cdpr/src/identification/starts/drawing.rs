@@ -84,9 +84,10 @@ impl<'a> Drawing<'a> {
 
     fn own_range(&self, kind: ParameterKind) -> Range {
         match kind {
-            ParameterKind::PulleyRadius | ParameterKind::DrumRadius | ParameterKind::DrumPitch => {
-                Range::Times(RADIUS_RANGE)
-            }
+            ParameterKind::PulleyRadius
+            | ParameterKind::DrumRadius
+            | ParameterKind::DrumPitch
+            | ParameterKind::SpoolBuildUp => Range::Times(RADIUS_RANGE),
             ParameterKind::LengthScale | ParameterKind::TensionScale => Range::Added(RATIO_RANGE),
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => Range::Added(TURN_RANGE),
             ParameterKind::StartAngle => Range::Added(PI),

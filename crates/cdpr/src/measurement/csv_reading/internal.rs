@@ -45,13 +45,15 @@ impl CsvFile<'_> {
         })
     }
 
-    /// True where lengths are given by their changes alone.
+    /// True where lengths are given by their changes alone, or by motor angles of winches whose start lengths nobody knows.
     fn has_changes_only(&self) -> bool {
         let has = |wanted: fn(Quantity) -> bool| {
             self.meant_names().any(|name| meaning(name).is_ok_and(|column| column.is_some_and(|c| wanted(c.quantity))))
         };
-        has(|quantity| matches!(quantity, Quantity::LengthChange(_)))
-            && !has(|quantity| matches!(quantity, Quantity::Length(_) | Quantity::MotorAngle(_)))
+        let counts_from_nothing = || self.robot.cables.iter().any(|cable| cable.winch.start_length.is_some());
+        !has(|quantity| matches!(quantity, Quantity::Length(_)))
+            && (has(|quantity| matches!(quantity, Quantity::LengthChange(_)))
+                || has(|quantity| matches!(quantity, Quantity::MotorAngle(_))) && !counts_from_nothing())
     }
 
     /// The components of a pose that a row has; the others are those of the identity.

@@ -79,6 +79,10 @@ pub enum ParameterKind {
     EncoderCounts,
     /// Gravity (world, m/s²).
     Gravity,
+    /// Squared radius that a spool gains with every metre wound on it (m); data of motor angles tell it.
+    SpoolBuildUp,
+    /// Length on the drum over length of the cable, as tackle makes it; without unit.
+    MechanicalAdvantage,
     /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
     DrumAxis,
     /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
@@ -141,7 +145,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 36] = [
+    pub(crate) const ALL: [Self; 38] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -178,10 +182,12 @@ impl ParameterKind {
         Self::Gravity,
         Self::DrumAxis,
         Self::SwivelAxis,
+        Self::SpoolBuildUp,
+        Self::MechanicalAdvantage,
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
-    pub(crate) const IDENTIFIED: [Self; 16] = [
+    pub(crate) const IDENTIFIED: [Self; 17] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
@@ -189,6 +195,7 @@ impl ParameterKind {
         Self::PulleyRadius,
         Self::SwivelAxis,
         Self::DrumRadius,
+        Self::SpoolBuildUp,
         Self::DrumPitch,
         Self::DrumAxis,
         Self::StartLength,
@@ -237,6 +244,8 @@ impl ParameterKind {
             Self::GrooveLength => of(Cable, "groove-length", "drum_groove_length_m", "m", Positive),
             Self::LayerHeight => of(Cable, "layer-height", "drum_layer_height_m", "m", Positive),
             Self::GearRatio => of(Cable, "gear-ratio", "gear_ratio", "", NotZero),
+            Self::SpoolBuildUp => of(Cable, "spool-build-up", "spool_build_up_m", "m", NotNegative),
+            Self::MechanicalAdvantage => of(Cable, "mechanical-advantage", "mechanical_advantage", "", Positive),
             Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
             // the file states unit vectors, drum_axis and pulley_swivel_axis
             Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),
@@ -281,7 +290,7 @@ impl ParameterKind {
     /// Value of a robot that states none: a scale of 1, an offset of 0.
     pub(crate) fn neutral(self) -> f64 {
         match self {
-            Self::LengthScale | Self::TensionScale | Self::GearRatio => 1.0,
+            Self::LengthScale | Self::TensionScale | Self::GearRatio | Self::MechanicalAdvantage => 1.0,
             _ => 0.0,
         }
     }

@@ -173,7 +173,7 @@ impl Parameter {
             ParameterKind::FrameAnchor => robot.cables[self.cable].winch.position.is_none(),
             ParameterKind::TensionMin | ParameterKind::TensionMax | ParameterKind::LengthMin => false,
             ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
-            ParameterKind::DrumRadius | ParameterKind::DrumPitch => false,
+            ParameterKind::DrumRadius | ParameterKind::DrumPitch | ParameterKind::SpoolBuildUp => false,
             ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => false,
             _ => true,
@@ -289,6 +289,8 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::LayerHeight => cable.winch.layer_height(),
         Kind::GearRatio => cable.winch.gear_ratio,
         Kind::EncoderCounts => cable.winch.encoder_counts_per_turn,
+        Kind::SpoolBuildUp => cable.winch.build_up,
+        Kind::MechanicalAdvantage => cable.winch.mechanical_advantage,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
     }
@@ -323,6 +325,8 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::LayerHeight => return cable.winch.set_layer_height(value),
         Kind::GearRatio => &mut cable.winch.gear_ratio,
         Kind::EncoderCounts => &mut cable.winch.encoder_counts_per_turn,
+        Kind::SpoolBuildUp => &mut cable.winch.build_up,
+        Kind::MechanicalAdvantage => &mut cable.winch.mechanical_advantage,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
     };
