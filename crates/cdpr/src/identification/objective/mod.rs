@@ -1,6 +1,7 @@
 //! Objectives of an identification: which residuals are made small, and by which cost of all samples.
 
 mod balance;
+mod bends;
 mod comparison;
 mod cost;
 mod dense;
