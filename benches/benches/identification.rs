@@ -2,7 +2,8 @@
 //!
 //! Kinematic: 48 parameters, both anchors of eight cables; `dense` is the same problem, 728 × 48, by the crate
 //! levenberg-marquardt. Elastostatic: 62 parameters, anchors, compliances and the wrench, from wrench and length rows with
-//! their full covariances, poses and tensions corrected along with the parameters.
+//! their full covariances, poses and tensions corrected along with the parameters. Cartesian: 24 parameters, the frame anchors, from the errors of
+//! 75 predicted poses, beside the fit of the same lengths.
 
 #[path = "../../crates/cdpr/tests/dense/mod.rs"]
 mod dense;
@@ -10,7 +11,7 @@ mod dense;
 use std::hint::black_box;
 
 use cdpr::identification::fit::{Prior, Settings, fit, optimal_parameters};
-use cdpr::identification::{Loss, PathSettings, Penalty, penalty_path};
+use cdpr::identification::{Loss, Objective, PathSettings, Penalty, penalty_path};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::{Study, winch_offsets};
@@ -47,6 +48,7 @@ fn main() {
     });
     group.finish();
     elastostatic(&mut criterion);
+    cartesian(&mut criterion);
     criterion.final_summary();
 }
 
@@ -85,10 +87,13 @@ fn path(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &FreeP
     }
 }
 
-fn elastostatic(criterion: &mut Criterion) {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../studies/twin-measurements.toml");
-    let mut study = Study::from_toml_bytes(&std::fs::read(path).expect("the study"), path).expect("a study");
-    study.poses.as_mut().expect("poses").tension_tests = None;
+/// Control model of a study in `studies` and what its machine measures, at its random poses too where they are asked for.
+fn measured(study: &str, with_random: bool) -> (Model, Samples) {
+    let path = format!("{}/../studies/{study}.toml", env!("CARGO_MANIFEST_DIR"));
+    let mut study = Study::from_toml_bytes(&std::fs::read(&path).expect("the study"), &path).expect("a study");
+    let poses = study.poses.as_mut().expect("poses");
+    poses.tension_tests = None;
+    poses.random = poses.random.take().filter(|_| with_random);
     let robot = |name: &str| Robot::builtin(name).expect("built in");
     let control = Model::new(robot(&study.control.robot), Composition::STANDARD).expect("a model");
     let machine = Model::new(robot(&study.machine.robot), Composition::ELASTIC).expect("a model");
@@ -97,6 +102,27 @@ fn elastostatic(criterion: &mut Criterion) {
     let poses = study.commanded_poses(machine.robot(), Vec::new(), 1).expect("poses");
     let noise = study.noise.expect("noise");
     let samples = simulate(&control, &machine, &offsets, &poses, &noise, 1).expect("measurements").samples;
+    (control, samples)
+}
+
+/// Errors of predicted poses beside the lengths of the same samples, whose cables are fitted one by one.
+fn cartesian(criterion: &mut Criterion) {
+    let (model, samples) = measured("twin-kinematic-measurements", false);
+    let free = "frame-anchor".parse().expect("parameters");
+    let mut group = criterion.benchmark_group("identification 24 × 75");
+    for (name, objective) in [("lengths", Objective::Length), ("poses", Objective::Pose)] {
+        let settings = Settings { loss: Loss::Squared, objective, ..Settings::default() };
+        group.bench_function(format!("optimum, {name}"), |bencher| {
+            bencher.iter(|| {
+                optimal_parameters(&model, black_box(&samples), &free, &settings).map(|found| found.iterations)
+            });
+        });
+    }
+    group.finish();
+}
+
+fn elastostatic(criterion: &mut Criterion) {
+    let (control, samples) = measured("twin-measurements", true);
     let model = Model::new(control.robot().clone(), Composition::ELASTIC).expect("a model");
     let free = "frame-anchor,platform-anchor,compliance,wrench".parse().expect("parameters");
     let prior = Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 };

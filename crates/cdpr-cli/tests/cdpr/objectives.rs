@@ -34,6 +34,23 @@ fn every_optimum_is_judged_by_all_others() {
     assert!(is_near(&squares["pose_norm_m"]["rms"], 38.885));
 }
 
+/// The page of a comparison has a dot for each optimum in each panel, with the driven errors; that of a single fit those of both models.
+#[test]
+fn a_page_shows_the_errors_of_all_optima_side_by_side() {
+    let (folder, wide) = recorded();
+    let page = |options: &str| {
+        let run = identify(&folder, &format!("--drive {wide} --report page.html {options}"));
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        std::fs::read_to_string(folder.path().join("page.html")).unwrap()
+    };
+    let compared = page("--compare-objectives");
+    assert!(compared.contains("least driven 26.0 mm (pose mean)"));
+    assert!(compared.contains("driven position, mm") && compared.contains("pose mean, error: 26.0"));
+    assert_eq!(compared.matches("<title>length squares, error: ").count(), 3, "predicted, driven, length");
+    let single = page("");
+    assert!(single.contains("<title>calibrated, error: 40.5</title>") && !single.contains("pose mean, error"));
+}
+
 /// Lengths and poses in their accuracies; without these refused in words.
 #[test]
 fn poses_are_unknowns_where_accuracies_are_known() {

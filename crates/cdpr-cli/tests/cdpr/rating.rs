@@ -71,7 +71,10 @@ fn an_identification_tells_its_uncertainty_three_ways() {
     }
     let again = cdpr_in(folder.path(), &format!("{identify} {arguments} --threads 1 --format json")).json();
     assert_eq!(again["bootstrap"], *bootstrap);
-    let text = cdpr_in(folder.path(), &format!("{identify} {arguments}")).stdout;
+    let text = cdpr_in(folder.path(), &format!("{identify} {arguments} --report page.html")).stdout;
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert_eq!(page.matches("end of the 95 % interval: ").count(), 8, "two ends of four profiles");
+    assert_eq!(page.matches(", bootstrap: ").count(), 24, "a dot for every parameter");
     assert!(text.contains("by profile, from") && text.contains("bootstrap / linear"), "{text}");
     let unknown = cdpr_in(folder.path(), &format!("{identify} --profile compliance"));
     assert_eq!(unknown.exit_code, 2);

@@ -6,6 +6,7 @@ use minijinja::{Value, context};
 use serde::Serialize;
 
 use super::{Answer, title};
+use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, plain, prose};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
@@ -182,6 +183,34 @@ impl ChainAnswer {
         all
     }
 
+    /// Errors of all stages, beside what is printed of them.
+    fn figure(&self) -> Option<Figure> {
+        let panel = |label: &str,
+                     own: fn(&ChainStep) -> Option<f64>,
+                     printed: fn(&PrintedErrors) -> Option<f64>,
+                     scale: f64| {
+            let value = |one: &StepAnswer| {
+                let printed = one.printed.as_ref().and_then(printed);
+                [own(&one.step), printed].map(|value| value.map_or(f64::NAN, |value| scale * value))
+            };
+            ErrorPanel { label: label.to_owned(), values: self.steps.iter().map(value).collect(), like: None }
+        };
+        let turn = |step: &ChainStep| Some(step.rotation_mean_rad).filter(|_| step.turns);
+        let panels = vec![
+            panel("position, mm", |step| Some(step.position_mean_m), |one| one.position_mean_m, 1e3),
+            panel("orientation, °", turn, |one| one.rotation_mean_rad, 1.0_f64.to_degrees()),
+            panel("tensions, N", |step| step.tension_mean_norm, |one| one.tension_mean_norm_N, 1.0),
+        ];
+        let has_printed = self.steps.iter().any(|one| one.printed.is_some());
+        let figure = ErrorRows {
+            label: "Mean errors of every stage",
+            names: self.steps.iter().map(|one| format!("{} {}", one.step.section, one.step.words)).collect(),
+            series: ("here", has_printed.then_some("printed of the real machine")),
+            panels,
+        };
+        figure.svg()
+    }
+
     /// The page; `command` makes it again.
     pub fn page(&self, command: &str, version: &str) -> Result<String, PageError> {
         let rows: Vec<Value> = self
@@ -198,6 +227,7 @@ impl ChainAnswer {
                 .map(|(term, text)| context! { term, text => plain(text) }).to_vec(),
             prediction => self.prediction.as_ref().map(|text| plain(text)),
             columns => COLUMNS,
+            figure => self.figure().map(|figure| Value::from_safe_string(figure.inline())),
             rows,
             has_printed => self.steps.iter().any(|one| one.printed.is_some()),
             sentences => self.sentences().iter().map(|words| prose(words)).collect::<Vec<_>>(),

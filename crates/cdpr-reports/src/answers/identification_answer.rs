@@ -206,12 +206,21 @@ impl IdentificationAnswer {
         Warnings { list: self.warnings.clone(), doubts: self.doubts }
     }
 
-    /// Parts of the page: smaller model, path of a penalty, condition, course.
+    /// Parts of the page: errors of the optima, smaller model, path of a penalty, condition, course, profiles and bootstrap.
     pub fn additions(&self) -> Vec<Addition> {
+        let blocks = [&self.train_before, &self.train];
+        let objective = self.objective.addition(blocks, self.pattern).into_iter();
         let path = self.path.iter().map(PathAnswer::addition);
         let reduction = self.reduction.iter().map(ReductionAnswer::addition);
         let scaling = self.scaling.iter().map(ScalingAnswer::addition);
-        reduction.chain(path).chain(scaling).chain(self.course.iter().map(CourseAnswer::addition)).collect()
+        let course = self.course.iter().map(CourseAnswer::addition);
+        objective
+            .chain(reduction)
+            .chain(path)
+            .chain(scaling)
+            .chain(course)
+            .chain(self.uncertainty.additions())
+            .collect()
     }
 
     /// Reason of the status.

@@ -1,11 +1,13 @@
 //! Objective of a fit, the errors that it does not look at, and the optima of other objectives.
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::{Certificate, JudgedOptimum, Minimize, Objective, ObjectiveValues};
+use cdpr::identification::{Certificate, ErrorBlocks, JudgedOptimum, Minimize, Objective, ObjectiveValues};
 use cdpr::metamodel::accuracy::Accuracy;
 use serde::Serialize;
 
-use crate::number_format::cell;
+use crate::figures::{ErrorPanel, ErrorRows};
+use crate::number_format::{cell, significant};
+use crate::report::Addition;
 use crate::table::Table;
 
 /// Objective of a fit with the values of all objectives, and the driven errors.
@@ -70,6 +72,26 @@ impl ObjectiveAnswer {
         text
     }
 
+    /// Part of a page: all optima side by side, else the model as given and the calibrated one on a machine.
+    pub(super) fn addition(&self, [before, after]: [&ErrorBlocks; 2], pattern: MotionPattern) -> Option<Addition> {
+        let compared = self.objectives.iter().map(|one| (name(one), &one.predicted, one.driven.as_ref()));
+        let own = [("as given", before, &self.driven_before), ("calibrated", after, &self.driven)];
+        let own = own.map(|(name, predicted, driven)| (name.to_owned(), predicted, driven.as_ref()));
+        let rows: Vec<Judged<'_>> = match self.objectives.is_empty() {
+            true if self.driven.is_none() => return None,
+            true => own.into(),
+            false => compared.collect(),
+        };
+        let refused = self.objectives.iter().filter_map(|one| Some((name(one), one.not_driven.as_ref()?)));
+        Some(Addition {
+            id: "objectives",
+            title: "Errors of the optima",
+            gist: gist(&rows),
+            sentences: refused.map(|(name, why)| format!("{name} does not drive: {why}.")).collect(),
+            figure: figure(&rows, pattern).svg().map(|figure| (figure, FIGURE_WORDS)),
+        })
+    }
+
     fn cost(&self) -> &'static str {
         match self.minimize {
             Minimize::Mean => "mean of the norms",
@@ -111,6 +133,50 @@ impl ObjectiveAnswer {
         }
         row("length", "mean", "mm", 1e3, 3, &|accuracy| accuracy.length_error_m.mean_abs);
         table.text(width)
+    }
+}
+
+/// An optimum with its predicted and driven errors.
+type Judged<'a> = (String, &'a ErrorBlocks, Option<&'a Accuracy>);
+
+/// Words below the figure on a page.
+const FIGURE_WORDS: &str = "Mean errors. Predicted: poses by the recorded lengths against the measured ones. Driven: the controller on the machine, without noise. Lengths: modelled at the measured poses against the recorded ones, root mean square.";
+
+/// The optimum with the least errors of each kind.
+fn gist(rows: &[Judged<'_>]) -> String {
+    let least = |read: &dyn Fn(&Judged<'_>) -> Option<f64>| {
+        let known = rows.iter().filter_map(|row| Some((read(row).filter(|value| value.is_finite())?, &row.0)));
+        known
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(value, name)| format!("{} mm ({name})", significant(1e3 * value, 3)))
+    };
+    let predicted =
+        least(&|row| Some(row.1.position_error_m.mean)).map(|words| format!("least predicted error {words}"));
+    let driven = least(&|row| Some(row.2?.position_error_m.mean)).map(|words| format!("least driven {words}"));
+    predicted.into_iter().chain(driven).collect::<Vec<_>>().join(", ")
+}
+
+fn figure(rows: &[Judged<'_>], pattern: MotionPattern) -> ErrorRows {
+    let panel = |label: &str, read: &dyn Fn(&Judged<'_>) -> Option<f64>| ErrorPanel {
+        label: label.to_owned(),
+        values: rows.iter().map(|row| [read(row).unwrap_or(f64::NAN), f64::NAN]).collect(),
+        like: None,
+    };
+    let like = |first: usize, panel: ErrorPanel| ErrorPanel { like: Some(first), ..panel };
+    let mut panels = vec![
+        panel("predicted position, mm", &|row| Some(1e3 * row.1.position_error_m.mean)),
+        like(0, panel("driven position, mm", &|row| Some(1e3 * row.2?.position_error_m.mean))),
+        panel("length, mm", &|row| Some(1e3 * row.1.length_error_m.rms)),
+    ];
+    if pattern.has_rotation() {
+        panels.push(panel("predicted rotation, °", &|row| Some(row.1.rotation_error_rad.mean.to_degrees())));
+        panels.push(like(3, panel("driven rotation, °", &|row| Some(row.2?.rotation_error_rad.mean.to_degrees()))));
+    }
+    ErrorRows {
+        label: "Errors of the optima, predicted, driven and of lengths",
+        names: rows.iter().map(|row| row.0.clone()).collect(),
+        series: ("error", None),
+        panels,
     }
 }
 

@@ -9,8 +9,9 @@ use cdpr::model::Model;
 use serde::Serialize;
 
 use crate::NamedFile;
-use crate::figures::{Map, MapPoint, ProfileCurves, profiles};
+use crate::figures::{ErrorPanel, ErrorRows, Map, MapPoint, ProfileCurves, profiles};
 use crate::number_format::{NONE, decimals_for, fixed, significant};
+use crate::report::Addition;
 use crate::study_page::{SAME_HEIGHT, levels};
 use crate::table::Table;
 
@@ -123,6 +124,45 @@ impl UncertaintyAnswer {
         table.text(width)
     }
 
+    /// Parts of a page: profiles, bootstrap.
+    pub(super) fn additions(&self) -> Vec<Addition> {
+        let profiles = (!self.profiles.is_empty()).then(|| self.profile_addition());
+        profiles.into_iter().chain(self.bootstrap.as_ref().map(bootstrap_addition)).collect()
+    }
+
+    fn profile_addition(&self) -> Addition {
+        let sentence = |profile: &Profile| {
+            let (unit, factor) = shown(profile.unit);
+            let decimals = decimals_for(Some(factor * profile.sigma));
+            let number = |value: f64| fixed(factor * value, decimals);
+            let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), number);
+            let half = NORMAL_95 * profile.sigma;
+            format!(
+                "`{}` = {} {unit}: by the profile {} to {}, by the linear deviation {} to {}.",
+                profile.parameter,
+                number(profile.value),
+                end(profile.interval[0]),
+                end(profile.interval[1]),
+                number(profile.value - half),
+                number(profile.value + half)
+            )
+        };
+        let curves: Vec<ProfileCurves> = self.profiles.iter().map(curves).collect();
+        let open = self.profiles.iter().filter(|profile| profile.interval.contains(&None)).count();
+        let of = match self.profiles.len() {
+            1 => "1 parameter".to_owned(),
+            count => format!("{count} parameters"),
+        };
+        let ends = if open > 0 { format!(", {open} of them open at an end") } else { String::new() };
+        Addition {
+            id: "profiles",
+            title: "Profiles of parameters",
+            gist: format!("95 % intervals of {of}{ends}"),
+            sentences: self.profiles.iter().map(sentence).collect(),
+            figure: profiles(&curves).map(|figure| (figure, PROFILE_WORDS)),
+        }
+    }
+
     /// Tables and figures; bands are drawn in the plane of a planar robot, else from above, height by height.
     pub fn files(&self, model: &Model) -> Vec<NamedFile> {
         let mut files = Vec::new();
@@ -187,7 +227,50 @@ fn curves(profile: &Profile) -> ProfileCurves {
         refitted: of(|point| point.refitted.max(0.0).sqrt(), 1.0 / profile.threshold.sqrt()),
         length_rms: of(|point| point.length_rms_m, 1e3),
         position_mean: of(|point| point.position_mean_m, 1e3),
+        interval: profile.interval.map(|end| end.map(|end| factor * (end - profile.value))),
+        linear: factor * NORMAL_95 * profile.sigma,
         levels: [1e3 * profile.length_rms_m, 1e3 * profile.given_length_rms_m],
+    }
+}
+
+/// Words below figures of a page.
+const PROFILE_WORDS: &str = "Left: rise of the weighted squares with a parameter; where it crosses the dashed limit the 95 % interval ends (dots), beside the linear one (bars at the limit). Right: errors on the data of the fit, the other parameters held.";
+const BOOTSTRAP_WORDS: &str =
+    "Standard deviations of every parameter, of the replicates and by the Jacobian at the optimum.";
+
+fn bootstrap_addition(found: &Resampled) -> Addition {
+    let Resampled { replicates, failed, block_length, parameters, .. } = found;
+    let failures = if *failed > 0 { format!(", {failed} more without a fit") } else { String::new() };
+    let ratios: Vec<f64> = parameters.iter().filter_map(|one| one.ratio).collect();
+    let ends = ratios.iter().copied().reduce(f64::min).zip(ratios.iter().copied().reduce(f64::max));
+    let ends =
+        ends.map(|(low, high)| format!("{} to {} times the linear ones", significant(low, 3), significant(high, 3)));
+    let mut units: Vec<&str> = Vec::new();
+    for one in parameters {
+        if !units.contains(&one.unit) {
+            units.push(one.unit);
+        }
+    }
+    let panel = |unit: &&'static str| {
+        let (words, factor) = shown(unit);
+        let values = parameters.iter().map(|one| match one.unit == *unit {
+            true => [factor * one.bootstrap, factor * one.linear.unwrap_or(f64::NAN)],
+            false => [f64::NAN; 2],
+        });
+        ErrorPanel { label: format!("standard deviation, {words}"), values: values.collect(), like: None }
+    };
+    let figure = ErrorRows {
+        label: "Standard deviations of the bootstrap beside linear ones",
+        names: parameters.iter().map(|one| one.parameter.clone()).collect(),
+        series: ("bootstrap", Some("linear")),
+        panels: units.iter().map(panel).collect(),
+    };
+    Addition {
+        id: "bootstrap",
+        title: "Bootstrap",
+        gist: ends.unwrap_or_else(|| "no linear deviation to compare with".to_owned()),
+        sentences: vec![format!("{replicates} data sets of blocks of {block_length} samples{failures}.")],
+        figure: figure.svg().map(|figure| (figure, BOOTSTRAP_WORDS)),
     }
 }
 

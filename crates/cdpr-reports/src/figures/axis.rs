@@ -111,6 +111,11 @@ impl Axis {
         self.pixels.0 + share * (self.pixels.1 - self.pixels.0)
     }
 
+    /// True of a value between the ends.
+    pub(super) fn holds(&self, value: f64) -> bool {
+        (self.low..=self.high).contains(&value)
+    }
+
     /// Draws it below a plot, with grid lines up to `top`.
     pub(super) fn draw_below(&self, drawing: &mut Drawing, top: f64, bottom: f64, label: &str) {
         for (value, text) in &self.ticks {

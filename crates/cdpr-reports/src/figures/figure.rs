@@ -60,15 +60,14 @@ impl Figure {
 
 /// Looks of figures in pages, whose colours are variables of the page (CSS).
 pub fn page_style() -> String {
-    // curves in tones of their own stand in no page
     let rules = STYLE
         .lines()
         .chain(correlations::STYLE.lines())
         .chain(tracking::STYLE.lines())
         .chain(penalty_path::STYLE.lines())
-        .filter(|rule| !rule.contains(".tone-"))
-        .map(|rule| format!(".figure {rule}\n"));
-    colour::of_page(&rules.collect::<String>())
+        .map(|rule| colour::of_page(&format!(".figure {rule}\n")));
+    // curves in tones that pages do not have stand in none
+    rules.filter(|rule| !(rule.contains(".tone-") && rule.contains('#'))).collect()
 }
 
 #[cfg(test)]

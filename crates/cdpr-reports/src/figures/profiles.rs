@@ -21,6 +21,10 @@ pub struct ProfileCurves {
     pub length_rms: Vec<f64>,
     /// Mean position error (mm), the others held.
     pub position_mean: Vec<f64>,
+    /// Ends of the 95 % interval of the profile as shifts; `None` where it is open.
+    pub interval: [Option<f64>; 2],
+    /// Half width of the linear 95 % interval.
+    pub linear: f64,
     /// Levels of the length residuals: of the optimum and of the model as given (mm).
     pub levels: [f64; 2],
 }
@@ -69,7 +73,7 @@ fn legend(drawing: &mut Drawing) {
         (left, 16.0, "curve tone-2", "root of the rise of the weighted squares, others held"),
         (left, 34.0, "curve", "the same, others refitted"),
         (right, 16.0, "curve tone-1", "cable length, rms"),
-        (right, 34.0, "curve tone-3", "position error, mean"),
+        (right, 34.0, "curve", "position error, mean"),
     ];
     for (x, y, class, words) in entries {
         drawing.polyline(class, &[(x, y), (x + 26.0, y)], false);
@@ -87,6 +91,14 @@ fn draw_rise(drawing: &mut Drawing, curves: &ProfileCurves, x: &Axis, (left, top
         let below: Vec<(f64, f64)> = clipped(&curves.shifts, values, MOST);
         let points: Vec<(f64, f64)> = below.iter().map(|&(shift, rise)| (x.place(shift), y.place(rise))).collect();
         drawing.polyline(class, &points, false);
+    }
+    let limit = y.place(1.0);
+    for shift in [-curves.linear, curves.linear].into_iter().filter(|shift| x.holds(*shift)) {
+        drawing.line("bar plain", (x.place(shift), limit - 7.0), (x.place(shift), limit + 7.0));
+    }
+    for shift in curves.interval.into_iter().flatten().filter(|shift| x.holds(*shift)) {
+        let words = format!("end of the 95 % interval: {}", crate::number_format::significant(shift, 3));
+        drawing.circle("dot chosen", (x.place(shift), limit), 3.5, &words);
     }
 }
 
@@ -131,7 +143,7 @@ fn draw_errors(
             drawing.text("tick", Anchor::End, (right - 6.0, top + 12.0), &words);
         }
     }
-    for (class, values) in [("curve tone-1", &curves.length_rms), ("curve tone-3", &curves.position_mean)] {
+    for (class, values) in [("curve tone-1", &curves.length_rms), ("curve", &curves.position_mean)] {
         let finite = curves.shifts.iter().zip(values).filter(|(_, value)| value.is_finite());
         let points: Vec<(f64, f64)> = finite.map(|(&shift, &value)| (x.place(shift), y.place(value))).collect();
         drawing.polyline(class, &points, false);

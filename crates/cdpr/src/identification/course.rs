@@ -4,13 +4,14 @@ use serde::Serialize;
 
 use super::evaluation::evaluate_fitted;
 use super::fit::{Fit, InputError, Settings};
-use super::identifiability::{rank_and_condition, spectrum, with_unit_columns};
+use super::identifiability::{rank_and_condition, singular_values, with_unit_columns};
 use super::objective::Objective;
 use super::plain_rows::{PlainRows, RowKind};
 use super::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::Parameter;
+use crate::scalar::TriangularFactor;
 use crate::solve::minimizer;
 
 /// A step of a fit.
@@ -76,8 +77,9 @@ fn step(
     let errors = if settings.objective == Objective::Length { None } else { evaluate_fitted(model, samples).ok() };
     let (length, force, moment) = (rows.rms(RowKind::Length), rows.rms(RowKind::Force), rows.rms(RowKind::Moment));
     let count = rows.jacobian.nrows();
-    let (rank, condition) = rank_and_condition(&spectrum(&rows.jacobian).values, count);
-    let (_, condition_scaled) = rank_and_condition(&spectrum(&with_unit_columns(rows.jacobian)).values, count);
+    let factor = TriangularFactor::of(&rows.jacobian).into_matrix();
+    let (rank, condition) = rank_and_condition(&singular_values(factor.clone()), count);
+    let (_, condition_scaled) = rank_and_condition(&singular_values(with_unit_columns(factor)), count);
     Ok(CourseStep {
         values,
         step_m,

@@ -14,6 +14,7 @@ use super::words::{Direction, describe};
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::TriangularFactor;
 use crate::scalar::decomposition::svd;
 
 /// Two parameters that the data hardly separate.
@@ -126,18 +127,21 @@ pub(super) fn analyse(
         }
         norms.weigh(&mut residuals);
         let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
-        let mut plain = weighted.clone();
-        for (mut row, weight) in plain.row_iter_mut().zip(block.weights()) {
-            row /= *weight;
+        let mut plain = TriangularFactor::new(columns.len());
+        for (row, weight) in weighted.row_iter().zip(block.weights()) {
+            plain.push(row.iter().map(|entry| entry / *weight));
         }
-        plain_values.extend(spectrum(&plain).values);
-        scaled_values.extend(spectrum(&with_unit_columns(plain)).values);
+        let plain = plain.into_matrix();
+        plain_values.extend(singular_values(plain.clone()));
+        scaled_values.extend(singular_values(with_unit_columns(plain)));
 
         let time = correlation_time(&residuals);
         longest_time = longest_time.max(time);
         let factor = inflation * time.sqrt();
         let priors = prior_weights(&block.parameters, settings);
-        let posterior = spectrum(&with_priors(weighted, &priors));
+        let mut weighted = TriangularFactor::of(&weighted);
+        weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
+        let posterior = spectrum(weighted);
         let uncertainty = Uncertainty::new(&posterior, factor, &priors);
         analysis.undetermined += uncertainty.undetermined;
         rows.extend(uncertainty.correlation_rows(rows.len()));
@@ -170,17 +174,22 @@ pub(super) fn analyse(
     (analysis, series)
 }
 
-/// Singular values and right singular vectors of a tall matrix, by way of its QR factor.
-pub(super) fn spectrum(matrix: &DMatrix<f64>) -> Spectrum {
-    let columns = matrix.ncols();
-    let mut factor = DMatrix::zeros(columns.max(matrix.nrows()), columns);
-    factor.view_mut((0, 0), matrix.shape()).copy_from(matrix);
-    let Some(decomposition) = svd(factor.qr().r(), false, true) else {
+/// Singular values with right singular vectors of rows with this triangular factor.
+pub(super) fn spectrum(factor: TriangularFactor) -> Spectrum {
+    let factor = factor.into_matrix();
+    let columns = factor.ncols();
+    let Some(decomposition) = svd(factor, false, true) else {
         // nothing is known of any direction
         return Spectrum { values: vec![0.0; columns], vectors: DMatrix::identity(columns, columns) };
     };
     let vectors = decomposition.v_t.map(|v_t| v_t.transpose()).unwrap_or_else(|| DMatrix::identity(columns, columns));
     Spectrum { values: decomposition.singular_values.iter().copied().collect(), vectors }
+}
+
+/// Singular values of a matrix with no fewer rows than columns, from large to small; zeros where a number is not finite.
+pub(super) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
+    let columns = matrix.ncols();
+    svd(matrix, false, false).map_or_else(|| vec![0.0; columns], |found| found.singular_values.as_slice().to_vec())
 }
 
 pub(super) fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
@@ -198,13 +207,6 @@ pub(super) fn prior_weights(parameters: &[Parameter], settings: &Settings) -> Ve
     let weight =
         |parameter: &Parameter| prior_sigma(settings, parameter.kind).map_or(0.0, |sigma| 1.0 / (sigma * sigma));
     parameters.iter().map(weight).collect()
-}
-
-pub(super) fn with_priors(weighted: DMatrix<f64>, prior_weights: &[f64]) -> DMatrix<f64> {
-    let (rows, columns) = weighted.shape();
-    let mut stacked = weighted.resize(rows + columns, columns, 0.0);
-    prior_weights.iter().enumerate().for_each(|(k, weight)| stacked[(rows + k, k)] = weight.sqrt());
-    stacked
 }
 
 /// Relative size below which a singular value is rounding.
@@ -247,18 +249,24 @@ impl Uncertainty {
         let count = posterior.values.len();
         let largest = posterior.values.iter().copied().fold(0.0, f64::max);
         let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
-        let mut plain = DMatrix::zeros(count, count);
         let mut open = vec![false; count];
-        for (j, &value) in posterior.values.iter().enumerate() {
-            let vector = posterior.vectors.column(j);
-            match determined(value) {
-                true => plain += vector * vector.transpose() / (value * value),
-                false => (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true),
+        // V/s in the determined directions: P is its square
+        let mut root = posterior.vectors.clone();
+        for (mut vector, &value) in root.column_iter_mut().zip(&posterior.values) {
+            if determined(value) {
+                vector /= value;
+                continue;
             }
+            (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true);
+            vector.fill(0.0);
         }
+        let plain = &root * root.transpose();
         let inflation = factor * factor;
-        let priors = DMatrix::from_diagonal(&DVector::from_column_slice(prior_weights));
-        let covariance = &plain * inflation - &plain * priors * &plain * (inflation - 1.0);
+        let mut of_priors = plain.clone();
+        for (mut column, &weight) in of_priors.column_iter_mut().zip(prior_weights) {
+            column *= weight;
+        }
+        let covariance = &plain * inflation - of_priors * &plain * (inflation - 1.0);
         // along a singular vector v the same by v alone: P v = v/s²
         let deviation = |(j, &value): (usize, &f64)| match determined(value) {
             true => {

@@ -1,16 +1,17 @@
 //! Identifiability of parameters that are identified together, whatever their rows are.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::autocorrelation::correlation_time;
 use super::fit::Settings;
 use super::identifiability::{
-    Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, spectrum, with_priors,
+    Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, singular_values, spectrum,
     with_unit_columns,
 };
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::Parameter;
+use crate::scalar::TriangularFactor;
 
 /// Rows that tie all parameters together, at their optimum.
 pub(super) struct JointRows<'a> {
@@ -20,10 +21,12 @@ pub(super) struct JointRows<'a> {
     pub(super) parameters: &'a [Parameter],
     /// Metres that one unit of each parameter is worth.
     pub(super) scale: &'a [f64],
+    /// Number of rows.
+    pub(super) count: usize,
     /// Jacobian in SI units.
-    pub(super) plain: DMatrix<f64>,
+    pub(super) plain: TriangularFactor,
     /// Jacobian in units of the rows' noise.
-    pub(super) weighted: DMatrix<f64>,
+    pub(super) weighted: TriangularFactor,
     /// Residuals in these units, one series over the samples for each row of a sample.
     pub(super) series: Vec<Vec<f64>>,
     /// Factor of that noise.
@@ -32,15 +35,16 @@ pub(super) struct JointRows<'a> {
 
 /// Analyses parameters that are identified together. The typical correlation time of the series enlarges deviations.
 pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Analysis {
-    let JointRows { model, samples, parameters, scale, plain, weighted, series, inflation } = rows;
+    let JointRows { model, samples, parameters, scale, count, plain, mut weighted, series, inflation } = rows;
     let mut analysis = Analysis { inflation, ..Analysis::default() };
     if parameters.is_empty() {
         (analysis.condition, analysis.condition_scaled) = (1.0, 1.0);
         return analysis;
     }
-    let plain_values = spectrum(&plain).values;
-    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, plain.nrows());
-    let scaled_values = spectrum(&with_unit_columns(plain)).values;
+    let plain = plain.into_matrix();
+    let plain_values = singular_values(plain.clone());
+    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, count);
+    let scaled_values = singular_values(with_unit_columns(plain));
     (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
     analysis.singular_values = plain_values;
 
@@ -55,7 +59,8 @@ pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Anal
         ));
     }
     let priors = prior_weights(parameters, settings);
-    let posterior = spectrum(&with_priors(weighted, &priors));
+    weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
+    let posterior = spectrum(weighted);
     let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
     analysis.inflation = inflation * time.sqrt();
     analysis.undetermined = uncertainty.undetermined;

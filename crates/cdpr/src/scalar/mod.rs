@@ -4,6 +4,7 @@ pub(crate) mod decomposition;
 mod parts;
 pub(crate) mod polynomial;
 mod table;
+mod triangular_factor;
 
 pub use cdpr_core::scalar::{
     Kernel, LANES, Lanes, Portable, Real, Select, Smooth, Unit, dispatch, dispatch_narrow, dispatch_on,
@@ -11,3 +12,4 @@ pub use cdpr_core::scalar::{
 pub(crate) use cdpr_core::scalar::{add, constants, cross, dot, eigenvalue, ldl, rotate, scale, sub};
 pub(crate) use parts::over_parts;
 pub use table::{LaneTable, Line};
+pub(crate) use triangular_factor::TriangularFactor;

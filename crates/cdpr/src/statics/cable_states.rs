@@ -30,15 +30,15 @@ fn state_of(model: &Model, pose: &Pose, index: usize, input: CableInput) -> Resu
     state.map_err(|reason| StaticsError::of_cable(index, path.length, reason))
 }
 
-/// One straight cable (0-based) as a spring of 1 N/m with this tension, of any sign (N).
+/// One straight cable (0-based) as a spring of 1 N/m with the tension, of any sign (N), that its length (m) leads to.
 pub(crate) fn unit_spring_state(
     model: &Model,
     pose: &Pose,
     index: usize,
-    tension: f64,
+    tension: impl FnOnce(f64) -> f64,
 ) -> Result<CableState, StaticsError> {
     let (path, end) = model.checked_path(index, pose.position.into(), &pose.rotation_rows())?;
-    Ok(unit_spring(&path, &end, model.law(index).recording, tension))
+    Ok(unit_spring(&path, &end, model.law(index).recording, tension(path.length)))
 }
 
 /// Lengths of one cable (0-based) with a tension where the robot measures it (N; NaN where it is unknown), from a memory of its own or

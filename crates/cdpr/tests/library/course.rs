@@ -72,7 +72,9 @@ fn sixty_two_parameters_take_five_to_eight_steps() {
     assert!(last.moment_rms.unwrap() < first.moment_rms.unwrap());
     let free: FreeParameters = ELASTIC.parse().unwrap();
     let condition = conditioning(&fit.model, &twin(), &free, (&settings, &[])).unwrap();
-    assert_eq!((last.condition, last.condition_scaled), (condition.condition, condition.condition_unit_columns));
+    // the same columns of one length, before their rows are reflected or after: rounding times the condition
+    assert!((last.condition / condition.condition - 1.0).abs() < 1e-9);
+    assert!((last.condition_scaled / condition.condition_unit_columns - 1.0).abs() < 1e-12);
 }
 
 /// What is kept moves nothing: the same steps lead to the same values.

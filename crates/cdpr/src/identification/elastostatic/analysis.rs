@@ -1,7 +1,5 @@
 //! Identifiability of an elastic model's parameters, and the report of its fit.
 
-use nalgebra::DMatrix;
-
 use super::descent::Problem;
 use super::noise::SLACK_SIGMA;
 use super::optimum::Optimum;
@@ -18,6 +16,7 @@ use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::TriangularFactor;
 use crate::statics::Load;
 
 /// Prior and data contradict each other when the parameters moved this many times farther than the prior lets expect.
@@ -156,48 +155,39 @@ fn analyse(
     let Ok(load) = Load::of(optimum.calibrated.robot()) else {
         return (Analysis { inflation, ..Analysis::default() }, Vec::new());
     };
-    let (plain, weighted, series) = stacked(optimum, samples, parameters, load);
+    let ([plain, weighted], series) = stacked(optimum, samples, parameters, load);
     let model = &optimum.calibrated;
     let problem = Problem::new(&optimum.start_model, samples, &optimum.tensions, parameters, settings);
     let mut weighed = series.clone();
     weighed.iter_mut().for_each(|row| optimum.norms.weigh(row));
     let scale = problem.scale();
-    let rows = JointRows { model, samples, parameters, scale, plain, weighted, series: weighed, inflation };
+    let count = samples.len() * series.len();
+    let rows = JointRows { model, samples, parameters, scale, count, plain, weighted, series: weighed, inflation };
     let mut analysis = analyse_together(rows, settings);
     analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
     analysis.weak_directions.extend(analysis.unknown_stiffness.clone());
     (analysis, series)
 }
 
-/// Jacobian without weights, with weights, and the whitened residuals row by row of a sample.
+/// Jacobians without and with weights, and the whitened residuals row by row of a sample.
 fn stacked(
     optimum: &Optimum,
     samples: &Samples,
     parameters: &[Parameter],
     load: Load,
-) -> (DMatrix<f64>, DMatrix<f64>, Vec<Vec<f64>>) {
+) -> ([TriangularFactor; 2], Vec<Vec<f64>>) {
     let row_model = RowModel::new(&optimum.calibrated, load, parameters);
     let mut rows = SampleRows::new(&optimum.calibrated, parameters.len());
-    let count = rows.count;
-    let mut plain = DMatrix::zeros(samples.len() * count, parameters.len());
-    let mut weighted = plain.clone();
-    let mut residuals = vec![Vec::with_capacity(samples.len()); count];
+    let [mut plain, mut weighted] = [(); 2].map(|()| TriangularFactor::new(parameters.len()));
+    let mut residuals = vec![Vec::with_capacity(samples.len()); rows.count];
     for sample in 0..samples.len() {
         optimum.linearization.write(&row_model, samples, sample, &mut rows);
-        copy(&rows, sample, &mut plain);
-        optimum.linearization.write_whitened(&row_model, samples, sample, &mut rows);
-        copy(&rows, sample, &mut weighted);
-        (0..count).for_each(|row| residuals[row].push(rows.residual(row)));
+        rows.derivatives().for_each(|row| plain.push(row.iter().copied()));
+        optimum.linearization.whiten(sample, &mut rows);
+        rows.derivatives().for_each(|row| weighted.push(row.iter().copied()));
+        residuals.iter_mut().enumerate().for_each(|(row, residuals)| residuals.push(rows.residual(row)));
     }
-    (plain, weighted, residuals)
-}
-
-fn copy(rows: &SampleRows, sample: usize, matrix: &mut DMatrix<f64>) {
-    for row in 0..rows.count {
-        for column in 0..rows.parameter_count {
-            matrix[(sample * rows.count + row, column)] = rows.entries[row * rows.stride + column];
-        }
-    }
+    ([plain, weighted], residuals)
 }
 
 /// Cables whose compliance has a 95 % interval wider than ± a quarter of it: too little for a controller that relies on it.

@@ -159,6 +159,11 @@ impl Linearization {
     /// Writes the rows of a sample, whitened.
     pub(super) fn write_whitened(&self, model: &RowModel<'_>, samples: &Samples, sample: usize, rows: &mut SampleRows) {
         self.write(model, samples, sample, rows);
+        self.whiten(sample, rows);
+    }
+
+    /// Whitens the rows of a sample.
+    pub(super) fn whiten(&self, sample: usize, rows: &mut SampleRows) {
         whiten(self.factor(sample), rows);
     }
 

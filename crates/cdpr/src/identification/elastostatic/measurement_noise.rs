@@ -88,24 +88,18 @@ impl Kernel for Invert<'_> {
 
 /// Replaces a symmetric matrix by its lower Cholesky factor with inverted diagonal.
 pub(super) fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
-    for column in 0..count {
-        let mut pivot = matrix[column * count + column];
-        for k in 0..column {
-            pivot -= matrix[column * count + k] * matrix[column * count + k];
+    for row in 0..count {
+        let (above, own) = matrix.split_at_mut(row * count);
+        for (column, other) in above.chunks_exact(count).enumerate() {
+            let products = own[..column].iter().zip(other).map(|(own, other)| own * other);
+            own[column] = products.fold(own[column], |rest, product| rest - product) * other[column];
         }
+        let pivot = own[..row].iter().fold(own[row], |rest, entry| rest - entry * entry);
         // written so that NaN is refused too
         if !(pivot > 0.0 && pivot.is_finite()) {
             return None;
         }
-        let inverse = 1.0 / pivot.sqrt();
-        matrix[column * count + column] = inverse;
-        for row in column + 1..count {
-            let mut entry = matrix[row * count + column];
-            for k in 0..column {
-                entry -= matrix[row * count + k] * matrix[column * count + k];
-            }
-            matrix[row * count + column] = entry * inverse;
-        }
+        own[row] = 1.0 / pivot.sqrt();
     }
     Some(())
 }

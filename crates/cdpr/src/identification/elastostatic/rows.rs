@@ -51,6 +51,11 @@ impl SampleRows {
         self.entries[row * self.stride + self.parameter_count]
     }
 
+    /// Derivatives of every row by the parameters.
+    pub(super) fn derivatives(&self) -> impl Iterator<Item = &[f64]> {
+        self.entries.chunks_exact(self.stride).map(|row| &row[..self.parameter_count])
+    }
+
     /// rᵀ W r for a symmetric weight whose rows are rounded up to whole lanes.
     pub(super) fn square(&self, weight: &[f64]) -> f64 {
         let stride = self.count.next_multiple_of(LANES);
@@ -124,6 +129,7 @@ impl<'a> RowModel<'a> {
         let rotation = pose.rotation_rows();
         let basis = self.model.twist_basis();
         let n = basis.len();
+        let along: [f64; 6] = std::array::from_fn(|k| basis.get(k).map_or(0.0, |twist| sigmas.along(twist)));
         // ∂(wrench)/∂\[δr; δφ\] of load and cables together
         let mut by_twist = self.load.gradient(pose);
         for (cable, &recorded) in tensions.iter().enumerate() {
@@ -137,7 +143,7 @@ impl<'a> RowModel<'a> {
             let (by_tension, by_pose) = (&mut noise.by_tension[cable], &mut noise.by_pose[n + cable]);
             for k in 0..n {
                 by_tension[k] = basis[k].dot(&wrench);
-                by_pose[k] = state.recorded_length_by_twist(&basis[k]) * sigmas.along(&basis[k]);
+                by_pose[k] = state.recorded_length_by_twist(&basis[k]) * along[k];
             }
             by_tension[n] = length;
             // the law says nothing of the length of a slack cable
@@ -145,8 +151,11 @@ impl<'a> RowModel<'a> {
             noise.length[cable] = if may_be_slack { SLACK_SIGMA } else { sigmas.length };
         }
         for k in 0..n {
-            let change = by_twist * basis[k] * sigmas.along(&basis[k]);
-            (0..n).for_each(|row| noise.by_pose[row][k] = basis[row].dot(&change));
+            // the directions of a spatial pattern are the world's own
+            let change = if n == 6 { by_twist.column(k) * along[k] } else { by_twist * basis[k] * along[k] };
+            for row in 0..n {
+                noise.by_pose[row][k] = if n == 6 { change[row] } else { basis[row].dot(&change) };
+            }
         }
     }
 }

@@ -52,7 +52,12 @@ impl<V: Vectors> System for Cost<'_, V> {
 pub(super) fn write_squares(stacked: &Stacked, equations: &mut DenseEquations) {
     equations.cost = stacked.residuals.norm_squared();
     equations.gradient.gemv_tr(1.0, &stacked.jacobian, &stacked.residuals, 0.0);
-    equations.hessian.gemm_tr(1.0, &stacked.jacobian, &stacked.jacobian, 0.0);
+    for j in 0..stacked.jacobian.ncols() {
+        for i in 0..=j {
+            let product = stacked.jacobian.column(i).dot(&stacked.jacobian.column(j));
+            (equations.hessian[(i, j)], equations.hessian[(j, i)]) = (product, product);
+        }
+    }
 }
 
 /// Σ (t − μ ln(2 μ t)) with t = μ + √(μ² + ‖r‖²) and half its derivatives, those by r exact.

@@ -22,6 +22,7 @@ use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Parameter;
+use crate::scalar::TriangularFactor;
 use crate::solve::{ROUNDING_GAIN, Rules};
 
 /// The optimum and what belongs to it.
@@ -364,8 +365,9 @@ fn analyse(optimum: &Optimum, samples: &Samples, parameters: &[Parameter], setti
         samples,
         parameters,
         scale,
-        plain: &stacked.jacobian * unit.unwrap_or(1.0),
-        weighted: stacked.jacobian.clone(),
+        count: stacked.jacobian.nrows(),
+        plain: TriangularFactor::of(&(&stacked.jacobian * unit.unwrap_or(1.0))),
+        weighted: TriangularFactor::of(&stacked.jacobian),
         series: series(stacked),
         inflation,
     };

@@ -11,7 +11,7 @@ use super::metric::Metric;
 use super::vectors::{Stacked, Vectors};
 use crate::cable::CableState;
 use crate::equilibrium::{ForwardSettings, Solutions, State, Status};
-use crate::geometry::{Pose, PoseBatch, Twist};
+use crate::geometry::{Pose, PoseBatch, Twist, Wrench};
 use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -32,6 +32,8 @@ pub(super) struct PoseVectors<'a> {
     settings: ForwardSettings,
     /// Sample without a prediction, where one had none.
     unpredicted: Option<usize>,
+    /// Last parameters that have vectors, with these: searches begin and end where one was.
+    written: Option<(Vec<f64>, Stacked)>,
 }
 
 impl<'a> PoseVectors<'a> {
@@ -51,6 +53,7 @@ impl<'a> PoseVectors<'a> {
             solutions: Solutions::default(),
             settings,
             unpredicted: None,
+            written: None,
         }
     }
 
@@ -94,7 +97,20 @@ impl Vectors for PoseVectors<'_> {
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
-        self.try_write(values, stacked).is_some() && stacked.is_finite()
+        if let Some((_, written)) = self.written.as_ref().filter(|(at, _)| at == values) {
+            stacked.clone_from(written);
+            return true;
+        }
+        let is_written = self.try_write(values, stacked).is_some() && stacked.is_finite();
+        match &mut self.written {
+            _ if !is_written => {}
+            Some((at, written)) => {
+                at.copy_from_slice(values);
+                written.clone_from(stacked);
+            }
+            none => *none = Some((values.to_vec(), stacked.clone())),
+        }
+        is_written
     }
 }
 
@@ -103,6 +119,7 @@ impl PoseVectors<'_> {
         let model = &self.model.with_parameters(self.parameters, values)?;
         let load = if model.needs_tensions() { Some(Load::of(model.robot()).ok()?) } else { None };
         self.predict(model, &mut State::at_home(model))?;
+        let mut rest = Rest::new(model);
         for sample in 0..self.samples.len() {
             let pose = self.solutions.pose(sample);
             let recorded = Recorded::of(self.samples, sample);
@@ -110,7 +127,7 @@ impl PoseVectors<'_> {
                 Some(_) => self.solutions.tension(cable, sample),
                 None => f64::NAN,
             };
-            let rest = Rest::of(model, &pose, load.as_ref(), &recorded, tension)?;
+            rest.settle(&pose, load.as_ref(), &recorded, tension)?;
             self.write_sample(sample, &rest, &recorded, stacked);
         }
         Some(())
@@ -119,27 +136,28 @@ impl PoseVectors<'_> {
     fn write_sample(&self, sample: usize, rest: &Rest<'_>, recorded: &Recorded<'_>, stacked: &mut Stacked) {
         let (n, first) = (self.model.dof(), sample * self.size());
         let error = self.samples.poses[sample].displacement_to(&rest.pose);
-        let (by_turn, basis) = (by_turn(&error), self.model.twist_basis());
+        let (mut by_wrench, basis) = (rest.basis * rest.by_wrench, self.model.twist_basis());
+        let turned = by_turn(&error) * by_wrench.fixed_rows::<3>(3);
+        by_wrench.fixed_rows_mut::<3>(3).copy_from(&turned);
+        by_wrench = rest.basis.tr_mul(&by_wrench);
         for (row, twist) in basis.iter().enumerate() {
-            stacked.residuals[first + row] = self.metric.along(twist) * twist.dot(&error);
+            let unit = self.metric.along(twist);
+            stacked.residuals[first + row] = unit * twist.dot(&error);
+            by_wrench.row_mut(row).scale_mut(unit);
         }
         if let Some(weight) = self.metric.tension {
             for (cable, measured) in recorded.tensions().iter().enumerate() {
-                let predicted = rest.model.recorded_tension(cable, rest.states[cable].outlet_tension);
+                let predicted = rest.model.recorded_tension(cable, rest.cables[cable].state.outlet_tension);
                 stacked.residuals[first + n + cable] = weight * (predicted - measured);
             }
         }
         for (column, parameter) in self.parameters.iter().enumerate() {
-            let answer = rest.by_parameter(parameter, recorded);
-            let mut moved = answer.twist;
-            let turned = by_turn * moved.fixed_rows::<3>(3);
-            moved.fixed_rows_mut::<3>(3).copy_from(&turned);
-            for (row, twist) in basis.iter().enumerate() {
-                stacked.jacobian[(first + row, column)] = self.metric.along(twist) * twist.dot(&moved);
-            }
+            let push = rest.by_parameter(parameter, recorded);
+            let change = by_wrench * push.wrench;
+            stacked.jacobian.view_mut((first, column), (n, 1)).copy_from(&change.rows(0, n));
             if let Some(weight) = self.metric.tension {
                 for cable in 0..self.model.cable_count() {
-                    let change = rest.recorded_tension_change(cable, parameter, &answer);
+                    let change = rest.recorded_tension_change(cable, parameter, &push);
                     stacked.jacobian[(first + n + cable, column)] = weight * change;
                 }
             }
@@ -158,106 +176,118 @@ pub(super) fn by_turn(error: &Twist) -> Matrix3<f64> {
     Matrix3::identity() - 0.5 * cross + second * cross * cross
 }
 
+/// A cable of a robot at rest.
+struct RestCable {
+    state: CableState,
+    /// Whether its tension stays zero.
+    is_slack: bool,
+    /// Change of wrench (world) and recorded length with the tension at a fixed pose.
+    by_tension: (Wrench, f64),
+    /// Change of the tension with a wrench on the platform at fixed controlled lengths (per N, per N·m).
+    tension_by_wrench: Vector6<f64>,
+}
+
 /// A robot at rest with given controlled lengths.
 struct Rest<'a> {
     model: &'a Model,
+    /// Directions of the pattern as columns, zeros behind them.
+    basis: Matrix6<f64>,
     pose: Pose,
     rotation: Matrix3<f64>,
-    states: Vec<CableState>,
-    /// Cables whose tension stays zero.
-    is_slack: Vec<bool>,
-    /// K_wx⁻¹ in the degrees of freedom of the pattern, ones on the diagonal behind them.
-    compliance: Matrix6<f64>,
-    /// Change of each tension with the pose at fixed controlled length, in those degrees of freedom (N/m, N).
-    tension_by_pose: Vec<Vector6<f64>>,
+    cables: Vec<RestCable>,
+    /// K_wx⁻¹: change of the pose, in the directions of the pattern, with a wrench (world); zeros behind them.
+    by_wrench: Matrix6<f64>,
 }
 
-/// Change of a robot at rest with one unit of a parameter.
-struct Answer {
-    /// Of the pose, in the degrees of freedom of the pattern.
-    pose: Vector6<f64>,
-    /// The same as a twist (world).
-    twist: Twist,
-    /// Change of the tension of the parameter's cable at a fixed pose (N).
+/// Effect of one unit of a parameter on a robot that is held.
+struct Push {
+    /// Wrench on the platform (world).
+    wrench: Wrench,
+    /// Change of the tension of the parameter's cable (N).
     own_tension: f64,
 }
 
 impl<'a> Rest<'a> {
-    fn of(
-        model: &'a Model,
+    /// Nowhere yet.
+    fn new(model: &'a Model) -> Self {
+        let basis = Matrix6::from_fn(|row, k| model.twist_basis().get(k).map_or(0.0, |twist| twist[row]));
+        let cables = Vec::with_capacity(model.cable_count());
+        let (rotation, by_wrench) = (Matrix3::identity(), Matrix6::zeros());
+        Self { model, basis, pose: Pose::identity(), rotation, cables, by_wrench }
+    }
+
+    /// Comes to rest at a pose with what was recorded there; nothing where it cannot.
+    fn settle(
+        &mut self,
         pose: &Pose,
         load: Option<&Load>,
         recorded: &Recorded<'_>,
         tension: impl Fn(usize) -> f64,
-    ) -> Option<Self> {
-        let state = |cable: usize| match load {
-            Some(_) => cable_state_at_outlet(model, pose, cable, tension(cable)).ok(),
-            None => {
-                let controlled = model.controlled_length(cable, recorded.length(model, cable));
-                let (path, _) = model.path(cable, pose).ok()?;
-                unit_spring_state(model, pose, cable, path.length - controlled).ok()
-            }
-        };
-        let states: Vec<CableState> = (0..model.cable_count()).map(state).collect::<Option<_>>()?;
-        let slack = |cable: usize| load.is_some() && model.law(cable).may_be_slack(tension(cable), 0.0);
-        let is_slack: Vec<bool> = (0..states.len()).map(slack).collect();
-        let basis = model.twist_basis();
+    ) -> Option<()> {
+        let model = self.model;
         let mut by_pose = load.map_or_else(Matrix6::zeros, |load| load.gradient(pose));
-        let mut tension_by_pose = vec![Vector6::zeros(); states.len()];
-        for (cable, state) in states.iter().enumerate().filter(|(cable, _)| !is_slack[*cable]) {
-            // at fixed controlled length the tension follows the pose
-            let (by_tension, length_by_tension) = state.by_given_tension(1.0);
-            let along = |twist: &Twist| -state.recorded_length_by_twist(twist) / length_by_tension;
-            tension_by_pose[cable] = Vector6::from_fn(|k, _| basis.get(k).map_or(0.0, along));
-            let row = state.controlled_length_by_pose() * (-state.recording.length_scale / length_by_tension);
-            by_pose += state.wrench_by_pose() + by_tension * row.transpose();
+        self.cables.clear();
+        for cable in 0..model.cable_count() {
+            let controlled = || model.controlled_length(cable, recorded.length(model, cable));
+            let state = match load {
+                Some(_) => cable_state_at_outlet(model, pose, cable, tension(cable)).ok()?,
+                None => unit_spring_state(model, pose, cable, |length| length - controlled()).ok()?,
+            };
+            let is_slack = load.is_some() && model.law(cable).may_be_slack(tension(cable), 0.0);
+            let by_tension = state.by_given_tension(1.0);
+            if !is_slack {
+                // at fixed controlled length the tension follows the pose
+                let row = state.controlled_length_by_pose() * (-state.recording.length_scale / by_tension.1);
+                by_pose += state.wrench_by_pose() + by_tension.0 * row.transpose();
+            }
+            self.cables.push(RestCable { state, is_slack, by_tension, tension_by_wrench: Vector6::zeros() });
         }
-        let in_pattern = Matrix6::from_fn(|row, column| match (basis.get(row), basis.get(column)) {
-            (Some(row), Some(column)) => -row.dot(&(by_pose * column)),
-            _ => f64::from(u8::from(row == column)),
-        });
-        Some(Self {
-            model,
-            pose: *pose,
-            rotation: pose.rotation_matrix(),
-            tension_by_pose,
-            compliance: in_pattern.try_inverse()?,
-            states,
-            is_slack,
-        })
+        let n = model.dof();
+        let mut stiffness = -self.basis.tr_mul(&(by_pose * self.basis));
+        (n..6).for_each(|k| stiffness[(k, k)] = 1.0);
+        self.by_wrench = stiffness.try_inverse()? * self.basis.transpose();
+        (self.pose, self.rotation) = (*pose, pose.rotation_matrix());
+        if load.is_some() {
+            self.settle_tensions();
+        }
+        Some(())
     }
 
-    fn by_parameter(&self, parameter: &Parameter, recorded: &Recorded<'_>) -> Answer {
+    fn settle_tensions(&mut self) {
         let basis = self.model.twist_basis();
-        let none = Answer { pose: Vector6::zeros(), twist: Twist::zeros(), own_tension: 0.0 };
-        let (wrench, own_tension) = match parameter.kind {
-            ParameterKind::Wrench => (basis[parameter.axis], 0.0),
+        for cable in self.cables.iter_mut().filter(|cable| !cable.is_slack) {
+            let along = |twist: &Twist| -cable.state.recorded_length_by_twist(twist) / cable.by_tension.1;
+            let by_pose = Vector6::from_fn(|k, _| basis.get(k).map_or(0.0, along));
+            cable.tension_by_wrench = self.by_wrench.tr_mul(&by_pose);
+        }
+    }
+
+    fn by_parameter(&self, parameter: &Parameter, recorded: &Recorded<'_>) -> Push {
+        let none = Push { wrench: Wrench::zeros(), own_tension: 0.0 };
+        match parameter.kind {
+            ParameterKind::Wrench => Push { wrench: self.basis.column(parameter.axis).into_owned(), ..none },
             // what is recorded of the tensions moves nothing
-            ParameterKind::TensionScale | ParameterKind::TensionOffset => return none,
-            _ if self.is_slack[parameter.cable] => return none,
+            ParameterKind::TensionScale | ParameterKind::TensionOffset => none,
+            _ if self.cables[parameter.cable].is_slack => none,
             _ => {
-                let state = &self.states[parameter.cable];
+                let RestCable { state, by_tension, .. } = &self.cables[parameter.cable];
                 let (wrench, length) = self.model.by_parameter((parameter.cable, state), parameter, &self.rotation);
-                let (by_tension, length_by_tension) = state.by_given_tension(1.0);
-                let tension = (recorded.change(self.model, parameter) - length) / length_by_tension;
-                (wrench + by_tension * tension, tension)
+                let own_tension = (recorded.change(self.model, parameter) - length) / by_tension.1;
+                Push { wrench: wrench + by_tension.0 * own_tension, own_tension }
             }
-        };
-        let pushed = Vector6::from_fn(|k, _| basis.get(k).map_or(0.0, |twist| twist.dot(&wrench)));
-        let pose = self.compliance * pushed;
-        Answer { pose, twist: basis.iter().zip(pose.iter()).map(|(twist, amount)| twist * *amount).sum(), own_tension }
+        }
     }
 
     /// Change of the tension that is recorded of a cable (N).
-    fn recorded_tension_change(&self, cable: usize, parameter: &Parameter, answer: &Answer) -> f64 {
+    fn recorded_tension_change(&self, cable: usize, parameter: &Parameter, push: &Push) -> f64 {
         let is_own = parameter.cable == cable;
-        let recording = &self.states[cable].recording;
+        let RestCable { state, tension_by_wrench, .. } = &self.cables[cable];
         match parameter.kind {
-            ParameterKind::TensionScale if is_own => return self.states[cable].outlet_tension,
+            ParameterKind::TensionScale if is_own => return state.outlet_tension,
             ParameterKind::TensionOffset if is_own => return 1.0,
             _ => {}
         }
-        let own = if is_own && parameter.kind != ParameterKind::Wrench { answer.own_tension } else { 0.0 };
-        recording.tension_scale * (own + self.tension_by_pose[cable].dot(&answer.pose))
+        let own = if is_own && parameter.kind != ParameterKind::Wrench { push.own_tension } else { 0.0 };
+        state.recording.tension_scale * (own + tension_by_wrench.dot(&push.wrench))
     }
 }

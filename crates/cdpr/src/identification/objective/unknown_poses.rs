@@ -95,7 +95,7 @@ impl<'a> UnknownPoses<'a> {
         let (m, basis) = (model.cable_count(), model.twist_basis());
         let mut entries = DMatrix::zeros(m + basis.len(), basis.len());
         for cable in 0..m {
-            let state = unit_spring_state(model, pose, cable, 0.0).ok()?;
+            let state = unit_spring_state(model, pose, cable, |_| 0.0).ok()?;
             for (column, twist) in basis.iter().enumerate() {
                 entries[(cable, column)] = self.per_length * state.recorded_length_by_twist(twist);
             }

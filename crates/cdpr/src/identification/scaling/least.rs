@@ -3,8 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::question::KindScale;
-use crate::identification::identifiability::spectrum;
+use crate::identification::identifiability::singular_values;
 use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::TriangularFactor;
 
 /// Decades of the first step, and of the last.
 const STEPS: (f64, f64) = (0.5, 1e-3);
@@ -16,8 +17,7 @@ pub(super) fn scales(matrix: &DMatrix<f64>, parameters: &[Parameter], kinds: &[P
         return Vec::new();
     }
     // the condition is that of the triangular factor
-    let rows = matrix.nrows().max(matrix.ncols());
-    let factor = matrix.clone().resize_vertically(rows, 0.0).qr().r();
+    let factor = TriangularFactor::of(matrix).into_matrix();
     let of_kind = |kind: ParameterKind| (0..parameters.len()).filter(move |&k| parameters[k].kind == kind);
     let length = |kind: ParameterKind| {
         let squares: Vec<f64> = of_kind(kind).map(|k| matrix.column(k).norm_squared()).collect();
@@ -30,7 +30,7 @@ pub(super) fn scales(matrix: &DMatrix<f64>, parameters: &[Parameter], kinds: &[P
             let place = kinds.iter().position(|&kind| kind == parameters[k].kind).unwrap_or(0);
             column *= 10_f64.powf(decades[place]);
         }
-        let values = spectrum(&scaled).values;
+        let values = singular_values(scaled);
         let largest = values.iter().copied().fold(0.0, f64::max);
         largest / values.iter().copied().fold(f64::INFINITY, f64::min)
     };

@@ -7,10 +7,11 @@ use nalgebra::DMatrix;
 use serde::Serialize;
 
 use crate::identification::fit::{InputError, RowWeights, Settings, checked_parameters};
-use crate::identification::identifiability::{rank_and_condition, spectrum};
+use crate::identification::identifiability::{rank_and_condition, singular_values};
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, identified_kind};
 use crate::robot::{Parameter, ParameterKind};
+use crate::scalar::TriangularFactor;
 
 /// Scale of a kind of parameters: the unit in which they are counted, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -46,7 +47,7 @@ pub fn scaled_kind(name: &str) -> Result<ParameterKind, InputError> {
 
 /// Rank and κ.
 pub(super) fn of_matrix(matrix: &DMatrix<f64>) -> (usize, f64) {
-    rank_and_condition(&spectrum(matrix).values, matrix.nrows())
+    rank_and_condition(&singular_values(TriangularFactor::of(matrix).into_matrix()), matrix.nrows())
 }
 
 /// Jacobian that is asked about.

@@ -64,7 +64,7 @@ impl<'a> Equilibrium<'a> {
         let residuals = geometric.iter().zip(lengths).map(|(q, length)| q - length);
         let cables: Vec<CableState> = residuals
             .enumerate()
-            .map(|(cable, residual)| unit_spring_state(model, pose, cable, residual))
+            .map(|(cable, residual)| unit_spring_state(model, pose, cable, |_| residual))
             .collect::<Result<_, _>>()?;
         let is_slack = vec![false; cables.len()];
         Ok(Self::of(model, pose, cables, is_slack, None))
