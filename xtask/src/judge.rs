@@ -8,16 +8,17 @@ use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 
 /// What each judge is given: the example that writes its cases, and the script that judges them.
-const JUDGES: [(&str, &str); 4] = [
+const JUDGES: [(&str, &str); 5] = [
     ("judge_cases", "judges/mujoco/judge.py"),
     (TIMED, "judges/tensions/judge.py"),
     ("judge_losses", "judges/losses/judge.py"),
     ("judge_paths", "judges/paths/judge.py"),
+    ("judge_optima", "judges/optima/judge.py"),
 ];
 /// The judge that also compares times.
 const TIMED: &str = "judge_tensions";
 
-/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, SciPy our robust calibrations, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
