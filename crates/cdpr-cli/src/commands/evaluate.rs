@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::identification::evaluate;
+use cdpr::identification::{Evaluation, evaluate, evaluate_lengths};
+use cdpr::measurement::Samples;
+use cdpr::model::Model;
 use clap::Args;
 
 use crate::answer::Output;
@@ -25,7 +27,7 @@ Examples:
 /// Position and rotation errors compare the pose that the model predicts from the recorded lengths with the measured one;
 /// length errors compare the model's lengths at the measured pose with the recorded ones. An elastic model predicts under the
 /// load that the robot's file states, and so does a rigid one of fewer cables than degrees of freedom; tension errors compare
-/// predicted with recorded tensions. A sample whose forward problem has no answer has no error, and the exit code is 1.
+/// predicted with recorded tensions. Data without poses are compared at the poses where the lengths fit best, with no error of the pose. A sample whose forward problem has no answer has no error, and the exit code is 1.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -42,14 +44,32 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let samples = arguments.data.read(&model, output)?;
-    let progress = Progress::spinner("predicting poses");
-    let evaluation = evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
-    drop(progress);
+    let (samples, evaluation) = match arguments.data.lacks_poses(&model)? {
+        true => at_best_poses(&arguments.data, &model, output)?,
+        false => {
+            let samples = arguments.data.read(&model, output)?;
+            let progress = Progress::spinner("predicting poses");
+            let evaluation =
+                evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
+            drop(progress);
+            (samples, evaluation)
+        }
+    };
     if let Some(path) = &arguments.out_errors {
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;
     }
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
     let data = (arguments.data.name(), &samples, output.doubts());
     output.answer(&EvaluationAnswer::new(&model, data, &evaluation, out_errors))
+}
+
+/// Samples without measured poses, and the errors of their lengths at the poses where these fit best.
+fn at_best_poses(data: &DataArguments, model: &Model, output: &Output) -> Result<(Samples, Evaluation), Failure> {
+    let internal = data.read_internal(model, output)?;
+    let evaluation = evaluate_lengths(model, &internal).map_err(|error| Failure::refused(&data.name(), &error))?;
+    output.remark(&format!(
+        "{}: poses are not measured: lengths are compared at the poses where they fit best, and errors of poses are unknown",
+        data.name()
+    ));
+    Ok((internal.samples, evaluation))
 }

@@ -45,7 +45,12 @@ fn lengths_alone_calibrate_and_the_poses_found_are_data() {
     assert_eq!(answer["frame_anchors_m"].as_array().unwrap().len(), 4);
     let cost = answer["cost_m2"].as_f64().unwrap();
     assert!((answer["length_rms_m"].as_f64().unwrap() - (cost / (4 * count) as f64).sqrt()).abs() < 1e-15);
-    // a fit at the poses found moves nothing
+    // at the poses where they fit best, found anew or measured, the lengths have the same errors
+    let anew = cdpr_in(folder.path(), "evaluate calibrated.toml lengths.csv --format json").json();
+    assert!(
+        (anew["length_error_m"]["rms"].as_f64().unwrap() / answer["length_rms_m"].as_f64().unwrap() - 1.0).abs() < 1e-6
+    );
+    assert!(anew["position_error_m"]["mean"].is_null() && anew["status"] == "converged", "{anew}");
     let again = cdpr_in(folder.path(), "evaluate calibrated.toml found.csv --format json").json();
     let rms = again["length_error_m"]["rms"].as_f64().unwrap();
     assert!((rms / answer["length_rms_m"].as_f64().unwrap() - 1.0).abs() < 1e-6, "{rms}");
@@ -71,7 +76,7 @@ fn what_needs_poses_is_refused() {
         ("identify planar-example measured.csv --free frame-anchor --out-poses found.csv", "data::has-poses"),
         ("identify planar-example lengths.csv --model elastic --free frame-anchor", "setting::cost"),
         ("select planar-example lengths.csv", "csv::no-poses"),
-        ("evaluate planar-example lengths.csv", "csv::no-poses"),
+        ("evaluate planar-example lengths.csv --model elastic", "setting::cost"),
     ] {
         let run = cdpr_in(folder.path(), command);
         assert_eq!(run.exit_code, 2, "{command}");

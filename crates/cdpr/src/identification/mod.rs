@@ -78,6 +78,6 @@ pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
-pub use self_calibration::{GaugeFixing, SelfCalibration, self_calibrate};
+pub use self_calibration::{GaugeFixing, SelfCalibration, evaluate_lengths, self_calibrate};
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};

@@ -5,6 +5,7 @@
 
 mod gauge;
 
+use super::evaluation::Evaluation;
 use super::fit::{Fit, InputError, Settings, checked_parameters};
 use super::objective::{PoselessVectors, Stacked, Vectors, check_recording, report, search};
 use super::worth::joint_worths;
@@ -93,6 +94,35 @@ pub fn self_calibrate(
     })
 }
 
+/// Errors of a rigid model's lengths at the poses where they fit best; known components of poses stay. There are no errors of poses.
+pub fn evaluate_lengths(model: &Model, internal: &InternalSamples) -> Result<Evaluation, InputError> {
+    if model.needs_tensions() {
+        return Err(InputError::PoselessOfElastic);
+    }
+    let (robot, data) = (model.cable_count(), internal.samples.cable_count);
+    if robot != data {
+        return Err(InputError::CableCount { robot, data });
+    }
+    let mut vectors = PoselessVectors::new(model, internal, &[], ASSUMED);
+    stacked(&mut vectors, model, &[])?;
+    let found = as_found(model, internal, vectors.poses())?;
+    let count = found.len();
+    let error = |(k, recorded): (usize, &f64)| modelled_length(model, k % robot, &found.poses[k / robot]) - recorded;
+    Ok(Evaluation {
+        position: vec![f64::NAN; count],
+        position_vector: vec![[f64::NAN; 3]; count],
+        rotation: vec![f64::NAN; count],
+        length: found.lengths.iter().enumerate().map(error).collect(),
+        cable_count: robot,
+        ..Evaluation::default()
+    })
+}
+
+/// Length as it is recorded at a pose (m).
+fn modelled_length(model: &Model, cable: usize, pose: &Pose) -> f64 {
+    model.recorded_length(cable, model.path_or_nan(cable, pose).0.length)
+}
+
 /// Rows at the values of a model.
 fn stacked(vectors: &mut PoselessVectors<'_>, model: &Model, parameters: &[Parameter]) -> Result<Stacked, InputError> {
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
@@ -108,9 +138,8 @@ fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]) -> Result
     let lengths = model.with_lengths(&internal.samples).map_err(InputError::Winch)?;
     let mut samples = Samples { poses: poses.to_vec(), ..lengths.into_owned() };
     if internal.are_changes {
-        let origin: Vec<f64> = (0..model.cable_count())
-            .map(|cable| model.recorded_length(cable, model.path_or_nan(cable, &Pose::identity()).0.length))
-            .collect();
+        let origin: Vec<f64> =
+            (0..model.cable_count()).map(|cable| modelled_length(model, cable, &Pose::identity())).collect();
         samples.lengths.iter_mut().zip(origin.iter().cycle()).for_each(|(length, origin)| *length += origin);
     }
     Ok(samples)
