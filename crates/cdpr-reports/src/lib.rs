@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`figures`] | single figures as SVG that stand alone and print well |
 //! | [`report`] | the page of a comparison of models, or of an identification |
+//! | [`firmware`] | configuration lines of printers' firmware |
 //! | [`comparison`] | the files of a comparison: result, tables, calibrated robots, report |
 //! | [`saved_result`] | a result read back from these files, and its figures |
 //! | [`sensitivity`] | answer, tables and picture of sensitivities and tolerances |
@@ -22,6 +23,7 @@ pub mod answers;
 pub mod comparison;
 mod error_code;
 pub mod figures;
+pub mod firmware;
 mod html_page;
 mod named_file;
 pub mod number_format;

@@ -1,4 +1,4 @@
-//! `cdpr export`: the figures of a result, as drawings or as the numbers behind them.
+//! `cdpr export`: the figures of a result, as drawings or as the numbers behind them, and robots as configuration of firmware.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -9,8 +9,10 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
+use crate::inputs::read_robot;
 use cdpr::reading::Size;
 use cdpr_reports::NamedFile;
+use cdpr_reports::firmware::{Configuration, Firmware, configuration};
 use cdpr_reports::saved_result::{FigureFile, SavedResult};
 
 const EXAMPLES: &str = "\
@@ -18,25 +20,28 @@ Examples:
   cdpr export svg cdpr-demo
   cdpr export csv cdpr-demo --out tables
   cdpr identify robot.toml samples.csv --free length-offset --format json > fit.json
-  cdpr export svg fit.json";
+  cdpr export svg fit.json
+  cdpr export reprapfirmware calibrated.toml
+  cdpr export klipper calibrated.toml --out printer.cfg";
 
-/// Write the figures of a result as SVG drawings, or the numbers behind them as CSV tables.
+/// Write the figures of a result as SVG drawings, or the numbers behind them as CSV tables; or a robot as configuration of a printer's firmware.
 ///
 /// Figures: model-ladder, residuals, pose errors (error-map), parameters (CSV only), correlations, singular-values,
-/// convergence. They are about the recommended candidate, else the best one.
+/// convergence. They are about the recommended candidate, else the best one. Firmware: lines M669 (anchors) and M666 (spools) of RepRapFirmware,
+/// sections of steppers of Klipper's winch kinematics; for point platforms, to standard output without --out.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// What to write.
-    #[arg(value_enum, value_name = "svg|csv", hide_possible_values = true)]
+    #[arg(value_enum, value_name = "svg|csv|reprapfirmware|klipper", hide_possible_values = true)]
     kind: Kind,
 
-    /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`.
+    /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`; for firmware a robot, its file or name.
     #[arg(value_name = "RESULT")]
     result: PathBuf,
 
-    /// Folder to write to; `figures` beside `result.json` when left out.
-    #[arg(long, value_name = "DIR")]
+    /// Folder to write to, `figures` beside `result.json` when left out; for firmware a file.
+    #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
 }
 
@@ -44,6 +49,28 @@ pub(crate) struct Arguments {
 enum Kind {
     Svg,
     Csv,
+    #[value(name = "reprapfirmware")]
+    RepRapFirmware,
+    Klipper,
+}
+
+/// Configuration of a firmware.
+#[derive(Serialize)]
+struct Configured {
+    status: &'static str,
+    robot: String,
+    lines: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+}
+
+impl Answer for Configured {
+    fn words(&self, _width: Option<usize>) -> String {
+        match &self.out {
+            None => self.lines.join("\n") + "\n",
+            Some(out) => format!("{} lines of configuration of {} written to {out}\n", self.lines.len(), self.robot),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -64,12 +91,40 @@ struct Skipped {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    match arguments.kind {
+        Kind::Svg => figures(arguments, SavedResult::drawings, output),
+        Kind::Csv => figures(arguments, SavedResult::tables, output),
+        Kind::RepRapFirmware => configured(&arguments, Firmware::RepRapFirmware, output),
+        Kind::Klipper => configured(&arguments, Firmware::Klipper, output),
+    }
+}
+
+/// Lines of a firmware's configuration.
+fn configured(arguments: &Arguments, firmware: Firmware, output: &mut Output) -> Result<ExitCode, Failure> {
+    let name = arguments.result.to_string_lossy();
+    let robot = read_robot(&name)?;
+    let Configuration { lines, left_out } = configuration(&robot, firmware).map_err(|error| {
+        Failure::input(
+            "export::firmware",
+            format!("{name}: {error}"),
+            "firmware runs point platforms in space: four cables with RepRapFirmware, 26 at most with Klipper",
+        )
+    })?;
+    left_out.iter().for_each(|words| output.remark(&format!("{name}: left out: {words}")));
+    let out = arguments.out.as_ref();
+    out.map_or(Ok(()), |path| files::write(path, (lines.join("\n") + "\n").as_bytes()))?;
+    let out = out.map(|path| shown_path(path));
+    output.answer(&Configured { status: "written", robot: robot.name.clone(), lines, out })
+}
+
+fn figures(
+    arguments: Arguments,
+    of: fn(&SavedResult) -> Vec<FigureFile>,
+    output: &mut Output,
+) -> Result<ExitCode, Failure> {
     let data = read(&arguments.result)?;
     data.robot.iter().for_each(|robot| output.about(robot));
-    let figures = match arguments.kind {
-        Kind::Svg => data.drawings(),
-        Kind::Csv => data.tables(),
-    };
+    let figures = of(&data);
     let folder = arguments.out.unwrap_or_else(|| folder_of(&arguments.result).join("figures"));
     let _own = files::OwnFolder::make(&folder)?;
     let (mut files, mut skipped) = (Vec::new(), Vec::new());

@@ -137,3 +137,61 @@ fn missing_tables_are_said_and_cost_only_their_own_figures() {
     assert!(run.stderr.contains("correlations.svg is not written"), "{}", run.stderr);
     assert!(folder.path().join("demo/figures/residuals.svg").exists());
 }
+
+/// Lines of a printer's configuration say of a robot what its file does, in millimetres.
+#[test]
+fn firmware_reads_back_the_anchors_and_spools_of_the_robot() {
+    let folder = tempfile::tempdir().unwrap();
+    let anchors = [
+        [0.016, -1.61288, -0.13365],
+        [1.27426, 1.21179, -0.15572],
+        [-1.41237, 0.73526, -0.15511],
+        [0.02143, 0.00227, 2.36536],
+    ];
+    let radii = [0.07581, 0.07594, 0.07539, 0.0752];
+    let advantages = [2.0, 2.0, 2.0, 4.0];
+    let mut robot =
+        "layout_version = 1\nname = \"printer\"\nmotion_pattern = \"3T\"\nkind = \"spatial\"\ncable_count = 4\n"
+            .to_owned();
+    for k in 0..4 {
+        robot += &format!(
+            "[[cable]]\nname = \"{k}\"\nframe_anchor_m = {:?}\ndrum_radius_m = {}\nspool_build_up_m = 5e-5\nmechanical_advantage = {}\ngear_ratio = 12.75\n",
+            anchors[k], radii[k], advantages[k]
+        );
+    }
+    std::fs::write(folder.path().join("printer.toml"), robot).unwrap();
+    let numbers = |text: &str| -> Vec<f64> { text.split(':').map(|number| number.parse().unwrap()).collect() };
+    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 6e-4, "{found} {expected}");
+
+    let run = cdpr_in(folder.path(), "export reprapfirmware printer.toml");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    assert!(run.stderr.contains("gear_ratio 12.75:12.75:12.75:12.75"), "{}", run.stderr);
+    let words: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(' ').collect()).collect();
+    assert_eq!((words[0][0], words[0][1], words[1][0]), ("M669", "K6", "M666"));
+    for ((word, letter), anchor) in words[0][2..].iter().zip("ABCD".chars()).zip(anchors) {
+        let found = numbers(word.strip_prefix(letter).unwrap());
+        found.into_iter().zip(anchor).for_each(|(found, metres)| near(found, 1e3 * metres));
+    }
+    let field = |letter: char| numbers(words[1].iter().find_map(|word| word.strip_prefix(letter)).unwrap());
+    assert_eq!((field('Q'), field('U')), (vec![0.05], advantages.to_vec()));
+    field('R').into_iter().zip(radii).for_each(|(found, metres)| near(found, 1e3 * metres));
+
+    let run = cdpr_in(folder.path(), "export klipper printer.toml --out printer.cfg");
+    assert!(run.exit_code == 0 && run.stderr.contains("spool_build_up_m"), "{}", run.stderr);
+    let text = std::fs::read_to_string(folder.path().join("printer.cfg")).unwrap();
+    let sections: Vec<&str> = text.split("[stepper_").skip(1).collect();
+    assert_eq!(sections.len(), 4);
+    for (k, section) in sections.into_iter().enumerate() {
+        let value = |key: &str| -> f64 {
+            section.lines().find_map(|line| line.strip_prefix(&format!("{key}: "))).unwrap().parse().unwrap()
+        };
+        ["anchor_x", "anchor_y", "anchor_z"]
+            .into_iter()
+            .zip(anchors[k])
+            .for_each(|(key, metres)| near(value(key), 1e3 * metres));
+        near(value("rotation_distance"), 1e3 * std::f64::consts::TAU * radii[k] / (12.75 * advantages[k]));
+    }
+
+    let refused = cdpr_in(folder.path(), "export klipper cablerobot-simulator-helicopter");
+    assert!(refused.exit_code == 2 && refused.stderr.contains("export::firmware"), "{}", refused.stderr);
+}
