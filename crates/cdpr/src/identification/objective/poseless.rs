@@ -203,28 +203,36 @@ struct Search<'a> {
     recorded: &'a [f64],
 }
 
-/// Squares at a pose, with half their derivatives.
-#[derive(Default)]
-struct Slope {
+/// Squares at a pose, with half their derivatives in N directions.
+struct Slope<const N: usize> {
     square: f64,
     /// −Jᵀr.
-    pull: [f64; DOF],
+    pull: [f64; N],
     /// JᵀJ.
-    plain: [[f64; DOF]; DOF],
+    plain: [[f64; N]; N],
     /// Σ r ∂²r.
-    bent: [[f64; DOF]; DOF],
+    bent: [[f64; N]; N],
 }
 
 impl Search<'_> {
     /// The pose at which the lengths fit best, from one near it.
     fn find(&self, from: &Pose, directions: &[Twist]) -> Option<Pose> {
-        if directions.is_empty() {
-            return Some(*from);
+        match directions.len() {
+            0 => Some(*from),
+            1 => self.find_in::<1>(from, directions.first_chunk()?),
+            2 => self.find_in::<2>(from, directions.first_chunk()?),
+            3 => self.find_in::<3>(from, directions.first_chunk()?),
+            4 => self.find_in::<4>(from, directions.first_chunk()?),
+            5 => self.find_in::<5>(from, directions.first_chunk()?),
+            _ => self.find_in::<DOF>(from, directions.first_chunk()?),
         }
+    }
+
+    fn find_in<const N: usize>(&self, from: &Pose, directions: &[Twist; N]) -> Option<Pose> {
         let (mut pose, mut here, mut damping) = (*from, self.slope(from, directions), DAMPING);
         let mut gain = f64::INFINITY;
         for _ in 0..STEPS {
-            let step = here.step(directions.len(), damping)?;
+            let step = here.step(damping)?;
             gain = step.iter().zip(here.pull).map(|(step, pull)| step * pull).sum();
             let twist: Twist = directions.iter().zip(step).map(|(twist, amount)| twist * amount).sum();
             let trial = pose.displaced(&twist);
@@ -245,13 +253,14 @@ impl Search<'_> {
         (gain <= NEAR * here.square).then_some(pose)
     }
 
-    fn slope(&self, pose: &Pose, directions: &[Twist]) -> Slope {
-        let mut slope = Slope::default();
+    fn slope<const N: usize>(&self, pose: &Pose, directions: &[Twist; N]) -> Slope<N> {
+        let mut slope = Slope { square: 0.0, pull: [0.0; N], plain: [[0.0; N]; N], bent: [[0.0; N]; N] };
+        let turns = directions.map(|twist| twist.fixed_rows::<3>(3) != Vector3::zeros());
         let rotation = pose.rotation_rows();
         for (cable, recorded) in self.recorded.iter().enumerate() {
             let length = Length::of(self.model, cable, (pose, &rotation), self.per_length);
             let residual = self.per_length * (length.recorded - recorded);
-            let (mut velocities, mut row) = ([Vector3::zeros(); DOF], [0.0; DOF]);
+            let (mut velocities, mut row) = ([Vector3::zeros(); N], [0.0; N]);
             for (i, twist) in directions.iter().enumerate() {
                 velocities[i] = length.velocity(twist);
                 row[i] = -length.factor * length.direction.dot(&velocities[i]);
@@ -259,11 +268,14 @@ impl Search<'_> {
             }
             let (bend, per_factor) = (residual * length.factor / length.free, 1.0 / (length.factor * length.factor));
             slope.square += residual * residual;
-            for i in 0..directions.len() {
+            for i in 0..N {
                 for j in 0..=i {
                     slope.plain[i][j] += row[i] * row[j];
                     let across = velocities[i].dot(&velocities[j]) - row[i] * row[j] * per_factor;
-                    slope.bent[i][j] += bend * across - residual * length.turning(&directions[i], &directions[j]);
+                    slope.bent[i][j] += bend * across;
+                    if turns[i] && turns[j] {
+                        slope.bent[i][j] -= residual * length.turning(&directions[i], &directions[j]);
+                    }
                 }
             }
         }
@@ -271,16 +283,14 @@ impl Search<'_> {
     }
 }
 
-impl Slope {
-    /// A damped Newton step in so many directions, of Gauss and Newton where the bend of the lengths turns it uphill.
-    fn step(&self, count: usize, damping: f64) -> Option<[f64; DOF]> {
+impl<const N: usize> Slope<N> {
+    /// A damped Newton step, of Gauss and Newton where the bend of the lengths turns it uphill.
+    fn step(&self, damping: f64) -> Option<[f64; N]> {
         let solved = |with_bend: bool| {
             let mut matrix = self.plain;
-            for i in 0..DOF {
-                match i < count {
-                    true if with_bend => (0..=i).for_each(|j| matrix[i][j] += self.bent[i][j]),
-                    true => {}
-                    false => matrix[i][i] = 1.0,
+            for i in 0..N {
+                if with_bend {
+                    (0..=i).for_each(|j| matrix[i][j] += self.bent[i][j]);
                 }
                 matrix[i][i] += damping * self.plain[i][i];
             }
