@@ -3,6 +3,7 @@
 use cdpr::error_code::ErrorCode;
 
 use crate::comparison::UnwritableFile;
+use crate::firmware::FirmwareError;
 use crate::html_page::PageError;
 use crate::study_page::StudyPageError;
 use crate::workspace_page::OverlayError;
@@ -33,5 +34,11 @@ impl ErrorCode for StudyPageError {
 impl ErrorCode for OverlayError {
     fn code(&self) -> &'static str {
         "workspace::overlay"
+    }
+}
+
+impl ErrorCode for FirmwareError {
+    fn code(&self) -> &'static str {
+        "export::firmware"
     }
 }

@@ -103,13 +103,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 fn configured(arguments: &Arguments, firmware: Firmware, output: &mut Output) -> Result<ExitCode, Failure> {
     let name = arguments.result.to_string_lossy();
     let robot = read_robot(&name)?;
-    let Configuration { lines, left_out } = configuration(&robot, firmware).map_err(|error| {
-        Failure::input(
-            "export::firmware",
-            format!("{name}: {error}"),
-            "firmware runs point platforms in space: four cables with RepRapFirmware, 26 at most with Klipper",
-        )
-    })?;
+    let found = configuration(&robot, firmware).map_err(|error| {
+        let help = "firmware runs point platforms in space: four cables with RepRapFirmware, 26 at most with Klipper";
+        Failure::refused(&name, &error).with_help(help)
+    });
+    let Configuration { lines, left_out } = found?;
     left_out.iter().for_each(|words| output.remark(&format!("{name}: left out: {words}")));
     let out = arguments.out.as_ref();
     out.map_or(Ok(()), |path| files::write(path, (lines.join("\n") + "\n").as_bytes()))?;

@@ -42,6 +42,9 @@ fn lengths_alone_calibrate_and_the_poses_found_are_data() {
     let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
     assert_eq!((answer["parameter_count"].as_u64(), answer["rank"].as_u64()), (Some(8), Some(5)));
     assert_eq!(answer["gauge"]["held"].as_array().unwrap().len(), 3);
+    assert_eq!(answer["gauge"]["free"], serde_json::json!(["translation", "rotation", "mirror"]));
+    assert_eq!(answer["poses"].as_array().unwrap().len(), count);
+    assert_eq!(answer["poses"][0]["position_m"].as_array().unwrap().len(), 2);
     assert_eq!(answer["frame_anchors_m"].as_array().unwrap().len(), 4);
     let cost = answer["cost_m2"].as_f64().unwrap();
     assert!((answer["length_rms_m"].as_f64().unwrap() - (cost / (4 * count) as f64).sqrt()).abs() < 1e-15);

@@ -7,6 +7,7 @@ use cdpr::model::Model;
 use serde::Serialize;
 
 use super::Answer;
+use super::PoseAnswer;
 use super::identification_words::{identifiability, parameters, status_words};
 use super::start_words::start_words;
 use crate::number_format::significant;
@@ -31,6 +32,8 @@ pub struct SelfCalibrationAnswer {
     #[serde(flatten)]
     analysis: Analysis,
     frame_anchors_m: Vec<Vec<f64>>,
+    /// Poses at which the lengths fit best.
+    poses: Vec<PoseAnswer>,
     parameters: Vec<Estimate>,
     noise_factor: f64,
     starts: Starts,
@@ -72,6 +75,7 @@ impl SelfCalibrationAnswer {
             length_rms_m,
             gauge,
             frame_anchors_m: fit.model.robot().cables.iter().map(anchor).collect(),
+            poses: samples.poses.iter().map(|pose| PoseAnswer::new(model.robot(), pose)).collect(),
             analysis: fit.analysis,
             parameters: fit.parameters,
             noise_factor: fit.noise_factor,

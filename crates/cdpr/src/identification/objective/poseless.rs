@@ -17,8 +17,8 @@ use crate::scalar::ldl;
 const DOF: usize = 6;
 /// Steps to a pose at most; near it each gains some four digits.
 const STEPS: u32 = 60;
-/// Step at which a pose is found, in standard deviations, relative to a larger norm of its residuals.
-const FOUND: f64 = 1e-10;
+/// Last step to a pose, in standard deviations, relative to a larger norm of its residuals: Newton's method is at the pose to its square behind it.
+const FOUND: f64 = 1e-6;
 /// Share of the squares that the next step may still promise where a pose is sought no longer.
 const NEAR: f64 = 1e-6;
 /// Damping of the first step.
