@@ -297,6 +297,14 @@ fn two_controllers_on_one_machine_differ_as_printed() {
     }
     let drawn = std::fs::read(folder.path().join("wide.svg")).unwrap();
     assert!(drawn == figure("dissertation-difference.svg"), "draw the map of two controllers again");
+    // Δε_f of two force controllers: the change of what each of them answers alone, at poses that both reach
+    let (own, other) = (study("planar-force-tracking-identified.toml"), study("planar-force-tracking.toml"));
+    let answer = cdpr_in(folder.path(), &format!("accuracy {own} --against {other} --format json")).json();
+    let alone = cdpr_in(folder.path(), &format!("accuracy {other} --format json")).json();
+    let (tension, number) = (&answer["difference"]["tension_error_N"], |value: &Value| value.as_f64().unwrap());
+    let means = [&answer, &alone].map(|answer| number(&answer["tension_error_N"]["mean_norm"]));
+    assert!((number(&tension["mean_change"]) - (means[0] - means[1])).abs() < 1e-9 * means[1], "{means:?} {tension}");
+    assert!((number(&tension["other"]["mean"]) - means[1]).abs() < 1e-9 * means[1], "{tension}");
     let (own, other) = (study("planar-wide-calibrated.toml"), study("planar-stiff.toml"));
     let run = cdpr_in(folder.path(), &format!("accuracy {own} --against {other} --format json"));
     let warnings = run.json()["warnings"].to_string();

@@ -38,8 +38,9 @@ impl DifferenceAnswer {
 
     /// The paragraph of the difference.
     pub(super) fn words(&self, width: Option<usize>) -> String {
-        let Difference { samples, compared, better, worse, position_error_m, rotation_error_rad, .. } =
-            &self.difference;
+        let Difference {
+            samples, compared, better, worse, position_error_m, rotation_error_rad, tension_error_N, ..
+        } = &self.difference;
         let mut table = Table::new([
             "error",
             "unit",
@@ -63,6 +64,9 @@ impl DifferenceAnswer {
         row("position", "mm", 1e3, position_error_m);
         if self.pattern.has_rotation() {
             row("rotation", "°", 1.0_f64.to_degrees(), rotation_error_rad);
+        }
+        if let Some(change) = tension_error_N {
+            row("tensions, norm", "N", 1.0, change);
         }
         format!(
             "\nagainst {} ({}): better at {better}, worse at {worse} of the {compared} of {samples} poses that both reach\n\n{}",

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::accuracy::Assessment;
-use super::errors::{PoseErrorStatistics, mean};
+use super::errors::{PoseErrorStatistics, mean, norm};
 use super::outcome::Outcome;
 use super::status::Status;
 use super::study::CommandedPose;
@@ -13,6 +13,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative is better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Difference {
     /// Number of commanded poses.
     pub samples: usize,
@@ -26,6 +27,9 @@ pub struct Difference {
     pub position_error_m: ErrorChange,
     /// Angle between commanded and emerging orientation (rad).
     pub rotation_error_rad: ErrorChange,
+    /// 2-norm over cables of emerging less commanded tensions (N); `None` unless both controllers command tensions and the
+    /// machine knows its own.
+    pub tension_error_N: Option<ErrorChange>,
     /// Change of the position error pose by pose (m); `None` where one has no answer.
     #[serde(skip)]
     pub position_change: Vec<Option<f64>>,
@@ -55,15 +59,17 @@ impl Assessment {
     /// Errors of this controller minus those of another that was commanded the same poses.
     pub fn difference(&self, poses: &[CommandedPose], other: &Self) -> Difference {
         let both = || poses.iter().zip(self.outcomes.iter().zip(&other.outcomes));
-        let errors = |read: fn(&CommandedPose, &Outcome) -> f64| -> Vec<Option<[f64; 2]>> {
+        let errors = |read: fn(&CommandedPose, &Outcome) -> Option<f64>| -> Vec<Option<[f64; 2]>> {
             let at_rest = |(pose, (own, other)): (&CommandedPose, (&Outcome, &Outcome))| {
                 let rests = own.status == Status::Converged && other.status == Status::Converged;
-                rests.then(|| [read(pose, own), read(pose, other)])
+                let [own, other] = [own, other].map(|outcome| rests.then(|| read(pose, outcome)).flatten());
+                Some([own?, other?])
             };
             both().map(at_rest).collect()
         };
-        let position = errors(|command, outcome| (outcome.pose.position - command.pose.position).norm());
-        let rotation = errors(|command, outcome| outcome.pose.angle_to(&command.pose));
+        let position = errors(|command, outcome| Some((outcome.pose.position - command.pose.position).norm()));
+        let rotation = errors(|command, outcome| Some(outcome.pose.angle_to(&command.pose)));
+        let tension = errors(|_, outcome| outcome.tension_errors().map(|errors| norm(&errors)));
         let changes = |errors: &[Option<[f64; 2]>]| -> Vec<Option<f64>> {
             errors.iter().map(|both| both.map(|[own, other]| own - other)).collect()
         };
@@ -76,6 +82,7 @@ impl Assessment {
             worse: known().filter(|change| **change > ROUNDING).count(),
             position_error_m: ErrorChange::of(&position),
             rotation_error_rad: ErrorChange::of(&rotation),
+            tension_error_N: tension.iter().any(Option::is_some).then(|| ErrorChange::of(&tension)),
             rotation_change: changes(&rotation),
             position_change,
         }

@@ -75,7 +75,6 @@ impl LengthErrorStatistics {
 impl TensionErrorStatistics {
     /// Statistics of signed errors, sample by sample; NaN without any.
     pub(crate) fn of(values: &[f64], cable_count: usize) -> Self {
-        let norm = |errors: &[f64]| errors.iter().map(|x| x * x).sum::<f64>().sqrt();
         let norms: Vec<f64> = values.chunks(cable_count.max(1)).map(norm).collect();
         let magnitudes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
         Self {
@@ -89,6 +88,10 @@ impl TensionErrorStatistics {
 
 pub(crate) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
+}
+
+pub(crate) fn norm(values: &[f64]) -> f64 {
+    values.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 pub(crate) fn mean_square(values: &[f64]) -> f64 {
