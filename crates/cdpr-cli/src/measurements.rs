@@ -65,7 +65,7 @@ impl FromStr for ColumnOption {
 
 /// One entry of `--sigma`, e.g. `position_m=0.001`.
 #[derive(Clone, Debug)]
-struct SigmaOption {
+pub(crate) struct SigmaOption {
     sensor: Sensor,
     sigma: f64,
 }
@@ -208,8 +208,23 @@ fn at_rest(samples: &Samples, name: &str, model: &Model, output: &Output) -> Res
     Ok(at_rest.samples)
 }
 
+/// Samples of another command's file, with its sidecar and no options.
+pub(crate) fn read_measured(path: &Path, model: &Model, output: &Output) -> Result<Samples, Failure> {
+    let plain = DataArguments {
+        data: path.to_owned(),
+        sigma: Vec::new(),
+        columns: Vec::new(),
+        skip_invalid: false,
+        merge: None,
+        merge_gap: None,
+        at_rest: false,
+    };
+    plain.read(model, output)
+}
+
 impl SigmaOption {
-    fn apply(&self, sigmas: &mut SensorSigmas) {
+    /// Writes the accuracy.
+    pub(crate) fn apply(&self, sigmas: &mut SensorSigmas) {
         let place = match self.sensor {
             Sensor::Position => &mut sigmas.position,
             Sensor::Rotation => &mut sigmas.rotation,

@@ -25,6 +25,7 @@ mod man;
 mod model;
 mod new;
 mod place_pulleys;
+mod plan;
 mod reachable;
 mod robots;
 mod schema;
@@ -71,6 +72,7 @@ commands! {
     advise: Advise,
     place_pulleys: PlacePulleys,
     select: Select,
+    plan: Plan,
     accuracy: Accuracy,
     study: Study,
     chain: Chain,

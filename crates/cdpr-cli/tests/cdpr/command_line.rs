@@ -27,6 +27,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "model",
     "advise",
     "place-pulleys",
+    "plan",
     "identify",
     "evaluate",
     "test-bench",

@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 40] = [
+const CASES: [(&str, Option<&str>); 41] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -42,6 +42,10 @@ const CASES: [(&str, Option<&str>); 40] = [
     ("advise planar-example --task=-1,1,4,6 --accuracy 0.01 --count 2", Some("planar-example")),
     ("place-pulleys planar-example --axis 0,1 --out placed.toml", Some("planar-example")),
     ("simulate study.toml --out data.csv", Some("planar-example")),
+    (
+        "plan planar-example --free length-offset --count 3 --candidates data.csv --out planned.csv",
+        Some("planar-example"),
+    ),
     ("identify planar-example data.csv --free length-offset", Some("planar-example")),
     ("evaluate planar-example data.csv", Some("planar-example")),
     ("select planar-example data.csv --candidates standard --out result", Some("planar-example")),

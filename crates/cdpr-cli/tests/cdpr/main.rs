@@ -29,6 +29,7 @@ mod measurements;
 mod newcomer;
 mod objectives;
 mod penalties;
+mod planning;
 mod rating;
 mod reachable;
 mod scaling;

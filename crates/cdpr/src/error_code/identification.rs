@@ -4,7 +4,7 @@ use super::ErrorCode;
 use crate::identification::candidate::CandidateError;
 use crate::identification::chain::ChainError;
 use crate::identification::selection::RequirementError;
-use crate::identification::{EvaluationError, fit, selection, test_bench};
+use crate::identification::{EvaluationError, PlanError, fit, selection, test_bench};
 use crate::measurement::{DataError, SplitError};
 
 impl ErrorCode for DataError {
@@ -74,6 +74,24 @@ impl ErrorCode for fit::InputError {
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",
             Self::Setting { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for PlanError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoCount | Self::TooMany { .. } => "plan::count",
+            Self::NothingFree => "parameter::none-free",
+            Self::NoCandidate { .. } => "plan::no-candidate",
+            Self::Levels { .. } | Self::LevelsOfRigid | Self::LevelsOfSagging => "plan::tension-levels",
+            Self::PriorsWithoutAccuracies => "plan::priors",
+            Self::Unplannable { .. } => "plan::parameter",
+            Self::Parameters(error) => error.code(),
+            Self::Rows(error) => error.code(),
+            Self::Load(error) => error.code(),
+            Self::Tensions(error) => error.code(),
+            Self::Machine(error) => error.code(),
         }
     }
 }

@@ -13,6 +13,7 @@ mod clock;
 mod clock_test;
 mod course;
 pub mod coverage;
+mod design;
 mod elastostatic;
 pub mod evaluation;
 pub mod fit;
@@ -59,6 +60,10 @@ pub use clock::ClockOffset;
 pub use clock_test::clock_warning;
 pub use course::{CourseStep, course};
 pub use coverage::{Coverage, coverage};
+pub use design::{
+    Candidates, CurvePoint, DesignCriterion, GridComparison, ParameterPrediction, Plan, PlanError, PlanSettings,
+    PosePrediction, Predicted, plan,
+};
 pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
 pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
 pub use identifiability::{Analysis, Correlation};

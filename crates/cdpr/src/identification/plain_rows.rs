@@ -41,7 +41,7 @@ impl PlainRows {
     ) -> Result<Self, InputError> {
         let ((residuals, jacobian), kinds) = match explains_tensions(model) {
             true => (weighted_rows(model, samples, parameters, weights)?, kinds_of_balance(model)),
-            false => (length_rows(model, samples, parameters, weights), vec![RowKind::Length]),
+            false => (even_length_rows(model, samples, parameters, weights), vec![RowKind::Length]),
         };
         match residuals.iter().chain(jacobian.iter()).all(|entry| entry.is_finite()) {
             true => Ok(Self { residuals, jacobian, kinds, weights }),
@@ -67,8 +67,8 @@ fn kinds_of_balance(model: &Model) -> Vec<RowKind> {
     wrenches.chain(std::iter::repeat_n(RowKind::Length, model.cable_count())).collect()
 }
 
-/// Lengths cable by cable.
-fn length_rows(
+/// Lengths cable by cable, all with one weight.
+fn even_length_rows(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
@@ -76,13 +76,23 @@ fn length_rows(
 ) -> (DVector<f64>, DMatrix<f64>) {
     let poses = PoseLanes::new(samples);
     let even = Weights::even(weights.length.recip(), model.cable_count(), samples.len(), &poses);
+    length_rows(model, samples, parameters, (&poses, &even))
+}
+
+/// Lengths cable by cable, with a weight of its own for each.
+pub(super) fn length_rows(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    (poses, weights): (&PoseLanes, &Weights),
+) -> (DVector<f64>, DMatrix<f64>) {
     let mut jacobian = DMatrix::zeros(samples.len() * model.cable_count(), parameters.len());
     let mut residuals = DVector::zeros(jacobian.nrows());
     for cable in 0..model.cable_count() {
         let places: Vec<usize> = (0..parameters.len()).filter(|&k| parameters[k].cable == cable).collect();
         let own = places.iter().map(|&k| parameters[k]).collect();
-        let block = Block::new(model, cable, own, samples, &even);
-        let (own_residuals, columns) = block.rows(&poses, &block.start, samples.len());
+        let block = Block::new(model, cable, own, samples, weights);
+        let (own_residuals, columns) = block.rows(poses, &block.start, samples.len());
         let first = cable * samples.len();
         residuals.rows_mut(first, samples.len()).copy_from_slice(&own_residuals);
         for (&place, column) in places.iter().zip(&columns) {

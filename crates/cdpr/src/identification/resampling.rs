@@ -156,12 +156,12 @@ fn warning(parameters: &[ResampledDeviation]) -> Option<String> {
 }
 
 #[cfg(feature = "parallel")]
-fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+pub(super) fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
     (0..count).into_par_iter().map(work).collect()
 }
 
 #[cfg(not(feature = "parallel"))]
-fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
+pub(super) fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
     (0..count).map(work).collect()
 }

@@ -25,4 +25,4 @@ pub(super) use analysis::report;
 pub(super) use balance::{Balance, checked_start};
 pub(super) use frozen::FrozenBalance;
 pub(super) use pose_rows::pose_rows;
-pub(super) use row_weights::{find, weighted_rows};
+pub(super) use row_weights::{find, weighted_rows, whitened_rows};

@@ -91,3 +91,26 @@ pub(crate) fn weighted_rows(
     }
     Ok((residuals, jacobian))
 }
+
+/// Jacobian of all samples' rows, whitened by the sensors' accuracies, at what was measured.
+pub(crate) fn whitened_rows(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+) -> Result<DMatrix<f64>, InputError> {
+    let tensions = checked_tensions(model, samples)?;
+    let row_model = RowModel::new(model, Load::of(model.robot())?, parameters);
+    let mean = tensions.iter().sum::<f64>() / tensions.len() as f64;
+    let found = Linearization::measured(&row_model, samples, &tensions, &sigmas(samples, mean).0);
+    let linearization = found.ok_or(InputError::NotFinite)?;
+    let mut rows = SampleRows::new(model, parameters.len());
+    let mut jacobian = DMatrix::zeros(samples.len() * rows.count, parameters.len());
+    for sample in 0..samples.len() {
+        linearization.write(&row_model, samples, sample, &mut rows);
+        linearization.whiten(sample, &mut rows);
+        for (row, derivatives) in rows.derivatives().enumerate() {
+            jacobian.row_mut(sample * rows.count + row).copy_from_slice(derivatives);
+        }
+    }
+    Ok(jacobian)
+}

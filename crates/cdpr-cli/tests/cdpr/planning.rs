@@ -1,0 +1,115 @@
+//! `cdpr plan`: designs against check values, reach, levels of tension, and what no plan can be made of.
+
+use std::fmt::Write;
+
+use super::{cdpr_in, numbers, root};
+
+/// The 75 poses of sec. 6.1: z runs fastest, then y.
+fn grid() -> String {
+    let mut text = "x_m,y_m,z_m,qx,qy,qz,qw\n".to_owned();
+    for (x, y) in [-1.5, -0.75, 0.0, 0.75, 1.5].iter().flat_map(|x| [-1.5, -0.75, 0.0, 0.75, 1.5].map(|y| (x, y))) {
+        [1.25, 1.625, 2.0].iter().for_each(|z| writeln!(text, "{x},{y},{z},0,0,0,1").unwrap());
+    }
+    text
+}
+
+const PLAN: &str = "plan cablerobot-simulator-helicopter --free frame-anchor --candidates grid.csv --out poses.csv";
+
+/// C23: an independent computation. The file that is written is one of candidates and of studies again.
+#[test]
+fn the_best_eight_poses_are_the_corners() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("grid.csv"), grid()).unwrap();
+    let run = cdpr_in(folder.path(), &format!("{PLAN} --count 8 --format json"));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json();
+    let mut poses = numbers(&answer["poses"]);
+    poses.sort_by(f64::total_cmp);
+    assert_eq!(poses, [1.0, 3.0, 13.0, 15.0, 61.0, 63.0, 73.0, 75.0]);
+    for (key, value, digits) in [
+        ("log_det", -24.3330, 5e-5),
+        ("condition", 20.2515, 5e-5),
+        ("i_value", 0.26125, 5e-6),
+        ("sigma_min", 0.13788, 5e-6),
+    ] {
+        assert!((answer[key].as_f64().unwrap() - value).abs() < digits, "{key}: {}", answer[key]);
+    }
+    assert!(answer["warnings"].to_string().contains("no accuracy of the sensors is stated"));
+    let curve = answer["curve"].as_array().unwrap();
+    assert!(curve.iter().any(|point| point["count"] == 8 && point["log_det"] == answer["log_det"]));
+    let again = cdpr_in(
+        folder.path(),
+        "plan cablerobot-simulator-helicopter --free frame-anchor --candidates poses.csv --count 8 --out again.csv --format json",
+    );
+    assert_eq!(numbers(&again.json()["poses"]).len(), 8);
+    assert!((again.json()["log_det"].as_f64().unwrap() + 24.3330).abs() < 5e-5);
+    let one = cdpr_in(folder.path(), &format!("{PLAN} --count 16 --threads 1 --format json"));
+    let two = cdpr_in(folder.path(), &format!("{PLAN} --count 16 --threads 2 --format json"));
+    assert_eq!(one.stdout, two.stdout);
+    assert!(one.json()["log_det"].as_f64().unwrap() >= -9.883_155);
+    assert!(one.json()["grid"]["efficiency"].as_f64().unwrap() < 0.9);
+}
+
+/// Poses beyond the reach of a study's controller are left out; levels of tension join elastic ones; measured poses count.
+#[test]
+fn plans_know_reach_tensions_and_what_is_measured() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("grid.csv"), grid()).unwrap();
+    let study = root().join("studies/planar-wide-grid.toml");
+    let planar = format!("plan planar-example --free frame-anchor --study {}", study.display());
+    let answer = cdpr_in(folder.path(), &format!("{planar} --count 4 --out poses.csv --format json")).json();
+    assert_eq!((answer["candidates"].as_u64(), answer["left_out"].as_array().unwrap().len()), (Some(22), 3));
+    assert!(answer["left_out"][0]["reason"].as_str().unwrap().contains("more than its largest tension"));
+    let elastic = "plan cablerobot-simulator-helicopter-elastostatic-calibrated --model elastic --free compliance,frame-anchor --candidates grid.csv --starts 1 \
+                   --sigma position_m=0.001,rotation_rad=0.001,length_m=0.0002,tension_N=50 --out levels.csv --format json";
+    let of = |levels: usize| cdpr_in(folder.path(), &format!("{elastic} --count 12 --tension-levels {levels}")).json();
+    let (one, three) = (of(1), of(3));
+    assert!(
+        three["log_det"].as_f64().unwrap() > one["log_det"].as_f64().unwrap() + 1.0,
+        "{} {}",
+        one["log_det"],
+        three["log_det"]
+    );
+    let table = std::fs::read_to_string(folder.path().join("levels.csv")).unwrap();
+    assert!(table.lines().next().unwrap().ends_with("tension_N_8") && table.lines().count() == 13);
+    let measured = cdpr_in(folder.path(), &format!("{PLAN} --count 8")).exit_code;
+    assert_eq!(measured, 0);
+    let next = cdpr_in(
+        folder.path(),
+        &format!("{} --given poses.csv --count 1 --format json", PLAN.replace("--out poses", "--out next")),
+    );
+    assert!(next.json()["log_det"].as_f64().unwrap() > -24.3, "{}", next.stdout);
+    assert_eq!(next.json()["given"], 8);
+}
+
+/// Frame and platform anchors of a platform that never turns are open: exit code 1 with the reason.
+#[test]
+fn what_no_poses_tell_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("grid.csv"), grid()).unwrap();
+    let open = PLAN.replace("frame-anchor ", "frame-anchor,platform-anchor ");
+    let run = cdpr_in(folder.path(), &format!("{open} --count 20 --format json"));
+    assert_eq!(run.exit_code, 1, "{}", run.stderr);
+    let answer = run.json();
+    assert_eq!((answer["status"].as_str(), answer["log_det"].is_null()), (Some("not-determined"), true));
+    assert_eq!((answer["rank"].as_u64(), answer["parameter_count"].as_u64()), (Some(24), Some(48)));
+    assert!(answer["weak_whatever_is_measured"].to_string().contains("together along x"));
+    let known = cdpr_in(
+        folder.path(),
+        &format!("{open} --count 20 --prior platform-anchor=0.02 --sigma length_m=0.001 --format json"),
+    );
+    assert_eq!(known.exit_code, 0, "{}", known.stdout);
+    for (arguments, code) in [
+        ("--count 0", "plan::count"),
+        ("--count 76", "plan::count"),
+        ("--count 8 --tension-levels 2", "plan::tension-levels"),
+        ("--count 8 --prior frame-anchor=0.02", "plan::priors"),
+        ("--count 8 --hold frame-anchor", "parameter::none-free"),
+    ] {
+        let run = cdpr_in(folder.path(), &format!("{PLAN} {arguments} --format json"));
+        assert_eq!((run.exit_code, run.json()["code"].as_str()), (2, Some(code)), "{arguments}");
+    }
+    let drums =
+        cdpr_in(folder.path(), &format!("{} --count 8 --format json", PLAN.replace("frame-anchor", "clock-offset")));
+    assert_eq!(drums.json()["code"], "plan::parameter");
+}
