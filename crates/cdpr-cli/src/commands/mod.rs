@@ -8,6 +8,7 @@ use crate::failure::Failure;
 // Declared outside the macro, so that `cargo fmt` finds them.
 mod accuracy;
 mod advise;
+mod campaign;
 mod chain;
 mod check;
 mod completions;
@@ -76,6 +77,7 @@ commands! {
     accuracy: Accuracy,
     study: Study,
     chain: Chain,
+    campaign: Campaign,
     reachable: Reachable,
     initial_tension: InitialTension,
     sweep: Sweep,

@@ -28,6 +28,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "advise",
     "place-pulleys",
     "plan",
+    "campaign",
     "identify",
     "evaluate",
     "test-bench",

@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 41] = [
+const CASES: [(&str, Option<&str>); 42] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -49,6 +49,7 @@ const CASES: [(&str, Option<&str>); 41] = [
     ("identify planar-example data.csv --free length-offset", Some("planar-example")),
     ("evaluate planar-example data.csv", Some("planar-example")),
     ("select planar-example data.csv --candidates standard --out result", Some("planar-example")),
+    ("campaign campaign.toml --out campaign", Some("planar-example")),
     ("accuracy study.toml", Some("planar-example")),
     ("study study.toml --out studied", Some("planar-example")),
     ("chain elastic.toml", Some("planar-example")),
@@ -74,6 +75,11 @@ fn folder() -> tempfile::TempDir {
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("study.toml", STUDY);
     write("elastic.toml", ELASTIC);
+    let campaign = STUDY.replace("model = \"elastic\"", "model = \"standard\"");
+    write(
+        "campaign.toml",
+        &format!("{campaign}[campaign]\nfree = \"length-offset\"\nposes_per_round = 4\nrounds = 2\n"),
+    );
     write("sweep.toml", SWEEP);
     write("record.csv", &test_bench::record());
     folder

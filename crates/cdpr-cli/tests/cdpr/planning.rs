@@ -113,3 +113,53 @@ fn what_no_poses_tell_is_said() {
         cdpr_in(folder.path(), &format!("{} --count 8 --format json", PLAN.replace("frame-anchor", "clock-offset")));
     assert_eq!(drums.json()["code"], "plan::parameter");
 }
+
+/// The twin in rounds, again from its records, and from files that are put there by hand.
+#[test]
+fn campaigns_go_from_round_to_round() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = root().join("studies/twin-campaign.toml");
+    let campaign = format!("campaign {} --out rounds --format json", study.display());
+    let run = cdpr_in(folder.path(), &campaign);
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json();
+    let rounds = answer["rounds"].as_array().unwrap();
+    let driven = |round: &serde_json::Value| round["driven"]["position_error_m"]["mean"].as_f64().unwrap();
+    assert_eq!(
+        (rounds.len(), rounds[4]["poses"].as_u64(), answer["status"].as_str()),
+        (5, Some(45), Some("budget-spent"))
+    );
+    assert!(driven(&answer["nominal"]) > 0.035 && driven(&rounds[4]) < 0.0035);
+    assert!(rounds[4]["reach_share"].as_f64() > answer["nominal"]["reach_share"].as_f64());
+    assert!(rounds[4]["validation"]["position_error_m"]["mean"].as_f64().unwrap() < 0.006);
+    assert_eq!(cdpr_in(folder.path(), &campaign).stdout, run.stdout, "all records are there");
+    let page = std::fs::read_to_string(folder.path().join("rounds/report.html")).unwrap();
+    assert!(page.contains("Poses in reach") && page.contains("all 45 poses of the budget are measured"));
+    // the same with records put there by hand, as a real robot's are
+    let text = std::fs::read_to_string(&study).unwrap();
+    std::fs::write(folder.path().join("real.toml"), format!("{text}record = \"files\"\n")).unwrap();
+    let real = "campaign real.toml --out real --format json";
+    let waiting = cdpr_in(folder.path(), real);
+    assert_eq!(
+        (waiting.exit_code, waiting.json()["status"].as_str(), waiting.json()["waits_for"].as_u64()),
+        (0, Some("waiting"), Some(9))
+    );
+    for name in ["poses.csv", "record.csv", "record.meta.toml"] {
+        let [own, other] = ["real", "rounds"].map(|campaign| folder.path().join(campaign).join("round-1").join(name));
+        match name {
+            "poses.csv" => assert_eq!(std::fs::read(own).unwrap(), std::fs::read(other).unwrap()),
+            _ => drop(std::fs::copy(other, own).unwrap()),
+        }
+    }
+    let next = cdpr_in(folder.path(), real).json();
+    assert_eq!(next["rounds"][0]["predicted"], rounds[0]["predicted"]);
+    assert!(next["rounds"][0]["driven"].is_null() && next["reason"].as_str().unwrap().contains("round 2"));
+    // a folder belongs to one study
+    let other = cdpr_in(folder.path(), "campaign real.toml --out rounds --format json");
+    assert_eq!((other.exit_code, other.json()["code"].as_str()), (2, Some("campaign::other-study")));
+    let none = cdpr_in(
+        folder.path(),
+        &format!("campaign {} --out none --format json", root().join("studies/twin-nominal.toml").display()),
+    );
+    assert_eq!((none.exit_code, none.json()["code"].as_str()), (2, Some("campaign::no-table")));
+}

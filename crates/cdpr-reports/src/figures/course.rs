@@ -38,29 +38,38 @@ const NAMES: f64 = 100.0;
 /// Curves of a panel that are named, those that end farthest from zero.
 const NAMED: usize = 4;
 
-/// Panels over the steps from the start on; `None` without a step.
+/// Panels over the steps of a fit from the start on; `None` without a step.
 pub fn course(panels: &[CoursePanel]) -> Option<Figure> {
+    over_steps(panels, "Course of the fit", "step")
+}
+
+/// Panels over the rounds of a campaign from the controller before the first on; `None` without a round.
+pub fn rounds(panels: &[CoursePanel]) -> Option<Figure> {
+    over_steps(panels, "Course of the campaign", "round")
+}
+
+fn over_steps(panels: &[CoursePanel], label: &str, step: &str) -> Option<Figure> {
     let steps = panels.iter().flat_map(|panel| &panel.curves).map(|(_, values)| values.len()).max()?;
     if steps < 2 {
         return None;
     }
     let rows = panels.len().div_ceil(COLUMNS);
     let size = (CORNER.0 + PITCH.0 + PANEL.0 + NAMES, CORNER.1 + PITCH.1 * (rows - 1) as f64 + PANEL.1 + 48.0);
-    let mut drawing = Drawing::new(size.0, size.1, "Course of the fit").with_style(super::penalty_path::STYLE);
+    let mut drawing = Drawing::new(size.0, size.1, label).with_style(super::penalty_path::STYLE);
     for (k, panel) in panels.iter().enumerate() {
         let left = CORNER.0 + PITCH.0 * (k % COLUMNS) as f64;
         let top = CORNER.1 + PITCH.1 * (k / COLUMNS) as f64;
-        panel.draw(&mut drawing, (left, top), steps - 1);
+        panel.draw(&mut drawing, (left, top), (steps - 1, step));
     }
     Some(drawing.finish())
 }
 
 impl CoursePanel {
-    fn draw(&self, drawing: &mut Drawing, (left, top): (f64, f64), last: usize) {
+    fn draw(&self, drawing: &mut Drawing, (left, top): (f64, f64), (last, step): (usize, &str)) {
         let (right, bottom) = (left + PANEL.0, top + PANEL.1);
         drawing.text("panel", Anchor::Start, (left, top - 14.0), &self.title);
         let x = Axis::counting(0.0, last as f64, (left, right), 10);
-        x.draw_below(drawing, top, bottom, "step");
+        x.draw_below(drawing, top, bottom, step);
         let values = self.curves.iter().flat_map(|(_, values)| values.iter().copied());
         let is_change = self.height == CourseHeight::Change;
         let Some((low, high)) = finite_range(values.chain(is_change.then_some(0.0))) else {

@@ -31,7 +31,7 @@ use frame::Frame;
 pub use condition_cells::ConditionCells;
 pub use convergence::convergence;
 pub use correlations::correlations;
-pub use course::{CourseHeight, CoursePanel, course};
+pub use course::{CourseHeight, CoursePanel, course, rounds};
 pub use difference_map::{DifferenceMap, DifferencePoint};
 pub use error_rows::{ErrorPanel, ErrorRows};
 pub use figure::{Figure, page_style};

@@ -1,6 +1,7 @@
 //! Codes of what identification and its data refuse.
 
 use super::ErrorCode;
+use crate::identification::campaign::CampaignError;
 use crate::identification::candidate::CandidateError;
 use crate::identification::chain::ChainError;
 use crate::identification::selection::RequirementError;
@@ -74,6 +75,20 @@ impl ErrorCode for fit::InputError {
             Self::Load(error) => error.code(),
             Self::NotFinite => "numerical::overflow",
             Self::Setting { .. } => "setting::value",
+        }
+    }
+}
+
+impl ErrorCode for CampaignError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::NoTable => "campaign::no-table",
+            Self::Criterion { .. } => "campaign::criterion",
+            Self::Parameters(error) => error.code(),
+            Self::Fit(error) => error.code(),
+            Self::Plan(error) => error.code(),
+            Self::Machine(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
         }
     }
 }

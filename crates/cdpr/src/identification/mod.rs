@@ -7,6 +7,7 @@
 mod autocorrelation;
 mod blocks;
 mod bootstrap;
+pub mod campaign;
 pub mod candidate;
 pub mod chain;
 mod clock;

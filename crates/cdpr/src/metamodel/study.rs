@@ -1,5 +1,6 @@
 //! Study files: which control model drives which machine, through which poses, measured with which noise.
 
+mod campaign_table;
 mod checks;
 mod poses;
 mod reading;
@@ -8,6 +9,7 @@ mod tolerances;
 use serde::{Deserialize, Serialize};
 
 pub use crate::tension::Method as TensionMethod;
+pub use campaign_table::{CampaignRecord, CampaignTable};
 pub use poses::{CommandedPose, Shortening};
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
@@ -44,6 +46,8 @@ pub struct Study {
     pub history: Option<History>,
     /// How far the numbers of control model, machine and winches may be off.
     pub tolerances: Option<Tolerances>,
+    /// Rounds of planned measurements. `cdpr campaign` only.
+    pub campaign: Option<CampaignTable>,
 }
 
 /// How a machine whose cables remember comes to the poses.

@@ -86,6 +86,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "sweep-planar-stiffness.toml",
     "sweep-planar-tension-stiff.toml",
     "sweep-planar-tension.toml",
+    "twin-campaign.toml",
     "twin-chain.toml",
     "twin-elastostatic-measurements.toml",
     "twin-elastostatic-nominal.toml",

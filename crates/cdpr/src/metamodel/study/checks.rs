@@ -1,6 +1,6 @@
 //! Checks of a study file, with the place of each mistake.
 
-use super::{PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
+use super::{CampaignTable, PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
 use crate::model::Composition;
 use crate::reading::{ReadError, Step, TomlDocument};
 
@@ -22,7 +22,27 @@ pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), Re
     if let Some(tolerances) = &study.tolerances {
         check_tolerances(tolerances, &place)?;
     }
+    if let Some(campaign) = &study.campaign {
+        check_campaign(campaign, &place)?;
+    }
     check_poses(study, &place)
+}
+
+fn check_campaign(campaign: &CampaignTable, place: &Place<'_>) -> Result<(), ReadError> {
+    let wrong = |key: &str, message: &str| Err(place.error(&["campaign", key], format!("{key} {message}")));
+    if campaign.poses_per_round == 0 {
+        return wrong("poses_per_round", "is 1 at least");
+    }
+    if !(1..=1000).contains(&campaign.rounds) {
+        return wrong("rounds", "is a whole number from 1 to 1000");
+    }
+    if campaign.budget == Some(0) {
+        return wrong("budget", "is 1 pose at least");
+    }
+    if campaign.accuracy_m.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy.is_finite())) {
+        return wrong("accuracy_m", "is a length above 0 m");
+    }
+    Ok(())
 }
 
 /// Makes errors at places of the file.

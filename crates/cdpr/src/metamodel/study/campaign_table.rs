@@ -1,0 +1,49 @@
+//! Rounds of planned measurements, as a study states them.
+
+use serde::Deserialize;
+
+/// Rounds in which poses are planned, measured and identified from (`cdpr campaign`).
+#[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CampaignTable {
+    /// Parameters to identify, by the names of `cdpr identify --free`.
+    pub free: String,
+    /// Parameters that stay as they are although `free` names them.
+    #[serde(default)]
+    pub hold: String,
+    /// Ridges towards the file's values, e.g. `["platform-anchor=0.02"]`.
+    #[serde(default)]
+    pub prior: Vec<String>,
+    /// Measure by which poses are chosen, by the names of `cdpr plan --criterion`; `d` when missing.
+    pub criterion: Option<String>,
+    /// Poses to measure in every round.
+    #[schemars(range(min = 1))]
+    pub poses_per_round: usize,
+    /// Most rounds; 10 when missing.
+    #[serde(default = "rounds")]
+    #[schemars(range(min = 1, max = 1000))]
+    pub rounds: u32,
+    /// Most poses over all rounds.
+    #[schemars(range(min = 1))]
+    pub budget: Option<usize>,
+    /// Mean position error on held-out samples at which the campaign ends (m).
+    pub accuracy_m: Option<f64>,
+    /// Source of the records.
+    #[serde(default)]
+    pub record: CampaignRecord,
+}
+
+/// Source of the records of a campaign.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CampaignRecord {
+    /// The machine of the study, with its sensor noise.
+    #[default]
+    Virtual,
+    /// Files that a real robot recorded: the campaign waits for them.
+    Files,
+}
+
+fn rounds() -> u32 {
+    10
+}
