@@ -87,7 +87,7 @@ pub(crate) const PORTABLE_TESTS: &[&str] = &[
     "--bins",
     "--no-default-features",
     "--features",
-    "cdpr/parallel,cdpr-core/std",
+    "cdpr/files,cdpr/parallel,cdpr-core/std",
 ];
 
 /// Builds the command for release and tells where it is.

@@ -80,7 +80,7 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "no-default-features",
-        action: Action::Cargo(&["check", "-p", "cdpr", "--no-default-features"]),
+        action: Action::Cargo(&["clippy", "-p", "cdpr", "--lib", "--no-default-features", "--", "-D", "warnings"]),
         remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
     },
     Step {

@@ -5,6 +5,8 @@
 
 mod identification;
 mod operation;
+#[cfg(feature = "files")]
+mod sweep;
 
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
@@ -314,27 +316,6 @@ impl ErrorCode for PredictionError {
         match self {
             Self::Input(error) => error.code(),
             Self::Evaluation(error) => error.code(),
-        }
-    }
-}
-
-impl ErrorCode for metamodel::sweep::KeyError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Place { .. } | Self::Entry { .. } | Self::Nowhere { .. } => "sweep::value",
-        }
-    }
-}
-
-impl ErrorCode for metamodel::sweep::PointError {
-    fn code(&self) -> &'static str {
-        match self {
-            Self::Key(error) => error.code(),
-            Self::Read(error) => error.code,
-            Self::Input(error) => error.code(),
-            Self::Workspace(error) => error.code(),
-            Self::Pulleys(error) => error.code(),
-            Self::SwivelAxis | Self::NoDirection | Self::NoSwivelAxis { .. } => "pulley::radius-or-axis",
         }
     }
 }

@@ -4,7 +4,6 @@ use super::ErrorCode;
 use crate::equilibrium::NoSolution;
 use crate::metamodel::OperationError;
 use crate::metamodel::effects::EffectError;
-use crate::metamodel::sweep::{KeyReason, ValuesError, ValuesReason};
 
 /// Code of outcomes that no other input than another pose, load or robot mends.
 const NO_ANSWER: &str = "numerical::no-answer";
@@ -43,23 +42,5 @@ impl ErrorCode for EffectError {
             Self::NoHome => "advice::no-home",
             Self::Unbalanced(_) | Self::UnknownTensions | Self::NotNear | Self::Singular => NO_ANSWER,
         }
-    }
-}
-
-impl ErrorCode for ValuesError {
-    fn code(&self) -> &'static str {
-        self.reason.code()
-    }
-}
-
-impl ErrorCode for ValuesReason {
-    fn code(&self) -> &'static str {
-        "sweep::value"
-    }
-}
-
-impl ErrorCode for KeyReason {
-    fn code(&self) -> &'static str {
-        "sweep::value"
     }
 }

@@ -13,7 +13,7 @@ use alternatives::{Reading, readings};
 use data::{Data, left_of};
 
 use super::Samples;
-use super::magnitudes::three_digits;
+use super::three_digits;
 use crate::geometry::Pose;
 use crate::robot::Robot;
 

@@ -1,21 +1,32 @@
 //! Measured samples: poses, cable lengths, tensions; their files and how accurate the sensors are.
 
+#[cfg(feature = "files")]
 mod columns;
+#[cfg(feature = "files")]
 mod csv_reading;
+#[cfg(feature = "files")]
 mod csv_writing;
+mod digits;
+#[cfg(feature = "files")]
 mod header_mistakes;
 mod internal_samples;
+#[cfg(feature = "files")]
 mod magnitudes;
+#[cfg(feature = "files")]
 mod mix_ups;
+#[cfg(feature = "files")]
 mod pose_track;
 mod samples;
 mod sidecar;
+#[cfg(feature = "files")]
+mod sidecar_file;
 mod split;
 mod standing;
 
+#[cfg(feature = "files")]
 pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};
+pub(crate) use digits::{decimals, three_digits};
 pub use internal_samples::InternalSamples;
-pub(crate) use magnitudes::{decimals, three_digits};
 pub use samples::{DataError, Samples, SensorSigmas};
 pub use sidecar::{Frames, Provenance, Sidecar, schema};
 pub use split::{Fold, Split, SplitError};

@@ -22,6 +22,7 @@ pub mod sensitivity;
 pub mod simulate;
 mod status;
 pub mod study;
+#[cfg(feature = "files")]
 pub mod sweep;
 pub mod tolerance;
 mod winches;

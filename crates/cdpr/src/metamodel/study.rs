@@ -1,8 +1,10 @@
 //! Study files: which control model drives which machine, through which poses, measured with which noise.
 
 mod campaign_table;
+#[cfg(feature = "files")]
 mod checks;
 mod poses;
+#[cfg(feature = "files")]
 mod reading;
 mod tolerances;
 

@@ -3,20 +3,28 @@
 //! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
 
 mod file;
+#[cfg(feature = "files")]
 mod table_text;
+#[cfg(feature = "files")]
 mod toml_document;
+#[cfg(feature = "files")]
 mod xml_document;
 
 pub use file::{FileError, bytes_of};
+#[cfg(feature = "files")]
 pub(crate) use table_text::table_text;
+#[cfg(feature = "files")]
 pub use toml_document::Step;
+#[cfg(feature = "files")]
 pub(crate) use toml_document::TomlDocument;
+#[cfg(feature = "files")]
 pub(crate) use xml_document::{Element, XmlDocument, numbers};
 
 use std::fmt;
 use std::ops::Range;
 
 /// Numbers beyond this are refused in files: squares and cubes of what is accepted stay finite.
+#[cfg(feature = "files")]
 pub(crate) const MAGNITUDE_LIMIT: f64 = 1e30;
 
 /// Kinds of files, which differ in how large they may be.
@@ -216,9 +224,11 @@ pub fn did_you_mean<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -
 }
 
 /// Most names that stand beside the one that was probably meant.
+#[cfg(feature = "files")]
 const LISTED: usize = 12;
 
 /// Help for a name that is not known: the probable one, and all that are allowed unless they are many.
+#[cfg(feature = "files")]
 pub(crate) fn help_for_unknown(wrong: &str, known: &[&str]) -> String {
     let allowed = format!("allowed: {}", known.join(", "));
     match did_you_mean(wrong, known.iter().copied()) {

@@ -1,23 +1,34 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
 mod axis;
+#[cfg(feature = "files")]
 pub mod builtin;
+#[cfg(feature = "files")]
 mod cable_defaults;
+#[cfg(feature = "files")]
 mod cable_reading;
+#[cfg(feature = "files")]
 pub mod caspr;
 mod checks;
 mod description;
+#[cfg(feature = "files")]
 mod file;
+#[cfg(feature = "files")]
 mod home_reading;
 mod parameter;
 mod parts;
+#[cfg(feature = "files")]
 mod reader;
+#[cfg(feature = "files")]
 mod reading;
 pub(crate) mod stretch;
 mod surroundings;
+#[cfg(feature = "files")]
 mod surroundings_reading;
 mod winch;
+#[cfg(feature = "files")]
 mod winch_reading;
+#[cfg(feature = "files")]
 mod writing;
 
 pub use axis::Axis;
@@ -33,6 +44,7 @@ pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT};
 pub use surroundings::{Obstacle, ObstacleShape};
 pub use winch::{CableWinch, DrumSide, Groove, GrooveEnds};
 
+#[cfg(feature = "files")]
 /// JSON Schema of the robot file, for editors and for other programs.
 pub fn schema() -> schemars::Schema {
     schemars::schema_for!(file::RobotFile)

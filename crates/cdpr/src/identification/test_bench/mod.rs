@@ -8,6 +8,8 @@ mod branches;
 mod misfit;
 mod plain;
 mod record;
+#[cfg(feature = "files")]
+mod record_file;
 mod strokes;
 
 use nalgebra::DMatrix;
@@ -19,7 +21,9 @@ use crate::robot::{HysteresisTable, StretchError};
 
 pub use misfit::Misfit;
 pub use plain::{LinearFit, PolynomialFit};
-pub use record::{Record, RecordReading};
+pub use record::Record;
+#[cfg(feature = "files")]
+pub use record_file::RecordReading;
 use strokes::{Stroke, range};
 
 /// A stroke over this share of the elongations counts as a full one.

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
+#[cfg(feature = "files")]
 use crate::reading::MAGNITUDE_LIMIT;
 
 /// Kind of a parameter; of what a cable has there is one for every cable.
@@ -118,6 +119,7 @@ pub(crate) enum Range {
 
 impl Range {
     /// True for a value that a robot file may state.
+    #[cfg(feature = "files")]
     pub(crate) fn contains(self, value: f64) -> bool {
         // what is not finite is refused by the first comparison
         value.abs() <= MAGNITUDE_LIMIT

@@ -155,6 +155,7 @@ impl Parameter {
 
     /// [`Parameter::set`] where the reader of robot files would accept the value whatever else the robot states; `None` for a value out of
     /// range, for a vector or table that the robot does not state, and where other numbers decide, as between least and largest.
+    #[cfg(feature = "files")]
     pub(crate) fn set_alone(&self, robot: &mut Robot, value: f64) -> Option<()> {
         let is_alone = match self.kind {
             _ if !self.kind.range().contains(value) => false,

@@ -155,6 +155,7 @@ impl StretchError {
     }
 
     /// The key whose value is wrong.
+    #[cfg(feature = "files")]
     pub(crate) fn key(&self) -> &'static str {
         match self {
             Self::NoCoefficients | Self::NoStiffness { .. } | Self::Turns { .. } => "tension_of_strain_N",
@@ -169,6 +170,7 @@ impl StretchError {
     }
 
     /// How to mend it.
+    #[cfg(feature = "files")]
     pub(crate) fn help(&self) -> &'static str {
         match self {
             Self::NoCoefficients => {
@@ -242,6 +244,7 @@ impl HysteresisTable {
     }
 
     /// Refuses what is no law; see [`StretchError`].
+    #[cfg(feature = "files")]
     pub(crate) fn check(&self) -> Result<(), StretchError> {
         self.pieces().map(|_| ())
     }
