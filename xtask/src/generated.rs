@@ -15,6 +15,7 @@ struct Generated {
 const FILES: &[Generated] = &[
     Generated { path: "schemas/measurement.schema.json", command: &["schema", "measurement"] },
     Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] },
+    Generated { path: "schemas/scenario.schema.json", command: &["schema", "scenario"] },
     Generated { path: "schemas/study.schema.json", command: &["schema", "study"] },
     Generated { path: "schemas/sweep.schema.json", command: &["schema", "sweep"] },
 ];

@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use cdpr::reading::{FileError, Size, bytes_of};
 use tempfile::NamedTempFile;
@@ -62,6 +63,55 @@ pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
     drop(staged);
     interruption::forget(&paths.iter().map(PathBuf::as_path).collect::<Vec<_>>());
     result
+}
+
+/// Bytes of a growing file that wait in memory, at most.
+const WAITING_LIMIT: usize = 1 << 16;
+
+/// Time that they wait, at most.
+const WAITING_TIME: Duration = Duration::from_millis(100);
+
+/// A file that grows while a run goes on, under its own name: whenever the run ends, what is there are whole lines.
+pub(crate) struct GrowingFile {
+    file: fs::File,
+    path: PathBuf,
+    waiting: String,
+    written: Instant,
+}
+
+impl GrowingFile {
+    /// An empty file in place of the one that may be there.
+    pub(crate) fn make(path: &Path) -> Result<Self, Failure> {
+        let file = fs::File::create(path).map_err(|error| Failure::io("write", &path.display().to_string(), &error))?;
+        Ok(Self { file, path: path.to_owned(), waiting: String::new(), written: Instant::now() })
+    }
+
+    /// Adds whole lines.
+    pub(crate) fn add(&mut self, lines: impl FnOnce(&mut String)) -> Result<(), Failure> {
+        lines(&mut self.waiting);
+        match self.waiting.len() >= WAITING_LIMIT || self.written.elapsed() >= WAITING_TIME {
+            true => self.write(),
+            false => Ok(()),
+        }
+    }
+
+    /// Writes what waits.
+    pub(crate) fn write(&mut self) -> Result<(), Failure> {
+        let written = self.file.write_all(self.waiting.as_bytes());
+        self.waiting.clear();
+        self.written = Instant::now();
+        written.map_err(|error| Failure::io("write", &self.path.display().to_string(), &error))
+    }
+}
+
+/// Removes a file of an earlier result, where there is one.
+pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(Failure::io("remove", &path.display().to_string(), &error))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A file written beside its target; the file is taken when it is renamed.

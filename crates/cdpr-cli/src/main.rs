@@ -14,6 +14,7 @@ mod meshes;
 mod numbers;
 mod options;
 mod progress;
+mod scenario_file;
 mod selecting;
 mod sensitivities;
 mod statics_failure;

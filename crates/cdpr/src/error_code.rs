@@ -5,6 +5,7 @@
 
 mod identification;
 mod operation;
+mod plant;
 #[cfg(feature = "files")]
 mod sweep;
 

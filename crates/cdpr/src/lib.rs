@@ -69,6 +69,7 @@ pub mod notation {
 mod outside;
 #[cfg(test)]
 use outside::support::property;
+pub mod plant;
 pub mod reading;
 pub mod robot;
 pub mod scalar;

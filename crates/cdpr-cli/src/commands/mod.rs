@@ -24,11 +24,13 @@ mod initial_tension;
 mod load;
 mod man;
 mod model;
+mod modes;
 mod new;
 mod place_pulleys;
 mod plan;
 mod reachable;
 mod robots;
+mod run;
 mod schema;
 mod select;
 mod sensitivity;
@@ -68,6 +70,7 @@ commands! {
     tension: Tension,
     load: Load,
     stiffness: Stiffness,
+    modes: Modes,
     workspace: Workspace,
     model: Model,
     advise: Advise,
@@ -83,6 +86,7 @@ commands! {
     sweep: Sweep,
     sensitivity: Sensitivity,
     simulate: Simulate,
+    run: Run,
     demo: Demo,
     identify: Identify,
     evaluate: Evaluate,

@@ -28,6 +28,8 @@ enum FileFormat {
     Robot,
     /// Study (TOML): control model, machine, poses and noise.
     Study,
+    /// Scenario (TOML): a machine in time, its start, commands and events.
+    Scenario,
     /// Sweep (TOML): a study and the parameters that change.
     Sweep,
     /// What is known about a measurement file (TOML beside the CSV, whose columns the description tells).
@@ -52,6 +54,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let schema = match arguments.of {
         FileFormat::Robot => cdpr::robot::schema(),
         FileFormat::Study => cdpr::metamodel::study::schema(),
+        FileFormat::Scenario => cdpr::plant::scenario::schema(),
         FileFormat::Sweep => cdpr::metamodel::sweep::schema(),
         FileFormat::Measurement => cdpr::measurement::schema(),
     };

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{Run, cdpr, cdpr_in, import, test_bench};
+use super::{Run, cdpr, cdpr_in, import, running, test_bench};
 
 /// A study with a remark (its machine lacks what the control model has), tolerances and sensors.
 const STUDY: &str = "[control]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n[machine]\nrobot = \"planar-example\"\n[initial]\n\
@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 42] = [
+const CASES: [(&str, Option<&str>); 44] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -36,6 +36,7 @@ const CASES: [(&str, Option<&str>); 42] = [
     ("tension planar-example --pose 0,5.2 --wrench 0,-60000", Some("planar-example")),
     ("load planar-example --pose 0,5.2 --tensions 5808,5909,2390,2421", Some("planar-example")),
     ("stiffness planar-example --model elastic --pose 0,5.2", Some("planar-example")),
+    ("modes plate-in-motion.toml --pose 1.9,1.4,0", Some("moving-plate")),
     ("workspace planar-example --step 1", Some("planar-example")),
     ("workspace planar-example --wrench 0,-60000 --step 1", Some("planar-example")),
     ("model planar-example --pose 0,5.2", Some("planar-example")),
@@ -60,6 +61,7 @@ const CASES: [(&str, Option<&str>); 42] = [
     ("sweep run swept", Some("planar-example")),
     ("sweep merge swept", Some("planar-example")),
     ("sweep all sweep.toml --out swept-too", Some("planar-example")),
+    ("run scenario.toml --out moved", Some("moving-plate")),
     ("demo --candidates standard --out demo", Some("cablerobot-simulator-helicopter")),
     ("test-bench record.csv --length 10", None),
     ("import caspr plate_bodies.xml plate_cables.xml --out plate.toml", Some("plate")),
@@ -82,6 +84,8 @@ fn folder() -> tempfile::TempDir {
     );
     write("sweep.toml", SWEEP);
     write("record.csv", &test_bench::record());
+    write("scenario.toml", running::SCENARIO);
+    write("plate-in-motion.toml", running::PLATE);
     folder
 }
 

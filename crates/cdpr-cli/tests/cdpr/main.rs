@@ -32,6 +32,7 @@ mod penalties;
 mod planning;
 mod rating;
 mod reachable;
+mod running;
 mod scaling;
 mod selection;
 mod self_calibration;

@@ -79,6 +79,46 @@ impl Kernel for StructureColumns<'_> {
     }
 }
 
+/// Kernel of lengths and columns \[u; b × u\] (world) of all cables at a pose, for cables in motion; false where a cable may have no path, and its
+/// numbers mean nothing.
+#[derive(Debug)]
+pub struct Pulls<'a> {
+    /// Cables, eight a group.
+    pub groups: &'a [CableGroup],
+    /// r (world, m).
+    pub position: [f64; 3],
+    /// R by rows.
+    pub rotation: &'a [[f64; 3]; 3],
+    /// q of every cable (m), m numbers.
+    pub lengths: &'a mut [f64],
+    /// \[u; b × u\] of every cable, m columns.
+    pub columns: &'a mut [[f64; 6]],
+}
+
+impl Kernel for Pulls<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> bool {
+        let zero = lanes.constant(0.0);
+        let mut needs_scalar = zero;
+        let targets = self.lengths.chunks_mut(LANES).zip(self.columns.chunks_mut(LANES));
+        for (group, (lengths, columns)) in self.groups.iter().zip(targets) {
+            let cables = group.checked_paths(lanes, self.position, self.rotation);
+            needs_scalar = needs_scalar + cables.needs_scalar;
+            write(&cables.path.length.to_array(), lengths);
+            let rows = wrench(cables.moment_arm, cables.path.direction);
+            for row in 0..6 {
+                let numbers = rows[row].to_array();
+                for (lane, column) in columns.iter_mut().enumerate() {
+                    column[row] = numbers[lane];
+                }
+            }
+        }
+        !lanes.any(zero.is_less(needs_scalar))
+    }
+}
+
 /// The first of eight numbers, as many as there is room for.
 #[inline(always)]
 fn write(numbers: &[f64; LANES], target: &mut [f64]) {

@@ -131,6 +131,8 @@ impl CableReader<'_> {
             tension_at: section.tension_at,
             linear_density: self.number(Kind::LinearDensity, section.linear_density_kg_per_m)?,
             finite_elements: self.finite_elements(section.finite_elements)?,
+            damping: self.number(Kind::CableDamping, section.cable_damping_N_s_per_m)?,
+            damping_time: self.number(Kind::CableDampingTime, section.cable_damping_time_s)?,
             winch: self.winch()?,
         })
     }

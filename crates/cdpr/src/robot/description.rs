@@ -140,6 +140,10 @@ pub struct Cable {
     pub tension_of_strain: Option<Vec<f64>>,
     /// Loading and unloading branch of the tension over the strain.
     pub hysteresis: Option<HysteresisTable>,
+    /// Damping per rate of elongation (N·s/m).
+    pub damping: Option<f64>,
+    /// Damping time η, damping over stiffness (s); adds to `damping`.
+    pub damping_time: Option<f64>,
     /// Winch, as far as the file states it.
     pub winch: CableWinch,
     /// q_recorded = length_scale · q_θ + length_offset; 1 when unknown.

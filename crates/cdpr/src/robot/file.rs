@@ -235,6 +235,23 @@ pub(super) struct CableSection {
     pub(super) mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder in one turn of the motor.
     pub(super) encoder_counts_per_turn: Option<f64>,
+    /// Damping of the cable along the rate of its elongation (N·s/m), for `cdpr run`.
+    #[schemars(range(min = 0))]
+    pub(super) cable_damping_N_s_per_m: Option<f64>,
+    /// Damping time η (s): the cable's damping is η times its stiffness, E·A over its length. Adds to `cable_damping_N_s_per_m`.
+    #[schemars(range(min = 0))]
+    pub(super) cable_damping_time_s: Option<f64>,
+    /// Inertia of the drum about its axis (kg·m²), for winches in motion.
+    pub(super) drum_inertia_kg_m2: Option<f64>,
+    /// Inertia of the motor's rotor about its axis (kg·m²); it counts at the drum with the square of `gear_ratio`.
+    #[schemars(range(min = 0))]
+    pub(super) rotor_inertia_kg_m2: Option<f64>,
+    /// Torque of dry friction at the drum (N·m).
+    #[schemars(range(min = 0))]
+    pub(super) drum_coulomb_friction_Nm: Option<f64>,
+    /// Torque of friction at the drum per speed (N·m·s/rad).
+    #[schemars(range(min = 0))]
+    pub(super) drum_viscous_friction_Nm_s_per_rad: Option<f64>,
     /// Recorded length = length_scale · controlled length + length_offset_m.
     pub(super) length_scale: Option<f64>,
     /// See `length_scale` (m).

@@ -1,6 +1,7 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
 mod axis;
+mod body;
 #[cfg(feature = "files")]
 pub mod builtin;
 #[cfg(feature = "files")]
@@ -32,6 +33,7 @@ mod winch_reading;
 mod writing;
 
 pub use axis::Axis;
+pub use body::{Body, BodyError};
 pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
     Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,

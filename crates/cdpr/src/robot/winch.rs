@@ -34,6 +34,14 @@ pub struct CableWinch {
     pub mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder in one turn of the motor.
     pub encoder_counts_per_turn: Option<f64>,
+    /// Inertia of the drum about its axis (kg·m²).
+    pub drum_inertia: Option<f64>,
+    /// Inertia of the motor's rotor about its axis (kg·m²).
+    pub rotor_inertia: Option<f64>,
+    /// Dry friction at the drum (N·m).
+    pub coulomb_friction: Option<f64>,
+    /// Friction at the drum per speed (N·m·s/rad).
+    pub viscous_friction: Option<f64>,
 }
 
 /// Groove of a drum: ends belong to a pitch, and further layers to ends.

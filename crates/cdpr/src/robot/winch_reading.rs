@@ -35,6 +35,10 @@ impl CableReader<'_> {
             build_up,
             mechanical_advantage,
             encoder_counts_per_turn,
+            drum_inertia: self.number(Kind::DrumInertia, section.drum_inertia_kg_m2)?,
+            rotor_inertia: self.number(Kind::RotorInertia, section.rotor_inertia_kg_m2)?,
+            coulomb_friction: self.number(Kind::CoulombFriction, section.drum_coulomb_friction_Nm)?,
+            viscous_friction: self.number(Kind::ViscousFriction, section.drum_viscous_friction_Nm_s_per_rad)?,
         };
         self.check_first_pulley(&winch)?;
         if winch.gear_ratio == Some(0.0) {

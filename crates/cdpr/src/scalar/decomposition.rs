@@ -4,7 +4,7 @@
 //! decomposition; others are scaled to entries of size one first.
 
 use cdpr_core::scalar::eigenvalue::magnitude;
-use nalgebra::{DMatrix, Dyn, SVD, SymmetricEigen};
+use nalgebra::{Complex, DMatrix, Dyn, SVD, Schur, SymmetricEigen};
 
 /// Far more than any finite matrix needs.
 const ITERATIONS: usize = 1000;
@@ -29,6 +29,16 @@ pub(crate) fn symmetric_eigen(matrix: DMatrix<f64>) -> Option<SymmetricEigen<f64
     let mut decomposition = SymmetricEigen::try_new(matrix / scale, f64::EPSILON, ITERATIONS)?;
     decomposition.eigenvalues *= scale;
     Some(decomposition)
+}
+
+/// Eigenvalues of a square matrix.
+pub(crate) fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let schur = Schur::try_new(matrix / scale, f64::EPSILON, ITERATIONS)?;
+    Some(schur.complex_eigenvalues().iter().map(|value| value * scale).collect())
 }
 
 /// The smallest eigenvalue of a symmetric matrix; NaN where it has none.

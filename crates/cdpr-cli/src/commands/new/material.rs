@@ -78,6 +78,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "planar-validation.toml",
     "planar-wide-calibrated.toml",
     "planar-wide-grid.toml",
+    "scenario-cable-break.toml",
     "sweep-planar-anchor.toml",
     "sweep-planar-force-control.toml",
     "sweep-planar-pulleys-soft.toml",
@@ -105,6 +106,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "robots/planar-tracking-identified.toml",
     "robots/planar-tracking-machine.toml",
     "robots/planar-unloaded.toml",
+    "robots/simulator-in-motion.toml",
     "robots/twin-elastostatic-nominal.toml",
 ];
 

@@ -13,6 +13,7 @@
 //! up at all their nodes instead of the outlet: what is missing to symmetry is of the order of w r_p and of the weight of an
 //! element, 1e-4 and 1e-7 of the stiffness for a steel cable at 700 N.
 
+mod continued;
 mod lengths;
 mod matrix4;
 mod newton;

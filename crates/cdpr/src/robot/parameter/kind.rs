@@ -84,6 +84,18 @@ pub enum ParameterKind {
     SpoolBuildUp,
     /// Length on the drum over length of the cable, as tackle makes it; without unit.
     MechanicalAdvantage,
+    /// Damping of the cable per rate of its elongation (N·s/m).
+    CableDamping,
+    /// Damping time η of the cable: damping over stiffness (s).
+    CableDampingTime,
+    /// Inertia of the drum about its axis (kg·m²).
+    DrumInertia,
+    /// Inertia of the motor's rotor about its axis (kg·m²).
+    RotorInertia,
+    /// Dry friction at the drum (N·m).
+    CoulombFriction,
+    /// Friction at the drum per speed (N·m·s/rad).
+    ViscousFriction,
     /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
     DrumAxis,
     /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
@@ -147,7 +159,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 38] = [
+    pub(crate) const ALL: [Self; 44] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -186,6 +198,12 @@ impl ParameterKind {
         Self::SwivelAxis,
         Self::SpoolBuildUp,
         Self::MechanicalAdvantage,
+        Self::CableDamping,
+        Self::CableDampingTime,
+        Self::DrumInertia,
+        Self::RotorInertia,
+        Self::CoulombFriction,
+        Self::ViscousFriction,
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
@@ -248,6 +266,14 @@ impl ParameterKind {
             Self::GearRatio => of(Cable, "gear-ratio", "gear_ratio", "", NotZero),
             Self::SpoolBuildUp => of(Cable, "spool-build-up", "spool_build_up_m", "m", NotNegative),
             Self::MechanicalAdvantage => of(Cable, "mechanical-advantage", "mechanical_advantage", "", Positive),
+            Self::CableDamping => of(Cable, "cable-damping", "cable_damping_N_s_per_m", "N·s/m", NotNegative),
+            Self::CableDampingTime => of(Cable, "cable-damping-time", "cable_damping_time_s", "s", NotNegative),
+            Self::DrumInertia => of(Cable, "drum-inertia", "drum_inertia_kg_m2", "kg·m²", Positive),
+            Self::RotorInertia => of(Cable, "rotor-inertia", "rotor_inertia_kg_m2", "kg·m²", NotNegative),
+            Self::CoulombFriction => of(Cable, "coulomb-friction", "drum_coulomb_friction_Nm", "N·m", NotNegative),
+            Self::ViscousFriction => {
+                of(Cable, "viscous-friction", "drum_viscous_friction_Nm_s_per_rad", "N·m·s/rad", NotNegative)
+            }
             Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
             // the file states unit vectors, drum_axis and pulley_swivel_axis
             Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),

@@ -7,7 +7,7 @@ use super::stiffness::HeldPlatform;
 use super::{Criterion, Verdict};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
-use crate::robot::Robot;
+use crate::robot::{Body, Robot};
 use crate::scalar::decomposition::symmetric_eigen;
 use crate::statics::Load;
 use crate::tension::Limits;
@@ -34,7 +34,8 @@ impl<'a> NaturalFrequency<'a> {
     /// turns.
     pub(crate) fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
         let least = not_negative(NAME, "least frequency", least, "it is a finite number of 0 or more (Hz)")?;
-        let mass_matrix = mass_matrix(model.robot())?;
+        let body = Body::of(model.robot()).map_err(|error| missing(model.robot(), error.key))?;
+        let mass_matrix = body.mass_matrix();
         let held = HeldPlatform::new(model, load, limits, NAME)?;
         let criterion = Self { held, least, mass_matrix };
         match criterion.in_pattern(&Pose::identity()).cholesky() {
@@ -81,24 +82,6 @@ fn missing(robot: &Robot, key: &str) -> WorkspaceError {
         key: key.to_owned(),
         cure: "vibrations need to know what is moved".to_owned(),
     }
-}
-
-/// \[m I, −m \[c\]×; m \[c\]×, I_c − m \[c\]×\[c\]×\] in platform axes.
-fn mass_matrix(robot: &Robot) -> Result<Matrix6<f64>, WorkspaceError> {
-    let turns = robot.motion_pattern.has_rotation();
-    let mass = robot.platform.mass.ok_or_else(|| missing(robot, "`mass_kg` in [platform]"))?;
-    let mut matrix = Matrix6::identity() * mass;
-    if !turns {
-        return Ok(matrix);
-    }
-    let center = robot.platform.center_of_mass.ok_or_else(|| missing(robot, "`center_of_mass_m` in [platform]"))?;
-    let inertia =
-        robot.platform.inertia.ok_or_else(|| missing(robot, "`inertia_about_center_of_mass_kg_m2` in [platform]"))?;
-    let moment_arm = center.cross_matrix();
-    matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-moment_arm * mass));
-    matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(moment_arm * mass));
-    matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&(inertia - moment_arm * moment_arm * mass));
-    Ok(matrix)
 }
 
 impl Criterion for NaturalFrequency<'_> {

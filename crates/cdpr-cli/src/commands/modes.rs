@@ -1,0 +1,77 @@
+//! `cdpr modes`: natural frequencies and mode shapes.
+
+use std::process::ExitCode;
+
+use cdpr::model::Composition;
+use cdpr::plant::{Plant, PlantError, Winches};
+use clap::{Args, ValueEnum};
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::inputs::{RobotArgument, pose_of};
+use crate::numbers::NumberList;
+use crate::tension_choice::{Chosen, tensions_of};
+use cdpr_reports::answers::ModesAnswer;
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr modes studies/robots/simulator-in-motion.toml --pose 0,0,1.5,0,0,0
+  cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --model pulley+elastic --tensions 3678,2169,4250,1708,3985,2394,4715,1684
+  cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --winches drums --format json";
+
+/// Natural frequencies, damping and mode shapes of the platform at a pose, and the linear system behind them.
+///
+/// Small motions about the equilibrium at the pose, M δz̈ + D δż + K δz = input, with the stiffness of the cables as `cdpr stiffness` tells it, the
+/// mass, centre of mass and inertia of the robot file and the damping of its cables; with drums their angles are degrees of freedom too. JSON has
+/// the matrices A and B of ẏ = A y + B u.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    robot: RobotArgument,
+
+    /// Effects of the model, joined by `+`; cables must stretch.
+    #[arg(long, default_value_t = Composition::ELASTIC, value_name = "MODEL")]
+    model: Composition,
+
+    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
+    pose: NumberList,
+
+    /// Cable tensions in balance with the load, one per cable (N); those nearest the middle of the limits when left out.
+    #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
+    tensions: Option<NumberList>,
+
+    /// Winches that hold their lengths, or drums with inertia that hold their torques.
+    #[arg(long, value_enum, default_value_t = WinchArgument::Ideal, value_name = "ideal|drums")]
+    #[arg(hide_possible_values = true)]
+    winches: WinchArgument,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum WinchArgument {
+    Ideal,
+    Drums,
+}
+
+pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let model = arguments.robot.model(arguments.model)?;
+    output.about(&model.robot().name);
+    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let refused = |error: PlantError| Failure::refused("ROBOT", &error);
+    let winches = match arguments.winches {
+        WinchArgument::Ideal => Winches::Ideal,
+        WinchArgument::Drums => Winches::Drums,
+    };
+    let plant = Plant::new(model, winches).map_err(refused)?;
+    let tensions = match tensions_of(plant.model(), &pose, None, arguments.tensions.as_ref())? {
+        Chosen::Tensions(tensions) => tensions,
+        Chosen::None { reason, .. } => {
+            let message = format!("--pose: there is no equilibrium to swing about: {reason}");
+            return Err(Failure::input("plant::no-equilibrium", message, "choose another pose, or give --tensions"));
+        }
+    };
+    let state = plant.at_rest(&pose, &tensions).map_err(refused)?;
+    let linear = plant.linearize(&state).map_err(refused)?;
+    output.answer(&ModesAnswer::new(&plant, &pose, &state, &linear))
+}

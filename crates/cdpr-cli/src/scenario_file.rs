@@ -1,0 +1,31 @@
+//! Scenario files with their robots.
+
+use std::path::Path;
+
+use cdpr::error_code::ErrorCode;
+use cdpr::plant::scenario::located;
+use cdpr::plant::{PlantError, Scenario, Simulation};
+use cdpr::reading::Size;
+
+use crate::answer::Output;
+use crate::failure::Failure;
+use crate::files;
+use crate::study_file::robot_of_study;
+
+/// Reads a scenario and its robot, whose path is relative to the scenario's folder, and sets the machine on its start.
+pub(crate) fn read(path: &Path, output: &Output) -> Result<Simulation, Failure> {
+    let name = path.display().to_string();
+    let bytes = files::read(path, Size::Text)?;
+    let scenario = Scenario::from_toml_bytes(&bytes, &name)?;
+    let robot = robot_of_study(&scenario.machine.robot, path.parent().unwrap_or(Path::new("")))?;
+    output.about(&robot.name);
+    Simulation::new(&scenario, robot).map_err(|error| refused(&error, &scenario, (&bytes, &name)))
+}
+
+/// The failure at its place in the scenario, or of the robot that lacks something.
+fn refused(error: &PlantError, scenario: &Scenario, (bytes, name): (&[u8], &str)) -> Failure {
+    match located(error, error.code(), bytes, name) {
+        Some(error) => error.into(),
+        None => Failure::refused(&scenario.machine.robot, error),
+    }
+}

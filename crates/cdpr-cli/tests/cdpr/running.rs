@@ -1,0 +1,149 @@
+//! `cdpr run` and `cdpr modes`: machines in time.
+
+use super::{cdpr, cdpr_in, numbers, root};
+
+/// A plate in a vertical plane on four springs.
+pub(super) const PLATE: &str = "layout_version = 1\nname = \"moving-plate\"\nmotion_pattern = \"1R2T\"\naxes = \"xz\"\n\
+    gravity_m_s2 = [0, -9.81]\n[platform]\nmass_kg = 5.0\ncenter_of_mass_m = [0.02, 0.05]\ninertia_about_center_of_mass_kg_m2 = 0.2\n\
+    [cable_defaults]\nspring_constant_N_per_m = 3000.0\ntension_min_N = 10.0\ntension_max_N = 500.0\n\
+    [[cable]]\nname = \"1\"\nframe_anchor_m = [0, 0]\nplatform_anchor_m = [-0.2, 0.1]\n\
+    [[cable]]\nname = \"2\"\nframe_anchor_m = [4, 0]\nplatform_anchor_m = [0.2, 0.1]\n\
+    [[cable]]\nname = \"3\"\nframe_anchor_m = [4, 3]\nplatform_anchor_m = [0.2, -0.1]\n\
+    [[cable]]\nname = \"4\"\nframe_anchor_m = [0, 3]\nplatform_anchor_m = [-0.2, -0.1]\n";
+
+pub(super) const SCENARIO: &str = "[machine]\nrobot = \"plate-in-motion.toml\"\ncable_damping_N_s_per_m = 5.0\n[start]\npose = [1.9, 1.4, 0]\n\
+    tension_method = \"closed-form\"\ndisplacement = [0.02, 0, 0.03]\n[[event]]\ntime_s = 0.1\nkind = \"cable-break\"\ncable = 2\n\
+    [time]\nduration_s = 0.2\nstep_s = 0.001\nrecord_s = 0.01\n";
+
+fn folder(scenario: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("plate-in-motion.toml"), PLATE).unwrap();
+    std::fs::write(folder.path().join("scenario.toml"), scenario).unwrap();
+    folder
+}
+
+/// The log by columns.
+fn log(folder: &std::path::Path) -> (Vec<String>, Vec<Vec<f64>>) {
+    let text = std::fs::read_to_string(folder.join("out/log.csv")).unwrap();
+    let mut lines = text.lines();
+    let names = lines.next().unwrap().split(',').map(str::to_owned).collect();
+    (names, lines.map(|line| line.split(',').map(|field| field.parse().unwrap()).collect()).collect())
+}
+
+#[test]
+fn a_run_leaves_its_rows_and_its_end() {
+    let folder = folder(SCENARIO);
+    let run = cdpr_in(folder.path(), "run scenario.toml --out out --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json_with(&["status", "steps", "final", "tension_min_N", "tension_max_N", "events"]);
+    assert_eq!((answer["status"].as_str(), answer["steps"].as_u64()), (Some("completed"), Some(200)));
+    assert_eq!(answer["events"][0]["kind"], "cable-break");
+    assert_eq!(answer["events"][0]["cable"], 2);
+    let (names, rows) = log(folder.path());
+    let expected = "t_s x_m z_m angle_rad tension_N_1 tension_N_2 tension_N_3 tension_N_4 cable_length_m_1";
+    assert!(names.join(" ").starts_with(expected), "{names:?}");
+    assert_eq!(rows.len(), 21);
+    // before the event, then after it
+    assert!(rows[10][0] == 0.1 && rows[10][5] > 0.0 && rows[11][5] == 0.0);
+    let last = &answer["final"];
+    assert_eq!(numbers(&last["position_m"]), rows[20][1..3]);
+    assert_eq!(last["angle_rad"].as_f64(), Some(rows[20][3]));
+    assert_eq!(numbers(&last["tensions_N"]), rows[20][4..8]);
+    assert!(last["angular_velocity_rad_s"].is_f64() && numbers(&last["velocity_m_s"]).len() == 2);
+    let file: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("out/result.json")).unwrap()).unwrap();
+    assert_eq!(file, answer);
+    // the same input, the same bytes
+    let bytes = std::fs::read(folder.path().join("out/log.csv")).unwrap();
+    assert_eq!(cdpr_in(folder.path(), "run scenario.toml --out out --quiet").exit_code, 0);
+    assert_eq!(std::fs::read(folder.path().join("out/log.csv")).unwrap(), bytes);
+}
+
+/// A machine that rests is measured as a robot is: the log is a measurement file.
+#[test]
+fn rows_are_measurements() {
+    let folder =
+        folder(&SCENARIO.replace("displacement = [0.02, 0, 0.03]\n", "").replace("time_s = 0.1", "time_s = 0.2"));
+    assert_eq!(cdpr_in(folder.path(), "run scenario.toml --out out").exit_code, 0);
+    let run = cdpr_in(folder.path(), "evaluate plate-in-motion.toml out/log.csv --model elastic --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let worst = run.json()["position_error_m"]["max"].as_f64().unwrap();
+    assert!(worst < 1e-9, "at rest the plant is the forward problem: {worst:e}");
+}
+
+#[test]
+fn what_cannot_run_says_where_and_why() {
+    for (old, new, line, told) in [
+        ("step_s = 0.001\nrecord_s = 0.01", "step_s = 0.05", 14, "use step_s = "),
+        ("= 5.0", "= -5.0", 3, "0 or more"),
+        ("cable = 2", "cable = 7", 11, "from 1 to 4"),
+        ("[1.9, 1.4, 0]", "[1.9, 9.4, 0]", 4, "no equilibrium"),
+        ("kind = \"cable-break\"", "kind = \"cable-brake\"", 10, "cable-break"),
+    ] {
+        let folder = folder(&SCENARIO.replace(old, new));
+        let run = cdpr_in(folder.path(), "run scenario.toml --out out");
+        assert_eq!(run.exit_code, 2, "{new}: {}", run.stderr);
+        assert!(run.stderr.contains(&format!("scenario.toml:{line}:")), "{new}: {}", run.stderr);
+        assert!(run.stderr.contains(told), "{new}: {}", run.stderr);
+        assert!(!folder.path().join("out/result.json").exists());
+    }
+    let folder = folder(SCENARIO);
+    let without = PLATE.replace("inertia_about_center_of_mass_kg_m2 = 0.2\n", "");
+    std::fs::write(folder.path().join("plate-in-motion.toml"), without).unwrap();
+    let run = cdpr_in(folder.path(), "run scenario.toml --out out");
+    assert!(run.exit_code == 2 && run.stderr.contains("inertia_about_center_of_mass_kg_m2"), "{}", run.stderr);
+}
+
+/// A run that is killed leaves whole rows up to then, and no result.
+#[cfg(unix)]
+#[test]
+fn a_killed_run_leaves_a_readable_log() {
+    let long =
+        SCENARIO.replace("duration_s = 0.2", "duration_s = 20000").replace("record_s = 0.01", "record_s = 0.001");
+    let folder = folder(&long);
+    let path = folder.path().join("out/log.csv");
+    let program = assert_cmd::cargo::cargo_bin("cdpr");
+    let mut command = std::process::Command::new(program);
+    command.current_dir(folder.path()).args(["run", "scenario.toml", "--out", "out", "--quiet"]);
+    let mut child = command.spawn().unwrap();
+    while std::fs::metadata(&path).map_or(0, |file| file.len()) < 200_000 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.ends_with('\n'));
+    let (names, rows) = log(folder.path());
+    assert!(rows.len() > 500 && rows.iter().all(|row| row.len() == names.len()));
+    assert!(!folder.path().join("out/result.json").exists());
+}
+
+#[test]
+fn the_scenario_of_the_book_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenario = root().join("studies/scenario-cable-break.toml");
+    let run = cdpr_in(folder.path(), &format!("run {} --out out --format json", scenario.display()));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let (_, rows) = log(folder.path());
+    assert_eq!(rows.len(), 301);
+    assert!(rows[101..].iter().all(|row| row[10] == 0.0), "cable 3 is broken");
+}
+
+/// The frequencies of `modes` are those of the criterion, whose lowest one has its own derivation.
+#[test]
+fn modes_are_told_slowest_first() {
+    let folder = folder(SCENARIO);
+    let run = cdpr_in(folder.path(), "modes plate-in-motion.toml --pose 1.9,1.4,0 --format json");
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json_with(&["status", "modes", "system_matrix", "input_matrix", "mass_matrix", "step_max_s"]);
+    let frequencies: Vec<f64> =
+        answer["modes"].as_array().unwrap().iter().map(|mode| mode["frequency_Hz"].as_f64().unwrap()).collect();
+    assert_eq!(frequencies.len(), 3);
+    assert!(frequencies.is_sorted() && frequencies[0] > 1.0, "{frequencies:?}");
+    let shares: f64 = numbers(&answer["modes"][0]["participation"]).iter().sum();
+    assert!((shares - 1.0).abs() < 1e-12);
+    let words = cdpr_in(folder.path(), "modes plate-in-motion.toml --pose 1.9,1.4,0").stdout;
+    assert!(words.contains("Hz") && words.contains("turn"), "{words}");
+    assert!(cdpr("schema scenario").stdout.contains("cable_damping_N_s_per_m"));
+}

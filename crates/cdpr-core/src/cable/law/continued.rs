@@ -1,0 +1,73 @@
+//! Tension of a straight cable in motion: the law continued below zero, where dampers may still pull.
+
+use super::{CableLaw, Kind};
+use crate::cable::elasticity::Tension;
+use crate::cable::stretch::Stretch;
+use crate::cable::stretch::hysteresis::Memory;
+
+/// Newton steps and halvings of the strain; a stiffening law in series with a compliance takes about six.
+const STEPS: usize = 60;
+
+impl CableLaw {
+    /// Tension at a geometric and a controlled length (m) with its derivatives, negative where a bar would push: what is clipped is the sum of
+    /// this and the damper's share. From a memory, or the one of the law; nothing for cables that do not stretch, and for those with weight.
+    #[inline]
+    pub fn continued_tension(
+        &self,
+        length: f64,
+        controlled_length: f64,
+        memory: Option<&Memory>,
+    ) -> Option<Tension<f64>> {
+        match self.kind {
+            Kind::Linear(law, _) if !law.is_rigid() => Some(law.tension(length, controlled_length)),
+            Kind::Stretching => self.continued_stretch(length, controlled_length, memory),
+            Kind::Rigid | Kind::Linear(..) | Kind::Sagging(_) => None,
+        }
+    }
+
+    /// c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h, solved for the strain ε.
+    fn continued_stretch(&self, length: f64, controlled_length: f64, memory: Option<&Memory>) -> Option<Tension<f64>> {
+        let (strained, unstrained) = (length + self.hidden_length, controlled_length + self.hidden_length);
+        let mut strain = strained / unstrained - 1.0;
+        let series = self.series_compliance;
+        if series > 0.0 {
+            // between no strain and that of the cable alone
+            let (mut low, mut high) = (strain.min(0.0), strain.max(0.0));
+            for _ in 0..STEPS {
+                let (tension, slope) = self.stretch.tension(strain, memory)?;
+                let gap = series * tension + unstrained * (1.0 + strain) - strained;
+                if gap > 0.0 {
+                    high = strain
+                } else {
+                    low = strain
+                }
+                let mut next = strain - gap / (series * slope + unstrained);
+                if !(next >= low && next <= high) {
+                    next = 0.5 * (low + high);
+                }
+                let moved = (next - strain).abs();
+                strain = next;
+                if moved <= 4.0 * f64::EPSILON * strain.abs() {
+                    break;
+                }
+            }
+        }
+        let (value, slope) = self.stretch.tension(strain, memory)?;
+        let by_length = slope / (series * slope + unstrained);
+        Some(Tension { value, by_length, by_controlled_length: -by_length * (1.0 + strain) })
+    }
+}
+
+impl Stretch {
+    /// T(ε) and ∂T/∂ε (N), from a memory or that of the law; nothing for cables that keep their length.
+    #[inline]
+    pub fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
+        match self {
+            Self::Rigid => None,
+            Self::Linear(compliance) if *compliance == 0.0 => None,
+            Self::Linear(compliance) => Some((strain / compliance, 1.0 / compliance)),
+            Self::Polynomial(law) => Some(law.tension(strain)),
+            Self::Hysteresis(law, own) => Some(law.tension(strain, memory.unwrap_or(own))),
+        }
+    }
+}

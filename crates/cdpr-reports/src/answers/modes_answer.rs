@@ -1,0 +1,126 @@
+//! Natural frequencies and mode shapes of small motions, and the linear system behind them.
+
+use cdpr::geometry::Pose;
+use cdpr::model::Model;
+use cdpr::nalgebra::DMatrix;
+use cdpr::plant::{Linearization, Mode, Plant, State};
+use serde::Serialize;
+
+use super::{Answer, PoseAnswer, degrees_of_freedom};
+use crate::number_format::{cell, significant};
+use crate::table::Table;
+
+type Rows = Vec<Vec<f64>>;
+
+/// Modes of a machine about an equilibrium.
+#[derive(Serialize)]
+pub struct ModesAnswer {
+    robot: String,
+    model: String,
+    /// `stable`, `unstable`; `singular` where the linear system has no modes.
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    pose: PoseAnswer,
+    /// Names of the components of shapes, matrices and participations.
+    degrees_of_freedom: Vec<String>,
+    #[serde(rename = "tensions_N")]
+    tensions: Vec<f64>,
+    modes: Vec<ModeAnswer>,
+    /// M, K and D of M δz̈ + D δż + K δz = input.
+    mass_matrix: Rows,
+    stiffness_matrix: Rows,
+    damping_matrix: Rows,
+    /// A and B of ẏ = A y + B u with y = \[δz; δż\], u = \[wrench; controlled lengths or motor torques; rates of controlled lengths\].
+    system_matrix: Option<Rows>,
+    input_matrix: Option<Rows>,
+    /// Real and imaginary part of the eigenvalues of A (1/s).
+    eigenvalues_per_s: Vec<[f64; 2]>,
+    /// Largest sensible step of `cdpr run` (s).
+    step_max_s: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct ModeAnswer {
+    #[serde(rename = "frequency_Hz")]
+    frequency: f64,
+    damping_ratio: f64,
+    shape: Vec<f64>,
+    participation: Vec<f64>,
+}
+
+impl ModeAnswer {
+    fn new(mode: &Mode) -> Self {
+        Self {
+            frequency: mode.frequency,
+            damping_ratio: mode.damping_ratio,
+            shape: mode.shape.as_slice().to_vec(),
+            participation: mode.participation.as_slice().to_vec(),
+        }
+    }
+}
+
+fn rows(matrix: &DMatrix<f64>) -> Rows {
+    // + 0.0: the sign of zero says nothing
+    matrix.row_iter().map(|row| row.iter().map(|x| x + 0.0).collect()).collect()
+}
+
+impl ModesAnswer {
+    /// Modes of a machine in equilibrium at a pose.
+    pub fn new(plant: &Plant, pose: &Pose, state: &State, linear: &Linearization) -> Self {
+        let model: &Model = plant.model();
+        let modes = linear.modes().map(|modes| modes.modes).unwrap_or_default();
+        let growing = modes.first().is_some_and(|mode| mode.frequency < 0.0);
+        let (status, reason) = match (modes.is_empty(), growing) {
+            (true, _) => {
+                ("singular", Some("the linear system has no modes that swing or grow by themselves".to_owned()))
+            }
+            (_, true) => ("unstable", Some("the smallest displacement grows along the first mode".to_owned())),
+            _ => ("stable", None),
+        };
+        let drums = (linear.dof..linear.size()).map(|row| format!("drum {}", row - linear.dof + 1));
+        let eigenvalues = linear.eigenvalues().unwrap_or_default();
+        Self {
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            status,
+            reason,
+            pose: PoseAnswer::new(model.robot(), pose),
+            degrees_of_freedom: degrees_of_freedom(model.robot()).into_iter().chain(drums).collect(),
+            tensions: state.cables.iter().map(|cable| cable.tension).collect(),
+            modes: modes.iter().map(ModeAnswer::new).collect(),
+            mass_matrix: rows(&linear.mass),
+            stiffness_matrix: rows(&linear.stiffness),
+            damping_matrix: rows(&linear.damping),
+            system_matrix: linear.system_matrix().as_ref().map(rows),
+            input_matrix: linear.input_matrix().as_ref().map(rows),
+            eigenvalues_per_s: eigenvalues.iter().map(|value| [value.re, value.im]).collect(),
+            step_max_s: linear.largest_step(),
+        }
+    }
+}
+
+impl Answer for ModesAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let mut text = format!("{}, model {}, at {}\n{}", self.robot, self.model, self.pose.words(), self.status);
+        self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
+        text.push_str("\n\nshares of the degrees of freedom in each mode's kinetic energy (%)\n");
+        let mut heading = vec!["mode".to_owned(), "Hz".to_owned(), "damping ratio".to_owned()];
+        heading.extend(self.degrees_of_freedom.iter().cloned());
+        let mut table = Table::with_heading(heading);
+        for (index, mode) in self.modes.iter().enumerate() {
+            let numbers = [(index + 1).to_string(), cell(Some(mode.frequency), 3), cell(Some(mode.damping_ratio), 4)];
+            let shares = mode.participation.iter().map(|share| cell(Some(100.0 * share), 1));
+            table.row(numbers.into_iter().chain(shares).collect());
+        }
+        text.push_str(&table.text(width));
+        if let Some(step) = self.step_max_s {
+            text.push_str(&format!("\n`cdpr run` takes steps of {} s at most\n", significant(step, 1)));
+        }
+        text
+    }
+}

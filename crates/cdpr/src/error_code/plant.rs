@@ -1,0 +1,40 @@
+//! Codes of what machines in time and their scenarios refuse.
+
+use super::ErrorCode;
+use crate::plant::{PlantError, StepError};
+use crate::robot::BodyError;
+
+impl ErrorCode for BodyError {
+    fn code(&self) -> &'static str {
+        "plant::missing-body"
+    }
+}
+
+impl ErrorCode for PlantError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Value { .. } => "scenario::value",
+            Self::Components { reason, .. } => reason.code(),
+            Self::Composition(error) => error.code(),
+            Self::Model(error) => error.code(),
+            Self::Body(error) => error.code(),
+            Self::Load(error) => error.code(),
+            Self::RigidCable { .. } => "plant::rigid-cable",
+            Self::NoDrum { .. } => "plant::no-drum",
+            Self::Winch(error) => error.code(),
+            Self::Start(_) | Self::Cable(_) => "plant::no-equilibrium",
+            Self::StepTooLarge { .. } => "plant::step-too-large",
+        }
+    }
+}
+
+impl ErrorCode for StepError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Cable(error) => error.code(),
+            Self::Winch(error) => error.code(),
+            Self::Overflow => "numerical::overflow",
+            Self::Count { .. } => "lengths::count",
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Machines that cannot move, and scenarios that cannot be run.
+
+use thiserror::Error;
+
+use crate::geometry::PatternError;
+use crate::metamodel;
+use crate::model::{CompositionError, ModelError, WinchError};
+use crate::robot::BodyError;
+use crate::statics::{LoadError, StaticsError};
+
+/// Key of a scenario file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScenarioKey {
+    /// Table, without brackets.
+    pub table: &'static str,
+    /// Position in a list of tables, from 0.
+    pub index: Option<usize>,
+    /// Key in the table; empty for the table itself.
+    pub key: &'static str,
+}
+
+impl ScenarioKey {
+    /// A key of a table.
+    pub(crate) const fn of(table: &'static str, key: &'static str) -> Self {
+        Self { table, index: None, key }
+    }
+}
+
+/// Mistake in a machine or a scenario.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PlantError {
+    /// A value of the scenario that cannot be used.
+    #[error("{message}")]
+    Value {
+        /// Its place.
+        key: ScenarioKey,
+        /// Mistake and remedy.
+        message: String,
+    },
+    /// Components of a pose.
+    #[error("{reason}")]
+    Components {
+        /// Its place.
+        key: ScenarioKey,
+        /// Reason.
+        reason: PatternError,
+    },
+    /// A composition that cannot be understood.
+    #[error(transparent)]
+    Composition(#[from] CompositionError),
+    /// Effects whose keys the robot file lacks.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// Mass, centre of mass or inertia unknown.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// The load on the platform is unknown.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// Cables that do not stretch have no tension of their own to move a platform with.
+    #[error(
+        "cable {cable} does not stretch in the model `{composition}`, so that its tension does not follow from its length; use a model with \
+         `elastic`, `polynomial` or `hysteresis`, and give the cable a stiffness"
+    )]
+    RigidCable {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Effects of the model.
+        composition: String,
+    },
+    /// A drum without inertia.
+    #[error(
+        "winches = \"drums\" needs `{key}`, which cable {cable} (\"{name}\") does not have; add the key to its [[cable]] table or to \
+         [cable_defaults], or use winches = \"ideal\""
+    )]
+    NoDrum {
+        /// Missing key.
+        key: &'static str,
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Name of the cable.
+        name: String,
+    },
+    /// A length that the drum does not hold.
+    #[error(transparent)]
+    Winch(#[from] WinchError),
+    /// The start is no equilibrium of the cables.
+    #[error("there is no equilibrium to start from: {0}")]
+    Start(#[from] metamodel::InputError),
+    /// A cable that cannot be as the start asks.
+    #[error("there is no equilibrium to start from: {0}")]
+    Cable(#[from] StaticsError),
+    /// The step is too large for the fastest motion of the machine.
+    #[error(
+        "a step of {step} s is too large: the fastest motion of this machine has {frequency:.1} Hz; use step_s = {largest:.1e} at most"
+    )]
+    StepTooLarge {
+        /// Step asked for (s).
+        step: f64,
+        /// Largest sensible step (s).
+        largest: f64,
+        /// Fastest motion: natural frequency, or rate of decay over 2π (Hz).
+        frequency: f64,
+    },
+}
+
+impl PlantError {
+    /// Mistake that keeps a machine from its first step.
+    pub(super) fn of_step(error: StepError) -> Self {
+        match error {
+            StepError::Cable(error) => Self::Cable(error),
+            StepError::Winch(error) => Self::Winch(error),
+            StepError::Overflow | StepError::Count { .. } => {
+                Self::Value { key: ScenarioKey::of("start", ""), message: error.to_string() }
+            }
+        }
+    }
+
+    /// Place in the scenario, where the mistake has one.
+    pub fn key(&self) -> Option<ScenarioKey> {
+        match self {
+            Self::Value { key, .. } | Self::Components { key, .. } => Some(*key),
+            Self::Composition(_) => Some(ScenarioKey::of("machine", "model")),
+            Self::Start(_) => Some(ScenarioKey::of("start", "")),
+            Self::StepTooLarge { .. } => Some(ScenarioKey::of("time", "step_s")),
+            _ => None,
+        }
+    }
+}
+
+/// Why a machine cannot take another step.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StepError {
+    /// A cable has no path, or no shape, where the platform came to.
+    #[error(transparent)]
+    Cable(#[from] StaticsError),
+    /// A drum has run out of its groove.
+    #[error(transparent)]
+    Winch(#[from] WinchError),
+    /// Numbers grew beyond all bounds.
+    #[error(
+        "the motion grew beyond all numbers: the step is too large for what the machine came to, or a load is not plausible"
+    )]
+    Overflow,
+    /// Not one command per cable.
+    #[error("{found} commands are given, the robot has {expected} cables: give one per cable")]
+    Count {
+        /// Cables of the robot.
+        expected: usize,
+        /// Commands given.
+        found: usize,
+    },
+}

@@ -1,0 +1,43 @@
+//! The virtual machine in time: a rigid platform on cables of any composition, with ideal winches or drums.
+//!
+//! [`Plant`] is immutable, a [`State`] belongs to the caller, and [`Plant::step`] leads from one state to the next without claiming memory:
+//!
+//! M(x) \[v̇; ω̇\] + n(x, ω) = Σ fᵢ \[uᵢ; bᵢ × uᵢ\] + w(x, t),  fᵢ = max(0, law(qᵢ, q_θ,ᵢ) + dᵢ (q̇ᵢ − q̇_θ,ᵢ)),
+//!
+//! with the laws, outlets and loads of the static library: at rest the plant is [`Model::forward`](crate::model::Model::forward). The integrator is a
+//! symmetric, symplectic composition of order four (decision 0039). [`Scenario`] is a file that says what happens, [`Simulation`] runs it.
+
+mod cable_motion;
+mod drums;
+mod dynamics;
+mod energy;
+mod error;
+mod event;
+mod linearization;
+mod log;
+mod modes;
+mod momentum;
+#[expect(clippy::module_inception, reason = "the type is what the room is about")]
+mod plant;
+mod pulls;
+pub mod scenario;
+mod simulation;
+mod start;
+mod state;
+mod step;
+#[cfg(test)]
+mod tests;
+
+pub use cable_motion::CableMotion;
+pub use energy::Energy;
+pub use error::{PlantError, ScenarioKey, StepError};
+pub use event::{Event, Happening};
+pub use linearization::Linearization;
+pub use log::LogFormat;
+pub use modes::{Mode, Modes};
+pub use momentum::{Inertia, Momentum};
+pub use plant::{Damping, Plant, Winches};
+pub use scenario::Scenario;
+pub use simulation::{End, Simulation, Summary};
+pub use state::State;
+pub use step::Command;

@@ -1,0 +1,146 @@
+//! The platform as a free rigid body: momentum, twist, and its motion without forces.
+
+use nalgebra::{Matrix3, Matrix6, UnitQuaternion, Vector3};
+
+use crate::geometry::{Pose, Twist, Wrench};
+use crate::model::Model;
+use crate::robot::Body;
+
+/// Largest turn of one piece of a drift (rad): the error of a piece, of the fifth order, stays below rounding.
+const PIECE: f64 = 5e-3;
+
+/// Momentum of a platform: linear, and angular about its centre of mass (world axes; kg·m/s, kg·m²/s). Without forces both stay to the last bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Momentum {
+    /// p = m v_c.
+    pub linear: Vector3<f64>,
+    /// L = R I_c Rᵀ ω.
+    pub angular: Vector3<f64>,
+}
+
+/// A body as its motion pattern lets it move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inertia {
+    /// Mass properties.
+    pub body: Body,
+    /// I_c⁻¹ about the directions in which the pattern turns, 0 about others (platform axes).
+    inverse_inertia: Matrix3<f64>,
+    /// Projection onto the directions in which the pattern moves (world).
+    translations: Matrix3<f64>,
+    /// Projection onto the directions about which it turns (world).
+    rotations: Matrix3<f64>,
+}
+
+impl Inertia {
+    /// The body on a model's motion pattern.
+    pub fn new(model: &Model, body: Body) -> Self {
+        let (mut translations, mut rotations) = (Matrix3::zeros(), Matrix3::zeros());
+        for twist in model.twist_basis() {
+            let (v, omega) = (twist.fixed_rows::<3>(0), twist.fixed_rows::<3>(3));
+            translations += v * v.transpose();
+            rotations += omega * omega.transpose();
+        }
+        let robot = model.robot();
+        let inverse_inertia = match (robot.motion_pattern.has_rotation(), robot.motion_pattern.is_planar()) {
+            (false, _) => Matrix3::zeros(),
+            (true, true) => {
+                let normal = robot.plane.normal();
+                normal * normal.transpose() / normal.dot(&(body.inertia * normal))
+            }
+            (true, false) => body.inertia.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN)),
+        };
+        Self { body, inverse_inertia, translations, rotations }
+    }
+
+    /// s = R c, from the platform origin to the centre of mass (world, m).
+    pub fn center(&self, pose: &Pose) -> Vector3<f64> {
+        pose.rotation * self.body.center_of_mass
+    }
+
+    /// Angular velocity ω (world, rad/s).
+    #[inline]
+    pub(super) fn angular_velocity(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>) -> Vector3<f64> {
+        rotation * (self.inverse_inertia * (rotation.inverse() * angular))
+    }
+
+    /// Twist \[v; ω\] of the platform origin (world axes).
+    #[inline]
+    pub fn twist(&self, pose: &Pose, momentum: &Momentum) -> Twist {
+        let omega = self.angular_velocity(&pose.rotation, &momentum.angular);
+        let v = momentum.linear / self.body.mass - omega.cross(&self.center(pose));
+        Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z)
+    }
+
+    /// Momentum of a twist, as far as the pattern moves.
+    pub fn momentum(&self, pose: &Pose, twist: &Twist) -> Momentum {
+        let omega = self.rotations * twist.fixed_rows::<3>(3);
+        let v = self.translations * (twist.fixed_rows::<3>(0) + omega.cross(&self.center(pose)));
+        let turned = pose.rotation * (self.body.inertia * (pose.rotation.inverse() * omega));
+        Momentum { linear: v * self.body.mass, angular: self.rotations * turned }
+    }
+
+    /// Rate of the momentum under a wrench about the platform origin (world axes; N, N·m).
+    #[inline]
+    pub(super) fn rate(&self, center: &Vector3<f64>, wrench: &Wrench) -> Momentum {
+        let force: Vector3<f64> = wrench.fixed_rows::<3>(0).into();
+        let moment: Vector3<f64> = wrench.fixed_rows::<3>(3).into();
+        Momentum { linear: self.translations * force, angular: self.rotations * (moment - center.cross(&force)) }
+    }
+
+    /// Mass matrix M(x) about the platform origin in world axes, 6 × 6.
+    pub fn mass_matrix(&self, pose: &Pose) -> Matrix6<f64> {
+        let rotation = pose.rotation_matrix();
+        let mut turn = Matrix6::zeros();
+        turn.fixed_view_mut::<3, 3>(0, 0).copy_from(&rotation);
+        turn.fixed_view_mut::<3, 3>(3, 3).copy_from(&rotation);
+        turn * self.body.mass_matrix() * turn.transpose()
+    }
+
+    /// Pose after a time without forces (s): the centre of mass goes straight, the angular momentum stays.
+    #[inline]
+    pub fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Pose {
+        let from = pose.position + self.center(pose) + momentum.linear * (time / self.body.mass);
+        let rotation = self.turned(&pose.rotation, &momentum.angular, time);
+        Pose { position: from - rotation * self.body.center_of_mass, rotation }
+    }
+
+    /// Orientation of a free body after a time (s).
+    fn turned(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>, time: f64) -> UnitQuaternion<f64> {
+        if *angular == Vector3::zeros() {
+            return *rotation;
+        }
+        // what the pattern keeps from turning has an infinite inertia, so that this bounds the turn
+        let speed = (self.inverse_inertia * (rotation.inverse() * angular)).norm();
+        let pieces = (speed * time.abs() / PIECE).ceil().clamp(1.0, 1e6);
+        let mut turned = *rotation;
+        for _ in 0..pieces as u32 {
+            turned = self.turned_a_piece(&turned, angular, time / pieces);
+        }
+        turned
+    }
+
+    /// R exp(θ) with θ' = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω), Ω = I⁻¹ exp(−θ) Rᵀ L, by the classical Runge–Kutta rule (Munthe-Kaas).
+    fn turned_a_piece(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>, time: f64) -> UnitQuaternion<f64> {
+        let start = rotation.inverse() * angular;
+        let rate = |theta: &Vector3<f64>| {
+            let omega = self.inverse_inertia * turned_back(theta, &start);
+            let bend = theta.cross(&omega);
+            omega + bend * 0.5 + theta.cross(&bend) / 12.0
+        };
+        let first = rate(&Vector3::zeros());
+        let second = rate(&(first * (0.5 * time)));
+        let third = rate(&(second * (0.5 * time)));
+        let fourth = rate(&(third * time));
+        let theta = (first + (second + third) * 2.0 + fourth) * (time / 6.0);
+        let turned = rotation.quaternion() * UnitQuaternion::new(theta).quaternion();
+        // one Newton step to the norm 1, of which rounding alone has led away
+        UnitQuaternion::new_unchecked(turned * (1.5 - 0.5 * turned.norm_squared()))
+    }
+}
+
+/// exp(−θ) v for a small θ (rad), by its series up to the fifth power.
+#[inline]
+fn turned_back(theta: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+    let term = |rest: Vector3<f64>, share: f64| v - theta.cross(&rest) * share;
+    term(term(term(term(term(*v, 0.2), 0.25), 1.0 / 3.0), 0.5), 1.0)
+}

@@ -1,0 +1,148 @@
+//! The machine as it is: model, platform, damping and winches.
+
+use nalgebra::Vector3;
+
+use super::error::PlantError;
+use super::momentum::Inertia;
+use crate::cable::law::Kind;
+use crate::model::{Cables, Model};
+use crate::robot::{Body, Cable};
+use crate::statics::Load;
+
+/// A machine that moves. Immutable: what changes stands in a [`State`](super::State).
+#[derive(Clone, Debug)]
+pub struct Plant {
+    pub(super) model: Model,
+    pub(super) load: Load,
+    /// Gravity (world, m/s²); zero where the file states none.
+    pub(super) gravity: Vector3<f64>,
+    pub(super) inertia: Inertia,
+    pub(super) damping: Vec<Damping>,
+    /// Drums, one per cable; none with ideal winches.
+    pub(super) drums: Vec<Drum>,
+    /// True where cables have weight.
+    pub(super) sags: bool,
+    /// True where forces depend on speeds.
+    pub(super) dissipates: bool,
+}
+
+/// Damping of a cable along its elongation rate: d = constant + time · ∂f/∂q (Kelvin and Voigt).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Damping {
+    /// Part that does not depend on the cable's length (N·s/m).
+    pub constant: f64,
+    /// η (s): with it d = η EA/q of a cable that obeys Hooke's law.
+    pub time: f64,
+}
+
+impl Damping {
+    /// d of a cable of this stiffness ∂f/∂q (N/m → N·s/m).
+    #[inline]
+    pub fn coefficient(&self, stiffness: f64) -> f64 {
+        self.constant + self.time * stiffness
+    }
+
+    /// Damping that the robot file states for a cable; none where it is silent.
+    pub fn of(cable: &Cable) -> Self {
+        let constant = cable.damping.unwrap_or(0.0);
+        Self { constant, time: cable.damping_time.unwrap_or(0.0) }
+    }
+}
+
+/// Holders of the cables at the frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Winches {
+    /// Lengths are what is commanded.
+    #[default]
+    Ideal,
+    /// Drums with inertia and friction, which torques command.
+    Drums,
+}
+
+/// A drum with what turns with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Drum {
+    /// Inertia at the drum, rotor times gear ratio squared included (kg·m²).
+    pub(super) inertia: f64,
+    /// Torque of dry friction (N·m).
+    pub(super) coulomb: f64,
+    /// Torque of friction per speed (N·m·s/rad).
+    pub(super) viscous: f64,
+    /// Torque at the drum per torque of the motor.
+    pub(super) gear: f64,
+}
+
+impl Plant {
+    /// The machine of a model with the damping of its robot file.
+    pub fn new(model: Model, winches: Winches) -> Result<Self, PlantError> {
+        let damping = model.robot().cables.iter().map(Damping::of).collect();
+        Self::with_damping(model, winches, damping)
+    }
+
+    /// [`Plant::new`] with another damping, one per cable.
+    pub fn with_damping(model: Model, winches: Winches, damping: Vec<Damping>) -> Result<Self, PlantError> {
+        let stretches = |cable: &usize| match model.law(*cable).kind {
+            Kind::Rigid => false,
+            Kind::Linear(law, _) => !law.is_rigid(),
+            Kind::Stretching => !model.law(*cable).stretch.is_rigid(),
+            Kind::Sagging(_) => true,
+        };
+        if let Some(cable) = (0..model.cable_count()).find(|cable| !stretches(cable)) {
+            return Err(PlantError::RigidCable { cable: cable + 1, composition: model.composition().to_string() });
+        }
+        let body = Body::of(model.robot())?;
+        let load = Load::of(model.robot())?;
+        let drums = match winches {
+            Winches::Ideal => Vec::new(),
+            Winches::Drums => drums_of(&model)?,
+        };
+        let has_viscous = drums.iter().any(|drum| drum.viscous > 0.0 || drum.coulomb > 0.0);
+        let has_damping = damping.iter().any(|damping| *damping != Damping::default());
+        Ok(Self {
+            inertia: Inertia::new(&model, body),
+            gravity: model.robot().gravity.unwrap_or_else(Vector3::zeros),
+            sags: model.cables() == Cables::Sagging,
+            dissipates: has_viscous || has_damping,
+            load,
+            damping,
+            drums,
+            model,
+        })
+    }
+
+    /// The model of its cables.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The load that its robot file states.
+    pub fn load(&self) -> &Load {
+        &self.load
+    }
+
+    /// Holders of its cables.
+    pub fn winches(&self) -> Winches {
+        if self.drums.is_empty() { Winches::Ideal } else { Winches::Drums }
+    }
+}
+
+/// Drums of a robot: radius and inertia are needed, friction is none where the file is silent.
+fn drums_of(model: &Model) -> Result<Vec<Drum>, PlantError> {
+    let drum = |(index, cable): (usize, &Cable)| {
+        let missing = |key| PlantError::NoDrum { key, cable: index + 1, name: cable.name.clone() };
+        model.winch(index).ok_or_else(|| missing("drum_radius_m"))?;
+        let gear = cable.winch.gear_ratio.unwrap_or(1.0).abs();
+        let inertia = cable.winch.drum_inertia.unwrap_or(0.0) + gear * gear * cable.winch.rotor_inertia.unwrap_or(0.0);
+        if !(inertia > 0.0) {
+            return Err(missing("drum_inertia_kg_m2"));
+        }
+        Ok(Drum {
+            inertia,
+            coulomb: cable.winch.coulomb_friction.unwrap_or(0.0),
+            viscous: cable.winch.viscous_friction.unwrap_or(0.0),
+            gear,
+        })
+    };
+    model.robot().cables.iter().enumerate().map(drum).collect()
+}

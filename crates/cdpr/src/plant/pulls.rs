@@ -1,0 +1,189 @@
+//! Pulls of all cables at a pose: geometry, tensions by the laws, and the wrench of both.
+
+use cdpr_core::structure;
+
+use super::cable_motion::CableMotion;
+use super::error::StepError;
+use super::plant::Plant;
+
+use crate::cable::wrench::wrench;
+use crate::cable::{CableInput, CableState};
+use crate::geometry::{Pose, Twist, Wrench};
+use crate::scalar::dispatch_narrow;
+use crate::statics::StaticsError;
+
+/// Geometry and laws of all cables at a pose, in memory that is claimed once.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Pulls {
+    /// True where lengths and columns are those of the pose.
+    pub(super) is_current: bool,
+    /// q (m).
+    pub(super) lengths: Vec<f64>,
+    /// \[u; b × u\] (world).
+    pub(super) columns: Vec<[f64; 6]>,
+    /// Laws at lengths and controlled lengths.
+    pub(super) laws: Vec<LawPull>,
+    /// Drums within a step.
+    pub(super) drums: Vec<DrumWork>,
+}
+
+/// A drum within a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct DrumWork {
+    /// Speed before the step (rad/s).
+    pub(super) before: f64,
+    /// ∂q_θ/∂φ at the pose (m/rad).
+    pub(super) radius: f64,
+    /// Speed at the stage of a kick (rad/s).
+    pub(super) trial: f64,
+    /// Acceleration there (rad/s²).
+    pub(super) acceleration: f64,
+    /// Weighted sum of the stages' accelerations.
+    pub(super) sum: f64,
+}
+
+/// Answer of a cable's law at its lengths.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct LawPull {
+    /// Tension along the column (N), continued below zero.
+    pub(super) tension: f64,
+    /// Tension at the outlet less that along the column (N): the weight of a cable that sags.
+    pub(super) weight: f64,
+    /// d (N·s/m).
+    pub(super) damping: f64,
+}
+
+impl LawPull {
+    /// A cable that is broken.
+    const NONE: Self = Self { tension: 0.0, weight: 0.0, damping: 0.0 };
+
+    /// Tension on the platform of a cable that grows longer at this rate (m/s): law and damper clipped together (N).
+    #[inline]
+    pub(super) fn clipped(&self, rate: f64) -> f64 {
+        (self.tension + self.damping * rate).max(0.0)
+    }
+}
+
+impl Pulls {
+    pub(super) fn new(cables: usize, drums: usize) -> Self {
+        Self {
+            is_current: false,
+            lengths: vec![0.0; cables],
+            columns: vec![[0.0; 6]; cables],
+            laws: vec![LawPull::NONE; cables],
+            drums: vec![DrumWork::default(); drums],
+        }
+    }
+
+    /// Lengths and directions at a pose, and the tensions of the laws.
+    #[inline]
+    pub(super) fn find(&mut self, plant: &Plant, pose: &Pose, cables: &mut [CableMotion]) -> Result<(), StepError> {
+        if plant.sags {
+            return self.find_shapes(plant, pose, cables);
+        }
+        if !self.is_current {
+            self.find_lines(plant, pose)?;
+        }
+        for (index, (cable, law)) in cables.iter().zip(&mut self.laws).enumerate() {
+            *law = plant.law_pull(index, cable, self.lengths[index]);
+        }
+        Ok(())
+    }
+
+    fn find_lines(&mut self, plant: &Plant, pose: &Pose) -> Result<(), StepError> {
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        let (lengths, columns) = (&mut self.lengths[..], &mut self.columns[..]);
+        let kernel = structure::Pulls { groups: plant.model.groups(), position, rotation: &rotation, lengths, columns };
+        if !dispatch_narrow(kernel) {
+            for cable in 0..plant.model.cable_count() {
+                let found = plant.model.checked_path(cable, position, &rotation);
+                let (path, end) = found.map_err(StaticsError::from)?;
+                self.lengths[cable] = path.length;
+                self.columns[cable] = wrench(end.moment_arm, path.direction);
+            }
+        }
+        self.is_current = true;
+        Ok(())
+    }
+
+    /// Cables with weight, each sought from its last shape.
+    fn find_shapes(&mut self, plant: &Plant, pose: &Pose, cables: &mut [CableMotion]) -> Result<(), StepError> {
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        for (index, cable) in cables.iter_mut().enumerate() {
+            if cable.is_broken {
+                (self.columns[index], self.laws[index]) = ([0.0; 6], LawPull::NONE);
+                continue;
+            }
+            let (path, end) = plant.model.checked_path(index, position, &rotation).map_err(StaticsError::from)?;
+            let (law, input) = (plant.model.law(index), CableInput::ControlledLength(cable.unstrained_length()));
+            let found = match &cable.memory {
+                Some(memory) => law.with_memory(memory).state_on(&path, &end, input, cable.span),
+                None => law.state_on(&path, &end, input, cable.span),
+            };
+            let state: CableState = found.map_err(|reason| StaticsError::of_cable(index, path.length, reason))?;
+            cable.span = Some(state.span);
+            self.lengths[index] = state.strained_length;
+            self.columns[index] = wrench(end.moment_arm, state.direction);
+            let stiffness = state.tangent.map(|row| crate::scalar::dot(row, state.direction));
+            self.laws[index] = LawPull {
+                tension: state.platform_tension,
+                weight: state.outlet_tension - state.platform_tension,
+                damping: plant.damping[index].coefficient(-crate::scalar::dot(stiffness, state.direction)),
+            };
+        }
+        self.is_current = true;
+        Ok(())
+    }
+
+    /// Wrench of all cables on a platform that moves (N, N·m).
+    #[inline]
+    pub(super) fn wrench(&self, twist: &Twist, rates: impl Fn(usize) -> f64) -> Wrench {
+        let mut sum = Wrench::zeros();
+        for (index, (law, column)) in self.laws.iter().zip(&self.columns).enumerate() {
+            let tension = law.clipped(elongation_rate(column, twist) - rates(index));
+            for row in 0..6 {
+                sum[row] += tension * column[row];
+            }
+        }
+        sum
+    }
+
+    /// Wrench of all cables where nothing depends on speeds.
+    #[inline]
+    pub(super) fn wrench_at_rest(&self) -> Wrench {
+        let mut sum = Wrench::zeros();
+        for (law, column) in self.laws.iter().zip(&self.columns) {
+            let tension = law.tension.max(0.0);
+            for row in 0..6 {
+                sum[row] += tension * column[row];
+            }
+        }
+        sum
+    }
+}
+
+/// q̇ = −\[u; b × u\]·\[v; ω\] (m/s): the involute property holds over pulleys too.
+#[inline]
+pub(super) fn elongation_rate(column: &[f64; 6], twist: &Twist) -> f64 {
+    -(0..6).map(|row| column[row] * twist[row]).sum::<f64>()
+}
+
+impl Plant {
+    /// The law of one straight cable at a geometric length (m).
+    #[inline]
+    fn law_pull(&self, index: usize, cable: &CableMotion, length: f64) -> LawPull {
+        if cable.is_broken {
+            return LawPull::NONE;
+        }
+        let tension = self.model.law(index).continued_tension(length, cable.unstrained_length(), cable.memory.as_ref());
+        match tension {
+            Some(tension) => LawPull {
+                tension: tension.value,
+                weight: 0.0,
+                damping: self.damping[index].coefficient(tension.by_length),
+            },
+            // refused where plants are made
+            None => LawPull::NONE,
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Scenario files: a machine, its start, what is commanded and what happens.
+
+#[cfg(feature = "files")]
+mod checks;
+#[cfg(feature = "files")]
+mod reading;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+#[cfg(feature = "files")]
+pub use reading::located;
+
+use super::plant::Winches;
+use crate::tension::Method;
+
+/// A scenario as its file states it; the robot is named, not read.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "cdpr scenario")]
+pub struct Scenario {
+    /// The machine that moves.
+    pub machine: Machine,
+    /// Pose and tensions at which it starts.
+    pub start: Start,
+    /// Commands to the winches; they hold the lengths of the start when missing.
+    #[serde(default)]
+    pub control: Control,
+    /// Wrench on the platform over time, besides load and weight.
+    pub wrench: Option<WrenchSeries>,
+    /// Events, in any order.
+    #[serde(default)]
+    pub event: Vec<EventTable>,
+    /// Duration, step and record.
+    pub time: Time,
+}
+
+/// The machine that moves.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
+pub struct Machine {
+    /// Path (relative to the scenario) or built-in name. Mass, centre of mass and inertia come from its `[platform]`.
+    pub robot: String,
+    /// Composition of effects; cables must stretch. `elastic` when missing.
+    #[serde(default = "elastic")]
+    pub model: String,
+    /// Winches: `ideal` (lengths are what is commanded, the default) or `drums` (with inertia and friction of the robot file).
+    #[serde(default)]
+    pub winches: Winches,
+    /// Damping of every cable along the rate of its elongation (N·s/m), in place of that of the robot file.
+    #[schemars(range(min = 0))]
+    pub cable_damping_N_s_per_m: Option<f64>,
+}
+
+fn elastic() -> String {
+    "elastic".to_owned()
+}
+
+/// Pose and tensions at which the machine starts.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
+pub struct Start {
+    /// Pose components of the motion pattern (m, rad) of the equilibrium.
+    pub pose: Vec<f64>,
+    /// Tensions there, one per cable (N): brought into balance with the load by the smallest change.
+    pub tensions_N: Option<Vec<f64>>,
+    /// Or how the tensions are found: a method of tension distribution; `qp` when both are missing.
+    pub tension_method: Option<Method>,
+    /// Least and largest tension that the method aims between (N), instead of the limits of the robot file.
+    pub tension_limits_N: Option<[f64; 2]>,
+    /// Displacement from the equilibrium in the degrees of freedom: position (m), then rotation vector (rad), world axes, from the left.
+    pub displacement: Option<Vec<f64>>,
+    /// Twist at the start in the degrees of freedom: v (m/s), then ω (rad/s), world axes.
+    pub twist: Option<Vec<f64>>,
+}
+
+/// Commands to the winches.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Control {
+    /// Kind of command.
+    #[serde(default)]
+    pub kind: ControlKind,
+    /// `length-changes`: times of the rows (s), ascending.
+    pub time_s: Option<Vec<f64>>,
+    /// `length-changes`: rows with a number per cable, added to the lengths of the start (m), straight between the rows.
+    pub length_change_m: Option<Vec<Vec<f64>>>,
+}
+
+/// Kind of command to the winches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ControlKind {
+    /// Winches hold the lengths of the start; drums are braked.
+    #[default]
+    Lengths,
+    /// Ideal winches follow changes of length over time.
+    LengthChanges,
+    /// Motors of drums hold the torques of the start.
+    Torques,
+}
+
+/// Wrench over time.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WrenchSeries {
+    /// Times of the rows (s), ascending.
+    pub time_s: Vec<f64>,
+    /// Rows with the components of a wrench as `--wrench` takes them (N, N·m), straight between the rows and constant outside.
+    pub wrench: Vec<Vec<f64>>,
+}
+
+/// Event at a time.
+#[derive(Clone, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EventTable {
+    /// Time since the start (s); a row of the log at this time shows the state before it.
+    #[schemars(range(min = 0))]
+    pub time_s: f64,
+    /// Kind of event.
+    pub kind: EventKind,
+    /// `cable-break`, `winch-stop`, `slip`: number of the cable, from 1.
+    #[schemars(range(min = 1))]
+    pub cable: Option<usize>,
+    /// `slip`: length that the cable gains (m).
+    pub length_m: Option<f64>,
+    /// `load`: mass that is fixed to the platform (kg), negative where it is taken off.
+    pub mass_kg: Option<f64>,
+    /// `load`: its place (platform frame, m); the platform origin when missing.
+    pub position_m: Option<Vec<f64>>,
+    /// `wrench`: components as `--wrench` takes them (N, N·m), from then on besides load and weight.
+    pub wrench: Option<Vec<f64>>,
+}
+
+/// Kind of event.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EventKind {
+    /// A cable breaks.
+    CableBreak,
+    /// A winch stands still whatever it is told.
+    WinchStop,
+    /// A cable slips through what holds it.
+    Slip,
+    /// The platform takes up a mass, or loses one.
+    Load,
+    /// A wrench begins to act.
+    Wrench,
+}
+
+/// Duration, step and record.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    /// Duration (s).
+    pub duration_s: f64,
+    /// Step of the integrator (s); 0.001 when missing.
+    #[serde(default = "millisecond")]
+    pub step_s: f64,
+    /// Time between rows of the log (s), a whole multiple of the step; every tenth step when missing.
+    pub record_s: Option<f64>,
+}
+
+fn millisecond() -> f64 {
+    1e-3
+}
+
+/// JSON Schema of scenario files.
+pub fn schema() -> schemars::Schema {
+    schemars::schema_for!(Scenario)
+}

@@ -1,0 +1,354 @@
+//! A scenario as it goes: machine, start, commands and events in time.
+
+use std::ops::ControlFlow;
+
+use super::error::{PlantError, ScenarioKey, StepError};
+use super::event::{Event, Happening};
+use super::linearization::SENSIBLE;
+use super::plant::{Damping, Plant};
+use super::scenario::{ControlKind, EventKind, EventTable, Scenario, Start, Time};
+use super::state::State;
+use super::step::Command;
+use crate::geometry::{Pose, Twist, Wrench};
+use crate::metamodel::initial_tensions;
+use crate::metamodel::study::{Initial, TensionMethod};
+use crate::model::Model;
+use crate::robot::Robot;
+
+/// Times that differ by less than this share of a step are one.
+const SAME_TIME: f64 = 1e-6;
+
+/// A machine on its way through a scenario.
+#[derive(Clone, Debug)]
+pub struct Simulation {
+    /// The machine.
+    pub plant: Plant,
+    /// Its state by now.
+    pub state: State,
+    /// Events, in the order of time.
+    pub events: Vec<Event>,
+    time: Time,
+    commands: Commands,
+    wrench: Option<Series>,
+}
+
+/// Commands of a scenario.
+#[derive(Clone, Debug, PartialEq)]
+struct Commands {
+    kind: ControlKind,
+    /// Lengths (m) or torques (N·m) of the start.
+    start: Vec<f64>,
+    changes: Option<Series>,
+    now: Vec<f64>,
+}
+
+/// Rows over time, straight between them and constant outside.
+#[derive(Clone, Debug, PartialEq)]
+struct Series {
+    times: Vec<f64>,
+    rows: Vec<Vec<f64>>,
+}
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// At the end of its time.
+    Completed,
+    /// Whoever watched it said so.
+    Stopped,
+    /// The machine could not go on.
+    Failed(StepError),
+}
+
+/// Outcome of a run.
+#[must_use = "check `end`: the machine may not have got to the end"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// How it ended.
+    pub end: End,
+    /// Steps taken.
+    pub steps: u64,
+    /// Least tension of a cable that is not broken, after any step (N).
+    pub tension_min: f64,
+    /// Largest tension after any step (N).
+    pub tension_max: f64,
+    /// Events that happened.
+    pub events: Vec<Event>,
+}
+
+impl Simulation {
+    /// The machine of a scenario on its start, its robot read by the caller.
+    pub fn new(scenario: &Scenario, robot: Robot) -> Result<Self, PlantError> {
+        let machine = &scenario.machine;
+        let model = Model::new(robot, machine.model.parse()?)?;
+        let damping = match machine.cable_damping_N_s_per_m {
+            Some(constant) => vec![Damping { constant, time: 0.0 }; model.cable_count()],
+            None => model.robot().cables.iter().map(Damping::of).collect(),
+        };
+        let plant = Plant::with_damping(model, machine.winches, damping)?;
+        let mut state = start_of(&plant, &scenario.start)?;
+        check_step(&plant, &state, scenario.time.step_s)?;
+        let commands = Commands::of(&plant, &state, scenario)?;
+        let events = events_of(&plant, &scenario.event)?;
+        let wrench = scenario.wrench.as_ref().map(|series| {
+            let key = ScenarioKey::of("wrench", "wrench");
+            let row = |row: &Vec<f64>| Ok(of_components(&plant.model, row, key)?.as_slice().to_vec());
+            let rows = series.wrench.iter().map(row).collect::<Result<Vec<_>, PlantError>>()?;
+            Ok::<_, PlantError>(Series { times: series.time_s.clone(), rows })
+        });
+        let wrench = wrench.transpose()?;
+        displace(&plant, &mut state, &scenario.start)?;
+        Ok(Self { plant, state, events, time: scenario.time, commands, wrench })
+    }
+
+    /// Runs to the end, and shows every state that is recorded: the start, after each time of a record, and the last one. A state at the time of an
+    /// event is shown before it.
+    pub fn run<E>(
+        &mut self,
+        mut watch: impl FnMut(&Plant, &State) -> Result<ControlFlow<()>, E>,
+    ) -> Result<Summary, E> {
+        let Time { duration_s: duration, step_s: step, record_s } = self.time;
+        let every = (record_s.unwrap_or(10.0 * step) / step).round().max(1.0) as u64;
+        let count = (duration / step - SAME_TIME).ceil().max(1.0) as u64;
+        let mut summary =
+            Summary { end: End::Completed, steps: 0, tension_min: f64::INFINITY, tension_max: 0.0, events: Vec::new() };
+        summary.look(&self.state);
+        if watch(&self.plant, &self.state)?.is_break() {
+            summary.end = End::Stopped;
+            return Ok(summary);
+        }
+        let mut next = self.happen_until(0.0, 0, &mut summary);
+        for index in 0..count {
+            let target = if index + 1 == count { duration } else { (index + 1) as f64 * step };
+            if let Err(error) = self.advance(target, &mut next, &mut summary) {
+                summary.end = End::Failed(error);
+                return Ok(summary);
+            }
+            let is_recorded = (index + 1) % every == 0 || index + 1 == count;
+            if is_recorded && watch(&self.plant, &self.state)?.is_break() {
+                summary.end = End::Stopped;
+                return Ok(summary);
+            }
+            next = self.happen_until(target, next, &mut summary);
+        }
+        Ok(summary)
+    }
+
+    /// To a time of the grid, with a stop at every event before it.
+    fn advance(&mut self, target: f64, next: &mut usize, summary: &mut Summary) -> Result<(), StepError> {
+        let same = SAME_TIME * self.time.step_s;
+        while let Some(event) = self.events.get(*next).filter(|event| event.time < target - same) {
+            self.step_to(event.time, summary)?;
+            *next = self.happen_until(self.state.time, *next, summary);
+        }
+        self.step_to(target, summary)
+    }
+
+    fn step_to(&mut self, target: f64, summary: &mut Summary) -> Result<(), StepError> {
+        let (from, whole) = (self.state.time, self.time.step_s);
+        let time = target - from;
+        // the grid's times are rounded, its step is not
+        let time = if (time - whole).abs() <= SAME_TIME * whole { whole } else { time };
+        let event = self.state.external;
+        if let Some(series) = &self.wrench {
+            let mut now = [0.0; 6];
+            series.at(from + 0.5 * time, &mut now);
+            self.state.external += Wrench::from(now);
+        }
+        let command = self.commands.at(target);
+        let taken = self.plant.step(&mut self.state, &command, time);
+        self.state.external = event;
+        taken?;
+        self.state.time = target;
+        summary.steps += 1;
+        summary.look(&self.state);
+        Ok(())
+    }
+
+    /// Everything up to a time happens; the number of what comes next.
+    fn happen_until(&mut self, time: f64, first: usize, summary: &mut Summary) -> usize {
+        let until = time + SAME_TIME * self.time.step_s;
+        let mut next = first;
+        while let Some(event) = self.events.get(next).filter(|event| event.time <= until) {
+            self.plant.apply(&mut self.state, &event.happening);
+            summary.events.push(*event);
+            next += 1;
+        }
+        next
+    }
+}
+
+impl Summary {
+    fn look(&mut self, state: &State) {
+        for cable in state.cables.iter().filter(|cable| !cable.is_broken) {
+            self.tension_min = self.tension_min.min(cable.tension);
+            self.tension_max = self.tension_max.max(cable.tension);
+        }
+    }
+}
+
+impl Commands {
+    fn of(plant: &Plant, state: &State, scenario: &Scenario) -> Result<Self, PlantError> {
+        let kind = scenario.control.kind;
+        let start = match kind {
+            ControlKind::Torques => plant.holding_torques(state).map_err(PlantError::of_step)?,
+            _ => state.cables.iter().map(|cable| cable.controlled_length).collect(),
+        };
+        let changes = match (&scenario.control.time_s, &scenario.control.length_change_m) {
+            (Some(times), Some(rows)) => Some(Series { times: times.clone(), rows: rows.clone() }),
+            _ => None,
+        };
+        let expected = start.len();
+        let wrong = |row: &&Vec<f64>| row.len() != expected || row.iter().any(|x| !x.is_finite());
+        if changes.as_ref().is_some_and(|series| series.rows.iter().find(wrong).is_some()) {
+            let message = format!("a row of length_change_m has a finite number for each of the {expected} cables");
+            return Err(PlantError::Value { key: ScenarioKey::of("control", "length_change_m"), message });
+        }
+        Ok(Self { kind, now: start.clone(), start, changes })
+    }
+
+    /// Command for the step that ends at a time.
+    fn at(&mut self, time: f64) -> Command<'_> {
+        if let Some(series) = &self.changes {
+            series.at(time, &mut self.now);
+            self.now.iter_mut().zip(&self.start).for_each(|(now, start)| *now += start);
+        }
+        match self.kind {
+            ControlKind::Torques => Command::Torques(&self.now),
+            ControlKind::Lengths | ControlKind::LengthChanges => Command::Lengths(&self.now),
+        }
+    }
+}
+
+impl Series {
+    fn at(&self, time: f64, row: &mut [f64]) {
+        let after = self.times.partition_point(|&other| other <= time);
+        let (low, high) = (after.saturating_sub(1), after.min(self.times.len() - 1));
+        let width = self.times[high] - self.times[low];
+        let share = if width > 0.0 { (time - self.times[low]) / width } else { 0.0 };
+        for (entry, (a, b)) in row.iter_mut().zip(self.rows[low].iter().zip(&self.rows[high])) {
+            *entry = a + (b - a) * share;
+        }
+    }
+}
+
+/// The machine at rest in the equilibrium of its start.
+fn start_of(plant: &Plant, start: &Start) -> Result<State, PlantError> {
+    let robot = plant.model.robot();
+    let pose = robot.motion_pattern.pose(robot.plane, &start.pose);
+    let pose = pose.map_err(|reason| PlantError::Components { key: ScenarioKey::of("start", "pose"), reason })?;
+    let initial = Initial {
+        tensions_N: start.tensions_N.clone(),
+        tension_method: match (&start.tensions_N, start.tension_method) {
+            (None, None) => Some(TensionMethod::Qp),
+            (_, method) => method,
+        },
+        tension_limits_N: start.tension_limits_N,
+        ..Initial::default()
+    };
+    let tensions = initial_tensions(&initial, &plant.model, &pose)?;
+    plant.at_rest(&pose, &tensions)
+}
+
+/// Displacement and twist of the start.
+fn displace(plant: &Plant, state: &mut State, start: &Start) -> Result<(), PlantError> {
+    let of = |numbers: &Option<Vec<f64>>, key| match numbers {
+        Some(numbers) => of_components(&plant.model, numbers, ScenarioKey::of("start", key)),
+        None => Ok(Twist::zeros()),
+    };
+    let displacement = of(&start.displacement, "displacement")?;
+    if displacement != Twist::zeros() {
+        let pose: Pose = state.pose.displaced(&displacement);
+        state.set_pose(pose);
+    }
+    state.set_twist(&of(&start.twist, "twist")?);
+    plant.observe(state).map_err(PlantError::of_step)
+}
+
+/// A twist or wrench by its components in the degrees of freedom.
+fn of_components(model: &Model, numbers: &[f64], key: ScenarioKey) -> Result<Twist, PlantError> {
+    let (expected, found) = (model.dof(), numbers.len());
+    if expected != found || numbers.iter().any(|x| !x.is_finite()) {
+        let pattern = model.robot().motion_pattern.name();
+        let message = format!(
+            "{} has {found} numbers; motion pattern {pattern} takes {expected} finite ones: translations, then turns",
+            key.key
+        );
+        return Err(PlantError::Value { key, message });
+    }
+    Ok(model.twist_basis().iter().zip(numbers).map(|(basis, number)| basis * *number).sum())
+}
+
+/// Refuses steps that the fastest motion about the start does not allow.
+fn check_step(plant: &Plant, state: &State, step: f64) -> Result<(), PlantError> {
+    let linear = plant.linearize(state)?;
+    let (Some(fastest), Some(largest)) = (linear.fastest(), linear.largest_step()) else { return Ok(()) };
+    match step * fastest <= SENSIBLE {
+        true => Ok(()),
+        false => Err(PlantError::StepTooLarge { step, largest, frequency: fastest / std::f64::consts::TAU }),
+    }
+}
+
+fn events_of(plant: &Plant, tables: &[EventTable]) -> Result<Vec<Event>, PlantError> {
+    let event = |(index, table): (usize, &EventTable)| {
+        Ok(Event { time: table.time_s, happening: happening_of(plant, index, table)? })
+    };
+    let mut events = tables.iter().enumerate().map(event).collect::<Result<Vec<_>, PlantError>>()?;
+    // a stable sort: what happens at one time happens in the order of the file
+    events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    check_masses(plant, &events)?;
+    Ok(events)
+}
+
+fn happening_of(plant: &Plant, index: usize, table: &EventTable) -> Result<Happening, PlantError> {
+    let model = &plant.model;
+    let key = |key| ScenarioKey { table: "event", index: Some(index), key };
+    let cable = || match table.cable.unwrap_or(0) {
+        number if (1..=model.cable_count()).contains(&number) => Ok(number - 1),
+        number => {
+            let message = format!("cable {number} does not exist: cables count from 1 to {}", model.cable_count());
+            Err(PlantError::Value { key: key("cable"), message })
+        }
+    };
+    let finite = |name, number: Option<f64>| match number.unwrap_or(0.0) {
+        number if number.is_finite() => Ok(number),
+        number => Err(PlantError::Value { key: key(name), message: format!("{name} is {number}; it is finite") }),
+    };
+    Ok(match table.kind {
+        EventKind::CableBreak => Happening::CableBreak { cable: cable()? },
+        EventKind::WinchStop => Happening::WinchStop { cable: cable()? },
+        EventKind::Slip => Happening::Slip { cable: cable()?, length: finite("length_m", table.length_m)? },
+        EventKind::Load => {
+            let place = table.position_m.clone().unwrap_or_else(|| vec![0.0; model.axes().len()]);
+            if place.len() != model.axes().len() || place.iter().any(|x| !x.is_finite()) {
+                let message = format!("position_m has {} finite numbers", model.axes().len());
+                return Err(PlantError::Value { key: key("position_m"), message });
+            }
+            let place = model.axes().iter().zip(&place).map(|(axis, along)| axis * *along).sum();
+            Happening::Load { mass: finite("mass_kg", table.mass_kg)?, place }
+        }
+        EventKind::Wrench => {
+            let numbers = table.wrench.as_deref().unwrap_or_default();
+            Happening::Wrench(of_components(model, numbers, key("wrench"))?)
+        }
+    })
+}
+
+/// Loads must be heavy or light enough that a mass is left, and a file without gravity does not say what they weigh.
+fn check_masses(plant: &Plant, events: &[Event]) -> Result<(), PlantError> {
+    let mut body = plant.inertia.body;
+    for (index, event) in events.iter().enumerate() {
+        let Happening::Load { mass, place } = event.happening else { continue };
+        let key = ScenarioKey { table: "event", index: Some(index), key: "mass_kg" };
+        let refused = |message: String| Err(PlantError::Value { key, message });
+        if plant.model.robot().gravity.is_none() {
+            return refused("what a load weighs is unknown: add gravity_m_s2 to the robot file".to_owned());
+        }
+        let turns = plant.model.robot().motion_pattern == crate::geometry::MotionPattern::Spatial;
+        match body.with_point_mass(mass, &place) {
+            Some(next) if !turns || next.inertia.cholesky().is_some() => body = next,
+            _ => return refused(format!("{mass} kg leave no body: mass and inertia stay above zero")),
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,156 @@
+//! One step in time.
+//!
+//! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a *drift*, exact to rounding).
+//! Seven kicks and six drifts, symmetric, make a step of order four that is symplectic (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a
+//! step and the first of the next one share their pose, so that a step looks at the cables six times. Dampers and friction act within the
+//! kicks, which then follow the classical Runge–Kutta rule at the fixed pose.
+
+use super::error::StepError;
+use super::momentum::Momentum;
+use super::plant::Plant;
+use super::state::State;
+
+/// Shares of the step of the kicks and of the drifts after them; the first kick is the last one too.
+const STAGES: [(f64, f64); 6] = [(B1, A1), (B2, A2), (B3, A3), (B4, A3), (B3, A2), (B2, A1)];
+const B1: f64 = 0.082_984_406_417_405_2;
+const B2: f64 = 0.396_309_801_498_368;
+const B3: f64 = -0.039_056_304_922_348_6;
+const A1: f64 = 0.245_298_957_184_271;
+const A2: f64 = 0.604_872_665_711_080;
+const B4: f64 = 1.0 - 2.0 * (B1 + B2 + B3);
+const A3: f64 = 0.5 - (A1 + A2);
+
+/// Command to the winches for a step, one number per cable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Command<'a> {
+    /// Controlled lengths at the end of the step (m), to which ideal winches go evenly. Drums do not follow lengths: they stand still.
+    Lengths(&'a [f64]),
+    /// Torques of the motors (N·m), positive where they pull cable in. Ideal winches stand still.
+    Torques(&'a [f64]),
+}
+
+impl Command<'_> {
+    fn numbers(&self) -> &[f64] {
+        match self {
+            Self::Lengths(numbers) | Self::Torques(numbers) => numbers,
+        }
+    }
+}
+
+impl Plant {
+    /// Leads a state on by a time (s) under a command. Claims no memory.
+    ///
+    /// After an error the state is where the step failed; a snapshot taken before leads back.
+    pub fn step(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+        let (expected, found) = (self.model.cable_count(), command.numbers().len());
+        if expected != found {
+            return Err(StepError::Count { expected, found });
+        }
+        self.prepare(state, command, time)?;
+        for (kick, drift) in STAGES {
+            self.kick(state, command, kick * time)?;
+            self.drift(state, drift * time)?;
+        }
+        self.kick(state, command, B1 * time)?;
+        self.finish(state, command);
+        state.time += time;
+        match state.is_finite() {
+            true => self.observe(state),
+            false => Err(StepError::Overflow),
+        }
+    }
+
+    /// Speeds of ideal winches over the step, and which drums their friction holds.
+    fn prepare(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+        if !self.drums.is_empty() {
+            return self.prepare_drums(state, command);
+        }
+        for (index, cable) in state.cables.iter_mut().enumerate() {
+            cable.controlled_length_rate = match command {
+                Command::Lengths(lengths) if !cable.is_stopped => (lengths[index] - cable.controlled_length) / time,
+                _ => 0.0,
+            };
+        }
+        Ok(())
+    }
+
+    /// Ideal winches stand where they were told to go, drums that came to a stop within the step rest.
+    fn finish(&self, state: &mut State, command: &Command<'_>) {
+        if !self.drums.is_empty() {
+            return self.finish_drums(state);
+        }
+        let Command::Lengths(lengths) = command else { return };
+        for (cable, &length) in state.cables.iter_mut().zip(*lengths) {
+            if !cable.is_stopped {
+                cable.controlled_length = length;
+            }
+        }
+    }
+
+    /// Forces at the pose act for a time (s).
+    #[inline]
+    fn kick(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+        state.pulls.find(self, &state.pose, &mut state.cables)?;
+        let load = state.load(self);
+        if !self.drums.is_empty() {
+            return self.kick_drums(state, command, &load, time);
+        }
+        let center = state.inertia.center(&state.pose);
+        if !self.dissipates {
+            let rate = state.inertia.rate(&center, &(state.pulls.wrench_at_rest() + load));
+            state.momentum = added(&state.momentum, &rate, time);
+            return Ok(());
+        }
+        let (pulls, cables, inertia) = (&state.pulls, &state.cables, &state.inertia);
+        let rate = |momentum: &Momentum| {
+            let twist = inertia.twist(&state.pose, momentum);
+            inertia.rate(&center, &(pulls.wrench(&twist, |cable| cables[cable].controlled_length_rate) + load))
+        };
+        let start = state.momentum;
+        let first = rate(&start);
+        let second = rate(&added(&start, &first, 0.5 * time));
+        let third = rate(&added(&start, &second, 0.5 * time));
+        let fourth = rate(&added(&start, &third, time));
+        let sum = added(&added(&first, &second, 2.0), &added(&fourth, &third, 2.0), 1.0);
+        state.momentum = added(&start, &sum, time / 6.0);
+        Ok(())
+    }
+
+    /// The free body moves on, winches turn.
+    #[inline]
+    fn drift(&self, state: &mut State, time: f64) -> Result<(), StepError> {
+        state.pose = state.inertia.drift(&state.pose, &state.momentum, time);
+        state.pulls.is_current = false;
+        if !self.drums.is_empty() {
+            return self.drift_drums(state, time);
+        }
+        for cable in &mut state.cables {
+            cable.controlled_length += cable.controlled_length_rate * time;
+        }
+        Ok(())
+    }
+
+    /// Lengths and tensions of the state's pose and twist, and what the cables remember by now.
+    pub fn observe(&self, state: &mut State) -> Result<(), StepError> {
+        state.pulls.find(self, &state.pose, &mut state.cables)?;
+        let twist = state.twist();
+        for (index, cable) in state.cables.iter_mut().enumerate() {
+            let (law, column) = (&state.pulls.laws[index], &state.pulls.columns[index]);
+            let rate = super::pulls::elongation_rate(column, &twist) - cable.controlled_length_rate;
+            cable.tension = if cable.is_broken { 0.0 } else { (law.clipped(rate) + law.weight).max(0.0) };
+            cable.length = state.pulls.lengths[index];
+            if let Some(memory) = &mut cable.memory {
+                // dampers leave no trace in the rope
+                let stretched = self.model.law(index).stretch.with_memory(memory);
+                *memory = stretched.memory_at(law.tension + law.weight).unwrap_or(*memory);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// a + s b.
+#[inline]
+pub(super) fn added(a: &Momentum, b: &Momentum, share: f64) -> Momentum {
+    Momentum { linear: a.linear + b.linear * share, angular: a.angular + b.angular * share }
+}

@@ -1,0 +1,85 @@
+//! The platform as a rigid body: mass, centre of mass and inertia.
+
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use thiserror::Error;
+
+use super::Robot;
+
+/// Mass properties of a platform. What its motion pattern does not turn has no inertia, and its centre of mass does not matter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// m (kg).
+    pub mass: f64,
+    /// c (platform frame, m).
+    pub center_of_mass: Vector3<f64>,
+    /// I_c about the centre of mass (platform axes, kg·m²).
+    pub inertia: Matrix3<f64>,
+}
+
+/// A robot file that does not say what is moved.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("the motion of \"{robot}\" needs {key}: its file {fault}; add the key, in kg, m and kg·m²")]
+pub struct BodyError {
+    /// Name of the robot.
+    pub robot: String,
+    /// The key, with its table.
+    pub key: &'static str,
+    /// Fault of the file, after "its file".
+    pub fault: &'static str,
+}
+
+impl Body {
+    /// Body of a robot's platform: mass above zero, and where the pattern turns centre of mass and positive inertia.
+    pub fn of(robot: &Robot) -> Result<Self, BodyError> {
+        let refuse = |key, fault| BodyError { robot: robot.name.clone(), key, fault };
+        let key = "`mass_kg` in [platform]";
+        let mass = robot.platform.mass.ok_or_else(|| refuse(key, "lacks it"))?;
+        if !(mass > 0.0) {
+            return Err(refuse(key, "states none above zero"));
+        }
+        let point = Self { mass, center_of_mass: Vector3::zeros(), inertia: Matrix3::zeros() };
+        if !robot.motion_pattern.has_rotation() {
+            return Ok(point);
+        }
+        let key = "`center_of_mass_m` in [platform]";
+        let center_of_mass = robot.platform.center_of_mass.ok_or_else(|| refuse(key, "lacks it"))?;
+        let key = "`inertia_about_center_of_mass_kg_m2` in [platform]";
+        let inertia = robot.platform.inertia.ok_or_else(|| refuse(key, "lacks it"))?;
+        let is_positive = match robot.motion_pattern.is_planar() {
+            true => robot.plane.normal().dot(&(inertia * robot.plane.normal())) > 0.0,
+            false => inertia.cholesky().is_some(),
+        };
+        match is_positive {
+            true => Ok(Self { mass, center_of_mass, inertia }),
+            false => Err(refuse(key, "states none above zero")),
+        }
+    }
+
+    /// Mass matrix about the platform origin, \[m I, −m \[c\]×; m \[c\]×, I_c − m \[c\]×\[c\]×\] in platform axes (kg, kg·m, kg·m²).
+    pub fn mass_matrix(&self) -> Matrix6<f64> {
+        let mut matrix = Matrix6::identity() * self.mass;
+        let moment_arm = self.center_of_mass.cross_matrix();
+        matrix.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-moment_arm * self.mass));
+        matrix.fixed_view_mut::<3, 3>(3, 0).copy_from(&(moment_arm * self.mass));
+        let inertia = self.inertia - moment_arm * moment_arm * self.mass;
+        matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&inertia);
+        matrix
+    }
+
+    /// The body with a point mass (kg, negative where it is taken away) fixed at a place (platform frame, m); nothing where no mass is left.
+    #[must_use]
+    pub fn with_point_mass(&self, added: f64, place: &Vector3<f64>) -> Option<Self> {
+        let mass = self.mass + added;
+        if !(mass > 0.0 && mass.is_finite()) {
+            return None;
+        }
+        let center_of_mass = (self.center_of_mass * self.mass + place * added) / mass;
+        // parallel axes: −m [d]×[d]× of either part about the new centre
+        let about = |part: f64, from: &Vector3<f64>| {
+            let arm = (from - center_of_mass).cross_matrix();
+            -arm * arm * part
+        };
+        let inertia = self.inertia + about(self.mass, &self.center_of_mass) + about(added, place);
+        Some(Self { mass, center_of_mass, inertia })
+    }
+}
