@@ -55,7 +55,15 @@ const REGULAR: f64 = 1e-11;
 /// system must be asked. Their number is not the compiler's: unrolled, lanes are more code than they are worth.
 #[inline(always)]
 pub fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
-    let (zero, one) = (right[0].constant(0.0), right[0].constant(1.0));
+    let (is_regular, inverse_pivot) = factorize_in_lanes(n, matrix);
+    substitute_in_lanes(n, matrix, &inverse_pivot, right);
+    is_regular
+}
+
+/// Replaces the lower triangles of eight matrices by their factors: what [`solve_in_lanes`] answers, and the inverse pivots.
+#[inline(always)]
+pub fn factorize_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N]) -> (L, [L; N]) {
+    let (zero, one) = (matrix[0][0].constant(0.0), matrix[0][0].constant(1.0));
     let mut is_regular = one;
     let mut inverse_pivot = [zero; N];
     for column in 0..n {
@@ -78,18 +86,28 @@ pub fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; 
             matrix[row][column] = entry * inverse_pivot[column];
         }
     }
+    (is_regular, inverse_pivot)
+}
+
+/// Solves eight systems in place with the factors of [`factorize_in_lanes`].
+#[inline(always)]
+pub fn substitute_in_lanes<L: Lanes, const N: usize>(
+    n: usize,
+    factor: &[[L; N]; N],
+    inverse_pivot: &[L; N],
+    right: &mut [L; N],
+) {
     for row in 0..n {
         for k in 0..row {
-            right[row] = right[row] - matrix[row][k] * right[k];
+            right[row] = right[row] - factor[row][k] * right[k];
         }
     }
     for row in (0..n).rev() {
         right[row] = right[row] * inverse_pivot[row];
         for k in row + 1..n {
-            right[row] = right[row] - matrix[k][row] * right[k];
+            right[row] = right[row] - factor[k][row] * right[k];
         }
     }
-    is_regular
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ mod state;
 
 pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings};
 pub use inverse_solution::{CableCommand, InverseSolution};
+pub(crate) use pose_step::turned;
 use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
 pub use solution::{NoSolution, Solution, Solutions, Status};
 pub use start::Start;

@@ -63,7 +63,7 @@ pub(super) fn twist_of<const N: usize>(model: &Model, amounts: &[f64; N]) -> [f6
 /// Pose (position, quaternion x, y, z, w) after a twist; the turn (1, ω/2) normalised equals exp(ω) to third order and needs no
 /// sine.
 #[inline(always)]
-pub(super) fn turned<T: Real>(pose: [T; POSE_ROWS], twist: &[T; 6]) -> [T; POSE_ROWS] {
+pub(crate) fn turned<T: Real>(pose: [T; POSE_ROWS], twist: &[T; 6]) -> [T; POSE_ROWS] {
     let half = twist[0].constant(0.5);
     let (x, y, z) = (half * twist[3], half * twist[4], half * twist[5]);
     let [r_x, r_y, r_z, i, j, k, w] = pose;

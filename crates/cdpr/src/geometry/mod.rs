@@ -8,4 +8,4 @@ pub use cdpr_core::geometry::{Pose, Twist, Wrench};
 pub(crate) use composed::{inverse, product};
 pub use pattern::{MotionPattern, PatternError, Plane};
 pub use pose_batch::PoseBatch;
-pub(crate) use pose_batch::{POSE_ROWS, in_lanes, transpose};
+pub(crate) use pose_batch::{POSE_ROWS, in_lanes, rotation_rows, transpose};

@@ -18,6 +18,9 @@ use crate::scalar::{Kernel, LANES, Lanes, dispatch};
 /// Parameters a cable can have in the kernels: two anchors of three components, offset, scale, pulley radius, drum radius, start length.
 pub(super) const SLOTS: usize = 11;
 
+/// Those of them that are none of drums: frame anchor, platform anchor, offset, scale, pulley radius.
+pub(super) const LENGTH_SLOTS: usize = 9;
+
 /// The block of one cable.
 pub(super) struct Block {
     pub(super) cable: usize,
@@ -137,6 +140,17 @@ impl Block {
             *column = further_column(slot - SLOTS, (&self.turns, values), (poses, &self.weights), recordings);
         }
         (residuals, columns)
+    }
+
+    /// Places of the parameters in a row of derivatives; nothing where the row has places of drums or further ones.
+    pub(super) fn places_of_lengths(&self) -> Option<&[usize]> {
+        let is_known = self.recorder.is_none() && self.slots.iter().all(|&slot| slot < LENGTH_SLOTS);
+        is_known.then_some(&*self.slots)
+    }
+
+    /// Recorded lengths, padded (m).
+    pub(super) fn recorded(&self) -> &[f64] {
+        &self.recorded
     }
 
     /// 1/σ of each residual, padding included (1/m).

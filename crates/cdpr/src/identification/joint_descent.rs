@@ -1,11 +1,10 @@
 //! Damped Gauss–Newton descent of all parameters together, within bounds.
 
-use nalgebra::{Cholesky, DMatrix, DVector};
-
 use super::starts::Ending;
 use super::stopping::StoppedBy;
 use super::trail::Trail;
 use crate::robot::Parameter;
+use crate::scalar::cholesky::LowerTriangle;
 use crate::solve::{
     self, Control, Minimizer, NormalSystem, OF_SINGULAR, REGULAR, Room, Rules, Step, StepRule, Stop, Surroundings,
     Trial, minimizer,
@@ -175,18 +174,21 @@ pub(super) fn damped_step(system: &impl NormalSystem, held: &[bool], damping: f6
             false => 1.0 / system.entry(k, k).sqrt(),
         })
         .collect();
-    let matrix = DMatrix::from_fn(count, count, |i, j| match i == j {
-        true => 1.0 + damping,
-        false => system.entry(i, j) * scale[i] * scale[j],
-    });
-    let factor = Cholesky::new(matrix)?;
-    let smallest = factor.l_dirty().diagonal().min();
+    let mut factor = LowerTriangle::new(count);
+    for column in 0..count {
+        factor.set(column, column, 1.0 + damping);
+        for row in column + 1..count {
+            factor.set(row, column, system.entry(row, column) * scale[row] * scale[column]);
+        }
+    }
+    factor.factorize()?;
+    let smallest = factor.smallest();
     // undamped, directions that nothing determines would wander on rounding errors
     if smallest * smallest < REGULAR && damping < OF_SINGULAR {
         return None;
     }
-    let mut solution = DVector::from_fn(count, |k, _| -system.gradient(k) * scale[k]);
-    factor.solve_mut(&mut solution);
-    (0..count).for_each(|k| step[k] = solution[k] * scale[k]);
+    (0..count).for_each(|k| step[k] = -system.gradient(k) * scale[k]);
+    factor.solve(step);
+    (0..count).for_each(|k| step[k] *= scale[k]);
     Some(())
 }

@@ -124,7 +124,13 @@ fn straight(
     let taut = tension > 0.0;
     let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
     let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
-    let turning = path.direction_gradient.map(|row| scale(tension, row));
+    let [x, y, z] = path.direction_gradient;
+    let turning = [scale(tension, x), scale(tension, y), scale(tension, z)];
+    // δq = −u·δp_B; an array's `map` would be a call
+    let row = |k: usize| {
+        let pull = stiffness * u[k];
+        [turning[k][0] - pull * u[0], turning[k][1] - pull * u[1], turning[k][2] - pull * u[2]]
+    };
     CableState {
         end: *end,
         recording,
@@ -137,8 +143,7 @@ fn straight(
         platform_tension: tension,
         wrap_angle: path.wrap_angle,
         strained_length: path.length,
-        // δq = −u·δp_B
-        tangent: [0, 1, 2].map(|row| [0, 1, 2].map(|column| turning[row][column] - stiffness * u[row] * u[column])),
+        tangent: [row(0), row(1), row(2)],
         tangent_at_tension: turning,
         by_controlled_length: scale(by_controlled, u),
         by_tension: u,

@@ -3,7 +3,7 @@
 use super::descent::Problem;
 use super::noise::SLACK_SIGMA;
 use super::optimum::Optimum;
-use super::rows::{RowModel, SampleRows};
+use super::rows::{RowModel, SampleRows, first_columns};
 use crate::equilibrium::elastostatics;
 use crate::identification::fit::{
     Estimate, Fit, Noise, Settings, Status, estimate, threshold, used, verdict, warnings,
@@ -179,13 +179,29 @@ fn stacked(
     let row_model = RowModel::new(&optimum.calibrated, load, parameters);
     let mut rows = SampleRows::new(&optimum.calibrated, parameters.len());
     let [mut plain, mut weighted] = [(); 2].map(|()| TriangularFactor::new(parameters.len()));
+    // a length knows the parameters of its own cable only: few columns, whose factor joins at the end
+    let first = first_columns(&optimum.calibrated, parameters);
+    let own = |cable: usize| first[cable]..first[cable + 1];
+    let mut of_lengths: Vec<_> =
+        (0..samples.cable_count).map(|cable| TriangularFactor::new(own(cable).len())).collect();
+    let wrench_rows = rows.count - samples.cable_count;
     let mut residuals = vec![Vec::with_capacity(samples.len()); rows.count];
     for sample in 0..samples.len() {
         optimum.linearization.write(&row_model, samples, sample, &mut rows);
-        rows.derivatives().for_each(|row| plain.push(row.iter().copied()));
+        rows.derivatives().take(wrench_rows).for_each(|row| plain.push(row.iter().copied()));
+        for (cable, (row, factor)) in rows.derivatives().skip(wrench_rows).zip(&mut of_lengths).enumerate() {
+            factor.push(row[own(cable)].iter().copied());
+        }
         optimum.linearization.whiten(sample, &mut rows);
         rows.derivatives().for_each(|row| weighted.push(row.iter().copied()));
         residuals.iter_mut().enumerate().for_each(|(row, residuals)| residuals.push(rows.residual(row)));
+    }
+    for (cable, factor) in of_lengths.into_iter().enumerate() {
+        let columns = own(cable);
+        for row in factor.into_matrix().row_iter() {
+            let entry = |k: usize| if columns.contains(&k) { row[k - columns.start] } else { 0.0 };
+            plain.push((0..parameters.len()).map(entry));
+        }
     }
     ([plain, weighted], residuals)
 }

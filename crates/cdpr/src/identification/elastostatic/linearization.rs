@@ -5,7 +5,7 @@
 //! parameters, z = z_M − D Nᵀ Σ⁻¹ (r + N (z_M − z)), the adjustment of observations known from geodesy (Gauss–Helmert model)
 //! and orthogonal distance regression.
 
-use super::measurement_noise::{factorize, invert, solve};
+use super::measurement_noise::{invert, solve};
 use super::noise::{Noise, Sigmas};
 use super::normal::{NormalEquations, whiten};
 use super::rows::{RowModel, SampleRows};
@@ -15,6 +15,7 @@ use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::scalar::LANES;
+use crate::scalar::cholesky::LowerTriangle;
 
 /// Points of linearisation with the weights there.
 #[derive(Clone, Debug)]
@@ -62,13 +63,13 @@ impl Linearization {
         };
         let m = model.model.cable_count();
         let mut noise = Noise::new(model.model);
+        let (mut triangle, mut columns) = (LowerTriangle::new(count), Vec::new());
         let mut scratch = vec![0.0; count * count.next_multiple_of(LANES)];
         let weights = linearization.weights.chunks_mut(count * count.next_multiple_of(LANES));
         for ((sample, factor), weight) in linearization.factors.chunks_mut(count * count).enumerate().zip(weights) {
             model.noise(&samples.poses[sample], &tensions[sample * m..][..m], sigmas, &mut noise);
             linearization.informative_rows += noise.informative_rows();
-            noise.covariance(factor);
-            factorize(factor, count)?;
+            noise.factor((&mut triangle, &mut columns), factor)?;
             invert(factor, count, &mut scratch, weight);
         }
         Some(linearization)
@@ -104,19 +105,17 @@ impl Linearization {
         let (count, m) = (self.count, model.model.cable_count());
         let basis = model.model.twist_basis();
         let mut noise = Noise::new(model.model);
-        let mut rows = SampleRows::new(model.model, 0);
+        let (mut triangle, mut columns) = (LowerTriangle::new(count), Vec::new());
         let (mut residual, mut shift) = (vec![0.0; count], ([0.0; 6], vec![0.0; m]));
-        let bare = RowModel::new(model.model, model.load, &[]);
         let mut scratch = vec![0.0; count * count.next_multiple_of(LANES)];
         self.informative_rows = 0;
         for sample in 0..samples.len() {
             let factor = &mut self.factors[sample * count * count..][..count * count];
             let corrected = &mut self.tensions[sample * m..][..m];
-            model.noise(&self.poses[sample], corrected, sigmas, &mut noise);
+            let recorded = Recorded::of(samples, sample);
+            model.noise_at((&self.poses[sample], corrected), sigmas, &mut noise, Some((recorded, &mut residual)));
             self.informative_rows += noise.informative_rows();
-            bare.write(&self.poses[sample], corrected, Recorded::of(samples, sample), &mut rows);
-            noise.covariance(factor);
-            factorize(factor, count)?;
+            noise.factor((&mut triangle, &mut columns), factor)?;
             let size = scratch.len();
             invert(factor, count, &mut scratch, &mut self.weights[sample * size..][..size]);
             // r + N (z_M − z), with the displacement in standard deviations
@@ -128,7 +127,6 @@ impl Linearization {
             for cable in 0..m {
                 shift.1[cable] = per_sigma(tensions[sample * m + cable] - corrected[cable], sigmas.tension);
             }
-            (0..count).for_each(|row| residual[row] = rows.residual(row));
             noise.forth(&shift.0, &shift.1, &mut residual);
             solve(factor, &mut residual);
             // z_M − z = D Nᵀ Σ⁻¹ (r + N (z_M − z))
@@ -227,6 +225,9 @@ impl Linearization {
 
     /// The same for covariances multiplied by the square of `scale`.
     pub(super) fn scale_weights(&mut self, scale: f64) {
+        if scale == 1.0 {
+            return;
+        }
         self.weights.iter_mut().for_each(|weight| *weight /= scale * scale);
         for factor in self.factors.chunks_mut(self.count * self.count) {
             for row in 0..self.count {

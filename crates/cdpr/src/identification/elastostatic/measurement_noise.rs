@@ -23,7 +23,7 @@ pub(super) fn sigmas(samples: &Samples, mean_tension: f64) -> (Sigmas, bool) {
     (sigmas, absolute)
 }
 
-/// Solves L Lᵀ x = right in place with the factor of [`factorize`].
+/// Solves L Lᵀ x = right in place with a row-major Cholesky factor whose diagonal is inverted.
 pub(super) fn solve(factor: &[f64], right: &mut [f64]) {
     let count = right.len();
     for row in 0..count {
@@ -40,7 +40,7 @@ pub(super) fn solve(factor: &[f64], right: &mut [f64]) {
     }
 }
 
-/// Writes Σ⁻¹ = L⁻ᵀ L⁻¹ for the factor of [`factorize`], rows rounded up to whole lanes; `scratch` is as large and is left
+/// Writes Σ⁻¹ = L⁻ᵀ L⁻¹ for such a factor, rows rounded up to whole lanes; `scratch` is as large and is left
 /// with L⁻¹.
 pub(super) fn invert(factor: &[f64], count: usize, scratch: &mut [f64], inverse: &mut [f64]) {
     dispatch(Invert { factor, count, scratch, inverse });
@@ -86,24 +86,6 @@ impl Kernel for Invert<'_> {
     }
 }
 
-/// Replaces a symmetric matrix by its lower Cholesky factor with inverted diagonal.
-pub(super) fn factorize(matrix: &mut [f64], count: usize) -> Option<()> {
-    for row in 0..count {
-        let (above, own) = matrix.split_at_mut(row * count);
-        for (column, other) in above.chunks_exact(count).enumerate() {
-            let products = own[..column].iter().zip(other).map(|(own, other)| own * other);
-            own[column] = products.fold(own[column], |rest, product| rest - product) * other[column];
-        }
-        let pivot = own[..row].iter().fold(own[row], |rest, entry| rest - entry * entry);
-        // written so that NaN is refused too
-        if !(pivot > 0.0 && pivot.is_finite()) {
-            return None;
-        }
-        own[row] = 1.0 / pivot.sqrt();
-    }
-    Some(())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,8 +97,9 @@ mod tests {
         for count in [1, 2, 7, 8, 9, 14, 17] {
             let root = DMatrix::from_fn(count, count, |i, j| ((3 * i + 5 * j) as f64).sin());
             let matrix = &root * root.transpose() + DMatrix::identity(count, count);
-            let mut factor: Vec<f64> = matrix.transpose().as_slice().to_vec();
-            factorize(&mut factor, count).unwrap();
+            let lower = nalgebra::Cholesky::new(matrix.clone()).unwrap().l();
+            let entry = |i: usize, j: usize| if i == j { 1.0 / lower[(i, i)] } else { lower[(i, j)] };
+            let factor: Vec<f64> = (0..count * count).map(|place| entry(place / count, place % count)).collect();
             let stride = count.next_multiple_of(LANES);
             let (mut scratch, mut inverse) = (vec![0.0; count * stride], vec![f64::NAN; count * stride]);
             invert(&factor, count, &mut scratch, &mut inverse);

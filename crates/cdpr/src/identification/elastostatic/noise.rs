@@ -2,6 +2,8 @@
 
 use crate::geometry::Twist;
 use crate::model::Model;
+use crate::scalar::cholesky::{LowerTriangle, factorize};
+use crate::scalar::{Kernel, LANES, Lanes, Line, dispatch};
 
 /// Derivatives of one sample's rows by what is measured, scaled to standard deviations.
 #[derive(Clone, Debug)]
@@ -25,26 +27,36 @@ impl Noise {
         self.by_pose.len() - self.length.iter().filter(|&&sigma| sigma >= SLACK_SIGMA).count()
     }
 
-    /// Writes N diag(σ²) Nᵀ, lower triangle, to a row-major matrix.
-    pub(super) fn covariance(&self, covariance: &mut [f64]) {
+    /// Writes the Cholesky factor of N diag(σ²) Nᵀ to a row-major matrix, its diagonal inverted; nothing where a number is none. The triangle and
+    /// the columns of N are memory.
+    pub(super) fn factor(
+        &self,
+        (triangle, columns): (&mut LowerTriangle, &mut Vec<Line>),
+        factor: &mut [f64],
+    ) -> Option<()> {
         let (count, m) = (self.by_pose.len(), self.length.len());
-        let n = count - m;
-        for i in 0..count {
-            for j in 0..=i {
-                let products = (0..6).map(|k| self.by_pose[i][k] * self.by_pose[j][k]);
-                covariance[i * count + j] = products.sum::<f64>();
+        let (n, groups) = (count - m, triangle.groups());
+        columns.clear();
+        columns.resize((6 + m) * groups, Line::default());
+        for (row, by_pose) in self.by_pose.iter().enumerate() {
+            for (k, entry) in by_pose.iter().enumerate() {
+                columns[k * groups + row / LANES].0[row % LANES] = *entry;
             }
         }
-        for (cable, by_tension) in self.by_tension.iter().enumerate() {
-            for i in 0..n {
-                for j in 0..=i {
-                    covariance[i * count + j] += by_tension[i] * by_tension[j];
-                }
-            }
-            let length_row = &mut covariance[(n + cable) * count..][..count];
-            (0..n).for_each(|j| length_row[j] += by_tension[n] * by_tension[j]);
-            length_row[n + cable] += by_tension[n] * by_tension[n] + self.length[cable] * self.length[cable];
+        for (cable, (by_tension, column)) in
+            self.by_tension.iter().zip(columns[6 * groups..].chunks_exact_mut(groups)).enumerate()
+        {
+            let own = column.iter_mut().flat_map(|line| &mut line.0);
+            own.take(n).zip(by_tension).for_each(|(entry, by_tension)| *entry = *by_tension);
+            column[(n + cable) / LANES].0[(n + cable) % LANES] = by_tension[n];
         }
+        let is_regular = dispatch(Factor { columns, length: &self.length, count, lines: triangle.lines_mut() });
+        for (column, lines) in triangle.lines_mut().chunks_exact(groups).enumerate() {
+            for (row, entry) in (column..count).map(|row| (row, lines[row / LANES].0[row % LANES])) {
+                factor[row * count + column] = entry;
+            }
+        }
+        is_regular.then_some(())
     }
 
     /// Nᵀ y in standard deviations: along the directions of the pose, then per cable.
@@ -66,6 +78,39 @@ impl Noise {
             (0..n).for_each(|k| rows[k] += by_tension[k] * tensions[cable]);
             rows[n + cable] += by_tension[n] * tensions[cable];
         }
+    }
+}
+
+/// Factor of N Nᵀ plus the squares of what lengths have of their own.
+struct Factor<'a> {
+    /// N by columns, rows in lanes.
+    columns: &'a [Line],
+    length: &'a [f64],
+    count: usize,
+    lines: &'a mut [Line],
+}
+
+impl Kernel for Factor<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> bool {
+        let Self { columns, length, count, lines } = self;
+        let groups = count.div_ceil(LANES);
+        for (place, target) in lines.chunks_exact_mut(groups).enumerate() {
+            for group in place / LANES..groups {
+                let mut sum = l.constant(0.0);
+                for column in columns.chunks_exact(groups) {
+                    sum = sum + l.constant(column[place / LANES].0[place % LANES]) * l.load(&column[group].0);
+                }
+                sum.store(&mut target[group].0);
+            }
+        }
+        let first = count - length.len();
+        for (row, own) in (first..).zip(length) {
+            lines[row * groups + row / LANES].0[row % LANES] += own * own;
+        }
+        factorize(l, count, lines)
     }
 }
 

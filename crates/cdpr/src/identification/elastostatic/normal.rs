@@ -83,6 +83,7 @@ impl NormalEquations {
 
 /// Whitens the rows of a sample in place: solves L X = \[J r\].
 pub(super) fn whiten(factor: &[f64], rows: &mut SampleRows) {
+    rows.is_full = true;
     dispatch(Whiten { factor, rows });
 }
 

@@ -22,6 +22,8 @@ pub(super) struct SampleRows {
     pub(super) stride: usize,
     /// Row-major.
     pub(super) entries: Vec<f64>,
+    /// True where more than the entries of the rows themselves may not be zero.
+    pub(super) is_full: bool,
 }
 
 /// A model at given parameter values with what its rows need again and again.
@@ -44,7 +46,7 @@ impl SampleRows {
     pub(super) fn new(model: &Model, parameter_count: usize) -> Self {
         let count = model.dof() + model.cable_count();
         let stride = (parameter_count + 1).next_multiple_of(LANES);
-        Self { count, parameter_count, stride, entries: vec![0.0; count * stride] }
+        Self { count, parameter_count, stride, entries: vec![0.0; count * stride], is_full: false }
     }
 
     pub(super) fn residual(&self, row: usize) -> f64 {
@@ -82,7 +84,10 @@ impl<'a> RowModel<'a> {
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
     pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
-        rows.entries.fill(0.0);
+        if rows.is_full {
+            rows.entries.fill(0.0);
+            rows.is_full = false;
+        }
         let (rotation_rows, rotation) = (pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
         let (stride, residual) = (rows.stride, rows.parameter_count);
@@ -126,7 +131,19 @@ impl<'a> RowModel<'a> {
     /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
     /// standard deviation of what it is by.
     pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
+        self.noise_at((pose, tensions), sigmas, noise, None);
+    }
+
+    /// [`RowModel::noise`], and the residuals with what was recorded.
+    pub(super) fn noise_at(
+        &self,
+        (pose, tensions): (&Pose, &[f64]),
+        sigmas: &Sigmas,
+        noise: &mut Noise,
+        mut residuals: Option<(Recorded<'_>, &mut [f64])>,
+    ) {
         let rotation = pose.rotation_rows();
+        let mut wrench = self.load.wrench(pose);
         let basis = self.model.twist_basis();
         let n = basis.len();
         let along: [f64; 6] = std::array::from_fn(|k| basis.get(k).map_or(0.0, |twist| sigmas.along(twist)));
@@ -138,6 +155,11 @@ impl<'a> RowModel<'a> {
                 continue;
             };
             by_twist += state.wrench_by_pose_at_given();
+            if let Some((recorded, residuals)) = &mut residuals {
+                wrench += state.wrench();
+                residuals[n + cable] =
+                    state.recording.length(state.controlled_length) - recorded.length(self.model, cable);
+            }
             let real_sigma = sigmas.tension / state.recording.tension_scale;
             let (wrench, length) = state.by_given_tension(real_sigma);
             let (by_tension, by_pose) = (&mut noise.by_tension[cable], &mut noise.by_pose[n + cable]);
@@ -149,6 +171,9 @@ impl<'a> RowModel<'a> {
             // the law says nothing of the length of a slack cable
             let may_be_slack = self.model.law(cable).may_be_slack(state.given_tension(), SLACK_SIGMAS * real_sigma);
             noise.length[cable] = if may_be_slack { SLACK_SIGMA } else { sigmas.length };
+        }
+        if let Some((_, residuals)) = residuals {
+            residuals.iter_mut().zip(basis).for_each(|(residual, twist)| *residual = twist.dot(&wrench));
         }
         for k in 0..n {
             // the directions of a spatial pattern are the world's own

@@ -21,7 +21,8 @@ pub(super) struct Ridge {
 /// Σ ‖r‖² or Σ ‖r‖ of residual vectors, with ridges.
 pub(super) struct Cost<'a, V> {
     pub(super) vectors: &'a mut V,
-    pub(super) stacked: Stacked,
+    /// Memory for the vectors.
+    pub(super) stacked: Option<Stacked>,
     /// Rounding of norms at zero; `None` for squares.
     pub(super) smoothing: Option<f64>,
     pub(super) ridges: &'a [Ridge],
@@ -31,12 +32,15 @@ impl<V: Vectors> System for Cost<'_, V> {
     type Equations = DenseEquations;
 
     fn write(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
-        if !self.vectors.write(values, &mut self.stacked) {
-            return false;
-        }
-        match self.smoothing {
-            Some(smoothing) => write_norms(&mut self.stacked, smoothing, equations),
-            None => write_squares(&self.stacked, equations),
+        if self.smoothing.is_some() || !self.vectors.write_squares(values, equations) {
+            let stacked = self.stacked.get_or_insert_with(|| Stacked::new(self.vectors, values.len()));
+            if !self.vectors.write(values, stacked) {
+                return false;
+            }
+            match self.smoothing {
+                Some(smoothing) => write_norms(stacked, smoothing, equations),
+                None => write_squares(stacked, equations),
+            }
         }
         for ridge in self.ridges {
             let change = values[ridge.parameter] - ridge.centre;

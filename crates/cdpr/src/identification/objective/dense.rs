@@ -7,7 +7,7 @@ use crate::solve::NormalSystem;
 
 /// Cost with half its derivatives.
 #[derive(Clone, Debug)]
-pub(super) struct DenseEquations {
+pub(in crate::identification) struct DenseEquations {
     pub(super) cost: f64,
     pub(super) gradient: DVector<f64>,
     pub(super) hessian: DMatrix<f64>,

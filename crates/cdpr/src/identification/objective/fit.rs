@@ -32,8 +32,6 @@ pub(crate) struct Optimum {
     calibrated: Model,
     end: End,
     starts: Starts,
-    /// Vectors at the optimum.
-    stacked: Stacked,
     scale: Vec<f64>,
     /// Metres that are one unit of the vectors; `None` where these are standard deviations of several quantities.
     unit: Option<f64>,
@@ -47,6 +45,12 @@ impl Optimum {
 
     pub(crate) fn end(&self) -> &End {
         &self.end
+    }
+
+    /// Vectors at the optimum.
+    pub(in crate::identification) fn stacked(&self, vectors: &mut impl Vectors) -> Result<Stacked, InputError> {
+        let mut stacked = Stacked::new(vectors, self.end.values.len());
+        vectors.write(&self.end.values, &mut stacked).then_some(stacked).ok_or(InputError::NotFinite)
     }
 }
 
@@ -84,6 +88,18 @@ pub(crate) fn optimum(
     settings: &Settings,
     progress: &dyn Fn(),
 ) -> Result<Optimum, InputError> {
+    let nothing = |_: &Optimum, _: &mut ObjectiveVectors<'_>| Ok(());
+    find(model, samples, parameters, (settings, progress), nothing).map(|(optimum, ())| optimum)
+}
+
+/// Finds the optimum and what is asked of it with its vectors.
+fn find<T>(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    (settings, progress): (&Settings, &dyn Fn()),
+    of_optimum: impl FnOnce(&Optimum, &mut ObjectiveVectors<'_>) -> Result<T, InputError>,
+) -> Result<(Optimum, T), InputError> {
     check(settings)?;
     if settings.objective == Objective::Pose && model.needs_tensions() && samples.tensions.is_none() {
         return Err(InputError::PosesWithoutTensions);
@@ -92,24 +108,26 @@ pub(crate) fn optimum(
         true => checked_start(model, samples, parameters)?,
         false => model.clone(),
     };
-    let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let tensions = samples.tensions.as_deref().unwrap_or_default();
     let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
     let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
-    let mut stacked = Stacked::new(&vectors, parameters.len());
-    if !vectors.write(&start, &mut stacked) {
-        return Err(match vectors.unpredicted() {
-            Some((sample, reason)) => InputError::NoPrediction { sample: sample + 1, reason },
-            None => InputError::NotFinite,
-        });
-    }
-    search((vectors, stacked), (&start_model, parameters), (scale, unit, mean_tension), settings, progress)
+    let units = (scale, unit, mean_tension);
+    let found = search(&mut vectors, (&start_model, parameters), units, settings, progress).and_then(|optimum| {
+        let answer = of_optimum(&optimum, &mut vectors)?;
+        Ok((optimum, answer))
+    });
+    found.map_err(|error| match vectors.unpredicted() {
+        Some((sample, reason)) if error == InputError::NotFinite => {
+            InputError::NoPrediction { sample: sample + 1, reason }
+        }
+        _ => error,
+    })
 }
 
 /// Finds the optimum of vectors from a model's values; `scale` is metres of one unit of each parameter, `unit` metres of one unit of the vectors.
 pub(in crate::identification) fn search(
-    (mut vectors, mut stacked): (impl Vectors, Stacked),
+    vectors: &mut impl Vectors,
     (start_model, parameters): (&Model, &[Parameter]),
     (scale, unit, mean_tension): (Vec<f64>, Option<f64>, f64),
     settings: &Settings,
@@ -117,16 +135,13 @@ pub(in crate::identification) fn search(
 ) -> Result<Optimum, InputError> {
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let search = Search { parameters, scale: &scale, start: &start, settings };
-    let (end, starts) = search.run(&mut vectors, mean_tension, progress);
+    let (end, starts) = search.run(vectors, mean_tension, progress)?;
     let (end, certificate) = match settings.minimize {
-        Minimize::Max => search.minimax(&mut vectors, &end)?,
+        Minimize::Max => search.minimax(vectors, &end)?,
         _ => (end, None),
     };
     let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
-    if !vectors.write(&end.values, &mut stacked) {
-        return Err(InputError::NotFinite);
-    }
-    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, stacked, scale, unit, certificate })
+    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, scale, unit, certificate })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
@@ -170,15 +185,18 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Descends from the file's values and from other starts; the lowest end wins. The largest norm starts from least squares.
-    fn run(&self, vectors: &mut impl Vectors, tension: f64, progress: &dyn Fn()) -> (End, Starts) {
+    fn run(&self, vectors: &mut impl Vectors, tension: f64, progress: &dyn Fn()) -> Result<(End, Starts), InputError> {
         let part =
             Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
         let samples = vectors.samples();
         let mut best = [self.descend(vectors, self.start)];
+        if !best[0].cost.is_finite() {
+            return Err(InputError::NotFinite);
+        }
         let search = starts::Search { parts: &[part], settings: self.settings, samples, tension };
         let starts = search.run(&mut Together { search: self, vectors }, &mut best, progress);
         let [best] = best;
-        (best, starts)
+        Ok((best, starts))
     }
 
     /// Cost that descents make small; not a number where there are no vectors.
@@ -232,8 +250,8 @@ impl Search<'_> {
     /// Descends by squares, or by norms with this smoothing.
     fn descend_under(&self, smoothing: Option<f64>, vectors: &mut impl Vectors, from: &[f64]) -> End {
         let ridges = self.ridges();
-        let stacked = Stacked::new(vectors, self.parameters.len());
-        let mut cost = Cost { vectors, stacked, smoothing, ridges: &ridges };
+        vectors.restart();
+        let mut cost = Cost { vectors, stacked: None, smoothing, ridges: &ridges };
         let Settings { minimizer, keeps_course, .. } = *self.settings;
         let around = Around { parameters: self.parameters, scale: self.scale, minimizer, keeps_course };
         let rules = Rules {
@@ -278,28 +296,29 @@ pub(crate) fn fit(
     settings: &Settings,
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
-    let optimum = optimum(model, samples, parameters, settings, progress)?;
-    let mut fit = report(optimum, samples, parameters, settings);
+    let (optimum, stacked) =
+        find(model, samples, parameters, (settings, progress), |optimum, vectors| optimum.stacked(vectors))?;
+    let mut fit = report((optimum, &stacked), samples, parameters, settings);
     fit.warnings.extend(warnings::suspicious_units(model, samples));
     Ok(fit)
 }
 
 /// The fit of an optimum in full.
 pub(in crate::identification) fn report(
-    optimum: Optimum,
+    (optimum, stacked): (Optimum, &Stacked),
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
 ) -> Fit {
-    let analysis = analyse(&optimum, samples, parameters, settings);
-    let Optimum { start_model, calibrated, end, starts, certificate, unit, stacked, .. } = optimum;
+    let analysis = analyse((&optimum, stacked), samples, parameters, settings);
+    let Optimum { start_model, calibrated, end, starts, certificate, unit, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
-    let noise_factor = misfit(&stacked, &estimates).factor();
+    let noise_factor = misfit(stacked, &estimates).factor();
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(caution(settings));
@@ -352,8 +371,13 @@ fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
     Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
 }
 
-fn analyse(optimum: &Optimum, samples: &Samples, parameters: &[Parameter], settings: &Settings) -> Analysis {
-    let Optimum { stacked, scale, calibrated, unit, .. } = optimum;
+fn analyse(
+    (optimum, stacked): (&Optimum, &Stacked),
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Analysis {
+    let Optimum { scale, calibrated, unit, .. } = optimum;
     let misfit = Misfit {
         cost: stacked.residuals.norm_squared(),
         prior_cost: 0.0,

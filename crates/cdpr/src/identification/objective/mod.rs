@@ -9,6 +9,7 @@ mod fit;
 mod lengths;
 mod metric;
 mod minimax;
+mod pose_squares;
 mod poseless;
 mod poses;
 mod problem;

@@ -7,7 +7,9 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
+use super::dense::DenseEquations;
 use super::metric::Metric;
+use super::pose_squares::PoseSquares;
 use super::vectors::{Stacked, Vectors};
 use crate::cable::CableState;
 use crate::equilibrium::{ForwardSettings, Solutions, State, Status};
@@ -34,6 +36,8 @@ pub(super) struct PoseVectors<'a> {
     unpredicted: Option<usize>,
     /// Last parameters that have vectors, with these: searches begin and end where one was.
     written: Option<(Vec<f64>, Stacked)>,
+    /// The same squares in a shorter way, where predictions are plain.
+    squares: Option<Box<PoseSquares>>,
 }
 
 impl<'a> PoseVectors<'a> {
@@ -43,6 +47,8 @@ impl<'a> PoseVectors<'a> {
         settings.least_squares.suspicious_residual = settings.least_squares.plausible_residual;
         let mut lengths = LaneTable::new(model.cable_count());
         lengths.resize(samples.len());
+        let squares = PoseSquares::of(model, samples, parameters, (&metric, settings.least_squares.plausible_residual))
+            .map(Box::new);
         Self {
             model,
             samples,
@@ -54,6 +60,7 @@ impl<'a> PoseVectors<'a> {
             settings,
             unpredicted: None,
             written: None,
+            squares,
         }
     }
 
@@ -94,6 +101,16 @@ impl Vectors for PoseVectors<'_> {
 
     fn samples(&self) -> usize {
         self.samples.len()
+    }
+
+    fn restart(&mut self) {
+        if let Some(squares) = &mut self.squares {
+            squares.forget();
+        }
+    }
+
+    fn write_squares(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
+        self.squares.as_mut().is_some_and(|squares| squares.write(values, equations))
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {

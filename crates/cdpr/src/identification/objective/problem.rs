@@ -2,6 +2,7 @@
 
 use super::Objective;
 use super::balance::BalanceVectors;
+use super::dense::DenseEquations;
 use super::lengths::LengthVectors;
 use super::metric::{Metric, position_sigma};
 use super::poses::PoseVectors;
@@ -93,6 +94,19 @@ impl Vectors for ObjectiveVectors<'_> {
             Self::Balance(vectors) => vectors.samples(),
             Self::Poses(vectors) => vectors.samples(),
             Self::Both(vectors) => vectors.samples(),
+        }
+    }
+
+    fn restart(&mut self) {
+        if let Self::Poses(vectors) = self {
+            vectors.restart();
+        }
+    }
+
+    fn write_squares(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
+        match self {
+            Self::Poses(vectors) => vectors.write_squares(values, equations),
+            _ => false,
         }
     }
 

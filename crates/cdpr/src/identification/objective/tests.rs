@@ -21,7 +21,7 @@ use crate::robot::{ExternalWrench, Parameter, Robot};
 use crate::statics::{Load, controlled_lengths};
 
 /// Eleven turned poses; lengths of the model under its load plus two millimetres up and down, tensions plus ten newtons.
-fn samples(model: &Model) -> Samples {
+pub(super) fn samples(model: &Model) -> Samples {
     let poses = curve(model, 11, 1.0);
     let wave = |index: usize| (1.3 * index as f64).sin();
     let (mut lengths, mut tensions) = (Vec::new(), Vec::new());
@@ -43,7 +43,7 @@ fn samples(model: &Model) -> Samples {
     Samples { poses, lengths, tensions, cable_count: model.cable_count(), sigmas, ..Samples::default() }
 }
 
-fn crane(composition: Composition) -> Model {
+pub(super) fn crane(composition: Composition) -> Model {
     let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
     let mut robot = place_pulleys(&robot, &[(0.161, Vector3::z()); 8], &robot.home_or_middle()).unwrap();
     let wrench = Wrench::new(100.0, -50.0, -3000.0, 20.0, 30.0, -10.0);

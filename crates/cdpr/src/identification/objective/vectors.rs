@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::dense::DenseEquations;
+
 /// Residual vectors of all samples, one after the other, and their derivatives by the free parameters.
 #[derive(Debug)]
 pub(in crate::identification) struct Stacked {
@@ -26,6 +28,14 @@ pub(in crate::identification) trait Vectors {
 
     /// Number of samples.
     fn samples(&self) -> usize;
+
+    /// A descent begins: it shall not depend on those before.
+    fn restart(&mut self) {}
+
+    /// Writes Σ rᵀr, Jᵀr and JᵀJ at parameter values in a shorter way than by the vectors; false where there is none.
+    fn write_squares(&mut self, _values: &[f64], _equations: &mut DenseEquations) -> bool {
+        false
+    }
 
     /// Writes vectors and derivatives at parameter values; false where a sample has none.
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool;

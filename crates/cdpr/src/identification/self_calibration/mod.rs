@@ -68,15 +68,16 @@ pub fn self_calibrate(
         return Err(InputError::TooFewEquations { parameters: kept.len(), equations, samples: samples.len() });
     }
     let mut vectors = PoselessVectors::new(model, internal, &kept, sigma);
-    let start = stacked(&mut vectors, model, &kept)?;
+    stacked(&mut vectors, model, &kept)?;
     let scale = joint_worths(model, &kept, &as_found(model, internal, vectors.poses())?.lengths, &[]);
-    let optimum = search((vectors, start), (model, &kept), (scale, Some(sigma), 0.0), settings, progress)?;
+    let optimum = search(&mut vectors, (model, &kept), (scale, Some(sigma), 0.0), settings, progress)?;
+    let stacked_at_end = optimum.stacked(&mut vectors)?;
     let calibrated = optimum.calibrated().clone();
     let mut vectors = PoselessVectors::new(&calibrated, internal, &all, sigma);
     let at_end = stacked(&mut vectors, &calibrated, &all)?;
     let cost_m2 = at_end.residuals.norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, internal, vectors.poses())?;
-    let mut fit = report(optimum, &found, &kept, settings);
+    let mut fit = report((optimum, &stacked_at_end), &found, &kept, settings);
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !internal.are_changes);
     fit.tell_nominal_values(model);

@@ -1,0 +1,43 @@
+//! Cables with the parameters of their lengths, and numbers of eight samples.
+
+use crate::geometry::POSE_ROWS;
+use crate::identification::blocks::Block;
+use crate::identification::pose_lanes::CableValues;
+use crate::scalar::Line;
+
+/// Seven numbers of eight poses.
+pub(super) type PoseLines = [Line; POSE_ROWS];
+
+/// Derivatives of the residuals of eight samples by one parameter.
+pub(super) type Column = [Line; 6];
+
+/// Most cables.
+pub(super) const MOST_CABLES: usize = 8;
+
+/// A cable with the parameters of its lengths.
+pub(super) struct Cable {
+    start: Vec<f64>,
+    /// Places of the parameters in a row of derivatives.
+    pub(super) places: Vec<usize>,
+    pub(super) values: CableValues,
+    block: Block,
+}
+
+impl Cable {
+    /// Nothing where the kernel does not know a parameter.
+    pub(super) fn of(block: Block) -> Option<Self> {
+        let places = block.places_of_lengths()?.to_vec();
+        let start = block.values(&block.start).collect();
+        Some(Self { start, places, values: block.start, block })
+    }
+
+    pub(super) fn move_to(&mut self, values: &[f64]) {
+        let change: Vec<f64> = values.iter().zip(&self.start).map(|(to, from)| to - from).collect();
+        self.values = self.block.moved(&self.block.start, &change);
+    }
+
+    /// Recorded lengths, padded (m).
+    pub(super) fn recorded(&self) -> &[f64] {
+        self.block.recorded()
+    }
+}

@@ -1,0 +1,278 @@
+//! Eight platforms held by springs of 1 N/m in place of their cables: where they come to rest, and how that place moves.
+
+use super::cable::{Cable, Column, MOST_CABLES, PoseLines};
+use crate::cable::CablePath;
+use crate::cable::wrench::{moment_columns, turned_row, wrench};
+use crate::equilibrium::turned;
+use crate::geometry::{POSE_ROWS, rotation_rows};
+use crate::scalar::{LANES, Lanes, add, constants, cross, dot, ldl, rotate, rotate_back, scale, sub};
+
+/// Newton steps from one place.
+const STEPS: usize = 8;
+
+/// Product of two steps, a Newton step and itself or the chord after it, over the square of the mean length, below which only rounding is left.
+const SETTLED: f64 = 1e-14;
+
+/// Eight poses with the cables there.
+pub(super) struct Eight<L> {
+    l: L,
+    pub(super) pose: [L; POSE_ROWS],
+    /// Rotation at which the cables were asked for last.
+    rotation: [[L; 3]; 3],
+    cables: [At<L>; MOST_CABLES],
+}
+
+/// A cable at eight poses.
+#[derive(Clone, Copy)]
+struct At<L> {
+    /// Length and its residual beside the controlled one, which is the tension of the spring (m).
+    controlled: L,
+    residual: L,
+    moment_arm: [L; 3],
+    direction: [L; 3],
+    direction_gradient: [[L; 3]; 3],
+    length_by_radius: L,
+    direction_by_radius: [L; 3],
+}
+
+/// Factors of the stiffness of eight platforms.
+pub(super) struct Factored<L> {
+    factor: [[L; 6]; 6],
+    inverse_pivot: [L; 6],
+}
+
+/// Sums over the cables.
+struct Springs<L> {
+    /// Wrench of the springs (N, N·m).
+    wrench: [L; 6],
+    /// Σ ρ² and Σ q (m², m).
+    squares: L,
+    lengths: L,
+    /// 1 where a cable may have no path.
+    needs_scalar: L,
+}
+
+impl<L: Lanes> Eight<L> {
+    /// Nowhere yet.
+    #[inline(always)]
+    pub(super) fn new(l: L) -> Self {
+        let none = At {
+            controlled: l,
+            residual: l,
+            moment_arm: [l; 3],
+            direction: [l; 3],
+            direction_gradient: [[l; 3]; 3],
+            length_by_radius: l,
+            direction_by_radius: [l; 3],
+        };
+        Self { l, pose: [l; POSE_ROWS], rotation: [[l; 3]; 3], cables: [none; MOST_CABLES] }
+    }
+
+    /// Goes to these poses.
+    #[inline(always)]
+    pub(super) fn load(&mut self, from: &PoseLines) {
+        for row in 0..POSE_ROWS {
+            self.pose[row] = self.l.load(&from[row].0);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn store(&self, to: &mut PoseLines) {
+        for row in 0..POSE_ROWS {
+            self.pose[row].store(&mut to[row].0);
+        }
+    }
+
+    /// Moves to the poses that belong to a change of the parameters, to first order.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, derivatives: &[Column], change: &[f64], units: &[f64; 6], count: usize) {
+        let l = self.l;
+        let mut twist = [l.constant(0.0); 6];
+        for (column, change) in derivatives.iter().zip(change) {
+            let change = l.constant(*change);
+            for row in 0..6 {
+                twist[row] = twist[row] + l.load(&column[row].0) * change;
+            }
+        }
+        for row in 0..6 {
+            twist[row] = twist[row] * l.constant(1.0 / units[row]);
+        }
+        self.pose = turned(self.pose, &twist);
+        if count < LANES {
+            // copies of the last sample weigh nothing, and follow it
+            for row in 0..POSE_ROWS {
+                let mut numbers = self.pose[row].to_array();
+                let last = numbers[count - 1];
+                numbers[count..].fill(last);
+                self.pose[row] = l.load(&numbers);
+            }
+        }
+    }
+
+    /// Comes to rest; nothing where that is not plain. Factors and cables are those of a place that is a small step away.
+    #[inline(always)]
+    pub(super) fn settle(&mut self, cables: &[Cable], group: usize, plausible: f64) -> Option<Factored<L>> {
+        let l = self.l;
+        let count = l.constant(cables.len() as f64);
+        for _ in 0..STEPS {
+            let springs = self.visit::<true>(cables, group);
+            let mut factor = self.stiffness(cables.len());
+            let (is_regular, inverse_pivot) = ldl::factorize_in_lanes(6, &mut factor);
+            let mean = springs.lengths / count;
+            // rms ≤ plausible · mean, written so that NaN is refused too
+            let most = l.constant(plausible * plausible) * mean * mean * count;
+            let is_plain = l.without(springs.squares.is_less(most), l.constant(0.5).is_less(springs.needs_scalar));
+            let is_plain = l.both(is_plain, l.constant(0.5).is_less(is_regular));
+            if l.any(l.without(l.everywhere(true), is_plain)) {
+                return None;
+            }
+            let factored = Factored { factor, inverse_pivot };
+            let first = self.step(&factored, springs.wrench);
+            let limit = mean * mean * l.constant(SETTLED);
+            if !l.any(l.without(l.everywhere(true), first.is_less(limit))) {
+                return Some(factored);
+            }
+            let chord = self.visit::<false>(cables, group).wrench;
+            let second = self.step(&factored, chord);
+            let is_settled = (first * second).is_less(limit * limit);
+            if !l.any(l.without(l.everywhere(true), is_settled)) {
+                return Some(factored);
+            }
+        }
+        None
+    }
+
+    /// Steps to where a wrench vanishes with this stiffness; the square of the step (m², a radian as a metre).
+    #[inline(always)]
+    fn step(&mut self, factored: &Factored<L>, mut amounts: [L; 6]) -> L {
+        factored.solve(&mut amounts);
+        self.pose = turned(self.pose, &amounts);
+        let mut square = amounts[0] * amounts[0];
+        for row in 1..6 {
+            square = square + amounts[row] * amounts[row];
+        }
+        square
+    }
+
+    /// Sums over the cables at the poses, and with `KEEP` the cables themselves.
+    #[inline(always)]
+    fn visit<const KEEP: bool>(&mut self, cables: &[Cable], group: usize) -> Springs<L> {
+        let l = self.l;
+        let zero = l.constant(0.0);
+        let [x, y, z, i, j, k, w] = self.pose;
+        let rotation = rotation_rows([i, j, k, w]);
+        let mut sums = Springs { wrench: [zero; 6], squares: zero, lengths: zero, needs_scalar: zero };
+        for (place, cable) in cables.iter().enumerate() {
+            let values = &cable.values;
+            let moment_arm = rotate(&rotation, constants(l, values.platform_anchor));
+            let anchor = add([x, y, z], moment_arm);
+            let outlet = values.outlet.map(|number| l.constant(*number));
+            let path: CablePath<L> = outlet.path(anchor);
+            let recorded = l.load(&cable.recorded()[group * LANES..]);
+            let controlled = (recorded - l.constant(values.offset)) * l.constant(1.0 / values.scale);
+            let residual = path.length - controlled;
+            let pull = wrench(moment_arm, path.direction);
+            for row in 0..6 {
+                sums.wrench[row] = sums.wrench[row] + residual * pull[row];
+            }
+            if KEEP {
+                sums.squares = sums.squares + residual * residual;
+                sums.lengths = sums.lengths + path.length;
+                let no_length = zero.select(zero.is_less(controlled), l.constant(1.0));
+                sums.needs_scalar = sums.needs_scalar.max(outlet.needs_scalar(anchor, &path)).max(no_length);
+                self.cables[place] = At {
+                    controlled,
+                    residual,
+                    moment_arm,
+                    direction: path.direction,
+                    direction_gradient: path.direction_gradient,
+                    length_by_radius: path.length_by_radius,
+                    direction_by_radius: path.direction_by_radius,
+                };
+            }
+        }
+        if KEEP {
+            self.rotation = rotation;
+        }
+        sums
+    }
+
+    /// −∂W/∂\[δr; δφ\] of the springs' wrench W, its symmetric part, lower triangle: Σ s sᵀ + ρ ∂²q/∂x² with s = \[u; b × u\].
+    #[inline(always)]
+    fn stiffness(&self, cables: usize) -> [[L; 6]; 6] {
+        let mut sum = [[self.l.constant(0.0); 6]; 6];
+        let half = self.l.constant(0.5);
+        for at in &self.cables[..cables] {
+            let (u, b, gradient) = (at.direction, at.moment_arm, &at.direction_gradient);
+            let (s, columns, along) = (wrench(b, u), moment_columns(gradient, b), dot(b, u));
+            for i in 0..3 {
+                let row = turned_row(&columns, b, i);
+                for j in 0..=i {
+                    let diagonal = half * (b[i] * u[j] + b[j] * u[i]);
+                    let diagonal = if i == j { diagonal - along } else { diagonal };
+                    sum[i][j] = sum[i][j] + (s[i] * s[j] - at.residual * gradient[i][j]);
+                    sum[3 + i][3 + j] = sum[3 + i][3 + j] + (s[3 + i] * s[3 + j] - at.residual * (row[j] + diagonal));
+                }
+                for j in 0..3 {
+                    sum[3 + i][j] = sum[3 + i][j] + (s[3 + i] * s[j] - at.residual * columns[j][i]);
+                }
+            }
+        }
+        sum
+    }
+
+    /// Writes the changes of six residuals with the parameters of a cable, from those with a wrench.
+    #[inline(always)]
+    pub(super) fn write_columns(&self, place: usize, by_wrench: &[[L; 6]; 6], cable: &Cable, columns: &mut [Column]) {
+        let l = self.l;
+        let at = &self.cables[place];
+        let per_scale = l.constant(1.0 / cable.values.scale);
+        for (row, &[x, y, z, a, b, c]) in by_wrench.iter().enumerate() {
+            let turn = [a, b, c];
+            // by a pull at the platform anchor
+            let by_pull = add([x, y, z], cross(turn, at.moment_arm));
+            let along = dot(by_pull, at.direction);
+            let bent = rotate(&at.direction_gradient, by_pull);
+            let by_anchor = sub(scale(along, at.direction), scale(at.residual, bent));
+            let mut in_platform = by_anchor;
+            if cable.places.iter().any(|slot| (3..6).contains(slot)) {
+                let lever = sub(scale(at.residual, cross(at.direction, turn)), by_anchor);
+                in_platform = rotate_back(&self.rotation, lever);
+            }
+            for (column, &slot) in columns.iter_mut().zip(&cable.places) {
+                let entry = match slot {
+                    0..3 => by_anchor[slot],
+                    3..6 => in_platform[slot - 3],
+                    6 => along * per_scale,
+                    7 => along * per_scale * at.controlled,
+                    _ => along * at.length_by_radius + at.residual * dot(by_pull, at.direction_by_radius),
+                };
+                entry.store(&mut column[row].0);
+            }
+        }
+    }
+}
+
+impl<L: Lanes> Factored<L> {
+    #[inline(always)]
+    fn solve(&self, right: &mut [L; 6]) {
+        ldl::substitute_in_lanes(6, &self.factor, &self.inverse_pivot, right);
+    }
+
+    /// Changes of the six residuals with a wrench on the platform, by rows.
+    #[inline(always)]
+    pub(super) fn by_wrench(&self, by_turn: &[[L; 3]; 3], weights: &[L; 6]) -> [[L; 6]; 6] {
+        let zero = weights[0].constant(0.0);
+        let mut rows = [[zero; 6]; 6];
+        for k in 0..3 {
+            rows[k][k] = weights[k];
+            for column in 0..3 {
+                rows[3 + k][3 + column] = weights[3 + k] * by_turn[k][column];
+            }
+        }
+        for row in &mut rows {
+            self.solve(row);
+        }
+        rows
+    }
+}

@@ -1,0 +1,223 @@
+//! Squares of the errors of predicted poses with half their derivatives, eight samples side by side.
+//!
+//! [`PoseVectors`](super::poses::PoseVectors) solves every forward problem anew from the measured poses. Here predictions follow the parameters: to first order
+//! by their derivatives, then by a Newton step and a chord with the same matrix, after which only rounding is left of a step of the fit. What is not plain is
+//! left to the vectors: other degrees of freedom than six, other numbers of cables than seven and eight, large errors, singular poses.
+
+mod cable;
+mod eight;
+mod error;
+mod products;
+#[cfg(test)]
+mod tests;
+
+use cable::{Cable, Column, MOST_CABLES, PoseLines};
+use eight::{Eight, Factored};
+use products::Products;
+
+use super::dense::DenseEquations;
+use super::metric::Metric;
+use crate::geometry::POSE_ROWS;
+use crate::identification::blocks::Block;
+use crate::identification::pose_lanes::PoseLanes;
+use crate::identification::weights::Weights;
+use crate::measurement::Samples;
+use crate::model::Model;
+use crate::robot::Parameter;
+use crate::scalar::{Kernel, LANES, Lanes, Line, dispatch};
+
+/// Share of the mean length that predicted poses may move before JᵀJ is summed anew.
+const SAME: f64 = 1e-5;
+
+/// Samples of a rigid model of six degrees of freedom whose predictions follow the parameters.
+pub(super) struct PoseSquares {
+    cables: Vec<Cable>,
+    /// Measured poses; the last group is filled with copies of the last one.
+    measured: Vec<PoseLines>,
+    /// Samples in the last group.
+    in_last: usize,
+    /// Units of the six errors: standard deviations.
+    units: [f64; 6],
+    /// Share of the mean length that residuals of lengths may have.
+    plausible: f64,
+    /// Predicted poses at the values that were asked for last.
+    predicted: Vec<PoseLines>,
+    /// Derivatives there, parameter by parameter of a group.
+    derivatives: Vec<Column>,
+    /// Those values; none where predictions begin at the measured poses.
+    values: Option<Vec<f64>>,
+    /// Values at which JᵀJ was summed last, with its diagonal.
+    summed_at: Option<(Vec<f64>, Vec<f64>)>,
+    mean_length: f64,
+    products: Products,
+}
+
+impl PoseSquares {
+    /// Nothing where predictions are not plain.
+    pub(super) fn of(
+        model: &Model,
+        samples: &Samples,
+        parameters: &[Parameter],
+        (metric, plausible): (&Metric, f64),
+    ) -> Option<Self> {
+        let is_plain = !model.needs_tensions() && model.dof() == 6 && (7..=MOST_CABLES).contains(&model.cable_count());
+        if !is_plain || samples.is_empty() || samples.motor_angles.is_some() {
+            return None;
+        }
+        let weights = Weights::even(1.0, model.cable_count(), samples.len(), &PoseLanes::new(samples));
+        let cable = |cable| {
+            let own = parameters.iter().filter(|parameter| parameter.cable == cable).copied().collect();
+            Cable::of(Block::new(model, cable, own, samples, &weights))
+        };
+        let cables = (0..model.cable_count()).map(cable).collect::<Option<Vec<Cable>>>()?;
+        let groups = samples.len().div_ceil(LANES);
+        let mut measured = vec![[Line::default(); POSE_ROWS]; groups];
+        for place in 0..groups * LANES {
+            let pose = &samples.poses[place.min(samples.len() - 1)];
+            for (line, number) in measured[place / LANES].iter_mut().zip(pose.numbers()) {
+                line.0[place % LANES] = number;
+            }
+        }
+        let units = std::array::from_fn(|row| metric.along(&model.twist_basis()[row]));
+        let products = Products::new(parameters.len());
+        Some(Self {
+            cables,
+            predicted: measured.clone(),
+            measured,
+            in_last: (samples.len() - 1) % LANES + 1,
+            units,
+            plausible,
+            derivatives: vec![Column::default(); groups * products.columns()],
+            values: None,
+            summed_at: None,
+            mean_length: samples.lengths.iter().sum::<f64>() / samples.lengths.len() as f64,
+            products,
+        })
+    }
+
+    /// Predictions begin at the measured poses again.
+    pub(super) fn forget(&mut self) {
+        (self.values, self.summed_at) = (None, None);
+    }
+
+    /// Writes Σ‖r‖² with half its derivatives; false where the vectors must be asked.
+    pub(super) fn write(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
+        let change = self.prepare(values);
+        let with_hessian = !self.is_summed_near(values);
+        let is_plain = dispatch(Write { squares: self, change: &change, with_hessian });
+        self.conclude(values, is_plain, equations)
+    }
+
+    fn conclude(&mut self, values: &[f64], is_plain: bool, equations: &mut DenseEquations) -> bool {
+        if !is_plain {
+            self.forget();
+            return false;
+        }
+        self.values = Some(values.to_vec());
+        self.products.write(equations);
+        if !self.is_summed_near(values) {
+            self.summed_at = Some((values.to_vec(), equations.hessian.diagonal().as_slice().to_vec()));
+        }
+        equations.cost.is_finite()
+    }
+
+    /// True where JᵀJ was summed at values that predict the same poses but for [`SAME`]: it only tells the way to the optimum, which Jᵀr decides.
+    fn is_summed_near(&self, values: &[f64]) -> bool {
+        let Some((at, diagonal)) = &self.summed_at else { return false };
+        let samples = ((self.measured.len() - 1) * LANES + self.in_last) as f64;
+        let most = SAME * self.mean_length * self.units[0];
+        let moves = |((to, from), square): ((&f64, &f64), &f64)| (to - from).abs() * (square / samples).sqrt();
+        values.iter().zip(at).zip(diagonal).map(moves).sum::<f64>() <= most
+    }
+
+    /// Takes the cables to parameter values: the change of these since the predictions, nothing where they are the measured poses.
+    fn prepare(&mut self, values: &[f64]) -> Vec<f64> {
+        let mut rest = values;
+        for cable in &mut self.cables {
+            let (own, others) = rest.split_at(cable.places.len());
+            cable.move_to(own);
+            rest = others;
+        }
+        match self.values.take() {
+            Some(mut last) => {
+                last.iter_mut().zip(values).for_each(|(last, value)| *last = value - *last);
+                last
+            }
+            None => {
+                self.predicted.copy_from_slice(&self.measured);
+                Vec::new()
+            }
+        }
+    }
+}
+
+/// All samples at parameter values that changed; whether all of them are plain.
+struct Write<'a> {
+    squares: &'a mut PoseSquares,
+    /// Change of the parameters since the predictions; empty where these are the measured poses.
+    change: &'a [f64],
+    with_hessian: bool,
+}
+
+impl Kernel for Write<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) -> bool {
+        let Self { squares, change, with_hessian } = self;
+        squares.products.clear(with_hessian);
+        let columns = squares.products.columns();
+        let groups = squares.measured.len();
+        let mut eight = Eight::new(l);
+        for group in 0..groups {
+            let count = if group + 1 == groups { squares.in_last } else { LANES };
+            let derivatives = &mut squares.derivatives[group * columns..][..columns];
+            eight.load(&squares.predicted[group]);
+            if !change.is_empty() {
+                eight.follow(derivatives, change, &squares.units, count);
+            }
+            let Some(factored) = eight.settle(&squares.cables, group, squares.plausible) else { return false };
+            eight.store(&mut squares.predicted[group]);
+            let measured = (&squares.measured[group], &squares.units, count);
+            let Some(residuals) = write_rows(l, (&eight, &factored), measured, (&squares.cables, derivatives)) else {
+                return false;
+            };
+            squares.products.add(l, derivatives, &residuals);
+            if with_hessian {
+                squares.products.add_to_hessian(l, derivatives);
+            }
+        }
+        true
+    }
+}
+
+/// Residuals of eight samples, and their derivatives by all parameters; nothing where an error is too large.
+#[inline(always)]
+fn write_rows<L: Lanes>(
+    l: L,
+    (eight, factored): (&Eight<L>, &Factored<L>),
+    (measured, units, count): (&PoseLines, &[f64; 6], usize),
+    (cables, derivatives): (&[Cable], &mut [Column]),
+) -> Option<[L; 6]> {
+    let mut of_group = [[0.0; LANES]; 6];
+    for (lines, unit) in of_group.iter_mut().zip(units) {
+        lines[..count].fill(*unit);
+    }
+    let mut weights = [l; 6];
+    for row in 0..6 {
+        weights[row] = l.load(&of_group[row]);
+    }
+    let error = error::Error::of(l, measured, &eight.pose)?;
+    let mut residuals = [l; 6];
+    for row in 0..6 {
+        residuals[row] = weights[row] * error.vector[row];
+    }
+    let by_wrench = factored.by_wrench(&error.by_turn(), &weights);
+    let mut first = 0;
+    for (place, cable) in cables.iter().enumerate() {
+        let last = first + cable.places.len();
+        eight.write_columns(place, &by_wrench, cable, &mut derivatives[first..last]);
+        first = last;
+    }
+    Some(residuals)
+}
