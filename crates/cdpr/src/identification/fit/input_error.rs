@@ -173,7 +173,11 @@ pub enum InputError {
     )]
     NoPoses,
     /// A robust loss of what has no square.
-    #[error("the loss `{}` and {cost} cannot be combined: a robust loss weighs squared residuals of lengths", .loss.name())]
+    #[error(
+        "the loss `{}` and {cost} cannot be combined: its scale and its limit of outliers come from residuals of lengths in their accuracies. Errors of poses have \
+         lost what tells a displaced pose from lengths that lie; single outliers hardly move a sum of norms: `--minimize mean`",
+        .loss.name()
+    )]
     RobustCost {
         /// The loss.
         loss: Loss,
