@@ -1,4 +1,5 @@
 // What the page is told: the JSON block that `report/page_data.rs` writes. SI units; names carry the unit.
+import type { RunData } from "./run/data";
 import type { StudyData } from "./study/data";
 import type { WorkspaceData } from "./workspace/data";
 
@@ -133,7 +134,7 @@ export interface PageData {
 }
 
 /** The block of the page; null where no candidate could be identified. A page that is no report says what it is. */
-export function readData(): PageData | StudyData | WorkspaceData | null {
+export function readData(): PageData | RunData | StudyData | WorkspaceData | null {
   const text = document.getElementById("cdpr-data")?.textContent;
-  return text ? (JSON.parse(text) as PageData | StudyData | WorkspaceData | null) : null;
+  return text ? (JSON.parse(text) as PageData | RunData | StudyData | WorkspaceData | null) : null;
 }

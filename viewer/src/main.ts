@@ -11,6 +11,7 @@ import { offerFigureTips } from "./figure-tips";
 import { offerFolding } from "./folding";
 import { offerPrinting } from "./printing";
 import { offerScrolling } from "./scrolling";
+import { showRun } from "./run/page";
 import { showScene } from "./scene/scene";
 import { showStudy } from "./study/page";
 import { offerTheme } from "./theme";
@@ -33,6 +34,7 @@ offerPrinting();
 offerFolding();
 if (data && "page" in data) {
   if (data.page === "study") showStudy(data);
+  else if (data.page === "run") showRun(data);
   else showWorkspace(data);
 } else if (data) drawAll(data);
 offerScrolling();

@@ -1,12 +1,13 @@
 // Opens pages of the command in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
 //   node test/browser.mjs CHROMIUM OUTPUT FOLDER_OF_A_RESULT…
-// Each folder holds report.html (of a study or of models), and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
+// Each folder holds report.html (of a study, a run or models), and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
 import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { checkPage, layout } from "./page-checks.mjs";
+import { checkRun } from "./run-checks.mjs";
 import { checkStudy } from "./study-checks.mjs";
 import { checkWorkspace } from "./workspace-checks.mjs";
 
@@ -76,6 +77,7 @@ async function examine(context, folder, name) {
 async function checks(page, result) {
   const kind = await page.locator("#cdpr-data").evaluate((block) => JSON.parse(block.textContent)?.page);
   if (kind === "workspace") return checkWorkspace(page, layout);
+  if (kind === "run") return checkRun(page, layout);
   return kind === "study" ? checkStudy(page, layout) : checkPage(page, result);
 }
 

@@ -153,6 +153,9 @@ fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     }
     pages.extend(workspace_pages(root, folder)?);
     pages.extend(study_pages(root, folder)?);
+    let run = at("run");
+    cdpr(root, &["run", "studies/scenario-cable-break.toml", "--out", &text(run.clone())])?;
+    pages.push(run);
     Ok(pages)
 }
 

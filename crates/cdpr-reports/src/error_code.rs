@@ -5,10 +5,17 @@ use cdpr::error_code::ErrorCode;
 use crate::comparison::UnwritableFile;
 use crate::firmware::FirmwareError;
 use crate::html_page::PageError;
+use crate::recording::McapError;
 use crate::study_page::StudyPageError;
 use crate::workspace_page::OverlayError;
 
 impl ErrorCode for PageError {
+    fn code(&self) -> &'static str {
+        "numerical::unwritable"
+    }
+}
+
+impl ErrorCode for McapError {
     fn code(&self) -> &'static str {
         "numerical::unwritable"
     }

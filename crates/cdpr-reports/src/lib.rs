@@ -13,6 +13,8 @@
 //! | [`sensitivity`] | answer, tables and picture of sensitivities and tolerances |
 //! | [`reachable`] | answer and picture of what a study reaches |
 //! | [`sweep_result`] | answer, table and drawing of a sweep |
+//! | [`recording`] | the moments of a run, its broken limits, and its MCAP file |
+//! | [`run_page`] | the page of a run, with playback |
 //! | [`study_page`] | the page of a study: errors over its poses and the regions around them |
 //! | [`workspace_page`] | the page of a workspace, in which the platform can be dragged |
 //! | [`answers`] | results as JSON objects with units in their keys, and in words |
@@ -28,7 +30,9 @@ mod html_page;
 mod named_file;
 pub mod number_format;
 pub mod reachable;
+pub mod recording;
 pub mod report;
+pub mod run_page;
 pub mod saved_result;
 pub mod sensitivity;
 pub mod study_page;

@@ -18,7 +18,7 @@ import { TensionScale, hasTensions } from "./tension-style";
 export function showWorkspace(data: WorkspaceData): void {
   const place = document.querySelector<HTMLElement>("[data-workspace]");
   if (!place) return;
-  const [platform, regions, scale] = [new Platform(data), regionsOf(data), new TensionScale(data)];
+  const [platform, regions, scale] = [new Platform(data), regionsOf(data), new TensionScale(data.robot.cables, data.grid.tensions_N)];
   const [controls, picture, side] = [element("div", "", "controls"), element("div", "", "picture"), element("div", "", "side")];
   const [canvas, legends] = [element("div", "", "canvas"), element("div", "", "legends")];
   picture.append(canvas, legends);

@@ -10,14 +10,21 @@ export function hasTensions(data: WorkspaceData): boolean {
   return data.robot.cables.some((cable) => cable.tension_max_N !== null);
 }
 
+/** A cable whose limits may be unknown. */
+export interface Limited {
+  tension_min_N: number | null;
+  tension_max_N: number | null;
+}
+
 /** Steps of tension (N), and where a tension stands between the limits of its cable. */
 export class TensionScale {
   readonly least: number;
   readonly largest: number;
 
-  constructor(data: WorkspaceData) {
-    const known = data.grid.tensions_N.flatMap((tensions) => tensions ?? []);
-    const limits = (pick: "tension_min_N" | "tension_max_N") => data.robot.cables.flatMap((cable) => cable[pick] ?? []);
+  /** Between the limits of the cables, or over the tensions that are known where a limit is not. */
+  constructor(cables: Limited[], tensions: (number[] | null)[]) {
+    const known = tensions.flatMap((all) => all ?? []);
+    const limits = (pick: keyof Limited) => cables.flatMap((cable) => cable[pick] ?? []);
     this.least = least(limits("tension_min_N")) ?? least(known) ?? 0;
     this.largest = Math.max(largest(limits("tension_max_N")) ?? largest(known) ?? 1, this.least + 1e-9);
   }

@@ -1,10 +1,10 @@
 //! `cdpr run`: a machine in time.
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::plant::LogFormat;
+use cdpr::plant::{LogFormat, Simulation, Winches};
 use clap::Args;
 
 use crate::answer::Output;
@@ -12,7 +12,10 @@ use crate::failure::Failure;
 use crate::files::{self, GrowingFile, OwnFolder};
 use crate::progress::Progress;
 use crate::scenario_file;
-use cdpr_reports::answers::RunAnswer;
+use cdpr_reports::answers::{RunAnswer, title};
+use cdpr_reports::figures::Figure;
+use cdpr_reports::recording::Recording;
+use cdpr_reports::run_page::RunPage;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,11 +25,15 @@ Examples:
 /// File with the rows of a run.
 const LOG: &str = "log.csv";
 
+/// Files of a complete run.
+const RESULTS: [&str; 5] = ["result.json", "report.html", "log.mcap", "tensions.svg", "pose.svg"];
+
 /// Let a machine move: from its start through the commands and events of a scenario.
 ///
 /// The platform moves by Newton's and Euler's equations on cables of any composition that stretches, with the mass, centre of mass and inertia of
-/// the robot file. Rows of log.csv are written as the run goes on, so that a run that is ended has left all up to then; result.json
-/// appears when it is complete. The exit code is 1 when the machine cannot get to the end.
+/// the robot file. Rows of log.csv are written as the run goes on, so that a run that is ended has left all up to then; result.json,
+/// report.html (playback, with broken limits marked on the time line), its drawings tensions.svg and pose.svg, and log.mcap (for Foxglove
+/// and other readers of MCAP) appear when it is complete. The exit code is 1 when the machine cannot get to the end.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -34,7 +41,7 @@ pub(crate) struct Arguments {
     #[arg(value_name = "SCENARIO")]
     scenario: PathBuf,
 
-    /// Folder for log.csv and result.json.
+    /// Folder for log.csv, log.mcap, result.json, report.html and drawings.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -43,19 +50,85 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let mut simulation = scenario_file::read(&arguments.scenario, output)?;
     let _own = OwnFolder::make(&arguments.out)?;
     let at = |name: &str| arguments.out.join(name);
-    // a result beside the log of another run would belong to nothing
-    files::remove(&at("result.json"))?;
+    // results beside the log of another run would belong to nothing
+    RESULTS.iter().try_for_each(|name| files::remove(&at(name)))?;
     let progress = Progress::spinner("moving");
     let format = LogFormat::new(simulation.plant.model());
+    let robot = simulation.plant.model().robot().clone();
+    let mut recording = Recording::new(&robot);
     let mut log = GrowingFile::make(&at(LOG))?;
     log.add(|text| text.push_str(&format.header()))?;
     let summary = simulation.run(|plant, state| {
         log.add(|text| format.write_row(plant, state, text))?;
+        recording.note(state);
         Ok::<_, Failure>(ControlFlow::Continue(()))
     })?;
     log.write()?;
+    recording.happened(&summary.events);
+    let answer = RunAnswer::new((&simulation, &summary), &recording, &at(LOG).display().to_string());
+    let result = output.file(&answer, "result.json")?;
+    let shown = Shown { arguments: &arguments, simulation: &simulation, recording: &recording };
+    shown.write(&answer, &result)?;
     drop(progress);
-    let answer = RunAnswer::new(&simulation, &summary, &at(LOG).display().to_string());
-    files::write(&at("result.json"), output.file(&answer, "result.json")?.as_bytes())?;
     output.answer(&answer)
+}
+
+/// A run and its record, as its files show them.
+struct Shown<'a> {
+    arguments: &'a Arguments,
+    simulation: &'a Simulation,
+    recording: &'a Recording<'a>,
+}
+
+impl Shown<'_> {
+    /// Writes all files that belong to a complete run.
+    fn write(&self, answer: &RunAnswer, result: &str) -> Result<(), Failure> {
+        let recording = self.recording;
+        let violations = recording.violations();
+        let page = self.page(answer)?;
+        let mcap = recording.mcap(&violations).map_err(|error| Failure::unwritable("the recording", &error))?;
+        let drawing = |figure: Option<Figure>| figure.map(|figure| figure.file());
+        let tensions = drawing(recording.tension_figure(&violations));
+        let pose = drawing(recording.pose_figure(&violations));
+        let contents = [
+            Some(result.as_bytes()),
+            Some(page.as_bytes()),
+            Some(mcap.as_slice()),
+            tensions.as_ref().map(String::as_bytes),
+            pose.as_ref().map(String::as_bytes),
+        ];
+        let paths = RESULTS.map(|name| self.arguments.out.join(name));
+        let all: Vec<(&Path, &[u8])> =
+            paths.iter().zip(contents).filter_map(|(path, content)| Some((path.as_path(), content?))).collect();
+        files::write_all(&all)
+    }
+
+    fn page(&self, answer: &RunAnswer) -> Result<String, Failure> {
+        let plant = &self.simulation.plant;
+        let name =
+            self.arguments.scenario.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let facts = [
+            ("Machine", title(plant.model())),
+            ("Winches", winches(plant.winches()).to_owned()),
+            ("Steps", answer.steps_in_words()),
+        ];
+        let page = RunPage {
+            recording: self.recording,
+            name: &name,
+            status: answer.status(),
+            reason: answer.reason(),
+            facts: &facts,
+            warnings: answer.warnings(),
+            command: &crate::command_line(),
+            version: env!("CARGO_PKG_VERSION"),
+        };
+        page.render().map_err(|error| Failure::unwritable("the page of the run", &error))
+    }
+}
+
+fn winches(kind: Winches) -> &'static str {
+    match kind {
+        Winches::Ideal => "ideal: lengths are what is commanded",
+        Winches::Drums => "drums with inertia and friction",
+    }
 }

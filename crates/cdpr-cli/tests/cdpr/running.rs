@@ -53,6 +53,15 @@ fn a_run_leaves_its_rows_and_its_end() {
     let file: serde_json::Value =
         serde_json::from_slice(&std::fs::read(folder.path().join("out/result.json")).unwrap()).unwrap();
     assert_eq!(file, answer);
+    for name in ["report.html", "log.mcap", "tensions.svg", "pose.svg"] {
+        assert!(std::fs::metadata(folder.path().join("out").join(name)).unwrap().len() > 1000, "{name}");
+    }
+    let violations = answer["violations"].as_array().unwrap();
+    assert!(
+        violations.iter().all(|one| one["cable"] != 2 || one["to_s"].as_f64() <= Some(0.1)),
+        "a broken cable is no slack one"
+    );
+    assert_eq!(answer["warnings"].as_array().unwrap().is_empty(), violations.is_empty());
     // the same input, the same bytes
     let bytes = std::fs::read(folder.path().join("out/log.csv")).unwrap();
     assert_eq!(cdpr_in(folder.path(), "run scenario.toml --out out --quiet").exit_code, 0);

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
 use crate::number_format::{cell, short};
+use crate::recording::{Recording, Violation};
 use crate::table::Table;
 
 /// End of a run.
@@ -29,7 +30,10 @@ pub struct RunAnswer {
     #[serde(rename = "energy_J")]
     energy: Option<EnergyAnswer>,
     events: Vec<EventAnswer>,
+    /// Broken limits of tensions, as far as the rows show them.
+    violations: Vec<ViolationAnswer>,
     log: String,
+    warnings: Vec<String>,
     #[serde(skip)]
     cable_names: Vec<String>,
 }
@@ -70,9 +74,17 @@ struct EventAnswer {
     cable: Option<usize>,
 }
 
+#[derive(Clone, Debug, Serialize)]
+struct ViolationAnswer {
+    from_s: f64,
+    to_s: f64,
+    cable: usize,
+    words: String,
+}
+
 impl RunAnswer {
-    /// Answer of a simulation that has run; `log` is the file with its rows.
-    pub fn new(simulation: &Simulation, summary: &Summary, log: &str) -> Self {
+    /// Answer of a simulation that has run, with its record; `log` is the file with its rows.
+    pub fn new((simulation, summary): (&Simulation, &Summary), recording: &Recording<'_>, log: &str) -> Self {
         let (model, state) = (simulation.plant.model(), &simulation.state);
         let (status, reason) = match &summary.end {
             End::Completed => ("completed", None),
@@ -95,10 +107,52 @@ impl RunAnswer {
             tension_max: summary.tension_max,
             energy,
             events: summary.events.iter().map(EventAnswer::new).collect(),
+            warnings: warnings(&recording.violations()),
+            violations: recording.violations().into_iter().map(ViolationAnswer::of).collect(),
             log: log.to_owned(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
         }
     }
+}
+
+impl RunAnswer {
+    /// End of the run in a word.
+    pub fn status(&self) -> &'static str {
+        self.status
+    }
+
+    /// Why the run did not get to its end.
+    pub fn reason(&self) -> Option<&str> {
+        self.reason.as_deref()
+    }
+
+    /// Warnings about the run.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// Steps, as `3000, the last at 3 s`.
+    pub fn steps_in_words(&self) -> String {
+        format!("{}, the last at {} s", self.steps, short(self.last.time_s))
+    }
+}
+
+impl ViolationAnswer {
+    fn of(violation: Violation) -> Self {
+        let Violation { span: (from_s, to_s), cable, words } = violation;
+        Self { from_s, to_s, cable: cable + 1, words }
+    }
+}
+
+/// The first broken limit, with the number of the others.
+fn warnings(violations: &[Violation]) -> Vec<String> {
+    let Some(first) = violations.first() else { return Vec::new() };
+    let others = match violations.len() - 1 {
+        0 => String::new(),
+        1 => ", and one more limit is broken".to_owned(),
+        count => format!(", and {count} more limits are broken"),
+    };
+    vec![format!("{} from {} s{others}", first.words, short(first.span.0))]
 }
 
 impl FinalState {
@@ -146,6 +200,7 @@ impl Answer for RunAnswer {
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
         let last = &self.last;
         text.push_str(&format!("\nat {} s after {} steps: {}\n", short(last.time_s), self.steps, last.pose.words()));
+        self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         if !self.events.is_empty() {
             let events: Vec<String> = self.events.iter().map(EventAnswer::words).collect();
             text.push_str(&format!("happened: {}\n", events.join(", ")));

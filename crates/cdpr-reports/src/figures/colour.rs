@@ -25,6 +25,10 @@ const INKS: [(&str, &str); 8] = [
     ("#8c8c8c", "muted"),
 ];
 
+/// Colours of cables, in turn.
+pub(super) const CABLES: [&str; 8] =
+    ["#2f7fc1", "#e08a1e", "#2a9d6f", "#b8478f", "#8a6d1f", "#5fb6d9", "#7a5cc7", "#c9503c"];
+
 /// Name of a place in the diverging scale, from 0, as pages call it.
 fn diverging_name(place: usize) -> String {
     if place < 4 { format!("diverging-n{}", 4 - place) } else { format!("diverging-{}", place - 4) }
@@ -40,7 +44,8 @@ pub(super) fn of_page(text: &str) -> String {
     let steps = STEPS.iter().enumerate().map(|(step, colour)| (*colour, format!("step-{}", step + 1)));
     let diverging = DIVERGING.iter().enumerate().map(|(place, colour)| (*colour, diverging_name(place)));
     let inks = INKS.iter().map(|(colour, name)| (*colour, (*name).to_owned()));
-    let all = inks.chain(steps).chain(diverging);
+    let cables = CABLES.iter().enumerate().map(|(cable, colour)| (*colour, format!("cable-{}", cable + 1)));
+    let all = inks.chain(steps).chain(diverging).chain(cables);
     all.fold(text.to_owned(), |text, (colour, name)| text.replace(colour, &format!("var(--{name})")))
 }
 
@@ -89,6 +94,9 @@ mod tests {
         }
         for (place, own) in DIVERGING.iter().enumerate() {
             assert_eq!(colour(&diverging_name(place)), *own);
+        }
+        for (cable, own) in CABLES.iter().enumerate() {
+            assert_eq!(colour(&format!("cable-{}", cable + 1)), *own);
         }
         for (own, name) in &INKS[..7] {
             assert_eq!(colour(name), *own);

@@ -1,7 +1,7 @@
 //! A finished figure: as a file of its own, and as a part of a page.
 
 use super::drawing::escape;
-use super::{colour, correlations, penalty_path, tracking};
+use super::{colour, correlations, penalty_path, timeline, tracking};
 
 /// Width of the text of a page of A4 (mm).
 const PAGE_WIDTH: f64 = 180.0;
@@ -65,6 +65,7 @@ pub fn page_style() -> String {
         .chain(correlations::STYLE.lines())
         .chain(tracking::STYLE.lines())
         .chain(penalty_path::STYLE.lines())
+        .chain(timeline::STYLE.lines())
         .map(|rule| colour::of_page(&format!(".figure {rule}\n")));
     // curves in tones that pages do not have stand in none
     rules.filter(|rule| !(rule.contains(".tone-") && rule.contains('#'))).collect()

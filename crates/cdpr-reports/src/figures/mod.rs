@@ -24,6 +24,7 @@ mod profiles;
 mod residuals;
 mod shares;
 mod spectrum;
+mod timeline;
 mod tracking;
 
 use frame::Frame;
@@ -43,6 +44,7 @@ pub use profiles::{ProfileCurves, profiles};
 pub use residuals::residuals;
 pub use shares::{ShareCurve, Shares};
 pub use spectrum::spectrum;
+pub use timeline::{TimePanel, Timeline};
 pub use tracking::{TrackedCable, tension_tracking};
 
 /// Smallest and largest of the finite values.

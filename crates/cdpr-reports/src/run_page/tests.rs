@@ -1,0 +1,61 @@
+//! Pages of runs: well formed, complete and silent towards the network.
+
+use cdpr::geometry::Twist;
+use cdpr::robot::Robot;
+
+use super::RunPage;
+use crate::recording::{Moment, Occurrence, Recording};
+
+fn recording(robot: &Robot, count: u32) -> Recording<'_> {
+    let moment = |k: u32| Moment {
+        time: 0.01 * f64::from(k),
+        pose: robot.home.unwrap(),
+        twist: Twist::zeros(),
+        tensions: (0..robot.cables.len()).map(|cable| 100.0 * (k as usize + cable) as f64).collect(),
+    };
+    let event = Occurrence { time: 0.5, words: "a wrench <b> acts".to_owned(), cable: None, breaks: false };
+    let limits = vec![(50.0, 1e5); robot.cables.len()];
+    Recording { robot, moments: (0..count).map(moment).collect(), events: vec![event], limits }
+}
+
+fn page(recording: &Recording<'_>, status: &str) -> String {
+    let facts = [("Machine", "elastic".to_owned())];
+    let page = RunPage {
+        recording,
+        name: "scenario",
+        status,
+        reason: None,
+        facts: &facts,
+        warnings: &["a `warning`".to_owned()],
+        command: "cdpr run scenario.toml --out run",
+        version: "0",
+    };
+    page.render().unwrap()
+}
+
+#[test]
+fn the_page_is_well_formed_asks_nothing_of_the_network_and_tells_what_is_broken() {
+    for name in ["cablerobot-simulator-helicopter", "planar-example"] {
+        let robot = Robot::builtin(name).unwrap();
+        let text = page(&recording(&robot, 200), "completed");
+        for found in ["src=\"http", "href=\"http", "<b>"] {
+            assert!(!text.contains(found), "{name}: {found}");
+        }
+        assert!(text.contains("class=\"verdict warned\"") && text.contains("is slack"), "{name}");
+        assert!(text.contains("data-time="), "{name}: figures follow the clock");
+        let data = text.split("id=\"cdpr-data\"").nth(1).unwrap();
+        let json = data.split_once('>').unwrap().1.split_once("</script>").unwrap().0;
+        let data: serde_json::Value = serde_json::from_str(json).unwrap();
+        assert_eq!(data["moments"]["time_s"].as_array().unwrap().len(), 200, "{name}");
+        assert_eq!(data["robot"]["plane"].is_null(), name != "planar-example");
+    }
+}
+
+/// A run of an hour must not make a page of gigabytes.
+#[test]
+fn long_runs_are_thinned_out_and_keep_their_end() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let text = page(&recording(&robot, 60_000), "failed");
+    assert!(text.len() < 4_000_000, "{}", text.len());
+    assert!(text.contains("599.99") && text.contains("class=\"verdict bad\""));
+}
