@@ -39,6 +39,11 @@ impl<'a> Recorded<'a> {
         Some(model.motor_angle_gradient(cable, angle).unwrap_or(DrumLength::NAN))
     }
 
+    /// Recorded lengths; `None` where they come from motor angles.
+    pub(super) fn measured_lengths(&self) -> Option<&'a [f64]> {
+        self.motor_angles.is_none().then_some(self.lengths)
+    }
+
     /// Recorded length of a cable with this length on its drum, where there is one (m).
     pub(super) fn length_of(&self, cable: usize, wound: Option<&DrumLength>) -> f64 {
         wound.map_or(self.lengths[cable], |wound| wound.value)

@@ -9,6 +9,7 @@ mod analysis;
 mod balance;
 mod descent;
 mod frozen;
+mod linear_rows;
 mod linearization;
 mod measurement_noise;
 mod noise;

@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix6;
 
+use super::linear_rows::{At, LinearRows};
 use super::noise::{Noise, SLACK_SIGMA, Sigmas};
 use crate::cable::CableState;
 use crate::geometry::{Pose, Wrench};
@@ -10,6 +11,9 @@ use crate::model::Model;
 use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::LANES;
 use crate::statics::Load;
+
+/// Most cables whose rows are written in lanes.
+const MOST_IN_LANES: usize = 32;
 
 /// Rows of one sample: n + m rows of the padded Jacobian, its last used column the residual.
 #[derive(Clone, Debug)]
@@ -33,6 +37,8 @@ pub(super) struct RowModel<'a> {
     parameters: &'a [Parameter],
     /// First parameter of each cable; the last entry is the first of the wrench.
     first: Vec<usize>,
+    /// Way of straight, linear cables.
+    pub(super) linear: Option<LinearRows>,
 }
 
 /// First column of each cable's parameters; the last entry is that of the wrench.
@@ -79,7 +85,8 @@ impl SampleRows {
 
 impl<'a> RowModel<'a> {
     pub(super) fn new(model: &'a Model, load: Load, parameters: &'a [Parameter]) -> Self {
-        Self { model, load, parameters, first: first_columns(model, parameters) }
+        let linear = LinearRows::of(model, parameters);
+        Self { model, load, parameters, first: first_columns(model, parameters), linear }
     }
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
@@ -87,6 +94,9 @@ impl<'a> RowModel<'a> {
         if rows.is_full {
             rows.entries.fill(0.0);
             rows.is_full = false;
+        }
+        if self.write_linear(pose, tensions, recorded, rows).is_some() {
+            return;
         }
         let (rotation_rows, rotation) = (pose.rotation_rows(), pose.rotation_matrix());
         let (m, n) = (self.model.cable_count(), self.model.dof());
@@ -115,6 +125,26 @@ impl<'a> RowModel<'a> {
         for column in self.first[m]..self.parameters.len() {
             rows.entries[self.parameters[column].axis * stride + column] = 1.0;
         }
+    }
+
+    /// [`RowModel::write`] with cables in lanes; nothing where they are others, or lengths those of drums.
+    fn write_linear(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) -> Option<()> {
+        let linear = self.linear.as_ref()?;
+        let measured = recorded.measured_lengths()?;
+        let mut lengths = [0.0; MOST_IN_LANES];
+        let lengths = lengths.get_mut(..measured.len())?;
+        let stride = rows.stride;
+        let of_cables = linear.write(self.model, At { pose, tensions }, (&mut rows.entries, stride), lengths)?;
+        let wrench = self.load.wrench(pose) + Wrench::from(of_cables);
+        let residual = rows.parameter_count;
+        self.write_wrench(&wrench, residual, rows);
+        for (cable, (expected, recorded)) in lengths.iter().zip(measured).enumerate() {
+            rows.entries[(6 + cable) * stride + residual] = expected - recorded;
+        }
+        for column in self.first[measured.len()]..self.parameters.len() {
+            rows.entries[self.parameters[column].axis * stride + column] = 1.0;
+        }
+        Some(())
     }
 
     /// Writes a wrench (world) to the wrench rows of a column, in the degrees of freedom of the pattern.
