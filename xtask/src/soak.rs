@@ -41,7 +41,8 @@ const PROPERTIES: &[&str] = &[
 ];
 
 /// Readers that libFuzzer feeds.
-const FUZZ_TARGETS: &[&str] = &["robot", "measurements", "study", "sidecar", "caspr-bodies", "caspr-cables"];
+const FUZZ_TARGETS: &[&str] =
+    &["robot", "measurements", "study", "sidecar", "compensation", "caspr-bodies", "caspr-cables"];
 
 /// How often the usual number of cases is drawn in one round.
 const CASES: &str = "4";

@@ -2,6 +2,7 @@
 
 mod answer;
 mod commands;
+mod compensation_option;
 mod console;
 mod diagnostics;
 mod explanations;

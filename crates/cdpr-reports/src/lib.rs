@@ -23,6 +23,7 @@
 
 pub mod answers;
 pub mod comparison;
+pub mod cost_result;
 mod error_code;
 pub mod figures;
 pub mod firmware;

@@ -55,7 +55,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     study.introduce(output);
     let table = study.study.campaign.as_ref().ok_or_else(|| study.refused(&CampaignError::NoTable))?;
     let is_virtual = table.record == CampaignRecord::Virtual;
-    let poses = study.poses(arguments.seed)?;
+    // tension tests tell nothing of rigid cables
+    let poses = match study.control.needs_tensions() {
+        true => study.commands(arguments.seed)?,
+        false => study.poses(arguments.seed)?,
+    };
     let _own = OwnFolder::make(&arguments.out)?;
     check_same_study(&arguments)?;
     let progress = Progress::spinner("planning and measuring");

@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::identification::compensation::evaluate_compensated;
 use cdpr::identification::{Evaluation, evaluate, evaluate_lengths};
 use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use clap::Args;
 
 use crate::answer::Output;
+use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
@@ -20,7 +22,8 @@ const EXAMPLES: &str = "\
 Examples:
   cdpr evaluate robot.toml samples.csv
   cdpr evaluate calibrated.toml validation.csv --model pulley --format json
-  cdpr evaluate robot.toml samples.csv --model elastic --out-errors errors.csv";
+  cdpr evaluate robot.toml samples.csv --model elastic --out-errors errors.csv
+  cdpr evaluate calibrated.toml validation.csv --compensation map.toml";
 
 /// Compare a model with measurements: predicted against measured poses, modelled against recorded lengths.
 ///
@@ -37,6 +40,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     data: DataArguments,
 
+    #[command(flatten)]
+    compensation: CompensationOption,
+
     /// Write the errors of every sample to this CSV file.
     #[arg(long, value_name = "FILE")]
     out_errors: Option<PathBuf>,
@@ -44,13 +50,28 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
+    let map = arguments.compensation.read(&model)?;
+    let mut outside = Vec::new();
     let (samples, evaluation) = match arguments.data.lacks_poses(&model)? {
+        true if map.is_some() => {
+            return Err(Failure::input(
+                "data::option-needs-poses",
+                format!("{}: --compensation needs measured poses, and these data have none", arguments.data.name()),
+                "leave it out: without poses there is no error of the pose to correct",
+            ));
+        }
         true => at_best_poses(&arguments.data, &model, output)?,
         false => {
             let samples = arguments.data.read(&model, output)?;
             let progress = Progress::spinner("predicting poses");
-            let evaluation =
-                evaluate(&model, &samples).map_err(|error| Failure::refused(&model.robot().name, &error))?;
+            let evaluation = match &map {
+                Some((map, _)) => evaluate_compensated(&model, &samples, map).map(|(evaluation, beyond)| {
+                    outside = beyond;
+                    evaluation
+                }),
+                None => evaluate(&model, &samples),
+            };
+            let evaluation = evaluation.map_err(|error| Failure::refused(&model.robot().name, &error))?;
             drop(progress);
             (samples, evaluation)
         }
@@ -60,7 +81,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     }
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
     let data = (arguments.data.name(), &samples, output.doubts());
-    output.answer(&EvaluationAnswer::new(&model, data, &evaluation, out_errors))
+    let answer = EvaluationAnswer::new(&model, data, &evaluation, out_errors);
+    output.answer(&answer.with_compensation(map.map(|(_, file)| file), outside.len()))
 }
 
 /// Samples without measured poses, and the errors of their lengths at the poses where these fit best.

@@ -8,6 +8,7 @@ use cdpr::statics::check_tensions;
 use clap::Args;
 
 use crate::answer::{Answer, Output};
+use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
@@ -23,6 +24,7 @@ Examples:
   cdpr ik robot.toml --pose=-1,2 --model pulley+drum
   cdpr ik planar-example --pose 0.5,4 --model elastic
   cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400
+  cdpr ik calibrated.toml --pose 0.5,0.3,1.6,0,0,0 --compensation map.toml
   cdpr ik caroca-pulleys --pose 3.5,2,1.5,0,0,0.1 --model pulley --jacobians";
 
 /// Inverse kinematics: cable lengths, directions and wrap angles at a pose.
@@ -49,6 +51,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
     wrench: Option<NumberList>,
 
+    #[command(flatten)]
+    compensation: CompensationOption,
+
     /// Shows how lengths, wrapped arcs and contact points follow the pose, and angular velocity the rates of the angles; `--format json`
     /// always does.
     #[arg(long)]
@@ -59,6 +64,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let model = arguments.model.read()?;
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     check_forces(&model, &arguments)?;
+    let map = arguments.compensation.read(&model)?;
+    let correction =
+        map.map(|(map, _)| map.at(&pose)).transpose().map_err(|error| Failure::refused("--pose", &error))?;
     let mut state = State::at(&model, &pose);
     let command = |tensions: &[f64], state: &mut State| {
         let solution = model.inverse(&pose, tensions, state).map_err(|error| refused("--tensions", &error))?;
@@ -81,6 +89,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             "the cables of model `{}` are rigid: tensions and wrench change nothing; `--model {elastic}` asks for elastic ones",
             model.composition()
         ));
+    }
+    if let Some(correction) = correction {
+        answer = answer.with_correction(&model, correction);
     }
     output.answer(&answer)
 }

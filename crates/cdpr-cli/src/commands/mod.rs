@@ -8,9 +8,11 @@ use crate::failure::Failure;
 // Declared outside the macro, so that `cargo fmt` finds them.
 mod accuracy;
 mod advise;
+mod benchmark;
 mod campaign;
 mod chain;
 mod check;
+mod compensate;
 mod completions;
 mod demo;
 mod evaluate;
@@ -80,6 +82,7 @@ commands! {
     accuracy: Accuracy,
     study: Study,
     chain: Chain,
+    benchmark: Benchmark,
     campaign: Campaign,
     reachable: Reachable,
     initial_tension: InitialTension,
@@ -90,6 +93,7 @@ commands! {
     demo: Demo,
     identify: Identify,
     evaluate: Evaluate,
+    compensate: Compensate,
     test_bench: TestBench,
     import: Import,
     export: Export,

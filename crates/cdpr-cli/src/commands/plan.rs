@@ -16,6 +16,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
 use crate::measurements::{SigmaOption, read_measured};
+use crate::numbers::number_from_zero;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::answers::{PlanAnswer, Planned};
@@ -27,7 +28,9 @@ Examples:
       --sigma position_m=0.001,rotation_rad=0.001,length_m=0.0002 --out poses.csv
   cdpr plan robot.toml --free frame-anchor --count 5 --candidates grid.csv --given measured.csv --out next.csv
   cdpr plan robot.toml --model elastic --free frame-anchor,compliance --count 20 \\
-      --study study.toml --tension-levels 3 --out poses.csv";
+      --study study.toml --tension-levels 3 --out poses.csv
+  cdpr plan robot.toml --model elastic --free frame-anchor,compliance --count 20 \\
+      --candidates grid.csv --tension-tests 0.03 --out poses.csv";
 
 /// Choose the poses at which measurements tell most of the free parameters, before anything is measured.
 ///
@@ -77,6 +80,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "K", default_value_t = 1)]
     tension_levels: usize,
 
+    /// Every cable in turn shortened by this at every pose (m), as further candidates of elastic models; those of a study are its tension tests.
+    #[arg(long, value_name = "METRES", conflicts_with = "study", value_parser = number_from_zero)]
+    tension_tests: Option<f64>,
+
     /// Standard deviations of the sensors per axis: position_m, rotation_rad, length_m, tension_N. Without them all rows weigh the same.
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     sigma: Vec<SigmaOption>,
@@ -125,7 +132,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let everything: Vec<usize> = (0..candidates.samples.len()).collect();
     let most = predict(&everything, given.as_ref()).ok();
     drop(progress);
-    let table = Samples { sigmas: SensorSigmas::default(), ..candidates.samples.subset(&found.chosen) };
+    let table = Samples {
+        sigmas: SensorSigmas::default(),
+        set: sets(&candidates, &found.chosen),
+        ..candidates.samples.subset(&found.chosen)
+    };
     files::write(&arguments.out, table.to_csv(model.robot()).as_bytes())?;
     output.answer(&PlanAnswer::new(Planned {
         model: &model,
@@ -138,6 +149,15 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         most,
         out: arguments.out.display().to_string(),
     }))
+}
+
+/// Names of tension tests and other poses, where there are such tests.
+fn sets(candidates: &Candidates, chosen: &[usize]) -> Option<Vec<String>> {
+    let name = |&place: &usize| match candidates.tests[place] {
+        Some(test) => format!("tension-test-{}", test.cable + 1),
+        None => "pose".to_owned(),
+    };
+    candidates.tests.iter().any(Option::is_some).then(|| chosen.iter().map(name).collect())
 }
 
 impl Arguments {
@@ -156,12 +176,19 @@ impl Arguments {
         if let Some(path) = &self.candidates {
             let name = path.display().to_string();
             let poses = poses_from_csv(&files::read(path, Size::Table)?, &name, model.robot())?;
-            return Candidates::new(model, &poses, self.tension_levels, sigmas)
-                .map_err(|error| Failure::refused(&name, &error));
+            let mut candidates = Candidates::new(model, &poses, self.tension_levels, sigmas)
+                .map_err(|error| Failure::refused(&name, &error))?;
+            if let Some(by) = self.tension_tests {
+                candidates
+                    .add_tension_tests(model, &poses, by)
+                    .map_err(|error| Failure::refused("--tension-tests", &error))?;
+            }
+            return Ok(candidates);
         }
         let path = self.study.clone().unwrap_or_default();
         let study = StudyFile::read(&path)?;
-        let poses = study.poses(self.seed)?;
+        // tension tests tell nothing of rigid cables
+        let poses = if model.needs_tensions() { study.commands(self.seed)? } else { study.poses(self.seed)? };
         Candidates::reached(model, (&study, &poses), self.tension_levels, sigmas).map_err(|error| study.refused(&error))
     }
 }

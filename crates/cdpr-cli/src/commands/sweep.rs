@@ -1,4 +1,4 @@
-//! `cdpr sweep`: reachable workspaces over parameters, in parts that several machines can compute.
+//! `cdpr sweep`: reachable workspaces over parameters, or what accuracy costs, in parts that several machines can compute.
 
 mod folder;
 mod merged;
@@ -23,13 +23,16 @@ use crate::study_file::robot_of_study;
 const EXAMPLES: &str = "\
 Examples:
   cdpr sweep all studies/sweep-planar-tension.toml --out tension
+  cdpr sweep all studies/sweep-twin-cost.toml --out cost
   cdpr sweep plan studies/sweep-planar-stiffness.toml --out stiffness
   cdpr sweep run stiffness
   cdpr sweep run stiffness --shard 1/2
   cdpr sweep merge stiffness";
 
-/// How the reachable workspace changes with parameters of control model, machine and study.
+/// How the reachable workspace changes with parameters of control model, machine and study; or what accuracy costs.
 ///
+/// With a table [calibration] every sensor, model and number of poses calibrates the machine of the study, and the cheapest for a wanted accuracy is
+/// told.
 /// `plan` writes a folder with everything that a sweep needs; `run` computes its points, or one shard of them, and goes on
 /// where it was interrupted; `merge` joins the rows to result.json, result.csv and, for one parameter, result.svg; `all` does
 /// the three in turn. The result does not depend on how many shards and threads computed it.
@@ -115,7 +118,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             plan(&sweep, &out, output)?;
             let plan = Plan::read(&out)?;
             compute(&out, &plan, Shard { number: 1, count: 1 })?;
-            output.answer(&merge(&out, &plan, output)?)
+            merge(&out, &plan, output)
         }
         StepOfSweep::Plan { sweep, out } => {
             let planned = plan(&sweep, &out, output)?;
@@ -129,7 +132,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         StepOfSweep::Merge { folder } => {
             let plan = Plan::read(&folder)?;
             plan.introduce(output)?;
-            output.answer(&merge(&folder, &plan, output)?)
+            merge(&folder, &plan, output)
         }
     }
 }
@@ -176,7 +179,10 @@ fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<Progressed, Failu
         match RowFile::read(folder, plan, point)? {
             Some(_) => already_there += 1,
             None => {
-                let row = prepared.row(point, &plan.points[point]);
+                let row = match plan.sweep.calibration {
+                    Some(_) => prepared.calibration_row(point, &plan.points[point]),
+                    None => prepared.row(point, &plan.points[point]),
+                };
                 RowFile::write(folder, plan, row)?;
                 computed += 1;
             }

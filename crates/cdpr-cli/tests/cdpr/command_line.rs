@@ -33,6 +33,8 @@ pub(crate) const COMMANDS: &[&str] = &[
     "campaign",
     "identify",
     "evaluate",
+    "compensate",
+    "benchmark",
     "test-bench",
     "import",
     "export",

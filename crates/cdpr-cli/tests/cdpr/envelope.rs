@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 44] = [
+const CASES: [(&str, Option<&str>); 46] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -49,11 +49,13 @@ const CASES: [(&str, Option<&str>); 44] = [
     ),
     ("identify planar-example data.csv --free length-offset", Some("planar-example")),
     ("evaluate planar-example data.csv", Some("planar-example")),
+    ("compensate planar-example data.csv --out map.toml", Some("planar-example")),
     ("select planar-example data.csv --candidates standard --out result", Some("planar-example")),
     ("campaign campaign.toml --out campaign", Some("planar-example")),
     ("accuracy study.toml", Some("planar-example")),
     ("study study.toml --out studied", Some("planar-example")),
     ("chain elastic.toml", Some("planar-example")),
+    ("benchmark --robots planar-example --models standard", None),
     ("reachable study.toml --step 1", Some("planar-example")),
     ("initial-tension elastic.toml", Some("planar-example")),
     ("sensitivity study.toml", Some("planar-example")),

@@ -6,6 +6,7 @@ mod advise;
 mod bad_input;
 mod book;
 mod command_line;
+mod compensation;
 mod course;
 mod criteria;
 mod dissertation;

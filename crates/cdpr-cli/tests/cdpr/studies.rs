@@ -274,7 +274,7 @@ fn a_study_leaves_its_errors_in_a_folder() {
 }
 
 /// A folder with the planar example on cables with hysteresis, `robot.toml`.
-fn folder_with_hysteresis() -> tempfile::TempDir {
+pub(crate) fn folder_with_hysteresis() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let robot = include_str!("../../../cdpr/robots/planar-example.toml");
     let table = "axial_stiffness_EA_N = 200000.0\n\n[cable.hysteresis]\nstrain = [0.0, 0.02, 0.1]\nloading_N = [0.0, 4500.0, 22000.0]\n\

@@ -24,12 +24,23 @@ pub struct EvaluationAnswer {
     trusted: bool,
     #[serde(flatten)]
     blocks: ErrorBlocks,
+    /// Map that corrects the lengths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compensation: Option<UsedMap>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
     warnings: Vec<String>,
     #[serde(skip)]
     pattern: MotionPattern,
+}
+
+/// Map that corrects lengths.
+#[derive(Serialize)]
+struct UsedMap {
+    file: String,
+    /// Samples beyond those of the map, at which the model stands alone.
+    outside: usize,
 }
 
 /// Why the forward problem failed, by the first sample at which it did.
@@ -89,10 +100,26 @@ impl EvaluationAnswer {
             reason,
             trusted,
             blocks,
+            compensation: None,
             out_errors,
             warnings,
             pattern: model.robot().motion_pattern,
         }
+    }
+
+    /// The same with the file of the map that corrects the lengths, and the number of samples beyond those of the map.
+    #[must_use]
+    pub fn with_compensation(mut self, file: Option<String>, outside: usize) -> Self {
+        if let Some(file) = file {
+            if outside > 0 {
+                let samples = self.blocks.samples;
+                let words =
+                    format!("{outside} of {samples} samples lie beyond those of {file}: they are not corrected");
+                self.warnings.push(words);
+            }
+            self.compensation = Some(UsedMap { file, outside });
+        }
+        self
     }
 }
 
@@ -103,7 +130,9 @@ impl Answer for EvaluationAnswer {
 
     fn words(&self, width: Option<usize>) -> String {
         let Self { robot, model, data, blocks, .. } = self;
-        let mut text = format!("{robot}, model {model}, on {data} ({} samples)\n", blocks.samples);
+        let corrected =
+            self.compensation.as_ref().map_or_else(String::new, |map| format!(" corrected by {}", map.file));
+        let mut text = format!("{robot}, model {model}{corrected}, on {data} ({} samples)\n", blocks.samples);
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         if let Some(reason) = &self.reason {
             let answered = match blocks.answered {

@@ -32,6 +32,12 @@ pub struct InverseAnswer {
     /// Null where the file does not say how its encoder counts.
     #[serde(skip_serializing_if = "Option::is_none")]
     encoder_counts: Option<Vec<Option<f64>>>,
+    /// Correction of a map, to be added to recorded lengths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correction_m: Option<Vec<f64>>,
+    /// Controlled lengths with the correction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corrected_lengths_m: Option<Vec<Option<f64>>>,
     #[serde(rename = "tensions_N", skip_serializing_if = "Option::is_none")]
     tensions: Option<Vec<f64>>,
     /// At the platform anchors, where they differ from those at the outlets.
@@ -78,6 +84,8 @@ impl InverseAnswer {
             directions: directions.collect(),
             wrap_angles_rad: (model.composition().pulley).then(|| known(|cable| cable.wrap_angle)),
             cable_lengths_m: lengths,
+            correction_m: None,
+            corrected_lengths_m: None,
             tensions: None,
             platform_tensions,
             jacobians: Jacobians::at(model, &solution.pose),
@@ -95,6 +103,16 @@ impl InverseAnswer {
     /// The same with the tensions that stretch the cables (N).
     pub fn with_tensions(self, tensions: Vec<f64>) -> Self {
         Self { tensions: Some(tensions), ..self }
+    }
+
+    /// The same with the correction of a map (m): controlled lengths are those whose recorded ones are longer by it.
+    #[must_use]
+    pub fn with_correction(self, model: &Model, correction: Vec<f64>) -> Self {
+        let corrected = |(cable, (&length, own)): (usize, (&Option<f64>, &f64))| {
+            Some(model.controlled_length(cable, model.recorded_length(cable, length?) + own))
+        };
+        let lengths = self.controlled_lengths_m.iter().zip(&correction).enumerate().map(corrected).collect();
+        Self { correction_m: Some(correction), corrected_lengths_m: Some(lengths), ..self }
     }
 
     /// The same without tensions: the status in a word, and the reason.
@@ -116,6 +134,7 @@ impl Answer for InverseAnswer {
         let mut heading = vec!["cable".to_owned(), "length m".to_owned()];
         let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
         heading.extend(is_elastic.then(|| "controlled m".to_owned()));
+        heading.extend(self.corrected_lengths_m.iter().map(|_| "corrected m".to_owned()));
         heading.extend(self.recorded_lengths_m.iter().map(|_| "recorded m".to_owned()));
         heading.extend(self.motor_angles_rad.iter().map(|_| "motor rad".to_owned()));
         heading.extend(self.encoder_counts.iter().map(|_| "counts".to_owned()));
@@ -127,6 +146,7 @@ impl Answer for InverseAnswer {
         for (cable, name) in self.cable_names.iter().enumerate() {
             let mut cells = vec![name.clone(), cell(self.cable_lengths_m[cable], 6)];
             cells.extend(is_elastic.then(|| cell(self.controlled_lengths_m[cable], 6)));
+            cells.extend(self.corrected_lengths_m.iter().map(|corrected| cell(corrected[cable], 6)));
             cells.extend(self.recorded_lengths_m.iter().map(|recorded| cell(recorded[cable], 6)));
             cells.extend(self.motor_angles_rad.iter().map(|angles| cell(angles[cable], 6)));
             cells.extend(self.encoder_counts.iter().map(|counts| cell(counts[cable], 0)));

@@ -2,6 +2,7 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::{Candidates, DesignCriterion, Plan, Predicted};
+use cdpr::metamodel::study::Shortening;
 use cdpr::model::{Model, StretchEffect};
 use serde::Serialize;
 
@@ -54,6 +55,9 @@ pub struct PlanAnswer {
     pose_components: Vec<Vec<f64>>,
     #[serde(flatten)]
     plan: Plan,
+    /// Cable that is shortened at each of the poses for a tension test; null elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tension_tests: Option<Vec<Option<TensionTest>>>,
     /// Deviations to expect.
     predicted: Option<Predicted>,
     /// Weak directions that stay when every candidate is measured.
@@ -65,6 +69,14 @@ pub struct PlanAnswer {
     warnings: Vec<String>,
     #[serde(skip)]
     pattern: MotionPattern,
+}
+
+/// One cable shortened.
+#[derive(Serialize)]
+struct TensionTest {
+    /// From 1.
+    cable: usize,
+    shorten_m: f64,
 }
 
 /// Candidate that cannot be measured.
@@ -112,6 +124,10 @@ impl PlanAnswer {
             given,
             poses: plan.chosen.iter().map(|&place| candidates.places[place] + 1).collect(),
             pose_components: plan.chosen.iter().map(pose).collect(),
+            tension_tests: candidates.tests.iter().any(Option::is_some).then(|| {
+                let test = |test: Shortening| TensionTest { cable: test.cable + 1, shorten_m: test.by };
+                plan.chosen.iter().map(|&place| candidates.tests[place].map(test)).collect()
+            }),
             approach: remembers.then(|| approach(model, candidates, &plan.chosen)),
             weak_whatever_is_measured: most.map(|most| most.weak_directions).unwrap_or_default(),
             predicted,
@@ -247,6 +263,10 @@ impl Answer for PlanAnswer {
         );
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         self.reason.iter().for_each(|reason| text.push_str(&format!("{reason}\n")));
+        if let Some(tests) = &self.tension_tests {
+            let tests = tests.iter().flatten().count();
+            text.push_str(&format!("{tests} of them are tension tests, each with one cable shortened\n"));
+        }
         text.push_str(&self.numbers());
         if !self.weak_whatever_is_measured.is_empty() {
             text.push_str(&format!("weak whatever is measured: {}\n", self.weak_whatever_is_measured.join("; ")));

@@ -4,6 +4,7 @@ use super::ErrorCode;
 use crate::identification::campaign::CampaignError;
 use crate::identification::candidate::CandidateError;
 use crate::identification::chain::ChainError;
+use crate::identification::compensation::CompensationError;
 use crate::identification::selection::RequirementError;
 use crate::identification::{EvaluationError, PlanError, fit, selection, test_bench};
 use crate::measurement::{DataError, SplitError};
@@ -93,13 +94,30 @@ impl ErrorCode for CampaignError {
     }
 }
 
+impl ErrorCode for CompensationError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::TooFewSamples { .. } => "data::too-few-samples",
+            Self::OnePose => "data::all-equal",
+            Self::OtherModel { .. } => "compensation::other-model",
+            Self::Outside { .. } => "compensation::outside",
+            Self::Split(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
+            Self::Statics(error) => error.code(),
+            Self::Winch(error) => error.code(),
+        }
+    }
+}
+
 impl ErrorCode for PlanError {
     fn code(&self) -> &'static str {
         match self {
             Self::NoCount | Self::TooMany { .. } => "plan::count",
             Self::NothingFree => "parameter::none-free",
             Self::NoCandidate { .. } => "plan::no-candidate",
-            Self::Levels { .. } | Self::LevelsOfRigid | Self::LevelsOfSagging => "plan::tension-levels",
+            Self::Levels { .. } | Self::LevelsOfRigid | Self::LevelsOfSagging | Self::TestsOfRigid => {
+                "plan::tension-levels"
+            }
             Self::PriorsWithoutAccuracies => "plan::priors",
             Self::Unplannable { .. } => "plan::parameter",
             Self::Parameters(error) => error.code(),

@@ -148,7 +148,7 @@ impl Wishes {
 }
 
 impl Experiment {
-    /// Runs the rounds of the study's `[campaign]` over these poses.
+    /// Runs the rounds of the study's `[campaign]` over these poses, those of tension tests among them where the control model is elastic.
     ///
     /// `record` gives the samples of a round, or nothing where they are not there yet: the campaign then waits. Asked again with the same records it
     /// plans the same poses and goes on. `seed` is that of the exchanges.
@@ -211,7 +211,7 @@ impl Experiment {
                 predicted,
                 driven: current.is_virtual().then(|| standing.accuracy.clone()),
                 reach_share: standing.reach_share,
-                deviation_m: deviation(&fit, poses),
+                deviation_m: deviation(&fit, &without_tests(poses)),
                 parameter_count: fit.parameters.len(),
                 rank: fit.analysis.rank,
                 fit: fit.status,
@@ -234,9 +234,14 @@ impl Experiment {
         self.study.campaign.as_ref().is_none_or(|table| table.record == CampaignRecord::Virtual)
     }
 
-    /// Poses that the controller can measure now, and the share that it reaches.
+    /// Commands that the controller can measure now, and the share of the poses that it reaches; tension tests leave theirs on purpose.
     fn standing(&self, poses: &[CommandedPose]) -> Result<Standing, InputError> {
         let assessment = self.assess(poses)?;
+        let plain = without_tests(poses);
+        let accuracy = match plain.len() == poses.len() {
+            true => assessment.accuracy,
+            false => self.assess(&plain)?.accuracy,
+        };
         let judged = |requirements: Requirements| -> Result<Vec<bool>, InputError> {
             let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &requirements;
             let asks = tensions.is_some()
@@ -253,8 +258,8 @@ impl Experiment {
         // a pose that is missed by centimetres can be measured all the same
         let measurable = judged(Requirements { tensions: self.requirements().tensions, ..Requirements::default() })?;
         let reached = judged(self.requirements())?;
-        let reach_share = reached.iter().filter(|reached| **reached).count() as f64 / poses.len().max(1) as f64;
-        Ok(Standing { measurable, reach_share, accuracy: assessment.accuracy })
+        let reached = reached.iter().zip(poses).filter(|(reached, pose)| **reached && pose.shortened.is_none()).count();
+        Ok(Standing { measurable, reach_share: reached as f64 / plain.len().max(1) as f64, accuracy })
     }
 
     /// The next best poses among open ones, by their places in the order of a path, with the records that the controller's model expects.
@@ -264,9 +269,9 @@ impl Experiment {
         measured: Option<&Samples>,
         (wishes, count, seed): (&Wishes, usize, u64),
     ) -> Result<(Vec<usize>, Samples), CampaignError> {
-        let candidates: Vec<Pose> = open.iter().map(|&place| poses[place].pose).collect();
+        let candidates: Vec<CommandedPose> = open.iter().map(|&place| poses[place].clone()).collect();
         let sigmas = self.study.noise.unwrap_or_default();
-        let candidates = Candidates::new(&self.control, &candidates, 1, sigmas)?;
+        let candidates = Candidates::of_commands(&self.control, &candidates, 1, sigmas)?;
         let count = count.min(candidates.samples.len());
         let (criterion, fit) = (wishes.criterion, wishes.fit.clone());
         let settings = PlanSettings { count, criterion, repeats: false, starts: STARTS, seed, fit };
@@ -274,6 +279,11 @@ impl Experiment {
         let places = found.chosen.iter().map(|&chosen| open[candidates.places[chosen]]).collect();
         Ok((places, candidates.samples.subset(&found.chosen)))
     }
+}
+
+/// The poses that count for accuracy.
+fn without_tests(commands: &[CommandedPose]) -> Vec<CommandedPose> {
+    commands.iter().filter(|command| command.shortened.is_none()).cloned().collect()
 }
 
 /// A controller on the machine over the poses of a study.

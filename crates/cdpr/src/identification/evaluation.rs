@@ -108,6 +108,15 @@ enum NoPrediction {
     NoSolution(#[from] NoSolution),
 }
 
+/// Correction of recorded lengths at a pose, cable by cable (m); nothing where it is not known.
+pub(super) type Correction<'a> = dyn Fn(&Pose) -> Option<Vec<f64>> + 'a;
+
+/// Most turns in which a pose and the correction there are found.
+const TURNS: usize = 20;
+
+/// Displacement at which such turns end (m, rad).
+const SETTLED: f64 = 1e-10;
+
 /// The forward problem of a model, for one sample after the other.
 enum Predictor {
     Problem(ForwardProblem, Box<ForwardSettings>),
@@ -143,6 +152,29 @@ impl Predictor {
         let found = model.forward_with(settings, controlled, None, Some(near), state)?.converged()?;
         Ok(Prediction { pose: found.pose, tensions: self.knows_tensions().then(|| found.tensions.clone()) })
     }
+
+    /// The prediction from recorded lengths less the correction at the pose that they lead to; `first` is the one without.
+    fn predict_corrected(
+        &self,
+        model: &Model,
+        (recorded, first): (&[f64], Prediction),
+        correction: &Correction<'_>,
+        state: &mut State,
+    ) -> Result<Prediction, NoPrediction> {
+        let mut found = first;
+        for _ in 0..TURNS {
+            let Some(own) = correction(&found.pose) else { break };
+            let length = |(cable, (length, own)): (usize, (&f64, &f64))| model.controlled_length(cable, length - own);
+            let controlled: Vec<f64> = recorded.iter().zip(&own).enumerate().map(length).collect();
+            let next = self.predict(model, &controlled, &found.pose, state)?;
+            let moved = found.pose.displacement_to(&next.pose).amax();
+            found = next;
+            if moved < SETTLED {
+                break;
+            }
+        }
+        Ok(found)
+    }
 }
 
 /// Compares a model with samples: its forward problem from the recorded lengths with the measured poses (and tensions), its
@@ -150,24 +182,42 @@ impl Predictor {
 pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
     let mut state = State::at_home(model);
     let predictor = Predictor::new(model, &mut state)?;
-    evaluate_with(&predictor, model, samples, &mut state)
+    evaluate_with(&predictor, model, samples, None, &mut state)
+}
+
+/// [`evaluate_fitted`] of a model whose lengths are corrected at every pose.
+pub(super) fn evaluate_corrected(
+    model: &Model,
+    samples: &Samples,
+    correction: &Correction<'_>,
+) -> Result<Evaluation, EvaluationError> {
+    evaluate_perhaps_corrected(model, samples, Some(correction))
 }
 
 /// [`evaluate`] of a model that a fit has made: parameters without a forward problem are the outcome of the fit, so that no
 /// sample has an answer, and not a mistake of the caller.
 pub fn evaluate_fitted(model: &Model, samples: &Samples) -> Result<Evaluation, EvaluationError> {
+    evaluate_perhaps_corrected(model, samples, None)
+}
+
+fn evaluate_perhaps_corrected(
+    model: &Model,
+    samples: &Samples,
+    correction: Option<&Correction<'_>>,
+) -> Result<Evaluation, EvaluationError> {
     let mut state = State::at_home(model);
     let predictor = match Predictor::new(model, &mut state) {
         Err(EvaluationError::Forward(reason)) => Predictor::None(reason),
         other => other?,
     };
-    evaluate_with(&predictor, model, samples, &mut state)
+    evaluate_with(&predictor, model, samples, correction, &mut state)
 }
 
 fn evaluate_with(
     predictor: &Predictor,
     model: &Model,
     samples: &Samples,
+    correction: Option<&Correction<'_>>,
     state: &mut State,
 ) -> Result<Evaluation, EvaluationError> {
     let cables = model.cable_count();
@@ -182,7 +232,11 @@ fn evaluate_with(
         for (cable, length) in controlled.iter_mut().enumerate() {
             *length = model.controlled_length(cable, recorded[cable]);
         }
-        let predicted = predictor.predict(model, &controlled, pose, state);
+        let mut predicted = predictor.predict(model, &controlled, pose, state);
+        if let (Some(correction), Ok(first)) = (correction, &mut predicted) {
+            let first = Prediction { pose: first.pose, tensions: first.tensions.take() };
+            predicted = predictor.predict_corrected(model, (recorded, first), correction, state);
+        }
         evaluation.add_pose(predicted.as_ref(), pose);
         let measured = samples.tensions.as_ref().map(|tensions| &tensions[sample * cables..][..cables]);
         let predicted = predicted.ok().and_then(|found| found.tensions);
@@ -192,6 +246,10 @@ fn evaluate_with(
             *tension = measured.or(predicted).unwrap_or(f64::NAN);
         }
         evaluation.add_lengths(model.inverse(pose, &tensions, state).ok(), recorded);
+        if let Some(own) = correction.and_then(|correction| correction(pose)) {
+            let errors = &mut evaluation.length[sample * cables..];
+            errors.iter_mut().zip(own).for_each(|(error, own)| *error += own);
+        }
         if let Some(measured) = measured.filter(|_| predictor.knows_tensions()) {
             let error = |cable: usize| {
                 let predicted = predicted.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);

@@ -5,13 +5,17 @@
 //! besides (eq. 4.38), which tie the cables together.
 
 mod autocorrelation;
+pub mod benchmark;
 mod blocks;
 mod bootstrap;
+#[cfg(feature = "files")]
+mod calibration_cost;
 pub mod campaign;
 pub mod candidate;
 pub mod chain;
 mod clock;
 mod clock_test;
+pub mod compensation;
 mod course;
 pub mod coverage;
 mod design;

@@ -1,5 +1,6 @@
 //! Sweeps: how the reachable workspace changes with parameters of control model, machine and study (sec. 3.7, 3.8).
 
+mod calibration_table;
 mod files;
 mod key;
 mod point;
@@ -13,6 +14,7 @@ mod tests;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+pub use calibration_table::{CalibratedModel, CalibrationOutcome, CalibrationPoint, CalibrationTable, PoseSensor};
 pub(crate) use key::Key;
 pub use key::{KeyError, KeyReason};
 pub use point::Row;
@@ -39,7 +41,11 @@ pub struct Sweep {
     /// How a control model that commands tensions chooses them, in place of `[control] tension_method` of the study.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension_method: Option<TensionMethod>,
+    /// Sensors, numbers of poses and models to calibrate with: the sweep then tells what accuracy costs instead of what is reached.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationTable>,
     /// Parameters that change: one table each; every value meets every value of the others.
+    #[serde(default)]
     pub parameter: Vec<Parameter>,
 }
 
@@ -87,7 +93,10 @@ impl Sweep {
         let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name)?, file_name)?;
         let sweep: Self = document.deserialize()?;
         let error = |path: &[Step<'_>], message: String| document.error_at(path, "sweep::value", message);
-        if sweep.parameter.is_empty() {
+        if let Some(table) = &sweep.calibration {
+            table.check().map_err(|reason| error(&[Step::Key("calibration")], reason.to_string()))?;
+        }
+        if sweep.parameter.is_empty() && sweep.calibration.is_none() {
             return Err(error(&[], "a sweep changes at least one parameter: add [[parameter]]".to_owned()));
         }
         if let Some(wrong) = sweep.position_error_max_m.iter().find(|most| !(**most > 0.0 && most.is_finite())) {
@@ -106,7 +115,8 @@ impl Sweep {
         }
     }
 
-    /// Values of all parameters at every point; those of the last parameter change first.
+    /// Values of all parameters at every point; those of the last parameter change first. A calibration adds the numbers of sensor and model, from 1, and that of
+    /// poses.
     pub fn points(&self) -> Vec<Vec<f64>> {
         let mut points = vec![Vec::new()];
         for parameter in &self.parameter {
@@ -116,7 +126,10 @@ impl Sweep {
             };
             points = points.iter().flat_map(extended).collect();
         }
-        points
+        match &self.calibration {
+            Some(table) => points.iter().flat_map(|point| table.points(point)).collect(),
+            None => points,
+        }
     }
 }
 

@@ -6,8 +6,12 @@
 pub(crate) mod caspr;
 mod mutation;
 
+use std::sync::LazyLock;
+
+use cdpr::identification::compensation::{Compensation, compensate};
 use cdpr::measurement::{Reading, Samples, Sidecar, Split};
 use cdpr::metamodel::Study;
+use cdpr::model::{Composition, Model};
 use cdpr::robot::{Robot, builtin};
 #[allow(unused_imports, reason = "fuzz targets damage files themselves")]
 pub(crate) use mutation::mutated;
@@ -22,11 +26,12 @@ pub(crate) struct Reader {
 }
 
 /// All readers.
-pub(crate) const READERS: [Reader; 6] = [
+pub(crate) const READERS: [Reader; 7] = [
     Reader { name: "robot", corpus: robots, check: check_robot },
     Reader { name: "measurements", corpus: || vec![DATA.into(), WIDE_DATA.into()], check: check_data },
     Reader { name: "study", corpus: studies, check: check_study },
     Reader { name: "sidecar", corpus: || vec![SIDECAR.into()], check: check_sidecar },
+    Reader { name: "compensation", corpus: || vec![map().into_bytes()], check: check_map },
     Reader { name: "caspr-bodies", corpus: || vec![caspr::BODIES.into()], check: caspr::check_bodies },
     Reader { name: "caspr-cables", corpus: || vec![caspr::CABLES.into()], check: caspr::check_cables },
 ];
@@ -162,6 +167,38 @@ pub(crate) fn check_study(bytes: &[u8]) {
             assert!(poses.iter().all(|commanded| commanded.pose.is_finite()));
         }
     }
+}
+
+/// The planar example, rigid.
+static PLANAR: LazyLock<Model> = LazyLock::new(|| {
+    Model::new(Robot::builtin("planar-example").expect("is built in"), Composition::STANDARD).expect("is a model")
+});
+
+/// A map of smooth errors.
+fn map() -> String {
+    let model = &*PLANAR;
+    let mut samples = Samples { cable_count: model.cable_count(), ..Samples::default() };
+    for k in 0..12 {
+        let (x, y) = (f64::from(k % 4) - 1.5, 3.0 + f64::from(k / 4));
+        let pose = model.robot().motion_pattern.pose(model.robot().plane, &[x, y]).expect("is a pose");
+        let lengths = model.cable_lengths(&pose).expect("have a path");
+        samples.lengths.extend(lengths.iter().map(|length| length + 0.01 * (0.3 * x).sin()));
+        samples.poses.push(pose);
+    }
+    compensate(model, &samples, None, 0).expect("is a map").map.to_toml()
+}
+
+/// A map is refused, or corrects by numbers wherever it says something.
+pub(crate) fn check_map(bytes: &[u8]) {
+    let model = &*PLANAR;
+    let Ok(map) = Compensation::from_toml_bytes(bytes, "any.toml", model) else { return };
+    for components in [[0.0, 4.0], [0.7, 3.1], [-1.0, 4.9]] {
+        let pose = model.robot().motion_pattern.pose(model.robot().plane, &components).expect("is a pose");
+        assert!(map.at(&pose).is_ok_and(|all| all.iter().all(|own| own.is_finite())) || map.at(&pose).is_err());
+    }
+    let text = map.to_toml();
+    let again = Compensation::from_toml_bytes(text.as_bytes(), "any.toml", model).expect("is a map again");
+    assert_eq!(again.to_toml(), text);
 }
 
 /// A sidecar is refused, or its accuracies make sense.

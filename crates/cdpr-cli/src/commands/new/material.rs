@@ -87,6 +87,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "sweep-planar-stiffness.toml",
     "sweep-planar-tension-stiff.toml",
     "sweep-planar-tension.toml",
+    "sweep-twin-cost.toml",
     "twin-campaign.toml",
     "twin-chain.toml",
     "twin-elastostatic-measurements.toml",

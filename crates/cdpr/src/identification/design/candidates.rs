@@ -1,21 +1,13 @@
 //! Poses that could be measured.
 
-use nalgebra::{DMatrix, DVector};
-
 use super::plan_error::PlanError;
+use super::records::{Record, Records, Unmeasurable, check_levels};
 use crate::equilibrium::State;
-use crate::equilibrium::distribution;
 use crate::geometry::Pose;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::metamodel::Experiment;
-use crate::metamodel::study::CommandedPose;
-use crate::model::{Model, SpanEffect};
-use crate::scalar::decomposition::svd;
-use crate::statics::Load;
-use crate::tension::Limits;
-
-/// Share of the way to the limits that levels of tension go.
-const SHARE: f64 = 0.8;
+use crate::metamodel::study::{CommandedPose, Shortening};
+use crate::model::Model;
 
 /// Poses that could be measured, with what the model expects to record there.
 #[derive(Clone, Debug)]
@@ -24,6 +16,8 @@ pub struct Candidates {
     pub samples: Samples,
     /// Place of each in the list that was asked, from 0.
     pub places: Vec<usize>,
+    /// Cable of each that is shortened for a tension test; `None` elsewhere.
+    pub tests: Vec<Option<Shortening>>,
     /// Poses of that list that cannot be measured, with the reason.
     pub left_out: Vec<(usize, String)>,
 }
@@ -31,43 +25,70 @@ pub struct Candidates {
 impl Candidates {
     /// Poses as they are; elastic models have so many levels of tension at each, the nearest to the middle of the limits first.
     pub fn new(model: &Model, poses: &[Pose], levels: usize, sigmas: SensorSigmas) -> Result<Self, PlanError> {
-        let all = poses.iter().copied().enumerate();
-        Self::of(model, all.map(|(place, pose)| (place, Ok(pose))), levels, sigmas)
+        let commands: Vec<CommandedPose> = poses.iter().copied().map(CommandedPose::at).collect();
+        Self::of_commands(model, &commands, levels, sigmas)
     }
 
-    /// Poses of an experiment that its controller reaches within its requirements (eq. 3.33).
+    /// Commands as they are. A tension test is where the model comes to rest with one cable shortened from the middle of the limits.
+    pub(crate) fn of_commands(
+        model: &Model,
+        commands: &[CommandedPose],
+        levels: usize,
+        sigmas: SensorSigmas,
+    ) -> Result<Self, PlanError> {
+        Self::of(model, commands.iter().map(Ok), levels, sigmas)
+    }
+
+    /// Adds every cable in turn shortened by a length (m) at poses of the list that was asked; those that cannot be measured are no candidates.
+    pub fn add_tension_tests(&mut self, model: &Model, poses: &[Pose], by: f64) -> Result<(), PlanError> {
+        if !model.needs_tensions() {
+            return Err(PlanError::TestsOfRigid);
+        }
+        let (expected, mut state) = (Records::new(model, 1)?, State::at(model, &model.robot().home_or_middle()));
+        for (place, pose) in poses.iter().enumerate() {
+            for cable in 0..model.cable_count() {
+                let test = Some(Shortening { cable, by });
+                let command = CommandedPose { shortened: test, ..CommandedPose::at(*pose) };
+                let Ok(records) = expected.at(&command, &mut state) else { continue };
+                records.into_iter().for_each(|record| self.push((place, test), record));
+            }
+        }
+        Ok(())
+    }
+
+    /// Commands of an experiment that its controller reaches within its requirements (eq. 3.33).
     pub fn reached(
         model: &Model,
-        (experiment, poses): (&Experiment, &[CommandedPose]),
+        (experiment, commands): (&Experiment, &[CommandedPose]),
         levels: usize,
         sigmas: SensorSigmas,
     ) -> Result<Self, PlanError> {
         let reachable = experiment.reachable()?;
-        let outcomes = experiment.assess(poses)?.outcomes;
-        let judged = poses.iter().zip(&outcomes).map(|(command, outcome)| {
+        let outcomes = experiment.assess(commands)?.outcomes;
+        let judged = commands.iter().zip(&outcomes).map(|(command, outcome)| {
             let verdict = reachable.verdict(&command.pose, outcome);
-            verdict.reason.map_or(Ok(command.pose), |reason| Err(Unmeasurable(reason)))
+            verdict.reason.map_or(Ok(command), |reason| Err(Unmeasurable(reason)))
         });
-        Self::of(model, judged.enumerate(), levels, sigmas)
+        Self::of(model, judged, levels, sigmas)
     }
 
-    fn of(
+    fn of<'c>(
         model: &Model,
-        poses: impl Iterator<Item = (usize, Result<Pose, Unmeasurable>)>,
+        commands: impl Iterator<Item = Result<&'c CommandedPose, Unmeasurable>>,
         levels: usize,
         sigmas: SensorSigmas,
     ) -> Result<Self, PlanError> {
         check_levels(model, levels)?;
         let tensions = model.needs_tensions().then(Vec::new);
         let samples = Samples { cable_count: model.cable_count(), sigmas, tensions, ..Samples::default() };
-        let mut found = Self { samples, places: Vec::new(), left_out: Vec::new() };
-        let load = model.needs_tensions().then(|| Load::of(model.robot())).transpose()?;
+        let mut found = Self { samples, places: Vec::new(), tests: Vec::new(), left_out: Vec::new() };
+        let expected = Records::new(model, levels)?;
         let mut asked = 0;
         let mut state = State::at(model, &model.robot().home_or_middle());
-        for (place, pose) in poses {
+        for (place, command) in commands.enumerate() {
             asked += 1;
-            match pose.and_then(|pose| records(model, &pose, (load.as_ref(), levels), &mut state)) {
-                Ok(records) => records.into_iter().for_each(|record| found.push(place, record)),
+            match command.and_then(|command| Ok((command.shortened, expected.at(command, &mut state)?))) {
+                Ok((test, records)) => records.into_iter().for_each(|record| found.push((place, test), record)),
                 Err(Unmeasurable(reason)) => found.left_out.push((place, reason)),
             }
         }
@@ -98,8 +119,9 @@ impl Candidates {
         Some(exact)
     }
 
-    fn push(&mut self, place: usize, record: Record) {
+    fn push(&mut self, (place, test): (usize, Option<Shortening>), record: Record) {
         self.places.push(place);
+        self.tests.push(test);
         self.samples.poses.push(record.pose);
         self.samples.lengths.extend(record.lengths);
         self.samples.tensions.iter_mut().for_each(|tensions| tensions.extend(&record.tensions));
@@ -108,111 +130,8 @@ impl Candidates {
     /// Number of poses of the list among the candidates.
     pub fn pose_count(&self) -> usize {
         let mut places = self.places.clone();
+        places.sort_unstable();
         places.dedup();
         places.len()
     }
-}
-
-/// Reason why a pose cannot be measured, in words.
-struct Unmeasurable(String);
-
-impl Unmeasurable {
-    fn of(reason: impl ToString) -> Self {
-        Self(reason.to_string())
-    }
-}
-
-/// Sensors' exact records at a pose.
-struct Record {
-    pose: Pose,
-    /// Recorded lengths (m).
-    lengths: Vec<f64>,
-    /// Recorded tensions (N); empty for rigid models.
-    tensions: Vec<f64>,
-}
-
-fn check_levels(model: &Model, levels: usize) -> Result<(), PlanError> {
-    let redundancy = model.cable_count().saturating_sub(model.dof());
-    let most = 1 + 2 * redundancy;
-    match levels {
-        1 => Ok(()),
-        _ if !model.needs_tensions() => Err(PlanError::LevelsOfRigid),
-        _ if model.composition().span != SpanEffect::Straight => Err(PlanError::LevelsOfSagging),
-        _ if levels == 0 || levels > most => Err(PlanError::Levels { levels, redundancy, most }),
-        _ => Ok(()),
-    }
-}
-
-/// Records at a pose, one for each level of tension; or why it cannot be measured.
-fn records(
-    model: &Model,
-    pose: &Pose,
-    (load, levels): (Option<&Load>, usize),
-    state: &mut State,
-) -> Result<Vec<Record>, Unmeasurable> {
-    let of = |tensions: Vec<f64>, state: &mut State| {
-        let command = model.inverse(pose, &tensions, state).map_err(Unmeasurable::of)?;
-        let lengths = command.recorded_lengths().map_err(Unmeasurable::of)?;
-        let tensions = tensions.iter().enumerate().map(|(cable, &tension)| model.recorded_tension(cable, tension));
-        Ok(Record { pose: *pose, lengths, tensions: tensions.collect() })
-    };
-    let Some(load) = load else { return Ok(vec![of(vec![0.0; model.cable_count()], state)?]) };
-    let limits = Limits::of(model.robot(), None, None).map_err(Unmeasurable::of)?;
-    let held = distribution::solve(model, pose, load, &limits).map_err(Unmeasurable::of)?;
-    if let Some(reason) = held.reason {
-        return Err(Unmeasurable::of(reason));
-    }
-    let all = match levels {
-        1 => vec![held.tensions],
-        _ => at_levels(model, pose, (held.tensions, &limits), levels)?,
-    };
-    all.into_iter().map(|tensions| of(tensions, state)).collect()
-}
-
-/// Tensions, and others that balance the same load: most of the way to the limits to both sides along the null space, first where all tensions rise together.
-fn at_levels(
-    model: &Model,
-    pose: &Pose,
-    (middle, limits): (Vec<f64>, &Limits),
-    levels: usize,
-) -> Result<Vec<Vec<f64>>, Unmeasurable> {
-    let matrix = model.structure_matrix(pose).map_err(Unmeasurable::of)?;
-    let middle = DVector::from_vec(middle);
-    let mut found = vec![middle.as_slice().to_vec()];
-    for direction in null_space(&matrix) {
-        for side in [1.0, -1.0] {
-            let towards = &direction * side;
-            let room = (0..middle.len()).map(|cable| {
-                let end = if towards[cable] > 0.0 { limits.maximum()[cable] } else { limits.minimum()[cable] };
-                if towards[cable].abs() < 1e-9 {
-                    f64::INFINITY
-                } else {
-                    ((end - middle[cable]) / towards[cable]).max(0.0)
-                }
-            });
-            let way = SHARE * room.fold(f64::INFINITY, f64::min);
-            found.push((&middle + towards * way).as_slice().to_vec());
-        }
-    }
-    found.truncate(levels);
-    Ok(found)
-}
-
-/// Orthonormal directions of tensions that change no wrench; the first raises all tensions as evenly as can be.
-fn null_space(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
-    let cables = matrix.ncols();
-    let mut padded = DMatrix::zeros(cables.max(matrix.nrows()), cables);
-    padded.rows_mut(0, matrix.nrows()).copy_from(matrix);
-    let Some(v_t) = svd(padded, false, true).and_then(|found| found.v_t) else { return Vec::new() };
-    let mut rest: Vec<DVector<f64>> = (matrix.nrows()..cables).map(|row| v_t.row(row).transpose()).collect();
-    let together: DVector<f64> = rest.iter().map(|direction| direction * direction.sum()).sum();
-    let mut found: Vec<DVector<f64>> = Vec::new();
-    let starts = std::iter::once(together).chain(std::mem::take(&mut rest));
-    for mut direction in starts {
-        found.iter().for_each(|own| direction -= own * own.dot(&direction));
-        if direction.norm() > 1e-6 && found.len() + matrix.nrows() < cables {
-            found.push(direction.normalize());
-        }
-    }
-    found
 }

@@ -12,6 +12,7 @@ mod information;
 mod order;
 mod plan_error;
 mod prediction;
+mod records;
 mod settings;
 #[cfg(test)]
 mod tests;

@@ -54,6 +54,11 @@ pub enum PlanError {
         "levels of tension are asked for, but the model has rigid cables whose lengths no tension changes: one level is enough"
     )]
     LevelsOfRigid,
+    /// Tension tests of a model that knows no tensions.
+    #[error(
+        "tension tests are asked for, but the model has rigid cables that no test tells of: plan for an elastic model"
+    )]
+    TestsOfRigid,
     /// Levels of tension of sagging cables.
     #[error(
         "levels of tension are asked for, but sagging cables have no null space that is the same for all tensions: one level only"

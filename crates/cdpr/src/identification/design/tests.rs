@@ -98,7 +98,7 @@ fn the_next_best_pose_is_the_best_of_all() {
     let one = plan(&model, &candidates, Some(&given), &free, &settings(1, DesignCriterion::D)).unwrap();
     let with = |place: usize| {
         let joined = given.followed_by(&candidates.samples.subset(&[place])).unwrap();
-        let all = Candidates { samples: joined, places: (0..9).collect(), left_out: Vec::new() };
+        let all = Candidates { samples: joined, places: (0..9).collect(), tests: vec![None; 9], left_out: Vec::new() };
         plan(&model, &all, None, &free, &settings(9, DesignCriterion::D)).unwrap().log_det.unwrap()
     };
     let values: Vec<f64> = (0..75).map(with).collect();

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::calibration_table::CalibrationOutcome;
 use super::point_error::PointError;
 use super::set_up::{PreparedSweep, SetUp, whatever_the_error};
 use crate::metamodel::reachable::Census;
@@ -22,23 +23,33 @@ pub struct Row {
     pub by_accuracy: Vec<f64>,
     /// Cells of the grid.
     pub cells: u64,
+    /// Outcome of a calibration, where the sweep compares them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<CalibrationOutcome>,
     /// Why there is nothing to reach, in words: the machine cannot be set up so, or the box lies outside its reach.
     pub reason: Option<String>,
 }
 
-impl PreparedSweep<'_> {
-    /// Answers one point; what cannot be built has a reason instead of sizes.
-    pub fn row(&self, point: usize, values: &[f64]) -> Row {
-        let nothing = |reason: String| Row {
+impl Row {
+    /// Row of a point without an answer.
+    pub(crate) fn without_answer(point: usize, values: &[f64], reason: String) -> Self {
+        Self {
             point,
             values: values.to_vec(),
             physical: None,
             reachable: None,
             by_accuracy: Vec::new(),
             cells: 0,
+            calibration: None,
             reason: Some(reason),
-        };
-        self.measured(point, values).unwrap_or_else(|error| nothing(error.to_string()))
+        }
+    }
+}
+
+impl PreparedSweep<'_> {
+    /// Answers one point; what cannot be built has a reason instead of sizes.
+    pub fn row(&self, point: usize, values: &[f64]) -> Row {
+        self.measured(point, values).unwrap_or_else(|error| Row::without_answer(point, values, error.to_string()))
     }
 
     fn measured(&self, point: usize, values: &[f64]) -> Result<Row, PointError> {
@@ -57,6 +68,7 @@ impl PreparedSweep<'_> {
             reachable: Some(reachable),
             by_accuracy: self.sweep.position_error_max_m.iter().map(|&most| size(Some(most))).collect(),
             cells: grid.points(),
+            calibration: None,
             reason: is_out_of_reach.then(|| {
                 let ends: Vec<String> = bounds.ends().iter().map(f64::to_string).collect();
                 format!(

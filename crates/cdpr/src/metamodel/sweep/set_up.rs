@@ -24,9 +24,14 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
         }
     }
     let mut refused = None;
-    for values in sweep.points().iter().take(TRIED) {
-        match SetUp::new(&prepared, values) {
-            Ok(_) => return Ok(()),
+    for point in sweep.points().iter().take(TRIED) {
+        let values = sweep.values_of(point);
+        let set_up = match sweep.calibration {
+            Some(_) => prepared.experiment(values).map(drop),
+            None => SetUp::new(&prepared, values).map(drop),
+        };
+        match set_up {
+            Ok(()) => return Ok(()),
             Err(error) => {
                 refused.get_or_insert(error);
             }
@@ -37,7 +42,7 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
 
 /// A sweep whose files are read, so that its points can be set up.
 pub struct PreparedSweep<'a> {
-    pub(super) sweep: &'a Sweep,
+    pub(crate) sweep: &'a Sweep,
     files: Files<'a>,
 }
 
@@ -45,6 +50,13 @@ impl<'a> PreparedSweep<'a> {
     /// Reads keys and files once for all points.
     pub fn new(sweep: &'a Sweep, subjects: &'a Subjects) -> Result<Self, PointError> {
         Ok(Self { sweep, files: Files::new(sweep, subjects)? })
+    }
+
+    /// The experiment with these values of the parameters.
+    pub(crate) fn experiment(&self, values: &[f64]) -> Result<Experiment, PointError> {
+        let values: Vec<(usize, f64)> = values.iter().copied().enumerate().collect();
+        let (study, robots) = self.files.with(&values)?.read()?;
+        Ok(Experiment::new(study, robots)?.with_tension_method(self.sweep.tension_method))
     }
 }
 
@@ -58,9 +70,7 @@ pub(super) struct SetUp {
 impl SetUp {
     pub(super) fn new(prepared: &PreparedSweep<'_>, values: &[f64]) -> Result<Self, PointError> {
         let sweep = prepared.sweep;
-        let values: Vec<(usize, f64)> = values.iter().copied().enumerate().collect();
-        let (study, robots) = prepared.files.with(&values)?.read()?;
-        let experiment = Experiment::new(study, robots)?.with_tension_method(sweep.tension_method);
+        let experiment = prepared.experiment(values)?;
         let bounds = experiment.bounds(sweep.bounds_m.as_deref())?;
         let grid = Grid::new(&bounds, sweep.step_m.unwrap_or(bounds.usual_step()))?;
         experiment.reachable_with(whatever_the_error(&experiment))?;

@@ -1,0 +1,36 @@
+//! `--compensation FILE` of commands that use a map.
+
+use std::path::{Path, PathBuf};
+
+use cdpr::identification::compensation::{Compensation, MapError};
+use cdpr::model::Model;
+use cdpr::reading::Size;
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::files;
+
+/// A map of `cdpr compensate`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct CompensationOption {
+    /// Map of `cdpr compensate`, made for this robot and model, that corrects its lengths.
+    #[arg(long, value_name = "FILE")]
+    compensation: Option<PathBuf>,
+}
+
+impl CompensationOption {
+    /// The map with the name of its file; refuses that of another model.
+    pub(crate) fn read(&self, model: &Model) -> Result<Option<(Compensation, String)>, Failure> {
+        self.compensation.as_deref().map(|path| read(path, model)).transpose()
+    }
+}
+
+fn read(path: &Path, model: &Model) -> Result<(Compensation, String), Failure> {
+    let name = path.display().to_string();
+    let map = Compensation::from_toml_bytes(&files::read(path, Size::Table)?, &name, model);
+    let map = map.map_err(|error| match error {
+        MapError::Read(error) => Failure::from(*error),
+        MapError::Map(error) => Failure::refused(&name, &error),
+    })?;
+    Ok((map, name))
+}

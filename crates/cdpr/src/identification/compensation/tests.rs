@@ -1,0 +1,159 @@
+//! Maps on the twin of sec. 6, whose elasticity a kinematic controller does not know: smooth errors, and noise.
+
+use super::*;
+use crate::equilibrium::State;
+use crate::geometry::Pose;
+use crate::identification::chain::tests::experiment;
+use crate::identification::evaluation::evaluate_fitted;
+use crate::identification::fit::{Settings, fit};
+use crate::measurement::{Samples, SensorSigmas};
+use crate::metamodel::Experiment;
+use crate::model::{Composition, Model};
+use crate::robot::Robot;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// The twin with its controller calibrated by all of its 91 poses, and their record.
+fn calibrated() -> (Experiment, Samples) {
+    let twin = experiment("twin-campaign");
+    let record = twin.record(&twin.poses(Vec::new(), 0).unwrap(), 1).unwrap().samples;
+    let found = fit(&twin.control, &record, &"frame-anchor".parse().unwrap(), &Settings::default()).unwrap();
+    (twin.with_control(found.model), record)
+}
+
+/// Mean distance by which the machine misses poses under lengths with corrections (m).
+fn driven(experiment: &Experiment, poses: &[Pose], map: Option<&Compensation>) -> f64 {
+    let (control, machine) = (&experiment.control, &experiment.machine);
+    let mut state = State::at(machine, &experiment.start);
+    let missed = |pose: &Pose| {
+        let mut lengths = control.cable_lengths(pose).unwrap();
+        let correction = map.map_or(vec![0.0; lengths.len()], |map| map.at(pose).unwrap());
+        lengths.iter_mut().zip(correction).for_each(|(length, own)| *length += own);
+        let found = machine.forward(&lengths, None, Some(pose), &mut state).unwrap();
+        (found.pose.position - pose.position).norm()
+    };
+    poses.iter().map(missed).sum::<f64>() / poses.len() as f64
+}
+
+/// Kinematics leaves smooth errors of the elastic twin: a map of 91 noisy samples halves the errors that were not fitted to, predicted on another record and driven on the
+/// machine.
+#[test]
+fn smooth_errors_of_the_twin_are_halved_where_nothing_was_fitted() {
+    let (twin, record) = calibrated();
+    let found = compensate(&twin.control, &record, None, 0).unwrap();
+    assert_eq!(found.reason, None, "{:?}", found.judged);
+    let Judged { without, with, .. } = &found.judged;
+    assert!(with.length_error_m.rms < 0.7 * without.length_error_m.rms, "{:?}", found.judged);
+    // other poses of the same box, by sensors without noise
+    let others = twin.poses(Vec::new(), 5).unwrap();
+    let fresh: Vec<_> = others[75..].iter().filter(|command| found.map.at(&command.pose).is_ok()).cloned().collect();
+    assert!(fresh.len() >= 8, "{} of 16 turned poses are among the samples", fresh.len());
+    let exact = twin.record_exactly(&fresh).unwrap().samples;
+    let alone = evaluate_fitted(&twin.control, &exact).unwrap().blocks();
+    let (corrected, _) = evaluate_compensated(&twin.control, &exact, &found.map).unwrap();
+    let corrected = corrected.blocks();
+    let ratio = corrected.position_error_m.mean / alone.position_error_m.mean;
+    assert!(ratio < 0.7, "{} {}", corrected.position_error_m.mean, alone.position_error_m.mean);
+    let poses: Vec<Pose> = fresh.iter().map(|command| command.pose).collect();
+    let (before, after) = (driven(&twin, &poses, None), driven(&twin, &poses, Some(&found.map)));
+    assert!(after < 0.7 * before, "{after} {before}");
+}
+
+/// A model that is right leaves noise, of which no map is made.
+#[test]
+fn noise_is_refused() {
+    let twin = experiment("twin-campaign");
+    let record = twin.record(&twin.poses(Vec::new(), 0).unwrap(), 1).unwrap().samples;
+    for seed in 0..3 {
+        let found = compensate(&twin.machine, &record, None, seed).unwrap();
+        assert!(found.reason.as_ref().is_some_and(|reason| reason.contains("does not help")), "{:?}", found.judged);
+    }
+    // lengths of a rigid robot with noise of their own
+    let model = Model::new(Robot::builtin("planar-example").unwrap(), Composition::STANDARD).unwrap();
+    let mut refused = 0;
+    for seed in 0..40 {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let samples = planar(&model, 30, |_, _| 1e-3 * Distribution::<f64>::sample(&StandardNormal, &mut rng));
+        refused += usize::from(compensate(&model, &samples, None, seed).unwrap().reason.is_some());
+    }
+    // two standard errors let one in forty pass by chance
+    assert!(refused >= 38, "{refused} of 40");
+}
+
+/// Samples of the planar example on a spiral, with an error of every length by pose and cable.
+fn planar(model: &Model, count: usize, mut error: impl FnMut(&Pose, usize) -> f64) -> Samples {
+    let mut samples = Samples { cable_count: 4, sigmas: SensorSigmas::default(), ..Samples::default() };
+    for k in 0..count {
+        let angle = 2.4 * k as f64;
+        let radius = 2.0 * ((k as f64 + 0.5) / count as f64).sqrt();
+        let pose =
+            model.robot().motion_pattern.pose(model.robot().plane, &[radius * angle.cos(), 4.0 + radius * angle.sin()]);
+        let pose = pose.unwrap();
+        let lengths = model.cable_lengths(&pose).unwrap();
+        samples.lengths.extend(lengths.iter().enumerate().map(|(cable, length)| length + error(&pose, cable)));
+        samples.poses.push(pose);
+    }
+    samples
+}
+
+/// The lengths of a map lead back: the pose predicted from lengths φ(x) + c(x) is x, though the map is only known at the pose that is looked for.
+#[test]
+fn lengths_with_their_correction_lead_back_to_the_pose() {
+    let model = Model::new(Robot::builtin("planar-example").unwrap(), Composition::STANDARD).unwrap();
+    let smooth = |pose: &Pose, cable: usize| 0.02 * (0.5 * pose.position.x + cable as f64).sin();
+    let samples = planar(&model, 60, smooth);
+    let found = compensate(&model, &samples, None, 0).unwrap();
+    assert_eq!(found.reason, None);
+    let mut exact = samples.subset(&(0..30).collect::<Vec<_>>());
+    exact.lengths.clear();
+    for pose in &exact.poses {
+        let correction = found.map.at(pose).unwrap();
+        exact.lengths.extend(model.cable_lengths(pose).unwrap().iter().zip(correction).map(|(q, own)| q + own));
+    }
+    let (errors, outside) = evaluate_compensated(&model, &exact, &found.map).unwrap();
+    // turns end at a tenth of a nanometre
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    assert!(largest(&errors.position) < 1e-9 && largest(&errors.length) < 1e-12 && outside.is_empty());
+}
+
+/// A map says nothing beyond its samples, none is made of few, and another robot's is told.
+#[test]
+fn maps_end_where_their_samples_end() {
+    let model = Model::new(Robot::builtin("planar-example").unwrap(), Composition::STANDARD).unwrap();
+    let smooth = |pose: &Pose, _: usize| 0.02 * pose.position.x.sin();
+    let samples = planar(&model, 40, smooth);
+    let map = compensate(&model, &samples, None, 0).unwrap().map;
+    let at = |x: f64, y: f64| map.at(&model.robot().motion_pattern.pose(model.robot().plane, &[x, y]).unwrap());
+    assert!(at(0.3, 4.2).is_ok());
+    assert!(matches!(at(3.0, 4.0), Err(CompensationError::Outside { reason }) if reason.contains("x is")));
+    let (_, outside) = evaluate_compensated(&model, &planar(&model, 5, |_, _| 0.0), &map).unwrap();
+    assert!(outside.is_empty());
+    let few = planar(&model, 9, smooth);
+    assert!(matches!(
+        compensate(&model, &few, None, 0),
+        Err(CompensationError::TooFewSamples { samples: 9, least: 10 })
+    ));
+    let text = map.to_toml();
+    let again = Compensation::from_toml_bytes(text.as_bytes(), "map.toml", &model).unwrap();
+    assert_eq!(again.to_toml(), text);
+    assert_eq!(again.at(&samples.poses[3]).unwrap(), map.at(&samples.poses[3]).unwrap());
+    let other = Model::new(Robot::builtin("planar-example-calibrated").unwrap(), Composition::STANDARD).unwrap();
+    assert!(matches!(
+        Compensation::from_toml_bytes(text.as_bytes(), "map.toml", &other),
+        Err(MapError::Map(CompensationError::OtherModel { .. }))
+    ));
+    let scale = format!("length_scale_m = {:?}", map.length_scale());
+    let wrong = [
+        ("layout_version = 1", "layout_version = 2"),
+        (&scale, "length_scale_m = 0.0"),
+        (&scale, "length_scale_m = -1.0"),
+    ];
+    for (own, other) in wrong {
+        assert!(text.contains(own), "{own}");
+        let damaged = text.replace(own, other);
+        let refused = Compensation::from_toml_bytes(damaged.as_bytes(), "map.toml", &model);
+        assert!(matches!(refused, Err(MapError::Read(error)) if error.code == "compensation::file"), "{other}");
+    }
+    assert!(Compensation::from_toml_bytes(b"layout_version = 1", "map.toml", &model).is_err());
+}
