@@ -8,17 +8,18 @@ use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
 
 /// What each judge is given: the example that writes its cases, and the script that judges them.
-const JUDGES: [(&str, &str); 5] = [
+const JUDGES: [(&str, &str); 6] = [
     ("judge_cases", "judges/mujoco/judge.py"),
-    (TIMED, "judges/tensions/judge.py"),
+    ("judge_motion", "judges/motion/judge.py"),
+    ("judge_tensions", "judges/tensions/judge.py"),
     ("judge_losses", "judges/losses/judge.py"),
     ("judge_paths", "judges/paths/judge.py"),
     ("judge_optima", "judges/optima/judge.py"),
 ];
-/// The judge that also compares times.
-const TIMED: &str = "judge_tensions";
+/// The judges that also compare times.
+const TIMED: [&str; 2] = ["judge_motion", "judge_tensions"];
 
-/// Passes when MuJoCo finds our lengths and equilibria, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
@@ -46,7 +47,7 @@ fn all(root: &Path, with_times: bool) -> Outcome {
     let mut sum = Outcome::default();
     for (example, script) in JUDGES {
         let cases = folder.join(example).with_extension("json");
-        let is_untimed = example == TIMED && !with_times;
+        let is_untimed = TIMED.contains(&example) && !with_times;
         let one = match cargo::run_example(root, example, &[&cases.display().to_string()]) {
             Ok(()) => judge(&root.join(script), &python, &cases, is_untimed),
             Err(complaint) => Outcome::of(vec![complaint]),

@@ -5,7 +5,7 @@ mod group;
 pub use group::{CableGroup, CablePathInLanes};
 
 use crate::cable::wrench::wrench;
-use crate::geometry::Twist;
+use crate::geometry::{Twist, Wrench};
 use crate::scalar::{Kernel, LANES, Lanes, Real};
 
 /// Kernel of the geometric lengths q of all cables at a pose (m); false where a cable may have no path, and its number means nothing.
@@ -79,8 +79,8 @@ impl Kernel for StructureColumns<'_> {
     }
 }
 
-/// Kernel of lengths and columns \[u; b × u\] (world) of all cables at a pose, for cables in motion; false where a cable may have no path, and its
-/// numbers mean nothing.
+/// Kernel of cables in motion: lengths, tensions of linear laws continued below zero, and the wrench of those that pull; nothing where a cable may have
+/// no path, and the numbers mean nothing. Of cables without linear law tensions and wrench mean nothing. Lists have eight numbers a group.
 #[derive(Debug)]
 pub struct Pulls<'a> {
     /// Cables, eight a group.
@@ -89,33 +89,51 @@ pub struct Pulls<'a> {
     pub position: [f64; 3],
     /// R by rows.
     pub rotation: &'a [[f64; 3]; 3],
-    /// q of every cable (m), m numbers.
+    /// Unstrained lengths (m).
+    pub unstrained: &'a [f64],
+    /// 1 for a whole cable, 0 for a broken one and for one that fills a group.
+    pub whole: &'a [f64],
+    /// q of every cable (m).
     pub lengths: &'a mut [f64],
-    /// \[u; b × u\] of every cable, m columns.
+    /// Tensions (N).
+    pub tensions: &'a mut [f64],
+    /// \[u; b × u\] of every cable (world), m columns; none where nobody asks.
     pub columns: &'a mut [[f64; 6]],
 }
 
 impl Kernel for Pulls<'_> {
-    type Output = bool;
+    type Output = Option<Wrench>;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> bool {
+    fn run<L: Lanes>(self, lanes: L) -> Option<Wrench> {
         let zero = lanes.constant(0.0);
-        let mut needs_scalar = zero;
-        let targets = self.lengths.chunks_mut(LANES).zip(self.columns.chunks_mut(LANES));
-        for (group, (lengths, columns)) in self.groups.iter().zip(targets) {
+        let (mut needs_scalar, mut sum) = (zero, [zero; 6]);
+        let asks_columns = !self.columns.is_empty();
+        for (index, group) in self.groups.iter().enumerate() {
+            let start = index * LANES;
             let cables = group.checked_paths(lanes, self.position, self.rotation);
             needs_scalar = needs_scalar + cables.needs_scalar;
-            write(&cables.path.length.to_array(), lengths);
+            let length = cables.path.length;
+            let tension = group.elasticity(lanes).tension(length, lanes.load(&self.unstrained[start..])).value;
+            length.store(&mut self.lengths[start..]);
+            tension.store(&mut self.tensions[start..]);
+            let pull = tension.max(zero) * lanes.load(&self.whole[start..]);
             let rows = wrench(cables.moment_arm, cables.path.direction);
             for row in 0..6 {
-                let numbers = rows[row].to_array();
-                for (lane, column) in columns.iter_mut().enumerate() {
-                    column[row] = numbers[lane];
+                sum[row] = sum[row] + pull * rows[row];
+            }
+            if asks_columns {
+                for row in 0..6 {
+                    let numbers = rows[row].to_array();
+                    for (lane, column) in self.columns[start..].iter_mut().take(LANES).enumerate() {
+                        column[row] = numbers[lane];
+                    }
                 }
             }
         }
-        !lanes.any(zero.is_less(needs_scalar))
+        let [x, y, z, a] = L::sums([sum[0], sum[1], sum[2], sum[3]]);
+        let [b, c, ..] = L::sums([sum[4], sum[5], zero, zero]);
+        (!lanes.any(zero.is_less(needs_scalar))).then(|| Wrench::new(x, y, z, a, b, c))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The platform as a free rigid body: momentum, twist, and its motion without forces.
 
-use nalgebra::{Matrix3, Matrix6, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3};
 
 use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::Model;
@@ -105,42 +105,50 @@ impl Inertia {
     }
 
     /// Orientation of a free body after a time (s).
+    #[inline]
     fn turned(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>, time: f64) -> UnitQuaternion<f64> {
         if *angular == Vector3::zeros() {
             return *rotation;
         }
-        // what the pattern keeps from turning has an infinite inertia, so that this bounds the turn
-        let speed = (self.inverse_inertia * (rotation.inverse() * angular)).norm();
-        let pieces = (speed * time.abs() / PIECE).ceil().clamp(1.0, 1e6);
+        let body = rotation.inverse() * angular;
+        let omega = self.inverse_inertia * body;
+        let pieces = (omega.norm() * time.abs() / PIECE).ceil();
+        if pieces <= 1.0 {
+            return turned_by(rotation, &self.rotation_vector(&body, &omega, time));
+        }
         let mut turned = *rotation;
+        let pieces = pieces.min(1e6);
         for _ in 0..pieces as u32 {
-            turned = self.turned_a_piece(&turned, angular, time / pieces);
+            let body = turned.inverse() * angular;
+            let theta = self.rotation_vector(&body, &(self.inverse_inertia * body), time / pieces);
+            turned = turned_by(&turned, &theta);
         }
         turned
     }
 
-    /// R exp(θ) with θ' = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω), Ω = I⁻¹ exp(−θ) Rᵀ L, by the classical Runge–Kutta rule (Munthe-Kaas).
-    fn turned_a_piece(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>, time: f64) -> UnitQuaternion<f64> {
-        let start = rotation.inverse() * angular;
-        let rate = |theta: &Vector3<f64>| {
-            let omega = self.inverse_inertia * turned_back(theta, &start);
-            let bend = theta.cross(&omega);
-            omega + bend * 0.5 + theta.cross(&bend) / 12.0
-        };
-        let first = rate(&Vector3::zeros());
-        let second = rate(&(first * (0.5 * time)));
-        let third = rate(&(second * (0.5 * time)));
-        let fourth = rate(&(third * time));
-        let theta = (first + (second + third) * 2.0 + fourth) * (time / 6.0);
-        let turned = rotation.quaternion() * UnitQuaternion::new(theta).quaternion();
-        // one Newton step to the norm 1, of which rounding alone has led away
-        UnitQuaternion::new_unchecked(turned * (1.5 - 0.5 * turned.norm_squared()))
+    /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω (platform axes), by its series
+    /// θ = t Ω + ½ t² Ω′ + t³ (Ω″/6 + Ω × Ω′/12) + t⁴ (Ω‴ + Ω × Ω″)/24 + O(t⁵).
+    #[inline]
+    fn rotation_vector(&self, body: &Vector3<f64>, omega: &Vector3<f64>, time: f64) -> Vector3<f64> {
+        let of = |momentum: &Vector3<f64>| self.inverse_inertia * momentum;
+        let body_1 = body.cross(omega);
+        let omega_1 = of(&body_1);
+        let body_2 = body_1.cross(omega) + body.cross(&omega_1);
+        let omega_2 = of(&body_2);
+        let omega_3 = of(&(body_2.cross(omega) + body_1.cross(&omega_1) * 2.0 + body.cross(&omega_2)));
+        let third = omega_2 / 6.0 + omega.cross(&omega_1) / 12.0;
+        let fourth = (omega_3 + omega.cross(&omega_2)) / 24.0;
+        (omega + (omega_1 * 0.5 + (third + fourth * time) * time) * time) * time
     }
 }
 
-/// exp(−θ) v for a small θ (rad), by its series up to the fifth power.
+/// R exp(θ) for a rotation vector of a piece at most (platform axes, rad), whose sine and cosine the series tells to rounding.
 #[inline]
-fn turned_back(theta: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
-    let term = |rest: Vector3<f64>, share: f64| v - theta.cross(&rest) * share;
-    term(term(term(term(term(*v, 0.2), 0.25), 1.0 / 3.0), 0.5), 1.0)
+fn turned_by(rotation: &UnitQuaternion<f64>, theta: &Vector3<f64>) -> UnitQuaternion<f64> {
+    let square = theta.norm_squared() / 4.0;
+    let cosine = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square / 720.0));
+    let sine = 0.5 * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square / 5040.0)));
+    let turned = rotation.quaternion() * Quaternion::from_parts(cosine, theta * sine);
+    // one Newton step to the norm 1, of which rounding alone has led away
+    UnitQuaternion::new_unchecked(turned * (1.5 - 0.5 * turned.norm_squared()))
 }

@@ -22,8 +22,12 @@ pub struct Plant {
     pub(super) drums: Vec<Drum>,
     /// True where cables have weight.
     pub(super) sags: bool,
+    /// True where all laws are straight and linear.
+    pub(super) is_linear: bool,
     /// True where forces depend on speeds.
     pub(super) dissipates: bool,
+    /// True where directions of single cables are needed, not only their sum.
+    pub(super) asks_columns: bool,
 }
 
 /// Damping of a cable along its elongation rate: d = constant + time · ∂f/∂q (Kelvin and Voigt).
@@ -103,7 +107,10 @@ impl Plant {
             inertia: Inertia::new(&model, body),
             gravity: model.robot().gravity.unwrap_or_else(Vector3::zeros),
             sags: model.cables() == Cables::Sagging,
+            is_linear: model.cables() == Cables::Linear,
             dissipates: has_viscous || has_damping,
+            // laws that are no closed form are asked cable by cable
+            asks_columns: has_damping || !drums.is_empty() || model.cables() != Cables::Linear,
             load,
             damping,
             drums,

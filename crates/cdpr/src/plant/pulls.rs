@@ -9,17 +9,25 @@ use super::plant::Plant;
 use crate::cable::wrench::wrench;
 use crate::cable::{CableInput, CableState};
 use crate::geometry::{Pose, Twist, Wrench};
-use crate::scalar::dispatch_narrow;
+use crate::scalar::{LANES, dispatch_narrow};
 use crate::statics::StaticsError;
 
 /// Geometry and laws of all cables at a pose, in memory that is claimed once.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pulls {
-    /// True where lengths and columns are those of the pose.
+    /// True where lengths are those of the pose.
     pub(super) is_current: bool,
-    /// q (m).
+    /// q (m); eight numbers a group of cables, as the next three have.
     pub(super) lengths: Vec<f64>,
-    /// \[u; b × u\] (world).
+    /// Unstrained lengths (m).
+    unstrained: Vec<f64>,
+    /// 1 for a whole cable, 0 for a broken one.
+    whole: Vec<f64>,
+    /// Tensions of linear laws (N).
+    tensions: Vec<f64>,
+    /// Wrench of the cables where nothing depends on speeds.
+    rest: Wrench,
+    /// \[u; b × u\] (world); where nothing depends on speeds those of some pose before.
     pub(super) columns: Vec<[f64; 6]>,
     /// Laws at lengths and controlled lengths.
     pub(super) laws: Vec<LawPull>,
@@ -66,9 +74,14 @@ impl LawPull {
 
 impl Pulls {
     pub(super) fn new(cables: usize, drums: usize) -> Self {
+        let padded = || vec![0.0; cables.next_multiple_of(LANES)];
         Self {
             is_current: false,
-            lengths: vec![0.0; cables],
+            lengths: padded(),
+            unstrained: padded(),
+            whole: padded(),
+            tensions: padded(),
+            rest: Wrench::zeros(),
             columns: vec![[0.0; 6]; cables],
             laws: vec![LawPull::NONE; cables],
             drums: vec![DrumWork::default(); drums],
@@ -81,29 +94,62 @@ impl Pulls {
         if plant.sags {
             return self.find_shapes(plant, pose, cables);
         }
-        if !self.is_current {
-            self.find_lines(plant, pose)?;
+        let is_told_anew = self.tell(cables);
+        if self.is_current && !is_told_anew {
+            return Ok(());
         }
-        for (index, (cable, law)) in cables.iter().zip(&mut self.laws).enumerate() {
-            *law = plant.law_pull(index, cable, self.lengths[index]);
+        let in_lanes = self.find_lines(plant, pose)? && plant.is_linear;
+        for (index, cable) in cables.iter().enumerate() {
+            self.laws[index] = match in_lanes {
+                true => plant.linear_pull(index, cable, (self.tensions[index], self.lengths[index])),
+                false => plant.law_pull(index, cable, self.lengths[index]),
+            };
         }
-        Ok(())
-    }
-
-    fn find_lines(&mut self, plant: &Plant, pose: &Pose) -> Result<(), StepError> {
-        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
-        let (lengths, columns) = (&mut self.lengths[..], &mut self.columns[..]);
-        let kernel = structure::Pulls { groups: plant.model.groups(), position, rotation: &rotation, lengths, columns };
-        if !dispatch_narrow(kernel) {
-            for cable in 0..plant.model.cable_count() {
-                let found = plant.model.checked_path(cable, position, &rotation);
-                let (path, end) = found.map_err(StaticsError::from)?;
-                self.lengths[cable] = path.length;
-                self.columns[cable] = wrench(end.moment_arm, path.direction);
-            }
+        if !in_lanes {
+            self.rest = self.wrench(&Twist::zeros(), |_| 0.0);
         }
         self.is_current = true;
         Ok(())
+    }
+
+    /// Takes over unstrained lengths, and which cables are whole; true where one differs.
+    #[inline]
+    fn tell(&mut self, cables: &[CableMotion]) -> bool {
+        let mut differs = false;
+        for (index, cable) in cables.iter().enumerate() {
+            let (length, whole) = (cable.unstrained_length(), if cable.is_broken { 0.0 } else { 1.0 });
+            differs |= self.unstrained[index] != length || self.whole[index] != whole;
+            (self.unstrained[index], self.whole[index]) = (length, whole);
+        }
+        differs
+    }
+
+    /// Lengths and columns; true where linear laws have their tensions too.
+    #[inline]
+    fn find_lines(&mut self, plant: &Plant, pose: &Pose) -> Result<bool, StepError> {
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        let asked = if plant.asks_columns { self.columns.len() } else { 0 };
+        let kernel = structure::Pulls {
+            groups: plant.model.groups(),
+            position,
+            rotation: &rotation,
+            unstrained: &self.unstrained,
+            whole: &self.whole,
+            lengths: &mut self.lengths,
+            tensions: &mut self.tensions,
+            columns: &mut self.columns[..asked],
+        };
+        if let Some(wrench) = dispatch_narrow(kernel) {
+            self.rest = wrench;
+            return Ok(true);
+        }
+        for cable in 0..plant.model.cable_count() {
+            let found = plant.model.checked_path(cable, position, &rotation);
+            let (path, end) = found.map_err(StaticsError::from)?;
+            self.lengths[cable] = path.length;
+            self.columns[cable] = wrench(end.moment_arm, path.direction);
+        }
+        Ok(false)
     }
 
     /// Cables with weight, each sought from its last shape.
@@ -131,6 +177,7 @@ impl Pulls {
                 damping: plant.damping[index].coefficient(-crate::scalar::dot(stiffness, state.direction)),
             };
         }
+        self.rest = self.wrench(&Twist::zeros(), |_| 0.0);
         self.is_current = true;
         Ok(())
     }
@@ -151,14 +198,7 @@ impl Pulls {
     /// Wrench of all cables where nothing depends on speeds.
     #[inline]
     pub(super) fn wrench_at_rest(&self) -> Wrench {
-        let mut sum = Wrench::zeros();
-        for (law, column) in self.laws.iter().zip(&self.columns) {
-            let tension = law.tension.max(0.0);
-            for row in 0..6 {
-                sum[row] += tension * column[row];
-            }
-        }
-        sum
+        self.rest
     }
 }
 
@@ -169,6 +209,16 @@ pub(super) fn elongation_rate(column: &[f64; 6], twist: &Twist) -> f64 {
 }
 
 impl Plant {
+    /// The law of one straight, linear cable with its tension (N) at a geometric length (m).
+    #[inline]
+    fn linear_pull(&self, index: usize, cable: &CableMotion, (tension, length): (f64, f64)) -> LawPull {
+        let damping = &self.damping[index];
+        if cable.is_broken || damping.time != 0.0 {
+            return self.law_pull(index, cable, length);
+        }
+        LawPull { tension, weight: 0.0, damping: damping.constant }
+    }
+
     /// The law of one straight cable at a geometric length (m).
     #[inline]
     fn law_pull(&self, index: usize, cable: &CableMotion, length: f64) -> LawPull {

@@ -9,6 +9,7 @@ use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
+use cdpr::plant::{Command, Happening, Plant, Winches};
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
@@ -277,4 +278,46 @@ fn a_repeated_batch_allocates_nothing() {
     };
     work();
     assert_eq!(allocations(work), 0);
+}
+
+/// Steps in time for every kind of cable, with dampers, drums and a broken cable.
+#[test]
+fn a_step_in_time_allocates_nothing() {
+    let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    robot.platform.center_of_mass = Some(Vector3::new(0.1, 0.0, 0.05));
+    robot.platform.inertia = Some(cdpr::nalgebra::Matrix3::from_diagonal(&Vector3::new(117.0, 121.0, 62.5)));
+    for cable in &mut robot.cables {
+        cable.linear_density = Some(0.7);
+        cable.tension_of_strain = Some(vec![1.5e6, 6e7]);
+        cable.damping = Some(200.0);
+        (cable.winch.radius, cable.winch.drum_inertia) = (Some(0.1525), Some(0.6));
+    }
+    let pose = robot.home_or_middle();
+    for (composition, winches) in [
+        ("elastic", Winches::Ideal),
+        ("elastic", Winches::Drums),
+        ("polynomial", Winches::Ideal),
+        ("elastic+catenary", Winches::Ideal),
+    ] {
+        let model = Model::new(robot.clone(), composition.parse().unwrap()).unwrap();
+        let plant = Plant::new(model, winches).unwrap();
+        let tensions = [3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
+        let mut state = plant.at_rest(&pose, &tensions).unwrap();
+        let mut told = plant.holding_torques(&state).unwrap();
+        told.resize(8, 0.0);
+        let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length - 0.001).collect();
+        let work = || {
+            for step in 0..20 {
+                let command = match winches {
+                    Winches::Drums => Command::Torques(&told),
+                    _ => Command::Lengths(&lengths),
+                };
+                plant.step(&mut state, &command, 1e-3).unwrap();
+                if step == 10 {
+                    plant.apply(&mut state, &Happening::CableBreak { cable: 1 });
+                }
+            }
+        };
+        assert_eq!(allocations(work), 0, "{composition}");
+    }
 }
