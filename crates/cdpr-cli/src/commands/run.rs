@@ -1,9 +1,10 @@
 //! `cdpr run`: a machine in time.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::measurement::{Provenance, Sidecar};
 use cdpr::plant::{LogFormat, Simulation, Winches};
 use clap::Args;
 
@@ -28,12 +29,17 @@ const LOG: &str = "log.csv";
 /// Files of a complete run.
 const RESULTS: [&str; 5] = ["result.json", "report.html", "log.mcap", "tensions.svg", "pose.svg"];
 
+/// Files of sensors; `measurements.csv` has a sidecar with the accuracies.
+const SENSED: [&str; 4] = ["measurements.csv", SIDECAR, "tracker.csv", "imu.csv"];
+const SIDECAR: &str = "measurements.meta.toml";
+
 /// Let a machine move: from its start through the commands and events of a scenario.
 ///
 /// The platform moves by Newton's and Euler's equations on cables of any composition that stretches, with the mass, centre of mass and inertia of
 /// the robot file. Rows of log.csv are written as the run goes on, so that a run that is ended has left all up to then; result.json,
 /// report.html (playback, with broken limits marked on the time line), its drawings tensions.svg and pose.svg, and log.mcap (for Foxglove
-/// and other readers of MCAP) appear when it is complete. The exit code is 1 when the machine cannot get to the end.
+/// and other readers of MCAP) appear when it is complete, and with sensors measurements.csv with its sidecar, tracker.csv and imu.csv, which
+/// `cdpr identify` reads. The exit code is 1 when the machine cannot get to the end.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -51,7 +57,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let _own = OwnFolder::make(&arguments.out)?;
     let at = |name: &str| arguments.out.join(name);
     // results beside the log of another run would belong to nothing
-    RESULTS.iter().try_for_each(|name| files::remove(&at(name)))?;
+    RESULTS.iter().chain(&SENSED).try_for_each(|name| files::remove(&at(name)))?;
     let progress = Progress::spinner("moving");
     let format = LogFormat::new(simulation.plant.model());
     let robot = simulation.plant.model().robot().clone();
@@ -97,10 +103,27 @@ impl Shown<'_> {
             tensions.as_ref().map(String::as_bytes),
             pose.as_ref().map(String::as_bytes),
         ];
-        let paths = RESULTS.map(|name| self.arguments.out.join(name));
-        let all: Vec<(&Path, &[u8])> =
-            paths.iter().zip(contents).filter_map(|(path, content)| Some((path.as_path(), content?))).collect();
-        files::write_all(&all)
+        let sensed = self.sensed();
+        let own = RESULTS.iter().zip(contents).filter_map(|(name, content)| Some((*name, content?)));
+        let all = own.chain(sensed.iter().map(|(name, text)| (*name, text.as_bytes())));
+        let all: Vec<(PathBuf, &[u8])> = all.map(|(name, content)| (self.arguments.out.join(name), content)).collect();
+        files::write_all(&all.iter().map(|(path, content)| (path.as_path(), *content)).collect::<Vec<_>>())
+    }
+
+    /// Records of the sensors, with a sidecar for measurement files.
+    fn sensed(&self) -> Vec<(&'static str, String)> {
+        let Some(sensors) = &self.simulation.sensors else { return Vec::new() };
+        let logs = sensors.logs(&self.simulation.plant);
+        let source = format!("cdpr run {}", self.arguments.scenario.display());
+        let provenance = Provenance {
+            source: Some(source),
+            robot: Some(self.recording.robot.name.clone()),
+            ..Provenance::default()
+        };
+        let sidecar =
+            Sidecar { layout_version: 1, sigmas: sensors.sigmas(), provenance: Some(provenance), ..Sidecar::default() };
+        let beside = logs.iter().any(|log| log.name == SENSED[0]).then(|| (SIDECAR, sidecar.to_toml()));
+        logs.into_iter().map(|log| (log.name, log.csv)).chain(beside).collect()
     }
 
     fn page(&self, answer: &RunAnswer) -> Result<String, Failure> {

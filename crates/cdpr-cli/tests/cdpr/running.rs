@@ -156,3 +156,33 @@ fn modes_are_told_slowest_first() {
     assert!(words.contains("Hz") && words.contains("turn"), "{words}");
     assert!(cdpr("schema scenario").stdout.contains("cable_damping_N_s_per_m"));
 }
+
+/// Machine, data, model: what sensors see of a machine that stands at places leads back to its anchors.
+#[test]
+fn what_sensors_see_identifies_the_machine() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenario = root().join("studies/scenario-measuring.toml");
+    let run = cdpr_in(folder.path(), &format!("run {} --out out --format json", scenario.display()));
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    // somebody measured the first anchor badly
+    let truth = std::fs::read_to_string(root().join("studies/robots/simulator-in-motion.toml")).unwrap();
+    let wrong = truth.replace("frame_anchor_m = [-5.431, 7.505, 6.496]", "frame_anchor_m = [-5.331, 7.455, 6.496]");
+    assert_ne!(truth, wrong);
+    std::fs::write(folder.path().join("wrong.toml"), wrong).unwrap();
+    let identify = "identify wrong.toml out/measurements.csv --merge out/tracker.csv --static --model elastic --free frame-anchor --format json";
+    let found = cdpr_in(folder.path(), identify);
+    assert_eq!(found.exit_code, 0, "{}", found.stderr);
+    let answer = found.json_with(&["status", "parameters", "train"]);
+    let parameters = answer["parameters"].as_array().unwrap();
+    for (axis, expected) in [-5.431, 7.505, 6.496].into_iter().enumerate() {
+        let (value, sigma) = (&parameters[axis]["value"], &parameters[axis]["sigma"]);
+        let error = (value.as_f64().unwrap() - expected).abs();
+        // rows of a hold are averaged, so that the stated deviations of single rows are generous
+        assert!(
+            error < 3.0 * sigma.as_f64().unwrap() && error < 0.005,
+            "{} {value} ± {sigma}",
+            parameters[axis]["name"]
+        );
+    }
+    assert!(answer["train"]["position_error_m"]["mean"].as_f64().unwrap() < 3e-4);
+}

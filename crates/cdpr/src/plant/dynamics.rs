@@ -3,6 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::momentum::Inertia;
+use super::plant::Plant;
+use super::state::State;
 use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::Model;
 
@@ -39,5 +41,16 @@ impl Inertia {
     /// [`Inertia::acceleration`]. A pattern that does not move in some direction takes what acts there.
     pub fn wrench_of_acceleration(&self, pose: &Pose, twist: &Twist, acceleration: &Twist) -> Wrench {
         self.mass_matrix(pose) * acceleration + self.bias(pose, twist)
+    }
+}
+
+impl Plant {
+    /// Acceleration \[v̇; ω̇\] of the platform origin (world axes; m/s², rad/s²) in a state, whose lengths and tensions are observed, under a further
+    /// wrench (world axes, moment about the platform origin; N, N·m).
+    pub fn acceleration(&self, state: &State, further: &Wrench) -> Twist {
+        let twist = state.twist();
+        let cables = state.pulls.wrench(&twist, |cable| state.cables[cable].controlled_length_rate);
+        let wrench = cables + state.load(self) + further;
+        state.inertia.acceleration(&self.model, &state.pose, &twist, &wrench)
     }
 }

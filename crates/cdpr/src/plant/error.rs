@@ -11,7 +11,7 @@ use crate::statics::{LoadError, StaticsError};
 /// Key of a scenario file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScenarioKey {
-    /// Table, without brackets.
+    /// Table, without brackets; tables within tables after points.
     pub table: &'static str,
     /// Position in a list of tables, from 0.
     pub index: Option<usize>,

@@ -7,6 +7,7 @@ use super::event::{Event, Happening};
 use super::linearization::SENSIBLE;
 use super::plant::{Damping, Plant};
 use super::scenario::{ControlKind, EventKind, EventTable, Scenario, Start, Time};
+use super::sensors::Sensors;
 use super::state::State;
 use super::step::Command;
 use crate::geometry::{Pose, Twist, Wrench};
@@ -27,6 +28,8 @@ pub struct Simulation {
     pub state: State,
     /// Events, in the order of time.
     pub events: Vec<Event>,
+    /// Sensors with what they have seen.
+    pub sensors: Option<Sensors>,
     time: Time,
     commands: Commands,
     wrench: Option<Series>,
@@ -98,7 +101,8 @@ impl Simulation {
         });
         let wrench = wrench.transpose()?;
         displace(&plant, &mut state, &scenario.start)?;
-        Ok(Self { plant, state, events, time: scenario.time, commands, wrench })
+        let sensors = scenario.sensors.as_ref().map(|table| Sensors::new(table, &plant.model)).transpose()?;
+        Ok(Self { plant, state, events, sensors, time: scenario.time, commands, wrench })
     }
 
     /// Runs to the end, and shows every state that is recorded: the start, after each time of a record, and the last one. A state at the time of an
@@ -113,6 +117,7 @@ impl Simulation {
         let mut summary =
             Summary { end: End::Completed, steps: 0, tension_min: f64::INFINITY, tension_max: 0.0, events: Vec::new() };
         summary.look(&self.state);
+        self.measure();
         if watch(&self.plant, &self.state)?.is_break() {
             summary.end = End::Stopped;
             return Ok(summary);
@@ -162,7 +167,18 @@ impl Simulation {
         self.state.time = target;
         summary.steps += 1;
         summary.look(&self.state);
+        self.measure();
         Ok(())
+    }
+
+    /// Sensors look at the state.
+    fn measure(&mut self) {
+        let Some(sensors) = &mut self.sensors else { return };
+        let mut further = [0.0; 6];
+        if let Some(series) = &self.wrench {
+            series.at(self.state.time, &mut further);
+        }
+        sensors.look(&self.plant, &self.state, &Wrench::from(further));
     }
 
     /// Everything up to a time happens; the number of what comes next.

@@ -79,6 +79,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "planar-wide-calibrated.toml",
     "planar-wide-grid.toml",
     "scenario-cable-break.toml",
+    "scenario-measuring.toml",
     "sweep-planar-anchor.toml",
     "sweep-planar-force-control.toml",
     "sweep-planar-pulleys-soft.toml",

@@ -12,6 +12,7 @@ use serde::Deserialize;
 pub use reading::located;
 
 use super::plant::Winches;
+use super::sensors::SensorTable;
 use crate::tension::Method;
 
 /// A scenario as its file states it; the robot is named, not read.
@@ -31,6 +32,8 @@ pub struct Scenario {
     /// Events, in any order.
     #[serde(default)]
     pub event: Vec<EventTable>,
+    /// Sensors that measure the machine.
+    pub sensors: Option<SensorTable>,
     /// Duration, step and record.
     pub time: Time,
 }

@@ -18,7 +18,7 @@ impl Scenario {
 pub fn located(error: &PlantError, code: &'static str, bytes: &[u8], file_name: &str) -> Option<ReadError> {
     let key = error.key()?;
     let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name).ok()?, file_name).ok()?;
-    let mut path = vec![Step::Key(key.table)];
+    let mut path: Vec<Step<'_>> = key.table.split('.').map(Step::Key).collect();
     path.extend(key.index.map(Step::Index));
     if !key.key.is_empty() {
         path.push(Step::Key(key.key));

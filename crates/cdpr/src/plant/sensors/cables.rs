@@ -1,0 +1,167 @@
+//! Sensors that share the winches' clock: encoders, load pins, swivels, and the inclinometer where no tracker sees the platform.
+
+use std::fmt::Write;
+
+use nalgebra::Vector3;
+
+use super::table::{EncoderTable, InclinometerTable, LoadPinTable, SensorTable, SwivelTable};
+use super::{Clock, LowPass, Noise, counted};
+use crate::geometry::{MotionPattern, Pose, Twist};
+use crate::model::Model;
+use crate::plant::plant::Plant;
+use crate::plant::state::State;
+
+/// Random streams of the sensors.
+const LOAD_PINS: u64 = 1;
+const SWIVELS: u64 = 2;
+const INCLINOMETER: u64 = 3;
+
+/// Encoders, load pins, swivels and inclinometer with their rows.
+#[derive(Clone, Debug)]
+pub(super) struct CableSensors {
+    clock: Clock,
+    encoders: Option<EncoderTable>,
+    load_pins: Option<(LoadPinTable, Vec<LowPass>, Noise)>,
+    swivels: Option<(SwivelTable, Noise)>,
+    inclinometer: Option<(InclinometerTable, Noise)>,
+    /// Time of the last look (s).
+    last: f64,
+    rows: Vec<Row>,
+}
+
+/// What all of them show at a time.
+#[derive(Clone, Debug)]
+struct Row {
+    time: f64,
+    pose: Option<Pose>,
+    lengths: Vec<f64>,
+    tensions: Vec<f64>,
+    swivels: Vec<f64>,
+}
+
+impl CableSensors {
+    /// `None` where the scenario has none of them.
+    pub(super) fn new(table: &SensorTable, model: &Model) -> Option<Self> {
+        let noise = |stream| Noise::new(table.seed, stream);
+        let pins = table.load_pins.clone().map(|pins| {
+            let filters = vec![LowPass::new(pins.bandwidth_Hz); model.cable_count()];
+            (pins, filters, noise(LOAD_PINS))
+        });
+        let sensors = Self {
+            clock: Clock::new(table.rate_Hz),
+            encoders: table.encoders.clone(),
+            load_pins: pins,
+            swivels: table.swivels.map(|swivels| (swivels, noise(SWIVELS))),
+            inclinometer: table.inclinometer.map(|inclinometer| (inclinometer, noise(INCLINOMETER))),
+            last: 0.0,
+            rows: Vec::new(),
+        };
+        let is_there = sensors.encoders.is_some()
+            || sensors.load_pins.is_some()
+            || sensors.swivels.is_some()
+            || sensors.inclinometer.is_some();
+        is_there.then_some(sensors)
+    }
+
+    pub(super) fn look(&mut self, plant: &Plant, state: &State) {
+        let time = state.time - self.last;
+        self.last = state.time;
+        // amplifiers follow between the rows too
+        let passed: Vec<f64> = match &mut self.load_pins {
+            Some((_, filters, _)) => {
+                let inputs = state.cables.iter().map(|cable| cable.tension);
+                filters.iter_mut().zip(inputs).map(|(filter, tension)| filter.pass(tension, time)).collect()
+            }
+            None => Vec::new(),
+        };
+        if !self.clock.is_due(state.time) {
+            return;
+        }
+        let row = Row {
+            time: state.time,
+            pose: self.inclinometer.as_mut().map(|(table, noise)| turned(&state.pose, plant.model(), table, noise)),
+            lengths: self.lengths(plant.model(), state),
+            tensions: self.tensions(plant.model(), &passed),
+            swivels: self.swivel_angles(plant.model(), state),
+        };
+        self.rows.push(row);
+    }
+
+    fn lengths(&self, model: &Model, state: &State) -> Vec<f64> {
+        let Some(encoders) = &self.encoders else { return Vec::new() };
+        let lost = |cable: usize| -> f64 {
+            let lost = encoders.loss.iter().filter(|loss| loss.cable == cable + 1 && loss.time_s < state.time);
+            lost.map(|loss| loss.length_m).sum()
+        };
+        let length = |(index, cable): (usize, &crate::plant::CableMotion)| {
+            let recorded = model.recorded_length(index, cable.controlled_length);
+            counted(recorded, encoders.resolution_m) - lost(index)
+        };
+        state.cables.iter().enumerate().map(length).collect()
+    }
+
+    fn tensions(&mut self, model: &Model, passed: &[f64]) -> Vec<f64> {
+        let Some((table, _, noise)) = &mut self.load_pins else { return Vec::new() };
+        let shown = |(index, &tension): (usize, &f64)| {
+            let bias = table.bias_N.as_ref().map_or(0.0, |bias| bias[index]);
+            let shown = model.recorded_tension(index, tension) + bias + noise.of(table.noise_N);
+            table.range_N.map_or(shown, |range| shown.clamp(0.0, range))
+        };
+        passed.iter().enumerate().map(shown).collect()
+    }
+
+    fn swivel_angles(&mut self, model: &Model, state: &State) -> Vec<f64> {
+        let Some((table, noise)) = &mut self.swivels else { return Vec::new() };
+        let angle = |cable: usize| {
+            let angle = swivel_angle(model, cable, &state.pose).unwrap_or(f64::NAN);
+            counted(angle + noise.of(table.noise_rad), table.resolution_rad)
+        };
+        (0..model.cable_count()).map(angle).collect()
+    }
+
+    /// Columns of measurement files.
+    pub(super) fn csv(&self, plant: &Plant) -> String {
+        let model = plant.model();
+        let (robot, cables) = (model.robot(), 1..=model.cable_count());
+        let pattern = robot.motion_pattern;
+        let mut names = vec!["t_s".to_owned()];
+        if self.inclinometer.is_some() {
+            let turns: &[&str] =
+                if pattern == MotionPattern::Planar { &["angle_rad"] } else { &["qx", "qy", "qz", "qw"] };
+            names.extend(turns.iter().map(|name| (*name).to_owned()));
+        }
+        let mut of_cables = |is_there: bool, stem: &str| {
+            names.extend(cables.clone().filter(|_| is_there).map(|cable| format!("{stem}_{cable}")));
+        };
+        of_cables(self.encoders.is_some(), "cable_length_m");
+        of_cables(self.load_pins.is_some(), "tension_N");
+        of_cables(self.swivels.is_some(), "swivel_rad");
+        let mut text = names.join(",") + "\n";
+        for row in &self.rows {
+            let _ = write!(text, "{}", row.time);
+            let turn: Vec<f64> = match (&row.pose, pattern) {
+                (Some(pose), MotionPattern::Planar) => pattern.pose_to_components(robot.plane, pose)[2..].to_vec(),
+                (Some(pose), _) => pose.rotation.coords.iter().copied().collect(),
+                (None, _) => Vec::new(),
+            };
+            for value in turn.iter().chain(&row.lengths).chain(&row.tensions).chain(&row.swivels) {
+                // a swivel whose angle is not determined shows nothing
+                let _ = if value.is_nan() { write!(text, ",") } else { write!(text, ",{}", value + 0.0) };
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Angle of a pulley's swivel, right-handed about its axis from the direction of gravity (rad); `None` for one that does not swivel.
+pub(super) fn swivel_angle(model: &Model, cable: usize, pose: &Pose) -> Option<f64> {
+    let down = model.robot().gravity.filter(|gravity| gravity.norm() > 0.0).unwrap_or(-Vector3::z());
+    model.swivel_angle(cable, pose, &down)
+}
+
+fn turned(pose: &Pose, model: &Model, table: &InclinometerTable, noise: &mut Noise) -> Pose {
+    let turns = model.twist_basis().iter().filter(|basis| basis.fixed_rows::<3>(3).norm() > 0.0);
+    let error: Twist = turns.map(|basis| basis * noise.of(table.noise_rad)).sum();
+    pose.displaced(&error)
+}
