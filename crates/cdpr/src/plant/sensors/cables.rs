@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use nalgebra::Vector3;
 
+use super::signal::{Clock, LowPass, Noise, counted};
 use super::table::{EncoderTable, InclinometerTable, LoadPinTable, SensorTable, SwivelTable};
-use super::{Clock, LowPass, Noise, counted};
 use crate::geometry::{MotionPattern, Pose, Twist};
 use crate::model::Model;
 use crate::plant::plant::Plant;
@@ -29,7 +29,7 @@ pub(super) struct CableSensors {
     rows: Vec<Row>,
 }
 
-/// What all of them show at a time.
+/// Readings of all of them at a time.
 #[derive(Clone, Debug)]
 struct Row {
     time: f64,

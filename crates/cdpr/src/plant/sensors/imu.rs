@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use nalgebra::Vector3;
 
+use super::signal::{Clock, Noise};
 use super::table::ImuTable;
-use super::{Clock, Noise};
 use crate::geometry::Wrench;
 use crate::plant::plant::Plant;
 use crate::plant::state::State;

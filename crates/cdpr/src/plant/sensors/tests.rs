@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 
 use super::super::tests::simulator;
 use super::super::{Scenario, Simulation};
-use super::{Clock, LowPass, SensorLog};
+use super::SensorLog;
+use super::signal::{Clock, LowPass};
 use crate::robot::Robot;
 
 const START: &str = "[machine]\nrobot = \"simulator\"\n[start]\npose = [0, 0, 1.5, 0, 0, 0]\ndisplacement = [0.02, 0, 0.01, 0, 0.02, 0]\n\

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use rand::RngExt;
 
+use super::signal::{Clock, Noise};
 use super::table::TrackerTable;
-use super::{Clock, Noise};
 use crate::geometry::{MotionPattern, Pose, Twist};
 use crate::model::Model;
 use crate::plant::plant::Plant;

@@ -1,0 +1,80 @@
+//! Parts of all sensors: their clock, noise, low-pass and resolution.
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Times that differ by less than this are one (s).
+const SAME_TIME: f64 = 1e-9;
+
+/// Times at which a sensor is read: the first step at or after each multiple of its interval.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Clock {
+    interval: f64,
+    next: u64,
+}
+
+impl Clock {
+    pub(super) fn new(rate: f64) -> Self {
+        Self { interval: 1.0 / rate, next: 0 }
+    }
+
+    /// True where the sensor is read at a time.
+    pub(super) fn is_due(&mut self, time: f64) -> bool {
+        let due = time + SAME_TIME >= self.next as f64 * self.interval;
+        if due {
+            // steps longer than the interval skip what they pass
+            self.next = ((time + SAME_TIME) / self.interval).floor() as u64 + 1;
+        }
+        due
+    }
+}
+
+/// Normal noise of one sensor.
+#[derive(Clone, Debug)]
+pub(super) struct Noise(pub(super) ChaCha8Rng);
+
+impl Noise {
+    pub(super) fn new(seed: u64, stream: u64) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(stream);
+        Self(random)
+    }
+
+    /// A normal number of this standard deviation.
+    pub(super) fn of(&mut self, sigma: f64) -> f64 {
+        let normal: f64 = StandardNormal.sample(&mut self.0);
+        sigma * normal
+    }
+}
+
+/// A low-pass of first order that is told its input at the end of every step.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LowPass {
+    /// Cut-off (Hz); everything passes without one.
+    cut_off: Option<f64>,
+    value: Option<f64>,
+}
+
+impl LowPass {
+    pub(super) fn new(cut_off: Option<f64>) -> Self {
+        Self { cut_off, value: None }
+    }
+
+    /// Output after an input held over a time (s).
+    pub(super) fn pass(&mut self, input: f64, time: f64) -> f64 {
+        let output = match (self.cut_off, self.value) {
+            (Some(cut_off), Some(value)) => {
+                value + (input - value) * -(-std::f64::consts::TAU * cut_off * time).exp_m1()
+            }
+            _ => input,
+        };
+        self.value = Some(output);
+        output
+    }
+}
+
+/// The nearest whole multiple of a resolution; the value itself where that is 0.
+pub(super) fn counted(value: f64, resolution: f64) -> f64 {
+    if resolution > 0.0 { (value / resolution).round() * resolution } else { value }
+}
