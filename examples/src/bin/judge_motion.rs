@@ -48,6 +48,8 @@ fn main() -> Result<(), Failure> {
         case("ipanema-1, cable 1 is cut", off_centre("ipanema-1", 1e4)?, 300.0, Some(0), release),
     ];
     let motions = cases.iter().map(motion).collect::<Result<Vec<_>, _>>()?;
+    let slack: Vec<bool> = motions.iter().map(|motion| motion["slack_cables"] != 0).collect();
+    assert_eq!(slack, [false, true, true, true, true], "all but the small motion slacken a cable");
     let step = timed_step()?;
     if let Some(file) = std::env::args_os().nth(1) {
         std::fs::write(file, json!({ "motions": motions, "timed": step }).to_string())?;
