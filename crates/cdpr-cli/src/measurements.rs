@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use cdpr::measurement::{InternalSamples, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
+use cdpr::measurement::{InternalSamples, Known, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
 use cdpr::model::Model;
 use cdpr::reading::Size;
 use clap::Args;
@@ -22,7 +22,7 @@ pub(crate) struct DataArguments {
     #[arg(value_name = "DATA")]
     data: PathBuf,
 
-    /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N.
+    /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N, swivel_rad.
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     sigma: Vec<SigmaOption>,
 
@@ -76,6 +76,7 @@ enum Sensor {
     Rotation,
     Length,
     Tension,
+    Swivel,
 }
 
 impl FromStr for SigmaOption {
@@ -88,9 +89,10 @@ impl FromStr for SigmaOption {
             "rotation_rad" => Sensor::Rotation,
             "length_m" => Sensor::Length,
             "tension_N" => Sensor::Tension,
+            "swivel_rad" => Sensor::Swivel,
             other => {
                 return Err(format!(
-                    "`{other}` is not a sensor; known are position_m, rotation_rad, length_m, tension_N"
+                    "`{other}` is not a sensor; known are position_m, rotation_rad, length_m, tension_N, swivel_rad"
                 ));
             }
         };
@@ -116,12 +118,24 @@ impl DataArguments {
 
     /// The samples without poses.
     pub(crate) fn read_internal(&self, model: &Model, output: &Output) -> Result<InternalSamples, Failure> {
-        let source = self.source(&self.data)?;
+        self.read_other_internal(&self.data, model, output)
+    }
+
+    /// Another data set without poses, with the same options of the command line.
+    pub(crate) fn read_other_internal(
+        &self,
+        path: &Path,
+        model: &Model,
+        output: &Output,
+    ) -> Result<InternalSamples, Failure> {
+        let source = self.source(path)?;
         let (mut internal, notices) = source.file().internal_samples(model.robot())?;
         notices.iter().for_each(|notice| output.remark(notice));
         let samples = model.with_lengths(&internal.samples).map_err(|error| Failure::refused(&source.name, &error))?;
         internal.samples = Samples { sigmas: source.sigmas, ..samples.into_owned() };
         self.sigma.iter().for_each(|option| option.apply(&mut internal.samples.sigmas));
+        // the sidecar was refused where they cannot be read
+        internal.facts = source.known.iter().filter_map(|text| text.parse::<Known>().ok()).collect();
         Ok(internal)
     }
 
@@ -183,7 +197,8 @@ impl DataArguments {
         let mut columns = sidecar.columns;
         columns.extend(self.columns.iter().map(|option| (option.name.clone(), option.column.clone())));
         let options = ReadingOptions { columns, skip_invalid: self.skip_invalid };
-        Ok(Source { bytes: files::read(path, Size::Table)?, name, options, sigmas: sidecar.sigmas })
+        let (sigmas, known) = (sidecar.sigmas, sidecar.known);
+        Ok(Source { bytes: files::read(path, Size::Table)?, name, options, sigmas, known })
     }
 }
 
@@ -193,6 +208,8 @@ struct Source {
     name: String,
     options: ReadingOptions,
     sigmas: SensorSigmas,
+    /// What is known of the robot besides.
+    known: Vec<String>,
 }
 
 impl Source {
@@ -230,6 +247,7 @@ impl SigmaOption {
             Sensor::Rotation => &mut sigmas.rotation,
             Sensor::Length => &mut sigmas.length,
             Sensor::Tension => &mut sigmas.tension,
+            Sensor::Swivel => &mut sigmas.swivel,
         };
         *place = Some(self.sigma);
     }

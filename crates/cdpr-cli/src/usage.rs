@@ -9,7 +9,7 @@ use cdpr::error_code::ErrorCode;
 use cdpr::identification::candidate::CandidateError;
 use cdpr::identification::fit;
 use cdpr::identification::selection::RequirementError;
-use cdpr::measurement::SplitError;
+use cdpr::measurement::{KnownError, SplitError};
 use cdpr::model::{CompositionError, ParameterError};
 use clap::error::ErrorKind;
 
@@ -57,6 +57,7 @@ fn code_of_value(error: &(dyn Error + 'static)) -> Option<&'static str> {
         .or_else(|| of::<CandidateError>(error))
         .or_else(|| of::<RequirementError>(error))
         .or_else(|| of::<SplitError>(error))
+        .or_else(|| of::<KnownError>(error))
         .or_else(|| of::<fit::InputError>(error))
 }
 

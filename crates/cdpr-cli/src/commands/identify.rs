@@ -44,6 +44,8 @@ Examples:
   cdpr identify robot.toml samples.csv --free frame-anchor --objective pose --drive study.toml
   cdpr identify robot.toml samples.csv --free frame-anchor,platform-anchor \\
       --path lasso --path-figure path.svg --out-path sparse.toml
+  cdpr identify robot.toml lengths.csv --free frame-anchor --gauge least-change \
+      --known 'distance[1,2]=2.412+-0.002' --out-poses found.csv
   cdpr identify robot.toml samples.csv --model elastic --starts 10 \\
       --free frame-anchor,platform-anchor,compliance,wrench --prior platform-anchor=0.02";
 
@@ -51,7 +53,7 @@ const FREE_HELP: &str = "\
 Parameters to identify, separated by commas: frame-anchor, platform-anchor, length-offset, length-scale; \
 with pulleys pulley-radius, swivel-axis; with recorded motor angles drum-radius, spool-build-up, start-length, with drums also drum-pitch, drum-axis, start-angle; \
 with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
-tension-scale, tension-offset; with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; `frame-anchor[1,3]` frees cables 1 and 3 only";
+tension-scale, tension-offset, without poses these three of rigid models, too; with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; `frame-anchor[1,3]` frees cables 1 and 3 only";
 
 /// Identify the parameters of a model from measured poses and recorded lengths.
 ///
@@ -119,6 +121,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     out_poses: Option<PathBuf>,
 
+    #[command(flatten)]
+    frame: self_calibration::FrameArguments,
+
     /// Report to write: tables and charts in one HTML file.
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
@@ -147,6 +152,7 @@ impl Arguments {
             loss: *loss,
             seed: *seed,
             keeps_course: self.course.is_asked(),
+            gauge: self.frame.gauge,
             ..fit::Settings::default()
         }))
     }
@@ -172,8 +178,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     if arguments.data.lacks_poses(&model)? {
         return self_calibration::run(&arguments, &model, output);
     }
-    if arguments.out_poses.is_some() {
-        return Err(poses_are_there(&arguments.data.name()));
+    if let Some(option) = arguments.frame.asked().or(arguments.out_poses.as_ref().map(|_| "--out-poses")) {
+        return Err(poses_are_there(&arguments.data.name(), option));
     }
     let samples = arguments.data.read(&model, output)?;
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
@@ -211,9 +217,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     output.answer(&answer)
 }
 
-/// Refuses poses that were measured as an answer.
-fn poses_are_there(data: &str) -> Failure {
-    let message = format!("{data}: --out-poses writes poses that were found, and these data have measured ones");
+/// Refuses options that are of poses nobody measured.
+fn poses_are_there(data: &str, option: &str) -> Failure {
+    let message = format!("{data}: {option} is of calibration without measured poses, and these data have them");
     Failure::input("data::has-poses", message, "leave it out")
 }
 

@@ -46,6 +46,9 @@ pub(super) fn error_table(
     if columns.iter().any(|(_, blocks)| blocks.tension_error.is_some()) {
         rows("tension", "N", 1.0, 1, &TENSION);
     }
+    if columns.iter().any(|(_, blocks)| blocks.swivel_error.is_some()) {
+        rows("swivel", "°", 1.0_f64.to_degrees(), 4, &SWIVEL);
+    }
     table.text(width)
 }
 
@@ -92,6 +95,13 @@ const TENSION: [Statistic; 4] = [
     ("mean", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.mean_abs)),
     ("rms", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.rms)),
     ("max", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.max)),
+];
+
+const SWIVEL: [Statistic; 4] = [
+    ("mean", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.mean_abs)),
+    ("rms", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.rms)),
+    ("p95", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.p95)),
+    ("max", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.max)),
 ];
 
 const LENGTH: [Statistic; 4] = [

@@ -60,6 +60,8 @@ pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
     (1..=cables).for_each(|cable| text.push_str(&format!(",length_error_m_{cable}")));
     let has_tensions = !evaluation.tension.is_empty();
     (1..=cables).filter(|_| has_tensions).for_each(|cable| text.push_str(&format!(",tension_error_N_{cable}")));
+    let has_swivels = !evaluation.swivel.is_empty();
+    (1..=cables).filter(|_| has_swivels).for_each(|cable| text.push_str(&format!(",swivel_error_rad_{cable}")));
     text.push_str(",converged\n");
     let failed: Vec<usize> = evaluation.not_converged.iter().map(|(sample, _)| *sample).collect();
     for sample in 0..evaluation.len() {
@@ -69,6 +71,9 @@ pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
         numbers.extend(&evaluation.length[sample * cables..][..cables]);
         if has_tensions {
             numbers.extend(&evaluation.tension[sample * cables..][..cables]);
+        }
+        if has_swivels {
+            numbers.extend(&evaluation.swivel[sample * cables..][..cables]);
         }
         text.push_str(&(sample + 1).to_string());
         for number in numbers {

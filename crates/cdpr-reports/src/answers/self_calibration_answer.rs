@@ -2,12 +2,13 @@
 
 use cdpr::identification::fit::{Estimate, Status};
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, GaugeFixing, SelfCalibration, Starts, StoppedBy};
+use cdpr::identification::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy};
 use cdpr::model::Model;
 use serde::Serialize;
 
 use super::Answer;
 use super::PoseAnswer;
+use super::PoselessJudgement;
 use super::identification_words::{identifiability, parameters, status_words};
 use super::start_words::start_words;
 use crate::number_format::significant;
@@ -28,6 +29,9 @@ pub struct SelfCalibrationAnswer {
     equations: usize,
     cost_m2: f64,
     length_rms_m: f64,
+    /// Residuals of each sensor, where there are others than lengths.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    sensors: Vec<SensorFit>,
     gauge: GaugeFixing,
     #[serde(flatten)]
     analysis: Analysis,
@@ -38,6 +42,12 @@ pub struct SelfCalibrationAnswer {
     noise_factor: f64,
     starts: Starts,
     history: Vec<f64>,
+    /// Errors on samples that were not fitted to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    validation: Option<PoselessJudgement>,
+    /// Anchors beside those of another robot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    comparison: Option<Comparison>,
     warnings: Vec<String>,
     #[serde(skip)]
     doubts: usize,
@@ -55,7 +65,7 @@ impl SelfCalibrationAnswer {
         (data, of_data): (String, &Warnings),
         [out, out_poses]: [Option<String>; 2],
     ) -> Self {
-        let SelfCalibration { fit, samples, cost_m2, length_rms_m, equations, parameter_count, gauge } = found;
+        let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge } = found;
         let Warnings { list: warnings, doubts } = fit.own_warnings(of_data);
         let axes = model.axes();
         let anchor = |cable: &cdpr::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
@@ -73,6 +83,7 @@ impl SelfCalibrationAnswer {
             equations,
             cost_m2,
             length_rms_m,
+            sensors,
             gauge,
             frame_anchors_m: fit.model.robot().cables.iter().map(anchor).collect(),
             poses: samples.poses.iter().map(|pose| PoseAnswer::new(model.robot(), pose)).collect(),
@@ -81,6 +92,8 @@ impl SelfCalibrationAnswer {
             noise_factor: fit.noise_factor,
             starts: fit.starts,
             history: fit.history,
+            validation: None,
+            comparison: None,
             warnings,
             doubts,
             out,
@@ -88,20 +101,27 @@ impl SelfCalibrationAnswer {
         }
     }
 
+    /// The same with errors on other samples, and beside another robot.
+    #[must_use]
+    pub fn with_judgements(self, validation: Option<PoselessJudgement>, comparison: Option<Comparison>) -> Self {
+        Self { validation, comparison, ..self }
+    }
+
     /// Motions that the data leave free, and parameters that fix them.
     fn gauge_words(&self) -> String {
-        let GaugeFixing { motions, held, at_origin, .. } = &self.gauge;
+        let GaugeFixing { kind, motions, held, at_origin, .. } = &self.gauge;
         let mut text = String::new();
         if *at_origin {
             text.push_str("lengths count from their values at the world's origin, which is where they were zeroed\n");
         }
         if !motions.is_empty() {
             let image = if self.gauge.free.contains(&"mirror") { ", and mirror images" } else { "" };
-            text.push_str(&format!(
-                "no length changes by: {}{image}; fixed by {} at the file's values\n",
-                motions.join(", "),
-                held.join(", ")
-            ));
+            let fixed = match *kind {
+                "anchors" => format!("fixed by {} at the file's values", held.join(", ")),
+                _ => "fixed by anchors that change least from the file's".to_owned(),
+            };
+            let what = if self.sensors.is_empty() { "length" } else { "measurement" };
+            text.push_str(&format!("no {what} changes by: {}{image}; {fixed}\n", motions.join(", ")));
         }
         text
     }
@@ -126,7 +146,10 @@ impl Answer for SelfCalibrationAnswer {
             significant(1e3 * self.length_rms_m, 3),
             significant(1e6 * self.cost_m2, 6)
         ));
+        self.sensors.iter().for_each(|fit| text.push_str(&sensor_words(fit)));
         text.push_str(&self.gauge_words());
+        text.extend(self.validation.iter().map(PoselessJudgement::words));
+        text.extend(self.comparison.iter().map(comparison_words));
         text.push_str(&format!(
             "\n{}\n{}",
             parameters(&self.parameters, width),
@@ -142,4 +165,28 @@ impl Answer for SelfCalibrationAnswer {
         }
         text
     }
+}
+
+/// Residuals of a sensor beside the accuracy that weighs them.
+fn sensor_words(fit: &SensorFit) -> String {
+    let SensorFit { sensor, unit, rms, sigma, is_stated, .. } = fit;
+    let (factor, unit) = match *unit {
+        "m" => (1e3, "mm"),
+        "rad" => (1.0_f64.to_degrees(), "°"),
+        other => (1.0, other),
+    };
+    let origin = if *is_stated { "stated" } else { "told by the residuals" };
+    let [rms, sigma] = [rms, sigma].map(|value| significant(factor * value, 3));
+    format!("  {sensor}: {rms} {unit} rms; accuracy {sigma} {unit}, {origin}\n")
+}
+
+/// Anchors beside those of another robot.
+fn comparison_words(comparison: &Comparison) -> String {
+    let Comparison { robot, rms_m, scale, is_mirrored, .. } = comparison;
+    let mirrored = if *is_mirrored { " (mirrored)" } else { "" };
+    format!(
+        "beside {robot}{mirrored}: anchors are {} mm (rms) from its own after the best motion; it is {} times as large\n",
+        significant(1e3 * rms_m, 3),
+        significant(*scale, 5)
+    )
 }

@@ -7,6 +7,7 @@ use crate::identification::chain::ChainError;
 use crate::identification::compensation::CompensationError;
 use crate::identification::selection::RequirementError;
 use crate::identification::{EvaluationError, PlanError, fit, selection, test_bench};
+use crate::measurement::KnownError;
 use crate::measurement::{DataError, SplitError};
 
 impl ErrorCode for DataError {
@@ -40,6 +41,15 @@ impl ErrorCode for EvaluationError {
     }
 }
 
+impl ErrorCode for KnownError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "known::syntax",
+            Self::Cables { .. } | Self::NoCommonPose { .. } => "known::not-of-robot",
+        }
+    }
+}
+
 impl ErrorCode for fit::InputError {
     fn code(&self) -> &'static str {
         match self {
@@ -61,13 +71,16 @@ impl ErrorCode for fit::InputError {
             Self::RobustCost { .. }
             | Self::PriorCost { .. }
             | Self::UnknownPosesOfElastic
-            | Self::PoselessOfElastic
             | Self::ProfileCost { .. }
             | Self::RecordingCost { .. }
             | Self::PenaltyCost { .. }
             | Self::RowWeightCost { .. } => "setting::cost",
             Self::RowWeightSyntax { .. } | Self::ScaleSyntax { .. } | Self::ScaledTwice { .. } => "scale::syntax",
             Self::NoEquationLeft { .. } => "data::no-equations",
+            Self::Known(error) => error.code(),
+            Self::GaugeOpen { .. } => "data::gauge-open",
+            Self::ChangesBesideSensors => "data::no-start-lengths",
+            Self::NoSwivel { .. } => "data::no-swivel-zero",
             Self::NoPoses => "data::no-poses-found",
             Self::NoAccuracies => "data::no-accuracies",
             Self::NoPrediction { .. } => "data::no-prediction",

@@ -33,6 +33,9 @@ pub struct ErrorBlocks {
     /// Predicted minus recorded tensions; `None` for a model that knows none, or data without.
     #[serde(rename = "tension_error_N", skip_serializing_if = "Option::is_none")]
     pub tension_error: Option<TensionErrorStatistics>,
+    /// Modelled minus recorded swivel angles at the poses where measurements agree best; `None` where there are none.
+    #[serde(rename = "swivel_error_rad", skip_serializing_if = "Option::is_none")]
+    pub swivel_error: Option<LengthErrorStatistics>,
     /// Samples whose forward problem has an answer: those of the errors of position, rotation and tension.
     pub answered: usize,
     /// Samples whose forward problem has none: not converged, singular or unstable.
@@ -54,6 +57,8 @@ pub struct Evaluation {
     pub length: Vec<f64>,
     /// Predicted minus recorded tensions, sample by sample (N); empty for a model that knows none, or data without.
     pub tension: Vec<f64>,
+    /// Modelled minus recorded swivel angles, sample by sample (rad); empty where none are compared.
+    pub swivel: Vec<f64>,
     /// Number of cables.
     pub cable_count: usize,
     /// Samples whose forward problem has no answer, from 0, with the reason.
@@ -312,6 +317,7 @@ impl Evaluation {
             rotation: places.iter().map(|&place| self.rotation[place]).collect(),
             length: rows(&self.length),
             tension: rows(&self.tension),
+            swivel: rows(&self.swivel),
             cable_count: self.cable_count,
             not_converged: places.iter().enumerate().filter_map(reason).collect(),
         }
@@ -332,6 +338,7 @@ impl Evaluation {
         self.rotation.extend(&other.rotation);
         self.length.extend(&other.length);
         self.tension.extend(&other.tension);
+        self.swivel.extend(&other.swivel);
         self.not_converged.extend(other.not_converged.iter().map(|(sample, why)| (sample + offset, why.clone())));
     }
 
@@ -346,6 +353,7 @@ impl Evaluation {
             rotation_error_rad: PoseErrorStatistics::of(&finite(&self.rotation)),
             length_error_m: LengthErrorStatistics::of(&lengths),
             tension_error: (!self.tension.is_empty()).then(|| TensionErrorStatistics::of(&tensions, self.cable_count)),
+            swivel_error: (!self.swivel.is_empty()).then(|| LengthErrorStatistics::of(&whole(&self.swivel))),
             answered: self.len() - self.not_converged.len(),
             not_converged: self.not_converged.len(),
             length_samples: lengths.len() / self.cable_count.max(1),

@@ -16,7 +16,7 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
-pub(super) use checks::{checked_parameters, explains_tensions};
+pub(super) use checks::{check_motor_angles, check_question, checked_parameters, explains_tensions};
 use checks::{is_at_bound, length_residuals};
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};

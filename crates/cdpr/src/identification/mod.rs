@@ -24,6 +24,7 @@ pub mod evaluation;
 pub mod fit;
 mod further;
 mod further_columns;
+mod gauge_convention;
 mod identifiability;
 mod joint_analysis;
 mod joint_descent;
@@ -71,6 +72,7 @@ pub use design::{
 };
 pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
 pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
+pub use gauge_convention::GaugeConvention;
 pub use identifiability::{Analysis, Correlation};
 pub use likelihood::{Information, NoiseSource};
 pub use loss::Loss;
@@ -88,6 +90,6 @@ pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
-pub use self_calibration::{GaugeFixing, SelfCalibration, evaluate_lengths, self_calibrate};
+pub use self_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, evaluate_lengths, self_calibrate};
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};

@@ -22,6 +22,10 @@ pub(super) enum Quantity {
     MotorAngle(usize),
     /// Tension of a cable, from 0.
     Tension(usize),
+    /// Swivel angle of a cable's pulley, from 0.
+    Swivel(usize),
+    /// Mass of the platform with its load.
+    Mass,
     /// Subset.
     Set,
     /// Time.
@@ -29,6 +33,11 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
+    /// Whether only calibration without poses knows it yet.
+    pub(super) fn is_internal(self) -> bool {
+        matches!(self, Self::Swivel(_) | Self::Mass)
+    }
+
     /// Whether it is one of the platform's pose.
     pub(super) fn is_of_pose(self) -> bool {
         matches!(self, Self::Position(_) | Self::Quaternion(_) | Self::Euler(_) | Self::Angle)
@@ -67,6 +76,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
     let plain = |quantity| Ok(Some(Column { quantity, factor: 1.0 }));
     match name {
         "set" => return plain(Quantity::Set),
+        "mass_kg" => return plain(Quantity::Mass),
         "qx" => return plain(Quantity::Quaternion(0)),
         "qy" => return plain(Quantity::Quaternion(1)),
         "qz" => return plain(Quantity::Quaternion(2)),
@@ -96,6 +106,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
         ("cable_length", LENGTH_UNITS, Quantity::Length as fn(usize) -> Quantity),
         ("motor_angle", ANGLE_UNITS, Quantity::MotorAngle as fn(usize) -> Quantity),
         ("tension", TENSION_UNITS, Quantity::Tension as fn(usize) -> Quantity),
+        ("swivel", ANGLE_UNITS, Quantity::Swivel as fn(usize) -> Quantity),
     ] {
         let Some(rest) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')) else { continue };
         let Some((unit, number)) = rest.rsplit_once('_') else { continue };
@@ -128,9 +139,12 @@ mod tests {
         assert_eq!(found("cable_length_mm_12"), Some((Quantity::Length(11), 1e-3)));
         assert_eq!(found("tension_kN_1"), Some((Quantity::Tension(0), 1e3)));
         assert_eq!(found("motor_angle_rad_3"), Some((Quantity::MotorAngle(2), 1.0)));
+        assert_eq!(found("swivel_rad_4"), Some((Quantity::Swivel(3), 1.0)));
         assert_eq!(found("t_s"), Some((Quantity::Time, 1.0)));
         assert_eq!(found("cable_length_change_m_2"), Some((Quantity::LengthChange(1), 1.0)));
-        for unclaimed in ["t_log_s", "mocap_gap_s", "x_controller_estimate_m", "cable_length_m", "swivel_rad_1", ""] {
+        for unclaimed in
+            ["t_log_s", "mocap_gap_s", "x_controller_estimate_m", "cable_length_m", "swivel_change_rad_1", ""]
+        {
             assert_eq!(found(unclaimed), None, "{unclaimed}");
         }
         for wrong in ["x_furlong", "angle_grad", "cable_length_inch_1", "tension_lbf_2", "motor_angle_turns_1"] {

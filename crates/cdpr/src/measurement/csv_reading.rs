@@ -101,6 +101,10 @@ struct Table {
     format: Format,
     /// Components of the poses that are known, where the file is read for those.
     known: Vec<Vec<bool>>,
+    /// Swivel angles, cable by cable (rad); empty where the file has none.
+    swivels: Vec<f64>,
+    /// Masses, sample by sample (kg); empty where the file has none.
+    masses: Vec<f64>,
     /// Angles of the poses as the file gives them (rad), if it gives angles.
     angles: Vec<[f64; 3]>,
     too_far: TooFar,
@@ -124,6 +128,8 @@ struct Numbers {
     angles: Option<[f64; 3]>,
     recorded: Vec<f64>,
     tensions: Vec<f64>,
+    swivels: Vec<f64>,
+    mass: Option<f64>,
     time: Option<f64>,
 }
 
@@ -132,6 +138,7 @@ impl CsvFile<'_> {
         let mut samples = Samples { cable_count: self.robot.cable_count(), ..Samples::default() };
         let (mut recorded, mut tensions, mut set, mut time) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (mut lines, mut angles, mut known) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut swivels, mut masses) = (Vec::new(), Vec::new());
         let (mut too_far, farthest) = (TooFar::default(), magnitudes::farthest(self.robot));
         let (mut notices, mut numbers) = (Vec::new(), Numbers::default());
         let (format, skipped) = self.rows(&mut notices, &mut |format, row| {
@@ -148,6 +155,8 @@ impl CsvFile<'_> {
             }
             recorded.extend(&numbers.recorded);
             tensions.extend(&numbers.tensions);
+            swivels.extend(&numbers.swivels);
+            masses.extend(numbers.mass);
             time.extend(numbers.time);
             if let Some(&(index, _)) = format.columns.get(&Quantity::Set) {
                 set.push(String::from_utf8_lossy(&row.record[index]).trim().to_owned());
@@ -168,7 +177,7 @@ impl CsvFile<'_> {
                     .push(format!("{}: the motor angles are not needed, since the lengths are given", self.file_name));
             }
         }
-        Ok(Table { samples, notices, format, known, angles, too_far, skipped })
+        Ok(Table { samples, notices, format, known, swivels, masses, angles, too_far, skipped })
     }
 
     /// All numbers of a row, or its first mistake.
@@ -183,6 +192,7 @@ impl CsvFile<'_> {
         }
         numbers.recorded.clear();
         numbers.tensions.clear();
+        numbers.swivels.clear();
         if self.content.has_cables() {
             let recorded = if by_angle(columns) { Quantity::MotorAngle } else { Quantity::Length };
             for cable in 0..self.robot.cable_count() {
@@ -190,7 +200,13 @@ impl CsvFile<'_> {
                 if columns.contains_key(&Quantity::Tension(cable)) {
                     numbers.tensions.push(self.number(format, row, Quantity::Tension(cable))?);
                 }
+                if columns.contains_key(&Quantity::Swivel(cable)) {
+                    numbers.swivels.push(self.number(format, row, Quantity::Swivel(cable))?);
+                }
             }
+        }
+        if columns.contains_key(&Quantity::Mass) {
+            numbers.mass = Some(self.number(format, row, Quantity::Mass)?);
         }
         if columns.contains_key(&Quantity::Time) {
             numbers.time = Some(self.number(format, row, Quantity::Time)?);

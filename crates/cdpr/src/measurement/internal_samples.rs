@@ -1,6 +1,6 @@
 //! Samples of sensors inside the machine, at poses that nobody measured.
 
-use super::Samples;
+use super::{Known, Samples};
 
 /// Samples at poses that are known in part or not at all.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,6 +9,12 @@ pub struct InternalSamples {
     pub samples: Samples,
     /// Known components of each pose in the order of the pattern's degrees of freedom: positions, then turns.
     pub known: Vec<Vec<bool>>,
+    /// Swivel angles of the pulleys about `pulley_swivel_axis`, 0 towards gravity's part across it, laid out as the lengths (rad).
+    pub swivels: Option<Vec<f64>>,
+    /// Mass of the platform with its load, sample by sample (kg); that of the robot's file where there are none.
+    pub masses: Option<Vec<f64>>,
+    /// What is known of the robot besides.
+    pub facts: Vec<Known>,
     /// True where lengths count from that of one common pose, which is the world's origin.
     pub are_changes: bool,
 }
@@ -16,7 +22,29 @@ pub struct InternalSamples {
 impl InternalSamples {
     /// Samples without any pose of a robot with so many degrees of freedom.
     pub fn without_poses(samples: Samples, dof: usize, are_changes: bool) -> Self {
-        Self { known: vec![vec![false; dof]; samples.len()], samples, are_changes }
+        Self {
+            known: vec![vec![false; dof]; samples.len()],
+            samples,
+            swivels: None,
+            masses: None,
+            facts: Vec::new(),
+            are_changes,
+        }
+    }
+
+    /// The samples with these indices, in this order.
+    #[must_use]
+    pub fn subset(&self, indices: &[usize]) -> Self {
+        let m = self.samples.cable_count;
+        let rows = |data: &Vec<f64>| indices.iter().flat_map(|&i| data[i * m..][..m].to_vec()).collect();
+        Self {
+            samples: self.samples.subset(indices),
+            known: indices.iter().map(|&i| self.known[i].clone()).collect(),
+            swivels: self.swivels.as_ref().map(rows),
+            masses: self.masses.as_ref().map(|masses| indices.iter().map(|&i| masses[i]).collect()),
+            facts: self.facts.clone(),
+            are_changes: self.are_changes,
+        }
     }
 
     /// Number of poses that are known whole.

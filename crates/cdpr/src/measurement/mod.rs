@@ -10,6 +10,7 @@ mod digits;
 #[cfg(feature = "files")]
 mod header_mistakes;
 mod internal_samples;
+mod known;
 #[cfg(feature = "files")]
 mod magnitudes;
 #[cfg(feature = "files")]
@@ -27,6 +28,7 @@ mod standing;
 pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};
 pub(crate) use digits::{decimals, three_digits};
 pub use internal_samples::InternalSamples;
+pub use known::{Fact, Known, KnownError};
 pub use samples::{DataError, Samples, SensorSigmas};
 pub use sidecar::{Frames, Provenance, Sidecar, schema};
 pub use split::{Fold, Split, SplitError};

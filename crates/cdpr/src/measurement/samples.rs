@@ -48,6 +48,9 @@ pub struct SensorSigmas {
     /// Tension (N).
     #[serde(rename = "tension_N", skip_serializing_if = "Option::is_none")]
     pub tension: Option<f64>,
+    /// Swivel angle of a pulley (rad).
+    #[serde(rename = "swivel_rad", skip_serializing_if = "Option::is_none")]
+    pub swivel: Option<f64>,
 }
 
 /// Data that tell nothing.

@@ -1,6 +1,6 @@
 //! Reader and writer of the file beside a data set.
 
-use super::Sidecar;
+use super::{Known, Sidecar};
 use crate::reading::{ReadError, Size, Step, TomlDocument, text_from_bytes};
 
 impl Sidecar {
@@ -13,12 +13,19 @@ impl Sidecar {
             return Err(document.error_at(&[Step::Key("layout_version")], "measurement::layout", message))
                 .map_err(|error| error.with_help("this version reads layout_version = 1"));
         }
+        for (index, text) in sidecar.known.iter().enumerate() {
+            if let Err(error) = text.parse::<Known>() {
+                let path = [Step::Key("known"), Step::Index(index)];
+                return Err(document.error_at(&path, "measurement::known", error.to_string()));
+            }
+        }
         let sigmas = &sidecar.sigmas;
         for (key, value) in [
             ("position_m", sigmas.position),
             ("rotation_rad", sigmas.rotation),
             ("length_m", sigmas.length),
             ("tension_N", sigmas.tension),
+            ("swivel_rad", sigmas.swivel),
         ] {
             if let Some(value) = value.filter(|value| !(*value >= 0.0)) {
                 let message = format!("a standard deviation is 0 or more, found {value}");
@@ -58,6 +65,7 @@ mod tests {
     fn mistakes_are_placed() {
         for (text, line, what) in [
             ("layout_version = 2", 1, "not known"),
+            ("layout_version = 1\nknown = [\"level[1,2]\", \"height[1]\"]", 2, "height[1]"),
             ("layout_version = 1\n[sigmas]\nposition_m = -1.0", 3, "0 or more"),
             ("layout_version = 1\n[sigmas]\nposition_mm = 1.0", 3, "position_mm"),
         ] {

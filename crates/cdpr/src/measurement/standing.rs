@@ -53,7 +53,7 @@ impl fmt::Display for StaticSamples {
         }
         write!(formatter, "{count} poses are held, each the mean of {:.0} rows", averaged as f64 / count as f64)?;
         write!(formatter, "; {left_out} rows of the ways between are left out; a row scatters about its pose by")?;
-        let SensorSigmas { position, rotation, length, tension } = self.scatter;
+        let SensorSigmas { position, rotation, length, tension, .. } = self.scatter;
         let known =
             [(position, 1e3, "mm"), (rotation, 1e3, "mrad"), (length, 1e3, "mm of length"), (tension, 1.0, "N")];
         let parts =
@@ -142,6 +142,7 @@ impl Samples {
                 .as_deref()
                 .zip(self.tensions.as_deref())
                 .and_then(|(mean, all)| of_cables(mean, all)),
+            swivel: None,
         }
     }
 }

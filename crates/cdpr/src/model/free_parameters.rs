@@ -193,7 +193,17 @@ impl FreeParameters {
 
     /// The single parameters of a model that are free and not held, ordered by cable, kind and axis.
     pub fn parameters(&self, model: &Model, hold: &Self) -> Result<Vec<Parameter>, ParameterError> {
-        self.check(model)?;
+        self.parameters_with(model, hold, model.needs_tensions())
+    }
+
+    /// The same where recorded tensions are explained, which those of rigid cables are by their equilibrium.
+    pub(crate) fn parameters_with(
+        &self,
+        model: &Model,
+        hold: &Self,
+        explains_tensions: bool,
+    ) -> Result<Vec<Parameter>, ParameterError> {
+        self.check(model, explains_tensions)?;
         hold.check_cables(model)?;
         let mut parameters = Vec::new();
         for cable in 0..model.cable_count() {
@@ -216,10 +226,15 @@ impl FreeParameters {
         self.selections.iter().any(|(other, _)| *other == kind)
     }
 
-    fn check(&self, model: &Model) -> Result<(), ParameterError> {
+    fn check(&self, model: &Model, explains_tensions: bool) -> Result<(), ParameterError> {
         self.check_cables(model)?;
         let composition = model.composition();
         for &(kind, _) in &self.selections {
+            let is_of_equilibrium =
+                matches!(kind, ParameterKind::TensionScale | ParameterKind::TensionOffset | ParameterKind::Wrench);
+            if is_of_equilibrium && explains_tensions {
+                continue;
+            }
             if let Some(effect) = missing_effect(kind, composition) {
                 return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
             }

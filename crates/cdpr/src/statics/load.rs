@@ -81,6 +81,11 @@ impl Load {
         gradient
     }
 
+    /// The same load with the weight of another mass (kg) in the same centre.
+    pub(crate) fn with_mass(self, robot: &Robot, mass: f64) -> Self {
+        Self { weight: robot.gravity.unwrap_or_else(Vector3::zeros) * mass, ..self }
+    }
+
     /// The constant part (world axes, moment about the platform origin; N, N·m).
     pub(crate) fn constant_part(&self) -> &Wrench {
         &self.constant

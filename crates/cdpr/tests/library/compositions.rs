@@ -119,8 +119,13 @@ fn a_sagging_machine_is_identified_by_a_sagging_model() {
     }
     assert!(samples.poses.len() > 25, "{}", samples.poses.len());
     samples.tensions = Some(tensions);
-    samples.sigmas =
-        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: Some(50.0) };
+    samples.sigmas = SensorSigmas {
+        position: Some(1e-3),
+        rotation: Some(1e-3),
+        length: Some(2e-4),
+        tension: Some(50.0),
+        swivel: None,
+    };
     let mut start = truth.clone();
     for (index, cable) in start.cables.iter_mut().enumerate() {
         cable.frame_anchor += cdpr::nalgebra::Vector3::new(0.03, -0.02, 0.01) * if index % 2 == 0 { 1.0 } else { -1.0 };

@@ -20,8 +20,13 @@ const SAMPLES: usize = 24;
 const CABLES: usize = 8;
 /// Anchors of frame and platform, compliances, wrench.
 const PARAMETERS: usize = 3 * CABLES + 3 * CABLES + CABLES + 6;
-const SIGMAS: SensorSigmas =
-    SensorSigmas { position: Some(0.001), rotation: Some(0.001), length: Some(0.0005), tension: Some(50.0) };
+const SIGMAS: SensorSigmas = SensorSigmas {
+    position: Some(0.001),
+    rotation: Some(0.001),
+    length: Some(0.0005),
+    tension: Some(50.0),
+    swivel: None,
+};
 const PRIOR: f64 = 0.02;
 /// What the balance of forces may miss (N, N·m): 1e-3 of what 50 N in each cable miss, so 1e-6 of their variance.
 const BALANCE: f64 = 0.05;

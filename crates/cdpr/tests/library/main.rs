@@ -47,6 +47,7 @@ mod reader_properties;
 mod robot_files;
 mod selection_truth;
 mod self_calibration;
+mod self_calibration_by_sensors;
 mod sensitivity;
 mod starts;
 mod statics_properties;

@@ -3,7 +3,7 @@
 use super::support::{builtin, shared};
 use cdpr::geometry::{Pose, Twist};
 use cdpr::identification::fit::{InputError, Settings, Status};
-use cdpr::identification::{SelfCalibration, self_calibrate};
+use cdpr::identification::{Comparison, GaugeConvention, SelfCalibration, self_calibrate};
 use cdpr::measurement::{InternalSamples, MeasurementFile, ReadingOptions, Samples};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
@@ -83,6 +83,20 @@ fn spools_are_calibrated_where_positions_tell_the_scale() {
     let open = calibrate("frame-anchor,drum-radius,spool-build-up");
     assert_eq!(open.gauge.free, ["translation", "rotation", "mirror", "scale"]);
     assert_eq!(open.gauge.held.last().unwrap(), "frame-anchor[4].z");
+    // one distance measured by tape brings the size back
+    let mut known = internal.clone();
+    let anchors: Vec<Vector3<f64>> = found.fit.model.robot().cables.iter().map(|cable| cable.frame_anchor).collect();
+    let distance = (anchors[0] - anchors[1]).norm();
+    known.facts = vec![format!("distance[1,2]={distance}+-0.002").parse().unwrap()];
+    let free = "frame-anchor,drum-radius".parse().unwrap();
+    let cured = self_calibrate(&model, &known, &free, &Settings::default(), &|| ()).unwrap();
+    assert!(cured.fit.warnings.iter().all(|words| !words.contains("scale")), "{:?}", cured.fit.warnings);
+    let sizes = |robot: &Robot| distances(robot).iter().sum::<f64>();
+    let [shrunk, restored, whole] = [&trap, &cured, &found].map(|found| sizes(found.fit.model.robot()));
+    println!("size {} of the true one, {} with one distance", shrunk / whole, restored / whole);
+    assert!(shrunk / whole < 0.75 && (restored / whole - 1.0).abs() < 0.03);
+    let radius = |found: &SelfCalibration| 1e3 * found.fit.model.robot().cables[0].winch.radius.unwrap();
+    assert!((radius(&cured) - 75.8).abs() < 2.0, "{} mm", radius(&cured));
     let held = calibrate("frame-anchor");
     assert!(held.fit.warnings.iter().all(|words| !words.contains("scale")), "{:?}", held.fit.warnings);
 }
@@ -168,6 +182,7 @@ fn generic(model: &Model, count: usize, (range, turn): (f64, f64)) -> Vec<Pose> 
 fn ranks(model: &Model, poses: &[Pose], known: &[bool], free: &str) -> [usize; 3] {
     let mut internal = InternalSamples::without_poses(exact(model, poses), model.dof(), false);
     internal.known.iter_mut().for_each(|own| own.copy_from_slice(known));
+    internal.samples.sigmas.rotation = Some(0.0);
     let settings = Settings::default();
     let found = self_calibrate(model, &internal, &free.parse().unwrap(), &settings, &|| ()).unwrap();
     [found.parameter_count, found.fit.analysis.rank, found.gauge.motions.len()]
@@ -203,6 +218,13 @@ fn ranks_and_gauges_are_those_of_the_requirement() {
     assert_eq!(ranks(&spatial, &upright, &unknown, "frame-anchor,platform-anchor")[..2], [48, 14]);
 }
 
+fn elastic_planar() -> Robot {
+    let mut robot = builtin("planar-example");
+    let stiffness = Some(cdpr::robot::CableStiffness::Axial(2e5));
+    robot.cables.iter_mut().for_each(|cable| cable.stiffness = stiffness);
+    robot
+}
+
 /// Five lines to a point.
 fn five_lines() -> Robot {
     lines(5)
@@ -228,6 +250,57 @@ fn changes(samples: &Samples, model: &Model) -> InternalSamples {
 fn distances(robot: &Robot) -> Vec<f64> {
     let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
     anchors().flat_map(|a| anchors().map(move |b| (a - b).norm())).collect()
+}
+
+/// Conventions of the gauge: the same robot up to a motion, anchors nearest to the file's, deviations no larger in all; and what fixes nothing is refused.
+#[test]
+fn conventions_of_the_gauge_move_the_same_robot() {
+    let truth = Model::new(five_lines(), Composition::STANDARD).unwrap();
+    let internal = InternalSamples::without_poses(exact(&truth, &generic(&truth, 20, (0.5, 0.0))), 3, false);
+    let mut start = five_lines();
+    start.cables.iter_mut().enumerate().for_each(|(k, cable)| cable.frame_anchor.y += 0.05 * ((k * k) as f64).sin());
+    let model = Model::new(start.clone(), Composition::STANDARD).unwrap();
+    let calibrate = |gauge| {
+        let settings = Settings { gauge, ..Settings::default() };
+        self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ())
+    };
+    let held = calibrate(GaugeConvention::Anchors).unwrap();
+    let least = calibrate(GaugeConvention::LeastChange).unwrap();
+    assert_eq!((held.gauge.kind, least.gauge.kind), ("anchors", "least-change"));
+    assert_eq!((least.parameter_count, least.fit.analysis.rank, least.fit.parameters.len()), (15, 9, 15));
+    assert_eq!(held.fit.analysis.rank, 9);
+    assert!(least.gauge.held.is_empty() && least.gauge.motions == held.gauge.motions);
+    let change = |found: &SelfCalibration| {
+        let pairs = found.fit.model.robot().cables.iter().zip(&start.cables);
+        pairs.map(|(new, old)| (new.frame_anchor - old.frame_anchor).norm_squared()).sum::<f64>().sqrt()
+    };
+    // the least change of all rigid motions is the one that Procrustes finds
+    let compared = |found: &SelfCalibration, other: &Robot| Comparison::of(&found.fit.model, other, false).unwrap();
+    let best = compared(&held, &start).rms_m * (5.0_f64).sqrt();
+    assert!((change(&least) - best).abs() < 1e-9 && change(&held) > best + 1e-3, "{} {best}", change(&least));
+    for found in [&held, &least] {
+        let comparison = compared(found, truth.robot());
+        assert!(comparison.rms_m < 1e-8 && (comparison.scale - 1.0).abs() < 1e-8, "{comparison:?}");
+    }
+    let refused = calibrate(GaugeConvention::Known).unwrap_err();
+    assert!(refused.to_string().contains("shift along x, shift along y, shift along z"), "{refused}");
+}
+
+/// Walls, levels, planes and distances are equations of the parameters, with derivatives that are their differences: noise-free data keep them.
+#[test]
+fn what_is_known_of_anchors_fixes_what_lengths_leave_open() {
+    let truth = Model::new(five_lines(), Composition::STANDARD).unwrap();
+    let mut internal = InternalSamples::without_poses(exact(&truth, &generic(&truth, 20, (0.5, 0.0))), 3, false);
+    let height = |k: usize| truth.robot().cables[k].frame_anchor;
+    let distance = (height(0) - height(4)).norm();
+    internal.facts = vec![format!("distance[1,5]={distance}").parse().unwrap(), "level[1,4]+-0.2".parse().unwrap()];
+    let free = "frame-anchor".parse().unwrap();
+    let found = self_calibrate(&truth, &internal, &free, &Settings::default(), &|| ()).unwrap();
+    // a level takes one turn away
+    assert_eq!((found.gauge.motions.len(), found.gauge.held.len()), (5, 5), "{:?}", found.gauge);
+    internal.facts = vec!["distance[1,9]=1".parse().unwrap()];
+    let refused = self_calibrate(&truth, &internal, &free, &Settings::default(), &|| ()).unwrap_err();
+    assert!(matches!(refused, InputError::Known(_)), "{refused}");
 }
 
 #[test]
@@ -283,9 +356,10 @@ fn what_no_lengths_can_tell_is_refused_in_words() {
         self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap_err()
     };
     let three = refused(lines(3), Composition::STANDARD, "frame-anchor");
-    assert_eq!(three, InputError::NoEquationLeft { cables: 3, dof: 3 });
-    let elastic = refused(builtin("planar-example"), Composition::ELASTIC, "frame-anchor");
-    assert_eq!(elastic, InputError::PoselessOfElastic);
+    assert!(matches!(three, InputError::NoEquationLeft { rows: 3, unknowns: 3, .. }), "{three}");
+    // lengths and equilibrium tell pose and tensions, and nothing else
+    let elastic = refused(elastic_planar(), Composition::ELASTIC, "frame-anchor");
+    assert!(matches!(elastic, InputError::NoEquationLeft { rows: 6, unknowns: 6, .. }), "{elastic}");
     let few = refused(five_lines(), Composition::STANDARD, "frame-anchor,length-offset");
     assert!(matches!(few, InputError::TooFewEquations { equations: 8, samples: 4, .. }), "{few}");
 }

@@ -49,7 +49,8 @@ fn in_sigmas(found: &Fit, truth: &Robot) -> Vec<f64> {
 fn wrong_drums_are_found_with_honest_standard_deviations() {
     let drawn = with_drums(&simulator());
     let built = as_built(&drawn);
-    let noise = SensorSigmas { position: Some(5e-4), rotation: Some(5e-4), length: Some(1e-4), tension: None };
+    let noise =
+        SensorSigmas { position: Some(5e-4), rotation: Some(5e-4), length: Some(1e-4), tension: None, swivel: None };
     let mut all = Vec::new();
     for seed in 1..=10 {
         let samples = recorded(&built, DRUM, 100, &noise, seed);
@@ -115,7 +116,13 @@ fn with_wrong(drawn: &Robot, kind: ParameterKind, size: f64) -> Robot {
 /// Each parameter is found again from noisy data within 3 of its own deviations, which are smaller than what it was off by.
 fn is_found(drawn: &Robot, composition: Composition, (kind, size): (ParameterKind, f64), count: usize) {
     let built = with_wrong(drawn, kind, size);
-    let noise = SensorSigmas { position: Some(1e-4), rotation: Some(1e-4), length: Some(5e-5), tension: Some(5.0) };
+    let noise = SensorSigmas {
+        position: Some(1e-4),
+        rotation: Some(1e-4),
+        length: Some(5e-5),
+        tension: Some(5.0),
+        swivel: None,
+    };
     let samples = recorded(&built, composition, count, &noise, 7);
     let found = identified(drawn, composition, kind.name(), &samples);
     assert_eq!(found.status, Status::Converged, "{kind}, {composition}: {}", found.reason);

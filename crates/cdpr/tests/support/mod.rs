@@ -19,8 +19,13 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Sensor noise of the demo: standard deviations per axis.
-pub(crate) const NOISE: SensorSigmas =
-    SensorSigmas { position: Some(0.001155), rotation: Some(0.00101), length: Some(0.0002), tension: Some(50.0) };
+pub(crate) const NOISE: SensorSigmas = SensorSigmas {
+    position: Some(0.001155),
+    rotation: Some(0.00101),
+    length: Some(0.0002),
+    tension: Some(50.0),
+    swivel: None,
+};
 
 /// A file beside the project; `None` with a word where it is absent, a failure where it must be there.
 pub(crate) fn shared(path: &str) -> Option<Vec<u8>> {

@@ -7,17 +7,17 @@ use crate::scalar::{Kernel, LANES, Lanes, Line, dispatch};
 
 /// Derivatives of one sample's rows by what is measured, scaled to standard deviations.
 #[derive(Clone, Debug)]
-pub(super) struct Noise {
+pub(in crate::identification) struct Noise {
     /// Each row by the directions of the pattern.
-    pub(super) by_pose: Vec<[f64; 6]>,
+    pub(in crate::identification) by_pose: Vec<[f64; 6]>,
     /// For each cable the n wrench rows and its length row by its tension.
-    pub(super) by_tension: Vec<[f64; 7]>,
+    pub(in crate::identification) by_tension: Vec<[f64; 7]>,
     /// Standard deviation of each length row by the recorded length itself.
     pub(super) length: Vec<f64>,
 }
 
 impl Noise {
-    pub(super) fn new(model: &Model) -> Self {
+    pub(in crate::identification) fn new(model: &Model) -> Self {
         let (m, n) = (model.cable_count(), model.dof());
         Self { by_pose: vec![[0.0; 6]; n + m], by_tension: vec![[0.0; 7]; m], length: vec![0.0; m] }
     }
@@ -119,15 +119,15 @@ pub(super) const SLACK_SIGMA: f64 = 1e3;
 
 /// Standard deviations of everything measured, as the weights use them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sigmas {
+pub(in crate::identification) struct Sigmas {
     /// Per axis (m).
-    pub(super) position: f64,
+    pub(in crate::identification) position: f64,
     /// Per axis (rad).
-    pub(super) rotation: f64,
+    pub(in crate::identification) rotation: f64,
     /// (m)
-    pub(super) length: f64,
+    pub(in crate::identification) length: f64,
     /// (N)
-    pub(super) tension: f64,
+    pub(in crate::identification) tension: f64,
 }
 
 impl Sigmas {

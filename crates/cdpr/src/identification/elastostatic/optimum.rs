@@ -185,7 +185,7 @@ pub(super) fn check_paths(model: &Model, samples: &Samples, tensions: &[f64]) ->
 
 /// A free wrench is the constant total in world axes: it replaces the weight, and starts at what the file states for the
 /// mean pose, or, where the file is silent, at what the recorded tensions balance in the mean.
-pub(super) fn with_constant_wrench(
+pub(in crate::identification) fn with_constant_wrench(
     model: &Model,
     samples: &Samples,
     tensions: &[f64],

@@ -14,7 +14,7 @@ use crate::robot::Parameter;
 use crate::statics::Load;
 
 /// Derivatives by poses themselves instead of by their standard deviations.
-const UNITS: Sigmas = Sigmas { position: 1.0, rotation: 1.0, length: 1.0, tension: 1.0 };
+pub(in crate::identification) const UNITS: Sigmas = Sigmas { position: 1.0, rotation: 1.0, length: 1.0, tension: 1.0 };
 
 /// All rows in one block, whitened, those of outliers by their weight.
 pub(crate) fn pose_rows(

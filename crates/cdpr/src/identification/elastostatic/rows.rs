@@ -17,23 +17,23 @@ const MOST_IN_LANES: usize = 32;
 
 /// Rows of one sample: n + m rows of the padded Jacobian, its last used column the residual.
 #[derive(Clone, Debug)]
-pub(super) struct SampleRows {
+pub(in crate::identification) struct SampleRows {
     /// Wrench rows, then length rows.
-    pub(super) count: usize,
+    pub(in crate::identification) count: usize,
     /// Parameters, without the residual.
     pub(super) parameter_count: usize,
     /// Columns with the residual and the padding to whole lanes.
-    pub(super) stride: usize,
+    pub(in crate::identification) stride: usize,
     /// Row-major.
-    pub(super) entries: Vec<f64>,
+    pub(in crate::identification) entries: Vec<f64>,
     /// True where more than the entries of the rows themselves may not be zero.
     pub(super) is_full: bool,
 }
 
 /// A model at given parameter values with what its rows need again and again.
-pub(super) struct RowModel<'a> {
-    pub(super) model: &'a Model,
-    pub(super) load: Load,
+pub(in crate::identification) struct RowModel<'a> {
+    pub(in crate::identification) model: &'a Model,
+    pub(in crate::identification) load: Load,
     parameters: &'a [Parameter],
     /// First parameter of each cable; the last entry is the first of the wrench.
     first: Vec<usize>,
@@ -49,18 +49,18 @@ pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usiz
 }
 
 impl SampleRows {
-    pub(super) fn new(model: &Model, parameter_count: usize) -> Self {
+    pub(in crate::identification) fn new(model: &Model, parameter_count: usize) -> Self {
         let count = model.dof() + model.cable_count();
         let stride = (parameter_count + 1).next_multiple_of(LANES);
         Self { count, parameter_count, stride, entries: vec![0.0; count * stride], is_full: false }
     }
 
-    pub(super) fn residual(&self, row: usize) -> f64 {
+    pub(in crate::identification) fn residual(&self, row: usize) -> f64 {
         self.entries[row * self.stride + self.parameter_count]
     }
 
     /// Derivatives of every row by the parameters.
-    pub(super) fn derivatives(&self) -> impl Iterator<Item = &[f64]> {
+    pub(in crate::identification) fn derivatives(&self) -> impl Iterator<Item = &[f64]> {
         self.entries.chunks_exact(self.stride).map(|row| &row[..self.parameter_count])
     }
 
@@ -84,13 +84,13 @@ impl SampleRows {
 }
 
 impl<'a> RowModel<'a> {
-    pub(super) fn new(model: &'a Model, load: Load, parameters: &'a [Parameter]) -> Self {
+    pub(in crate::identification) fn new(model: &'a Model, load: Load, parameters: &'a [Parameter]) -> Self {
         let linear = LinearRows::of(model, parameters);
         Self { model, load, parameters, first: first_columns(model, parameters), linear }
     }
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
-    pub(super) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
+    pub(in crate::identification) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
         if rows.is_full {
             rows.entries.fill(0.0);
             rows.is_full = false;
@@ -160,7 +160,7 @@ impl<'a> RowModel<'a> {
 
     /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
     /// standard deviation of what it is by.
-    pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
+    pub(in crate::identification) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
         self.noise_at((pose, tensions), sigmas, noise, None);
     }
 

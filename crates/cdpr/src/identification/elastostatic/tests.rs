@@ -149,8 +149,13 @@ fn exact_samples(machine: &Model, count: usize) -> Samples {
         samples.poses.push(pose);
     }
     samples.tensions = Some(tensions);
-    samples.sigmas =
-        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: Some(50.0) };
+    samples.sigmas = SensorSigmas {
+        position: Some(1e-3),
+        rotation: Some(1e-3),
+        length: Some(2e-4),
+        tension: Some(50.0),
+        swivel: None,
+    };
     samples
 }
 

@@ -20,6 +20,19 @@ pub(in crate::identification) fn checked_parameters(
     free: &FreeParameters,
     settings: &Settings,
 ) -> Result<Vec<Parameter>, InputError> {
+    check_question(model, samples, settings)?;
+    let parameters = free.parameters(model, &settings.hold)?;
+    check_motor_angles(&parameters, samples)?;
+    check_rows(model, samples, &parameters, settings)?;
+    Ok(parameters)
+}
+
+/// Refuses settings that mean nothing, and samples that are none of the model's.
+pub(in crate::identification) fn check_question(
+    model: &Model,
+    samples: &Samples,
+    settings: &Settings,
+) -> Result<(), InputError> {
     let positive = [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)];
     if let Some((name, value)) = not_positive(positive) {
         return Err(InputError::Setting { name, value });
@@ -35,18 +48,35 @@ pub(in crate::identification) fn checked_parameters(
     if robot != data {
         return Err(InputError::CableCount { robot, data });
     }
-    let parameters = free.parameters(model, &settings.hold)?;
+    Ok(())
+}
+
+/// Refuses parameters of drums where no motor angles are recorded.
+pub(in crate::identification) fn check_motor_angles(
+    parameters: &[Parameter],
+    samples: &Samples,
+) -> Result<(), InputError> {
     let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
     if let Some(kind) = of_drum.filter(|_| samples.motor_angles.is_none()) {
         return Err(InputError::NoMotorAngles { kind });
     }
+    Ok(())
+}
+
+/// Refuses more parameters than rows at measured poses.
+fn check_rows(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Result<(), InputError> {
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
     if explains_tensions(model) {
         let (rows, count) =
             (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
         return match count > rows {
             true => Err(InputError::TooFewRows { parameters: count, rows, samples: samples.len() }),
-            false => Ok(parameters),
+            false => Ok(()),
         };
     }
     for cable in 0..model.cable_count() {
@@ -56,7 +86,7 @@ pub(in crate::identification) fn checked_parameters(
             return Err(InputError::TooFewSamples { cable: cable + 1, parameters: count, samples: samples.len() });
         }
     }
-    Ok(parameters)
+    Ok(())
 }
 
 /// Modelled minus recorded lengths of a sample (from 0) at its measured pose (m).

@@ -5,6 +5,7 @@ use thiserror::Error;
 use crate::cable::GeometryError;
 use crate::identification::loss::Loss;
 use crate::identification::objective::Minimize;
+use crate::measurement::KnownError;
 use crate::model::{ModelError, ParameterError, WinchError};
 use crate::robot::ParameterKind;
 use crate::statics::LoadError;
@@ -138,25 +139,50 @@ pub enum InputError {
          DATA.meta.toml or by --sigma"
     )]
     NoAccuracies,
-    /// Unknown poses of an elastic model.
+    /// Measurements that poses and tensions of their samples explain whole.
     #[error(
-        "poses that nobody measured are found for rigid models only: of elastic ones wrenches and lengths of a sample tell tensions and pose together, which needs measured poses here"
-    )]
-    PoselessOfElastic,
-    /// Lengths that their poses explain whole.
-    #[error(
-        "without measured poses {cables} cable lengths a sample tell the {dof} unknowns of its pose and nothing else: no equation is left for the parameters. Calibration \
-         without poses needs more cables than degrees of freedom, or a part of every pose measured"
+        "without measured poses the {rows} equations of a sample ({sensors}) tell its {unknowns} unknowns ({of}) and nothing else: no equation is left for the parameters. \
+         Calibration without poses needs more cables than degrees of freedom, recorded tensions of a known load, swivel angles, an inclinometer, or a part of every pose measured"
     )]
     NoEquationLeft {
-        /// Cables.
-        cables: usize,
-        /// Degrees of freedom.
-        dof: usize,
+        /// Equations of a sample.
+        rows: usize,
+        /// Where they come from, in words.
+        sensors: String,
+        /// Unknowns of a sample.
+        unknowns: usize,
+        /// What they are, in words.
+        of: &'static str,
+    },
+    /// Changes of lengths beside other sensors.
+    #[error(
+        "lengths that count from an unknown pose, beside tensions, swivels or an inclinometer, are lengths with an unknown offset of each cable: free `length-offset` \
+         (a calibrated file then has the winches' zeros), or leave the other columns out"
+    )]
+    ChangesBesideSensors,
+    /// Swivel angles without what they count from.
+    #[error(
+        "swivel angles count about `pulley_swivel_axis` from gravity's part across it: cable {cable} of the robot file lacks this axis, or the file lacks `gravity_m_s2`, or both are parallel"
+    )]
+    NoSwivel {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// A thing known of another robot.
+    #[error(transparent)]
+    Known(#[from] KnownError),
+    /// Motions that nothing fixes, where something is to.
+    #[error(
+        "the gauge `known` takes the frame from what is measured, known or held, but nothing measured changes by: {motions}. Hold that many coordinates (--hold), give known \
+         positions or things (--known level[1,2,3]), or choose --gauge anchors or least-change"
+    )]
+    GaugeOpen {
+        /// The motions.
+        motions: String,
     },
     /// Fewer equations than parameters where poses are unknown.
     #[error(
-        "{parameters} free parameters and {equations} equations: each of {samples} samples at an unknown pose leaves as many as it has more cables than unknowns. Record more \
+        "{parameters} free parameters and {equations} equations: each of {samples} samples at an unknown pose leaves as many as it has more measurements than unknowns. Record more \
          poses, free less, or state priors (--prior)"
     )]
     TooFewEquations {

@@ -5,6 +5,7 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use super::input_error::InputError;
+use crate::identification::gauge_convention::GaugeConvention;
 use crate::identification::loss::Loss;
 use crate::identification::objective::{Minimize, Objective};
 use crate::model::{FreeParameters, identified_kind};
@@ -47,6 +48,8 @@ pub struct Settings {
     pub starts: u32,
     /// Seed of the other starts.
     pub seed: u64,
+    /// What fixes motions of everything that data without poses leave free.
+    pub gauge: GaugeConvention,
     /// Keep the way to the optimum, for [`course`](crate::identification::course).
     pub keeps_course: bool,
 }
@@ -67,6 +70,7 @@ impl Default for Settings {
             weak_direction_limit: 0.1,
             starts: 1,
             seed: 0,
+            gauge: GaugeConvention::default(),
             keeps_course: false,
         }
     }

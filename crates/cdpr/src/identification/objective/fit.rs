@@ -35,6 +35,7 @@ pub(crate) struct Optimum {
     scale: Vec<f64>,
     /// Metres that are one unit of the vectors; `None` where these are standard deviations of several quantities.
     unit: Option<f64>,
+    absolute: bool,
     certificate: Option<Certificate>,
 }
 
@@ -112,7 +113,8 @@ fn find<T>(
     let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
     let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
-    let units = (scale, unit, mean_tension);
+    let absolute = unit.is_none() && samples.sigmas.position.is_some();
+    let units = Units { scale, unit, absolute, mean_tension };
     let found = search(&mut vectors, (&start_model, parameters), units, settings, progress).and_then(|optimum| {
         let answer = of_optimum(&optimum, &mut vectors)?;
         Ok((optimum, answer))
@@ -125,11 +127,23 @@ fn find<T>(
     })
 }
 
-/// Finds the optimum of vectors from a model's values; `scale` is metres of one unit of each parameter, `unit` metres of one unit of the vectors.
+/// Sizes of parameters and vectors.
+pub(in crate::identification) struct Units {
+    /// Metres of one unit of each parameter.
+    pub(in crate::identification) scale: Vec<f64>,
+    /// Metres of one unit of the vectors; `None` where these are standard deviations of several quantities.
+    pub(in crate::identification) unit: Option<f64>,
+    /// True where these deviations are stated, so that smaller residuals are luck.
+    pub(in crate::identification) absolute: bool,
+    /// Mean recorded tension, 0 without (N).
+    pub(in crate::identification) mean_tension: f64,
+}
+
+/// Finds the optimum of vectors from a model's values.
 pub(in crate::identification) fn search(
     vectors: &mut impl Vectors,
     (start_model, parameters): (&Model, &[Parameter]),
-    (scale, unit, mean_tension): (Vec<f64>, Option<f64>, f64),
+    Units { scale, unit, absolute, mean_tension }: Units,
     settings: &Settings,
     progress: &dyn Fn(),
 ) -> Result<Optimum, InputError> {
@@ -141,7 +155,7 @@ pub(in crate::identification) fn search(
         _ => (end, None),
     };
     let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, scale, unit, certificate })
+    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, scale, unit, absolute, certificate })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
@@ -377,13 +391,13 @@ fn analyse(
     parameters: &[Parameter],
     settings: &Settings,
 ) -> Analysis {
-    let Optimum { scale, calibrated, unit, .. } = optimum;
+    let Optimum { scale, calibrated, unit, absolute, .. } = optimum;
     let misfit = Misfit {
         cost: stacked.residuals.norm_squared(),
         prior_cost: 0.0,
         freedom: stacked.free_rows().saturating_sub(parameters.len()),
     };
-    let inflation = inflation(misfit.factor(), unit.is_none() && samples.sigmas.position.is_some());
+    let inflation = inflation(misfit.factor(), *absolute);
     let rows = JointRows {
         model: calibrated,
         samples,

@@ -13,15 +13,17 @@ mod pose_squares;
 mod poseless;
 mod poses;
 mod problem;
+mod sensors;
 #[cfg(test)]
 mod tests;
 mod unknown_poses;
 mod vectors;
 
 pub use comparison::{Driven, JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
-pub(super) use fit::{check_recording, fit, optimum, report, search};
+pub(super) use fit::{Units, check_recording, fit, optimum, report, search};
 pub use minimax::{ActiveSample, Certificate};
 pub(super) use poseless::PoselessVectors;
+pub(super) use sensors::{Layout, Sensor, SensorVectors, Swivel, Weights};
 use serde::Serialize;
 pub(super) use vectors::{Stacked, Vectors};
 

@@ -181,7 +181,7 @@ impl<'a> PoselessVectors<'a> {
 }
 
 /// Columns of length one at right angles, by the method of Gram and Schmidt; a column within the others becomes zero.
-fn orthonormalise(columns: &mut DMatrix<f64>, count: usize) {
+pub(super) fn orthonormalise(columns: &mut DMatrix<f64>, count: usize) {
     for k in 0..count {
         let before = columns.column(k).norm();
         for j in 0..k {
@@ -345,7 +345,7 @@ impl Length {
 }
 
 /// Known components of a pose, the others as at home.
-fn guess(model: &Model, pose: &Pose, known: &[bool], home: &Pose) -> Pose {
+pub(super) fn guess(model: &Model, pose: &Pose, known: &[bool], home: &Pose) -> Pose {
     let mut guess = *home;
     for (twist, _) in model.twist_basis().iter().zip(known).filter(|(_, known)| **known) {
         let axis = twist.fixed_rows::<3>(0).into_owned();

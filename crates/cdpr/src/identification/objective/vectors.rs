@@ -65,6 +65,11 @@ impl Stacked {
         }
     }
 
+    /// Entries of one sample's vector.
+    pub(in crate::identification) fn row_count(&self) -> usize {
+        self.size
+    }
+
     /// Entries of all vectors that no unknown of a sample explains.
     pub(in crate::identification) fn free_rows(&self) -> usize {
         self.residuals.len().saturating_sub(self.unknowns)
@@ -93,7 +98,7 @@ impl Stacked {
     }
 
     /// True where every number is one.
-    pub(super) fn is_finite(&self) -> bool {
+    pub(in crate::identification) fn is_finite(&self) -> bool {
         self.residuals.iter().chain(self.jacobian.iter()).all(|number| number.is_finite())
     }
 }

@@ -3,6 +3,9 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::Serialize;
 
+use super::equations::Equation;
+use crate::geometry::Twist;
+use crate::identification::gauge_convention::GaugeConvention;
 use crate::identification::objective::Stacked;
 use crate::measurement::InternalSamples;
 use crate::model::Model;
@@ -15,13 +18,16 @@ const UNSEEN: f64 = 1e-7;
 const HAIR: f64 = 0.02;
 /// Name of the change of everything by one factor.
 const SIZE: &str = "size";
+/// Name of the change of all forces by one factor.
+const FORCES: &str = "size of all forces";
 /// Share of a motion that is another one.
 const SAME: f64 = 1e-6;
 
 /// Motions of everything together that no length sees, and the convention that fixes them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct GaugeFixing {
-    /// `anchors`: parameters held at the file's values; `known`: known poses leave nothing to fix.
+    /// `anchors`: parameters held at the file's values; `least-change`: anchors as near to the file's as the data let them be; `known`: measurements leave nothing
+    /// to fix.
     pub kind: &'static str,
     /// Freedom that the data leave: `translation`, `rotation`, `mirror`, `scale`.
     pub free: Vec<&'static str>,
@@ -39,6 +45,8 @@ pub(super) struct Gauge {
     motions: Vec<String>,
     /// Places of the parameters that fix them.
     pub(super) held: Vec<usize>,
+    /// Changes of the parameters by the motions, a column each.
+    moves: DMatrix<f64>,
     /// Change of the rows with the size, beside the changes that add up to it; nothing where no free parameter changes it, or it is not seen at all.
     size: Option<f64>,
 }
@@ -53,7 +61,7 @@ struct Motion {
 
 impl Gauge {
     /// Gauge at a model's values, where these are the rows.
-    pub(super) fn of(model: &Model, parameters: &[Parameter], rows: &Stacked) -> Self {
+    pub(super) fn of(model: &Model, parameters: &[Parameter], (rows, lengths): (&Stacked, &DVector<f64>)) -> Self {
         let motions = motions(model, parameters);
         let mut seen = DMatrix::zeros(rows.jacobian.nrows(), motions.len());
         for (mut column, motion) in seen.column_iter_mut().zip(&motions) {
@@ -61,7 +69,7 @@ impl Gauge {
             let size: f64 = sizes.map(|(column, change)| column.norm() * change.abs()).sum();
             let mut change = &rows.jacobian * &motion.changes;
             if motion.grows_residuals {
-                change -= &rows.residuals;
+                change -= lengths;
             }
             column.copy_from(&(change / size.max(f64::MIN_POSITIVE)));
         }
@@ -76,8 +84,33 @@ impl Gauge {
         }
         let mut moved = DMatrix::zeros(parameters.len(), motions.len());
         motions.iter().enumerate().for_each(|(k, motion)| moved.set_column(k, &motion.changes));
-        let held = held(moved * unseen, model, parameters);
-        Self { motions: names, held, size }
+        let moves = moved * unseen;
+        let held = held(moves.clone(), model, parameters);
+        Self { motions: names, held, moves, size }
+    }
+
+    /// The motions in words.
+    pub(super) fn words(&self) -> String {
+        self.motions.join(", ")
+    }
+
+    /// Equations that keep anchors as near to a model's as the motions let them be: Gᵀ (p − p₀) = 0, the same with the motions G at p₀ and at p (turns are
+    /// antisymmetric). What moves no anchor keeps the other parameters near.
+    pub(super) fn stillness(&self, model: &Model, parameters: &[Parameter], weight: f64) -> Vec<Equation> {
+        let is_anchor = |parameter: &Parameter| {
+            matches!(parameter.kind, ParameterKind::FrameAnchor | ParameterKind::PlatformAnchor)
+        };
+        let still = |column: usize| {
+            let own = |place: usize| if is_anchor(&parameters[place]) { self.moves[(place, column)] } else { 0.0 };
+            let of_anchors = DVector::from_fn(parameters.len(), |place, _| own(place));
+            let moves = if of_anchors.norm() > SAME { of_anchors } else { self.moves.column(column).into_owned() };
+            let start = |place: usize| parameters[place].value(model.robot());
+            let moved = moves.normalize();
+            let coefficients = moved.iter().enumerate().filter(|(_, amount)| **amount != 0.0);
+            let coefficients = coefficients.map(|(place, amount)| (parameters[place], *amount, start(place))).collect();
+            Equation::Still { coefficients, weight }
+        };
+        (0..self.held.len()).map(still).collect()
     }
 
     /// Warning of a size that the rows see, but do not tell.
@@ -91,7 +124,13 @@ impl Gauge {
         ))
     }
 
-    pub(super) fn told(self, model: &Model, parameters: &[Parameter], internal: &InternalSamples) -> GaugeFixing {
+    pub(super) fn told(
+        self,
+        model: &Model,
+        parameters: &[Parameter],
+        (internal, convention): (&InternalSamples, GaugeConvention),
+    ) -> GaugeFixing {
+        let is_held = convention == GaugeConvention::Anchors;
         let is_point = model.robot().cables.iter().all(|cable| cable.platform_anchor == Vector3::zeros());
         let has = |word: &str| self.motions.iter().any(|motion| motion.contains(word));
         let is_free_origin = internal.are_changes && internal.known_count() == 0;
@@ -99,14 +138,14 @@ impl Gauge {
             ("translation", is_free_origin || has("shift")),
             ("rotation", has("turn")),
             ("mirror", is_point && internal.known_count() == 0 && !self.motions.is_empty()),
-            ("scale", has(SIZE)),
+            ("scale", self.motions.iter().any(|motion| motion == SIZE)),
         ];
         GaugeFixing {
-            kind: if self.motions.is_empty() && !is_free_origin { "known" } else { "anchors" },
+            kind: if self.motions.is_empty() && !is_free_origin { "known" } else { convention.name() },
             free: free.into_iter().filter(|(_, is_free)| *is_free).map(|(word, _)| word).collect(),
             at_origin: internal.are_changes,
             motions: self.motions,
-            held: self.held.into_iter().map(|k| parameters[k].name(model.robot())).collect(),
+            held: self.held.into_iter().filter(|_| is_held).map(|k| parameters[k].name(model.robot())).collect(),
         }
     }
 }
@@ -151,9 +190,14 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
             let is_turn = turn.norm() > 0.0;
             let name = axis_name(if is_turn { &turn } else { &shift });
             let name = if is_turn { format!("turn about {name}{of}") } else { format!("shift along {name}{of}") };
-            push(name, &|parameter| match parameter.kind == kind {
-                true => (shift + turn.cross(&anchor(parameter))).dot(&axis_of(parameter)),
-                false => 0.0,
+            let of_world = kind == ParameterKind::FrameAnchor && is_turn;
+            push(name, &|parameter| match parameter.kind {
+                own if own == kind => (shift + turn.cross(&anchor(parameter))).dot(&axis_of(parameter)),
+                ParameterKind::Wrench if of_world => turned_wrench(model, parameter, &turn),
+                ParameterKind::SwivelAxis if of_world => {
+                    parameter.turned_axis(robot).map_or(0.0, |(_, about)| about.dot(&turn))
+                }
+                _ => 0.0,
             });
         }
         if kind == ParameterKind::FrameAnchor && model.dof() == model.axes().len() {
@@ -170,10 +214,28 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
         ParameterKind::FrameAnchor => robot.cables[parameter.cable].frame_anchor.dot(&axis_of(parameter)),
         ParameterKind::PlatformAnchor => robot.cables[parameter.cable].platform_anchor.dot(&axis_of(parameter)),
         ParameterKind::LengthScale => -parameter.value(robot),
+        ParameterKind::Wrench if is_turn(&model.twist_basis()[parameter.axis]) => parameter.value(robot),
         kind if kind.is_of_ideal_winch() && !is_scaled => parameter.value(robot),
         _ => 0.0,
     });
+    push(FORCES.to_owned(), &|parameter| match parameter.kind {
+        ParameterKind::Wrench => parameter.value(robot),
+        ParameterKind::TensionScale | ParameterKind::Compliance => -parameter.value(robot),
+        _ => 0.0,
+    });
     all
+}
+
+fn is_turn(twist: &Twist) -> bool {
+    twist.fixed_rows::<3>(3).norm_squared() > 0.0
+}
+
+/// Change of a component of the constant wrench with a turn of the world.
+fn turned_wrench(model: &Model, parameter: &Parameter, turn: &Vector3<f64>) -> f64 {
+    let Some(external) = &model.robot().external_wrench else { return 0.0 };
+    let [force, moment] = [0, 3].map(|first| turn.cross(&external.wrench.fixed_rows::<3>(first).into_owned()));
+    let twist = &model.twist_basis()[parameter.axis];
+    twist.fixed_rows::<3>(0).dot(&force) + twist.fixed_rows::<3>(3).dot(&moment)
 }
 
 /// Axes about which the world of a robot without turns can be turned.

@@ -1,23 +1,38 @@
-//! Calibration by sensors inside the machine: lengths, or their changes, at poses that nobody measured.
+//! Calibration by sensors inside the machine, at poses that nobody measured: lengths or their changes, tensions, swivel angles, inclinometers.
 //!
-//! Every pose takes the place where its lengths fit best and leaves m minus its unknown components equations for the parameters (sec. 4.1). What moves or mirrors the
-//! robot as a whole changes no length: such gauge motions are found, named, and fixed by parameters that stay at the file's values.
+//! Every pose takes the place where its measurements agree best and leaves as many equations for the parameters as there are more of them than unknowns (sec. 4.1). What
+//! moves or mirrors the robot as a whole changes none: such gauge motions are found, named, and fixed by parameters that stay at the file's values.
 
+mod accuracies;
+mod cells;
+mod comparison;
+mod equations;
+mod evaluation;
 mod gauge;
+mod question;
+mod sensor_fit;
+mod vectors;
 
-use super::evaluation::Evaluation;
-use super::fit::{Fit, InputError, Settings, checked_parameters};
-use super::objective::{PoselessVectors, Stacked, Vectors, check_recording, report, search};
+use nalgebra::DVector;
+
+use super::fit::{Fit, InputError, Settings};
+use super::objective::{Sensor, Stacked, Units, Vectors, report, search};
 use super::worth::joint_worths;
 use crate::geometry::Pose;
 use crate::measurement::{InternalSamples, Samples};
 use crate::model::{FreeParameters, Model};
 use crate::robot::Parameter;
+use crate::scalar::decomposition::svd;
+pub use comparison::Comparison;
+pub use evaluation::evaluate_lengths;
 use gauge::Gauge;
 pub use gauge::GaugeFixing;
+use question::Question;
+pub use sensor_fit::SensorFit;
+use vectors::{PoseVectors, Sensing};
 
-/// Length noise that is assumed where none is stated (m).
-const ASSUMED: f64 = 1e-3;
+/// Singular value, beside the largest, of a direction that the rows do not tell.
+const UNDETERMINED: f64 = 1e-10;
 
 /// A robot calibrated without measured poses.
 #[must_use = "check the status of the fit before using the parameters"]
@@ -25,12 +40,14 @@ const ASSUMED: f64 = 1e-3;
 pub struct SelfCalibration {
     /// The fit; parameters that the gauge holds are none of its own.
     pub fit: Fit,
-    /// The samples with the poses at which their lengths fit best, lengths counted from nothing.
+    /// The samples with the poses at which their measurements agree best, lengths counted from nothing.
     pub samples: Samples,
     /// Σ of the squared length residuals (m²).
     pub cost_m2: f64,
     /// Their root mean square (m).
     pub length_rms_m: f64,
+    /// Residuals of each sensor.
+    pub sensors: Vec<SensorFit>,
     /// Equations that the poses leave for the parameters.
     pub equations: usize,
     /// Free parameters, those that the gauge holds included.
@@ -39,7 +56,7 @@ pub struct SelfCalibration {
     pub gauge: GaugeFixing,
 }
 
-/// Identifies parameters of a rigid model from lengths at unknown poses; `progress` is called after each start.
+/// Identifies parameters of a model from what a machine's own sensors recorded at unknown poses; `progress` is called after each start.
 pub fn self_calibrate(
     model: &Model,
     internal: &InternalSamples,
@@ -47,91 +64,54 @@ pub fn self_calibrate(
     settings: &Settings,
     progress: &dyn Fn(),
 ) -> Result<SelfCalibration, InputError> {
-    if model.needs_tensions() {
-        return Err(InputError::PoselessOfElastic);
+    let mut question = Question::of(model, internal, free, settings)?;
+    let equations = question.count_equations()?;
+    let start = question.rows(&question.model, &question.parameters, None)?;
+    let lengths = start.lengths(&question.sensing);
+    let gauge = Gauge::of(&question.model, &question.parameters, (&start.stacked, &lengths));
+    let kept = question.fix(&gauge)?;
+    let parameters = question.parameters.len() - gauge.held.len();
+    if parameters > equations + question.prior_count(&kept) {
+        return Err(InputError::TooFewEquations { parameters, equations, samples: internal.samples.len() });
     }
-    check_recording(free, settings)?;
-    let all = checked_parameters(model, &internal.samples, free, settings)?;
-    let samples = &internal.samples;
-    let sigma = samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED);
-    let mut vectors = PoselessVectors::new(model, internal, &all, sigma);
-    let unknown = vectors.unknowns();
-    if unknown >= samples.lengths.len() {
-        let (cables, dof) = (model.cable_count(), model.dof());
-        return Err(InputError::NoEquationLeft { cables, dof });
-    }
-    let at_start = stacked(&mut vectors, model, &all)?;
-    let gauge = Gauge::of(model, &all, &at_start);
-    let kept: Vec<Parameter> = (0..all.len()).filter(|place| !gauge.held.contains(place)).map(|k| all[k]).collect();
-    let equations = samples.lengths.len() - unknown;
-    if kept.len() > equations {
-        return Err(InputError::TooFewEquations { parameters: kept.len(), equations, samples: samples.len() });
-    }
-    let mut vectors = PoselessVectors::new(model, internal, &kept, sigma);
-    stacked(&mut vectors, model, &kept)?;
-    let scale = joint_worths(model, &kept, &as_found(model, internal, vectors.poses())?.lengths, &[]);
-    let optimum = search(&mut vectors, (model, &kept), (scale, Some(sigma), 0.0), settings, progress)?;
-    let stacked_at_end = optimum.stacked(&mut vectors)?;
+    question.agree_on_accuracies(&kept)?;
+    let Question { model: start_model, internal: data, .. } = &question;
+    let mut vectors = question.start(&kept, Some(&start.poses))?;
+    let units = question.units(question.scale(&kept, &vectors.poses())?);
+    let optimum = search(&mut vectors, (start_model, &kept), units, settings, progress)?;
+    let stacked = optimum.stacked(&mut vectors)?;
     let calibrated = optimum.calibrated().clone();
-    let mut vectors = PoselessVectors::new(&calibrated, internal, &all, sigma);
-    let at_end = stacked(&mut vectors, &calibrated, &all)?;
-    let cost_m2 = at_end.residuals.norm_squared() * sigma * sigma;
-    let mut found = as_found(&calibrated, internal, vectors.poses())?;
-    let mut fit = report((optimum, &stacked_at_end), &found, &kept, settings);
+    let end = question.rows(&calibrated, &question.parameters, Some(&start.poses))?;
+    let sensors = question.sensor_fits(&end);
+    let sigma = question.sensing.length_sigma();
+    let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
+    let mut found = as_found(&calibrated, data, &end.poses)?;
+    let mut fit = report((optimum, &stacked), &found, &kept, settings);
+    // the convention adds what the data do not tell
+    fit.analysis.rank -= (kept.len() - parameters).min(fit.analysis.rank);
     // angles from a common start are those of no start length
-    found.motor_angles = found.motor_angles.filter(|_| !internal.are_changes);
+    found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
     fit.tell_nominal_values(model);
+    fit.warnings.extend(sensor_fit::warnings(&sensors));
+    fit.warnings.extend(cells::warning(&fit, settings));
     if let Some(words) = gauge.scale_warning() {
         fit.warnings.insert(0, words);
     }
     Ok(SelfCalibration {
         cost_m2,
-        length_rms_m: (cost_m2 / samples.lengths.len() as f64).sqrt(),
+        length_rms_m: (cost_m2 / internal.samples.lengths.len() as f64).sqrt(),
+        sensors,
         equations,
-        parameter_count: all.len(),
-        gauge: gauge.told(model, &all, internal),
+        parameter_count: question.parameters.len(),
+        gauge: gauge.told(model, &question.parameters, (data, settings.gauge)),
         samples: found,
         fit,
-    })
-}
-
-/// Errors of a rigid model's lengths at the poses where they fit best; known components of poses stay. There are no errors of poses.
-pub fn evaluate_lengths(model: &Model, internal: &InternalSamples) -> Result<Evaluation, InputError> {
-    if model.needs_tensions() {
-        return Err(InputError::PoselessOfElastic);
-    }
-    let (robot, data) = (model.cable_count(), internal.samples.cable_count);
-    if robot != data {
-        return Err(InputError::CableCount { robot, data });
-    }
-    let mut vectors = PoselessVectors::new(model, internal, &[], ASSUMED);
-    stacked(&mut vectors, model, &[])?;
-    let found = as_found(model, internal, vectors.poses())?;
-    let count = found.len();
-    let error = |(k, recorded): (usize, &f64)| modelled_length(model, k % robot, &found.poses[k / robot]) - recorded;
-    Ok(Evaluation {
-        position: vec![f64::NAN; count],
-        position_vector: vec![[f64::NAN; 3]; count],
-        rotation: vec![f64::NAN; count],
-        length: found.lengths.iter().enumerate().map(error).collect(),
-        cable_count: robot,
-        ..Evaluation::default()
     })
 }
 
 /// Length as it is recorded at a pose (m).
 fn modelled_length(model: &Model, cable: usize, pose: &Pose) -> f64 {
     model.recorded_length(cable, model.path_or_nan(cable, pose).0.length)
-}
-
-/// Rows at the values of a model.
-fn stacked(vectors: &mut PoselessVectors<'_>, model: &Model, parameters: &[Parameter]) -> Result<Stacked, InputError> {
-    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
-    let mut stacked = Stacked::new(vectors, parameters.len());
-    match vectors.write(&values, &mut stacked) {
-        true => Ok(stacked),
-        false => Err(InputError::NoPoses),
-    }
 }
 
 /// Samples at poses that were found, lengths counted from nothing and as the model's winches have them.
@@ -144,4 +124,83 @@ fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]) -> Result
         samples.lengths.iter_mut().zip(origin.iter().cycle()).for_each(|(length, origin)| *length += origin);
     }
     Ok(samples)
+}
+
+/// Rows at the values of a model, with the poses they were found at.
+struct Written {
+    stacked: Stacked,
+    poses: Vec<Pose>,
+    /// Share of each row's residual that its own pose takes up; empty where only lengths are rows.
+    leverages: Vec<f64>,
+}
+
+impl Written {
+    /// Residuals of lengths, zeros at all other rows.
+    fn lengths(&self, sensing: &Sensing) -> DVector<f64> {
+        let mut lengths = DVector::zeros(self.stacked.residuals.len());
+        let m = match sensing {
+            Sensing::Lengths(_) => self.stacked.row_count(),
+            Sensing::All(layout, _) => layout.places(Sensor::Length, 1).count(),
+        };
+        let size = self.stacked.row_count();
+        for row in (0..self.poses.len()).flat_map(|sample| (0..m).map(move |row| sample * size + row)) {
+            lengths[row] = self.stacked.residuals[row];
+        }
+        lengths
+    }
+
+    /// Shares of the rows' residuals that poses and parameters take up.
+    fn all_leverages(&self) -> Vec<f64> {
+        let mut all = self.leverages.clone();
+        let Some(found) = svd(self.stacked.jacobian.clone(), true, false) else { return all };
+        let largest = found.singular_values.amax();
+        let directions = found.u.iter().flat_map(|u| u.column_iter()).zip(found.singular_values.iter());
+        for (direction, _) in directions.filter(|(_, value)| **value > UNDETERMINED * largest) {
+            all.iter_mut().zip(direction.iter()).for_each(|(leverage, entry)| *leverage += entry * entry);
+        }
+        all
+    }
+}
+
+impl Question<'_> {
+    /// Rows at a model's values, poses searched from some that were found before.
+    fn rows(&self, model: &Model, parameters: &[Parameter], near: Option<&[Pose]>) -> Result<Written, InputError> {
+        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| vectors.begin_at(poses));
+        let stacked = stacked(&mut vectors, model, parameters)?;
+        Ok(Written { stacked, poses: vectors.poses(), leverages: vectors.leverages() })
+    }
+
+    /// Vectors of some of the parameters, written at their start.
+    fn start<'a>(
+        &'a self,
+        parameters: &'a [Parameter],
+        near: Option<&[Pose]>,
+    ) -> Result<PoseVectors<'a>, InputError> {
+        let mut vectors = self.sensing.vectors(&self.model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| vectors.begin_at(poses));
+        stacked(&mut vectors, &self.model, parameters)?;
+        Ok(vectors)
+    }
+
+    /// Metres of one unit of each parameter.
+    fn scale(&self, parameters: &[Parameter], poses: &[Pose]) -> Result<Vec<f64>, InputError> {
+        let lengths = as_found(&self.model, &self.internal, poses)?.lengths;
+        Ok(joint_worths(&self.model, parameters, &lengths, self.tensions()))
+    }
+
+    fn units(&self, scale: Vec<f64>) -> Units {
+        let unit = self.sensing.unit();
+        Units { scale, unit, absolute: unit.is_none() && self.are_stated(), mean_tension: self.mean_tension() }
+    }
+}
+
+/// Rows at the values of a model.
+fn stacked(vectors: &mut PoseVectors<'_>, model: &Model, parameters: &[Parameter]) -> Result<Stacked, InputError> {
+    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
+    let mut stacked = Stacked::new(vectors, parameters.len());
+    match vectors.write(&values, &mut stacked) {
+        true => Ok(stacked),
+        false => Err(InputError::NoPoses),
+    }
 }

@@ -26,8 +26,9 @@ impl Content {
     /// Whether a column of this quantity is read.
     pub(super) fn takes(self, quantity: Quantity) -> bool {
         match self {
-            Self::Samples | Self::Internal => true,
-            Self::Log => !quantity.is_of_pose(),
+            Self::Internal => true,
+            Self::Samples => !quantity.is_internal(),
+            Self::Log => !quantity.is_of_pose() && !quantity.is_internal(),
             Self::Track => quantity.is_of_pose() || quantity == Quantity::Time,
             Self::Poses => quantity.is_of_pose(),
         }

@@ -159,6 +159,11 @@ impl CsvFile<'_> {
                 self.require(columns, Quantity::Tension(cable), &format!("tension_N_{}", cable + 1))
             })?;
         }
+        if columns.keys().any(|quantity| matches!(quantity, Quantity::Swivel(_))) {
+            (0..m).try_for_each(|cable| {
+                self.require(columns, Quantity::Swivel(cable), &format!("swivel_rad_{}", cable + 1))
+            })?;
+        }
         Ok(())
     }
 

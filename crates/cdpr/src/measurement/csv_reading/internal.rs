@@ -10,11 +10,12 @@ use crate::reading::ReadError;
 use crate::robot::Robot;
 
 impl MeasurementFile<'_> {
-    /// True for a file in which no column is, or was meant to be, one of a pose.
+    /// True for a file in which no column is, or was meant to be, one of a position; there may be those of an inclinometer.
     pub fn lacks_poses(&self, robot: &Robot) -> Result<bool, ReadError> {
         self.with_content(Content::Internal, robot, |file| {
-            let is_pose =
-                |name: &str| meaning(name).is_ok_and(|column| column.is_some_and(|c| c.quantity.is_of_pose()));
+            let is_pose = |name: &str| {
+                meaning(name).is_ok_and(|column| column.is_some_and(|c| matches!(c.quantity, Quantity::Position(_))))
+            };
             Ok(!file.meant_names().any(is_pose) && file.refuse_without_poses().is_err())
         })
     }
@@ -25,12 +26,17 @@ impl MeasurementFile<'_> {
             let mut table = file.table()?;
             let are_changes = file.has_changes_only();
             let known = std::mem::take(&mut table.known);
+            let swivels = Some(std::mem::take(&mut table.swivels)).filter(|angles| !angles.is_empty());
+            let masses = Some(std::mem::take(&mut table.masses)).filter(|masses| !masses.is_empty());
             let rows = table.samples.len() + table.skipped.count();
             if let Some(error) = table.too_far.first {
                 return Err(error);
             }
             table.notices.extend(table.skipped.words(file.file_name, rows));
-            Ok((InternalSamples { samples: table.samples, known, are_changes }, table.notices))
+            Ok((
+                InternalSamples { samples: table.samples, known, swivels, masses, facts: Vec::new(), are_changes },
+                table.notices,
+            ))
         })
     }
 }
@@ -85,15 +91,12 @@ impl CsvFile<'_> {
             numbers.pose = Some(self.pose(format, row)?);
             return Ok(());
         }
-        if is_turn_known {
-            let message = "an orientation without the whole position is not read yet";
-            return Err(self
-                .at(row, 0, "csv::pose", message.to_owned())
-                .with_help("give the position too, or leave both out"));
-        }
         components.resize(pattern.dof(), 0.0);
-        let pose = pattern.pose(self.robot.plane, &components);
-        numbers.pose = Some(pose.unwrap_or_else(|_| Pose::identity()));
+        let mut pose = pattern.pose(self.robot.plane, &components).unwrap_or_else(|_| Pose::identity());
+        if is_turn_known {
+            pose.rotation = self.orientation(format, row)?;
+        }
+        numbers.pose = Some(pose);
         Ok(())
     }
 }

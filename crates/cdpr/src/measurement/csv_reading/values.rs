@@ -2,6 +2,8 @@
 
 use std::num::ParseFloatError;
 
+use nalgebra::UnitQuaternion;
+
 use super::complaints::shortened;
 use super::rows::{CsvFile, Format, Row};
 use crate::geometry::{MotionPattern, Pose};
@@ -10,11 +12,22 @@ use crate::reading::{MAGNITUDE_LIMIT, ReadError};
 
 impl CsvFile<'_> {
     pub(super) fn pose(&self, format: &Format, row: &Row<'_>) -> Result<Pose, ReadError> {
-        let pattern = self.robot.motion_pattern;
         let mut components = Vec::with_capacity(6);
-        for axis in 0..pattern.translations() {
+        for axis in 0..self.robot.motion_pattern.translations() {
             components.push(self.number(format, row, Quantity::Position(axis))?);
         }
+        self.pose_with(format, row, components)
+    }
+
+    /// The orientation of a row whose position may be unknown.
+    pub(super) fn orientation(&self, format: &Format, row: &Row<'_>) -> Result<UnitQuaternion<f64>, ReadError> {
+        let at_origin = vec![0.0; self.robot.motion_pattern.translations()];
+        Ok(self.pose_with(format, row, at_origin)?.rotation)
+    }
+
+    /// The pose of a row with the components of its position.
+    fn pose_with(&self, format: &Format, row: &Row<'_>, mut components: Vec<f64>) -> Result<Pose, ReadError> {
+        let pattern = self.robot.motion_pattern;
         match pattern {
             MotionPattern::Planar => components.push(self.number(format, row, Quantity::Angle)?),
             MotionPattern::Spatial if format.columns.contains_key(&Quantity::Euler(0)) => {
