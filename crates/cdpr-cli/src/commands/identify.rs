@@ -122,7 +122,7 @@ pub(crate) struct Arguments {
     out_poses: Option<PathBuf>,
 
     #[command(flatten)]
-    frame: self_calibration::FrameArguments,
+    frame: Box<self_calibration::FrameArguments>,
 
     /// Report to write: tables and charts in one HTML file.
     #[arg(long, value_name = "FILE")]

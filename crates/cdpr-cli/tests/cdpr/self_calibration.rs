@@ -77,12 +77,143 @@ fn what_needs_poses_is_refused() {
         ("identify planar-example lengths.csv --free frame-anchor --split kfold:3", "data::option-needs-poses"),
         ("identify planar-example lengths.csv --free frame-anchor --report page.html", "data::option-needs-poses"),
         ("identify planar-example measured.csv --free frame-anchor --out-poses found.csv", "data::has-poses"),
-        ("identify planar-example lengths.csv --model elastic --free frame-anchor", "setting::cost"),
+        ("identify planar-example measured.csv --free frame-anchor --gauge least-change", "data::has-poses"),
         ("select planar-example lengths.csv", "csv::no-poses"),
-        ("evaluate planar-example lengths.csv --model elastic", "setting::cost"),
     ] {
         let run = cdpr_in(folder.path(), command);
         assert_eq!(run.exit_code, 2, "{command}");
+        assert!(run.stderr.contains(code), "{command}: {}", run.stderr);
+    }
+}
+
+/// A platform under four cables with swivelling pulleys, in a file of its own.
+const HANGING: &str = r#"
+layout_version = 1
+name = "hanging"
+motion_pattern = "3R3T"
+cable_count = 4
+gravity_m_s2 = [0.0, 0.0, -9.81]
+[platform]
+mass_kg = 12.0
+center_of_mass_m = [0.0, 0.0, 0.15]
+[home_pose]
+position_m = [0.0, 0.0, 0.6]
+rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+"#;
+
+/// Robot file and run of a hanging platform: lengths, tensions and swivels at equilibria, to a tenth of a millimetre.
+fn hanging_run() -> tempfile::TempDir {
+    use cdpr::equilibrium::elastostatics::{Settings, Solver, Status};
+    use cdpr::model::{Composition, Model};
+    use cdpr::nalgebra::Vector3;
+    use cdpr::robot::Robot;
+    let corners = [(1.0, -1.1), (1.1, 1.0), (-1.0, 1.2), (-1.2, -1.0)];
+    let cable = |(x, y): (f64, f64)| {
+        format!(
+            "[[cable]]\nname = \"{x} {y}\"\nframe_anchor_m = [{x:?}, {y:?}, 1.8]\nplatform_anchor_m = [{:?}, {:?}, 0.26]\npulley_radius_m = 0.03\n\
+             pulley_swivel_axis = [{:?}, 0.0, 0.0]\n",
+            0.08 * x,
+            0.08 * y,
+            x.signum()
+        )
+    };
+    let text = HANGING.to_owned() + &corners.map(cable).concat();
+    let robot = Robot::from_toml(&text, "hanging.toml").unwrap();
+    let model = Model::new(robot, Composition { pulley: true, ..Composition::STANDARD }).unwrap();
+    let load = cdpr::statics::Load::of(model.robot()).unwrap();
+    let mut solver = Solver::new(&model, &load, &Settings::default()).unwrap();
+    let mut table = String::new();
+    for (stem, count) in [("cable_length_m", 4), ("tension_N", 4), ("swivel_rad", 4)] {
+        (1..=count).for_each(|k| table.push_str(&format!("{stem}_{k},")));
+    }
+    table = table.trim_end_matches(',').to_owned() + "\n";
+    let home = model.robot().home_or_middle();
+    let share = |sample: usize, k: u32| 2.0 * (f64::from(k).sqrt() * (sample + 1) as f64).fract() - 1.0;
+    for sample in 0..40 {
+        let mut near = home;
+        near.position += Vector3::new(share(sample, 2), share(sample, 3), share(sample, 5)) * 0.35;
+        let length = |k: usize| model.path(k, &near).unwrap().0.length + 0.02 * share(sample, [7, 11, 13, 17][k]);
+        let lengths: Vec<f64> = (0..4).map(length).collect();
+        let solution = solver.solve(&lengths, &near).unwrap();
+        if solution.status != Status::Converged || solution.tensions.iter().any(|tension| *tension < 5.0) {
+            continue;
+        }
+        let swivel = |k: usize| model.swivel_angle(k, &solution.pose, &-Vector3::z()).unwrap();
+        let numbers = lengths.iter().map(|q| q + 1e-4 * share(sample, 19)).chain(solution.tensions.iter().copied());
+        let numbers = numbers.chain((0..4).map(swivel)).map(|number| number.to_string());
+        table.push_str(&(numbers.collect::<Vec<_>>().join(",") + "\n"));
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("hanging.toml"), text.replace("[1.1, 1.0, 1.8]", "[1.12, 1.01, 1.8]")).unwrap();
+    std::fs::write(folder.path().join("run.csv"), table).unwrap();
+    folder
+}
+
+#[test]
+fn tensions_and_swivels_calibrate_a_platform_that_hangs() {
+    let folder = hanging_run();
+    let command = "identify hanging.toml run.csv --model pulley --free frame-anchor --sigma length_m=0.0002,tension_N=0.1,swivel_rad=0.001 \
+                   --validation run.csv --compare hanging.toml --out calibrated.toml";
+    let run = cdpr_in(folder.path(), command);
+    assert_eq!(run.exit_code, 0, "{}\n{}", run.stdout, run.stderr);
+    for words in
+        ["no measurement changes by: shift along x", "swivel: ", "on run.csv: lengths", "beside hanging: anchors are"]
+    {
+        assert!(run.stdout.contains(words), "{words}: {}", run.stdout);
+    }
+    let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
+    assert_eq!(answer["sensors"].as_array().unwrap().len(), 3);
+    assert_eq!(answer["gauge"]["free"], serde_json::json!(["translation"]));
+    let figures = |answer: &serde_json::Value| {
+        let rms = |key: &str| answer[key]["rms"].as_f64().unwrap();
+        (rms("length_error_m"), rms("swivel_error_rad"))
+    };
+    let (before, after) = (figures(&answer["validation"]["before"]), figures(&answer["validation"]));
+    assert!(after.0 < 2e-4 && after.1 < 1e-3 && before.0 > 3.0 * after.0, "{before:?} {after:?}");
+    let evaluated = cdpr_in(
+        folder.path(),
+        "evaluate calibrated.toml run.csv --model pulley --sigma length_m=0.0002,swivel_rad=0.001 --format json",
+    );
+    let again = figures(&evaluated.json());
+    assert!((again.0 / after.0 - 1.0).abs() < 1e-3, "{again:?} {after:?}");
+    let least = cdpr_in(folder.path(), &format!("{command} --gauge least-change --format json")).json();
+    assert_eq!(
+        (least["gauge"]["kind"].as_str(), least["rank"].as_u64()),
+        (Some("least-change"), answer["rank"].as_u64())
+    );
+    let cost = |answer: &serde_json::Value| answer["history"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+    assert!((cost(&least) / cost(&answer) - 1.0).abs() < 1e-6, "{} {}", cost(&least), cost(&answer));
+    let known = "--known level[1,2,3,4]+-0.01 --known distance[1,2]=2.1+-0.05";
+    assert_eq!(cdpr_in(folder.path(), &format!("{command} {known}")).exit_code, 0);
+}
+
+#[test]
+fn what_no_sensor_tells_is_refused_in_words() {
+    let folder = hanging_run();
+    let text = std::fs::read_to_string(folder.path().join("run.csv")).unwrap();
+    let part = |kept: usize, head: &dyn Fn(&str) -> String| -> String {
+        let row = |(number, line): (usize, &str)| {
+            let line = line.split(',').take(kept).collect::<Vec<_>>().join(",") + "\n";
+            if number == 0 { head(&line) } else { line }
+        };
+        text.lines().enumerate().map(row).collect()
+    };
+    std::fs::write(folder.path().join("lengths.csv"), part(4, &str::to_owned)).unwrap();
+    let changes = part(8, &|head: &str| head.replace("cable_length_m", "cable_length_change_m"));
+    std::fs::write(folder.path().join("changes.csv"), changes).unwrap();
+    for (command, code) in [
+        ("identify hanging.toml lengths.csv --model pulley --free frame-anchor", "data::no-equations"),
+        ("evaluate hanging.toml lengths.csv --model pulley", "data::no-equations"),
+        ("identify hanging.toml changes.csv --model pulley --free frame-anchor", "data::no-start-lengths"),
+        ("identify hanging.toml run.csv --model pulley --free frame-anchor --gauge known", "data::gauge-open"),
+        ("identify hanging.toml run.csv --model pulley --free frame-anchor --known height[1]", "known::syntax"),
+        ("identify hanging.toml run.csv --model pulley --free frame-anchor --known level[1,7]", "known::not-of-robot"),
+        ("identify hanging.toml run.csv --model pulley --free frame-anchor --course", "data::option-needs-poses"),
+        ("identify planar-example run.csv --free frame-anchor", "data::no-swivel-zero"),
+        ("select hanging.toml run.csv", "csv::no-poses"),
+    ] {
+        let run = cdpr_in(folder.path(), command);
+        assert_eq!(run.exit_code, 2, "{command}: {}", run.stdout);
         assert!(run.stderr.contains(code), "{command}: {}", run.stderr);
     }
 }

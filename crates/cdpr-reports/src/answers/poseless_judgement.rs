@@ -25,7 +25,8 @@ impl PoselessJudgement {
         let told = |errors: &ErrorBlocks| {
             let length = significant(1e3 * errors.length_error_m.rms, 3);
             let swivel = errors.swivel_error.as_ref().map(|swivel| significant(swivel.rms.to_degrees(), 3));
-            format!("lengths {length} mm rms") + &swivel.map_or(String::new(), |swivel| format!(", swivels {swivel}° rms"))
+            format!("lengths {length} mm rms")
+                + &swivel.map_or(String::new(), |swivel| format!(", swivels {swivel}° rms"))
         };
         let before = self.before.as_ref().map_or(String::new(), |before| format!(" (as given: {})", told(before)));
         format!("on {}: {}{before}\n", self.data, told(&self.errors))

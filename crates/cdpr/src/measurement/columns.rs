@@ -110,6 +110,10 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
     ] {
         let Some(rest) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')) else { continue };
         let Some((unit, number)) = rest.rsplit_once('_') else { continue };
+        // `swivel_change_rad_1` counts from elsewhere
+        if stem == "swivel" && unit.contains('_') {
+            continue;
+        }
         let Some(cable) = number.parse::<usize>().ok().filter(|&cable| cable > 0 && cable <= 10_000) else { continue };
         return in_unit(stem, unit, units, &format!("_{cable}"))
             .map(|factor| Some(Column { quantity: build(cable - 1), factor }));

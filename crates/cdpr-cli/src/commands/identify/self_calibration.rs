@@ -74,16 +74,36 @@ impl FrameArguments {
 /// Refuses options that ask for measured poses, each with what it needs them for.
 fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
     let asked = [
-        ("--split", arguments.split.is_some(), "parts of the data are judged by errors of poses; judge by another file with --validation"),
+        (
+            "--split",
+            arguments.split.is_some(),
+            "parts of the data are judged by errors of poses; judge by another file with --validation",
+        ),
         ("--compare-objectives", arguments.compare_objectives, "objectives are compared by errors of poses"),
         ("--drive", arguments.drive.is_asked(), "what is driven is compared with what poses tell"),
         ("--report", arguments.report.is_some(), "its tables and charts are of errors at measured poses"),
-        ("--profile, --bootstrap or --uncertainty", arguments.uncertainty.is_asked(), "they draw samples at measured poses"),
+        (
+            "--profile, --bootstrap or --uncertainty",
+            arguments.uncertainty.is_asked(),
+            "they draw samples at measured poses",
+        ),
         ("--path or --out-reduced", arguments.path.is_asked(), "penalties are chosen by errors of poses"),
-        ("--scale, --row-weight or --condition-map", arguments.scaling.is_asked(), "rows are weighed by the accuracy of each sensor here"),
+        (
+            "--scale, --row-weight or --condition-map",
+            arguments.scaling.is_asked(),
+            "rows are weighed by the accuracy of each sensor here",
+        ),
         ("--course", arguments.course.is_asked(), "a course tells residuals at measured poses"),
-        ("--objective other than length", arguments.settings().objective != Objective::Length, "there is no pose to be compared with"),
-        ("--loss huber or cauchy", !matches!(arguments.loss, Loss::Auto | Loss::Squared), "a pose takes up most of an outlier, so that its residual does not show it"),
+        (
+            "--objective other than length",
+            arguments.settings().objective != Objective::Length,
+            "there is no pose to be compared with",
+        ),
+        (
+            "--loss huber or cauchy",
+            !matches!(arguments.loss, Loss::Auto | Loss::Squared),
+            "a pose takes up most of an outlier, so that its residual does not show it",
+        ),
     ];
     let Some((option, _, reason)) = asked.into_iter().find(|(_, is_asked, _)| *is_asked) else { return Ok(()) };
     Err(Failure::input(
@@ -119,9 +139,11 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
         .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     drop(progress);
     let comparison = arguments.frame.comparison(&found)?;
-    let validation = arguments.validation.as_ref().zip(other.as_ref()).map(|(path, other)| {
-        judged((model, &found.fit.model), other, &path.display().to_string())
-    });
+    let validation = arguments
+        .validation
+        .as_ref()
+        .zip(other.as_ref())
+        .map(|(path, other)| judged((model, &found.fit.model), other, &path.display().to_string()));
     let validation = validation.transpose()?;
     let calibrated = found.fit.model.robot().to_toml();
     let poses = found.samples.to_csv(model.robot());

@@ -3,12 +3,15 @@
 use super::question::Question;
 use super::sensor_fit::SensorFit;
 use super::vectors::Sensing;
+use crate::geometry::Pose;
 use crate::identification::fit::{InputError, Settings};
 use crate::identification::objective::{Sensor, Weights, search};
 use crate::robot::Parameter;
 
 /// Rounds at most.
 const ROUNDS: u32 = 10;
+/// Steps to an optimum in each: near enough to tell accuracies.
+const STEPS: u32 = 12;
 /// Change of all accuracies below which they agree with the residuals.
 const AGREED: f64 = 0.03;
 /// Least and largest accuracy, beside the assumed one.
@@ -24,8 +27,7 @@ impl Question<'_> {
         if self.are_stated() {
             return Ok(());
         }
-        let settings =
-            Settings { starts: 1, keeps_course: false, max_iterations: STEPS, ..self.settings.clone() };
+        let settings = Settings { starts: 1, keeps_course: false, max_iterations: STEPS, ..self.settings.clone() };
         for _ in 0..ROUNDS {
             let fits = self.fits_of_one_start(parameters, near, &settings)?;
             if fits.iter().all(|fit| !(fit.deviation() > EXACT * fit.sigma)) {
@@ -42,11 +44,16 @@ impl Question<'_> {
         Ok(())
     }
 
-    fn fits_of_one_start(&self, parameters: &[Parameter], settings: &Settings) -> Result<Vec<SensorFit>, InputError> {
-        let mut vectors = self.start(parameters, None)?;
+    fn fits_of_one_start(
+        &self,
+        parameters: &[Parameter],
+        near: &[Pose],
+        settings: &Settings,
+    ) -> Result<Vec<SensorFit>, InputError> {
+        let mut vectors = self.start(parameters, Some(near))?;
         let units = self.units(self.scale(parameters, &vectors.poses())?);
         let optimum = search(&mut vectors, (&self.model, parameters), units, settings, &|| ())?;
-        let end = self.rows(optimum.calibrated(), parameters, None)?;
+        let end = self.rows(optimum.calibrated(), parameters, Some(near))?;
         Ok(self.sensor_fits(&end))
     }
 }

@@ -74,7 +74,7 @@ pub fn self_calibrate(
     if parameters > equations + question.prior_count(&kept) {
         return Err(InputError::TooFewEquations { parameters, equations, samples: internal.samples.len() });
     }
-    question.agree_on_accuracies(&kept)?;
+    question.agree_on_accuracies(&kept, &start.poses)?;
     let Question { model: start_model, internal: data, .. } = &question;
     let mut vectors = question.start(&kept, Some(&start.poses))?;
     let units = question.units(question.scale(&kept, &vectors.poses())?);

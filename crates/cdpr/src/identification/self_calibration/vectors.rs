@@ -18,9 +18,9 @@ pub(super) struct PoseVectors<'a> {
 /// Residuals of samples.
 enum SampleVectors<'a> {
     /// Of lengths.
-    Lengths(PoselessVectors<'a>),
+    Lengths(Box<PoselessVectors<'a>>),
     /// Of all sensors.
-    Sensors(SensorVectors<'a>),
+    Sensors(Box<SensorVectors<'a>>),
 }
 
 /// What the rows of samples are made of.
@@ -42,9 +42,11 @@ impl Sensing {
         equations: &'a [Equation],
     ) -> PoseVectors<'a> {
         let samples = match self {
-            Self::Lengths(sigma) => SampleVectors::Lengths(PoselessVectors::new(model, internal, parameters, *sigma)),
+            Self::Lengths(sigma) => {
+                SampleVectors::Lengths(Box::new(PoselessVectors::new(model, internal, parameters, *sigma)))
+            }
             Self::All(layout, weights) => {
-                SampleVectors::Sensors(SensorVectors::new(model, internal, parameters, (layout, weights)))
+                SampleVectors::Sensors(Box::new(SensorVectors::new(model, internal, parameters, (layout, weights))))
             }
         };
         PoseVectors { samples, equations, model, parameters }

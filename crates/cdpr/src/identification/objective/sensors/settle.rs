@@ -10,6 +10,8 @@ use crate::identification::elastostatic::RowModel;
 const STEPS: u32 = 100;
 /// Steps of Gauss and Newton before second derivatives are worth their evaluations: bends of residuals beside weakly held turns make them slow.
 const PLAIN_STEPS: u32 = 8;
+/// Share of the last promise from which on plain steps are slow.
+const SLOW: f64 = 0.1;
 /// Step at which a pose is found, in standard deviations, relative to a larger norm of the residuals.
 const FOUND: f64 = 1e-7;
 /// Share of the squares that the next step may still promise where a pose is sought no longer.
@@ -26,17 +28,18 @@ impl SampleSensors<'_> {
     /// Pose and tensions that make the squares of a sample least, from some near them; nothing where they do not settle.
     pub(super) fn settle(&self, model: &RowModel<'_>, sample: usize, from: &Latent) -> Option<(Latent, f64)> {
         let mut here = (from.clone(), self.rows(model, sample, from)?);
-        let (mut damping, mut gain) = (DAMPING, f64::INFINITY);
-        for step in 0..STEPS {
+        let (mut damping, mut gain, mut is_slow) = (DAMPING, f64::INFINITY, false);
+        for round in 0..STEPS {
             let square = here.1.residuals.norm_squared();
-            let curvature = match step < PLAIN_STEPS {
+            let curvature = match round < PLAIN_STEPS && !is_slow {
                 true => here.1.by_latent.tr_mul(&here.1.by_latent),
-                false => self.curvature(model, sample, &here.0)?,
+                false => self.curvature(model, sample, (&here.0, &here.1))?,
             };
             let Some((step, promised)) = newton_step(&here.1, curvature, damping) else {
                 damping = (10.0 * damping).max(DAMPING);
                 continue;
             };
+            is_slow |= round > 1 && promised > SLOW * gain;
             gain = promised;
             let trial = self.displaced(sample, &here.0, &step);
             let there = self.rows(model, sample, &trial);
@@ -60,7 +63,7 @@ impl SampleSensors<'_> {
     }
 
     /// Half the second derivative of the squares by what is unknown, from differences of gradients.
-    fn curvature(&self, model: &RowModel<'_>, sample: usize, at: &Latent) -> Option<DMatrix<f64>> {
+    fn curvature(&self, model: &RowModel<'_>, sample: usize, (at, rows): (&Latent, &Rows)) -> Option<DMatrix<f64>> {
         let count = self.unknowns(sample);
         let gradient = |k: usize, amount: f64| {
             let mut step = DVector::zeros(count);
@@ -68,12 +71,13 @@ impl SampleSensors<'_> {
             let rows = self.rows(model, sample, &self.displaced(sample, at, &step))?;
             Some(rows.by_latent.tr_mul(&rows.residuals))
         };
+        let here = rows.by_latent.tr_mul(&rows.residuals);
         let turns = self.directions[sample].len();
         let mut curvature = DMatrix::zeros(count, count);
         for k in 0..count {
             // a newton moves rows as little as a micrometre does
             let amount = if k < turns { DISPLACEMENT } else { DISPLACEMENT * at.tensions[k - turns].abs().max(1.0) };
-            let change = (gradient(k, amount)? - gradient(k, -amount)?) / (2.0 * amount);
+            let change = (gradient(k, amount)? - &here) / amount;
             curvature.set_column(k, &change);
         }
         let transposed = curvature.transpose();
