@@ -35,7 +35,7 @@ pub(super) fn sensing(model: &Model, internal: &InternalSamples, is_wrench_free:
     let samples = &internal.samples;
     let has_load = is_wrench_free || Load::of(model.robot()).is_ok();
     let balances = model.needs_tensions() || (samples.tensions.is_some() && has_load);
-    let weights = Weights::new(&samples.sigmas, mean(samples.tensions.as_deref().unwrap_or_default()));
+    let weights = Weights::new(model, &samples.sigmas, mean(samples.tensions.as_deref().unwrap_or_default()));
     let layout = Layout::of(model, internal, balances, &weights);
     match layout.has_only_lengths() {
         true => Sensing::Lengths(samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE)),

@@ -45,11 +45,13 @@ pub(in crate::identification) struct Weights {
     pub(in crate::identification) position: Option<f64>,
     /// Of forces in equilibrium (N).
     pub(in crate::identification) balance: f64,
+    /// Arm by which moments count as forces: the size of the platform as its file has it, which no parameter changes (m).
+    arm: f64,
 }
 
 impl Weights {
     /// Stated accuracies, and assumed ones where none are stated; `mean_tension` of what is recorded (N).
-    pub(in crate::identification) fn new(stated: &SensorSigmas, mean_tension: f64) -> Self {
+    pub(in crate::identification) fn new(model: &Model, stated: &SensorSigmas, mean_tension: f64) -> Self {
         let positive = |sigma: Option<f64>| sigma.filter(|sigma| *sigma > 0.0);
         let mean = mean_tension.abs().max(1e-3);
         let tension = positive(stated.tension).unwrap_or(ASSUMED_TENSION_SHARE * mean);
@@ -63,6 +65,7 @@ impl Weights {
             },
             position: positive(stated.position),
             balance: (BALANCE_SHARE * mean).min(0.1 * tension),
+            arm: model.platform_radius(),
         }
     }
 
@@ -101,7 +104,7 @@ impl Weights {
     /// 1/σ of an equilibrium row of the pattern: moments count by the platform's size.
     pub(super) fn balance(&self, model: &Model, row: usize) -> f64 {
         let is_turn = is_turn(&model.twist_basis()[row]);
-        self.of(Sensor::Balance) / if is_turn { model.platform_radius() } else { 1.0 }
+        self.of(Sensor::Balance) / if is_turn { self.arm } else { 1.0 }
     }
 
     /// 1/σ of a measured part of a pose along a direction; 0 where it counts as exact, as a pose does that is known whole without stated accuracy.

@@ -64,7 +64,7 @@ fn derivatives_of_all_rows_are_their_differences() {
             .parse()
             .unwrap();
     let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
-    let weights = Weights::new(&internal.samples.sigmas, 37.5);
+    let weights = Weights::new(&model, &internal.samples.sigmas, 37.5);
     let layout = Layout::of(&model, &internal, true, &weights);
     let directions = [model.twist_basis().to_vec()];
     let sensors = SampleSensors { internal: &internal, layout: &layout, weights: &weights, directions: &directions };
