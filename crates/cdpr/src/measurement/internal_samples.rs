@@ -32,21 +32,6 @@ impl InternalSamples {
         }
     }
 
-    /// The samples with these indices, in this order.
-    #[must_use]
-    pub fn subset(&self, indices: &[usize]) -> Self {
-        let m = self.samples.cable_count;
-        let rows = |data: &Vec<f64>| indices.iter().flat_map(|&i| data[i * m..][..m].to_vec()).collect();
-        Self {
-            samples: self.samples.subset(indices),
-            known: indices.iter().map(|&i| self.known[i].clone()).collect(),
-            swivels: self.swivels.as_ref().map(rows),
-            masses: self.masses.as_ref().map(|masses| indices.iter().map(|&i| masses[i]).collect()),
-            facts: self.facts.clone(),
-            are_changes: self.are_changes,
-        }
-    }
-
     /// Number of poses that are known whole.
     pub fn whole_poses(&self) -> usize {
         self.known.iter().filter(|known| known.iter().all(|known| *known)).count()

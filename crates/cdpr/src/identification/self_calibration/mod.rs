@@ -65,7 +65,7 @@ pub fn self_calibrate(
     progress: &dyn Fn(),
 ) -> Result<SelfCalibration, InputError> {
     let mut question = Question::of(model, internal, free, settings)?;
-    let equations = question.count_equations()?;
+    let equations = question.count_equations();
     let start = question.rows(&question.model, &question.parameters, None)?;
     let lengths = start.lengths(&question.sensing);
     let gauge = Gauge::of(&question.model, &question.parameters, (&start.stacked, &lengths));

@@ -74,6 +74,9 @@ impl<'a> Question<'a> {
         let sensing = sensing(model, internal, is_wrench_free);
         internal.facts.iter().try_for_each(|known| known.check(model.cable_count(), internal.are_changes))?;
         let equations = internal.facts.iter().cloned().map(Equation::Known).collect();
+        if sensing.vectors(model, internal, &[], &[]).equation_count().unwrap_or(0) == 0 {
+            return Err(no_equation_left(model, &sensing));
+        }
         let balances = matches!(&sensing, Sensing::All(layout, _) if layout.balances());
         let parameters = match sensing {
             Sensing::Lengths(_) => checked_parameters(model, &internal.samples, free, settings)?,
@@ -143,15 +146,9 @@ impl<'a> Question<'a> {
         Ok(())
     }
 
-    /// Equations that poses leave for the parameters, and those known besides; refuses measurements that their poses explain whole.
-    pub(super) fn count_equations(&self) -> Result<usize, InputError> {
-        let count = |equations: &[Equation]| {
-            self.sensing.vectors(&self.model, &self.internal, &[], equations).equation_count().unwrap_or(0)
-        };
-        match count(&[]) {
-            0 => Err(no_equation_left(&self.model, &self.sensing)),
-            _ => Ok(count(&self.equations)),
-        }
+    /// Equations that poses leave for the parameters, and those known besides.
+    pub(super) fn count_equations(&self) -> usize {
+        self.sensing.vectors(&self.model, &self.internal, &[], &self.equations).equation_count().unwrap_or(0)
     }
 
     /// Priors on these parameters.

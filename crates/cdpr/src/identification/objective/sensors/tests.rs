@@ -31,7 +31,7 @@ fn hanging() -> Model {
         .unwrap()
 }
 
-fn measured(model: &Model) -> (InternalSamples, Latent) {
+fn measured() -> (InternalSamples, Latent) {
     let pose = Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.5), [0.1, -0.05, 0.2]);
     let samples = Samples {
         poses: vec![Pose::from_xyz_angles(Vector3::zeros(), [0.12, -0.06, 0.17])],
@@ -49,7 +49,6 @@ fn measured(model: &Model) -> (InternalSamples, Latent) {
         are_changes: false,
         samples,
     };
-    let _ = model;
     (internal, Latent { pose, tensions: vec![41.0, 36.0, 44.0, 31.0] })
 }
 
@@ -57,7 +56,7 @@ fn measured(model: &Model) -> (InternalSamples, Latent) {
 #[test]
 fn derivatives_of_all_rows_are_their_differences() {
     let model = hanging();
-    let (internal, at) = measured(&model);
+    let (internal, at) = measured();
     let free: FreeParameters =
         "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius,swivel-axis,compliance,\
                                 tension-scale,tension-offset"
