@@ -149,6 +149,7 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
             rotation: Some(rules.rotation_rad),
             length: Some(rules.length_m),
             tension: Some(rules.tension_share * largest),
+            swivel: None,
         }),
         history: None,
         tolerances: None,

@@ -90,7 +90,13 @@ impl<'a> RowModel<'a> {
     }
 
     /// Writes residuals and Jacobian of a sample at a pose and recorded tensions near the measured ones.
-    pub(in crate::identification) fn write(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) {
+    pub(in crate::identification) fn write(
+        &self,
+        pose: &Pose,
+        tensions: &[f64],
+        recorded: Recorded<'_>,
+        rows: &mut SampleRows,
+    ) {
         if rows.is_full {
             rows.entries.fill(0.0);
             rows.is_full = false;

@@ -172,11 +172,7 @@ impl Question<'_> {
     }
 
     /// Vectors of some of the parameters, written at their start.
-    fn start<'a>(
-        &'a self,
-        parameters: &'a [Parameter],
-        near: Option<&[Pose]>,
-    ) -> Result<PoseVectors<'a>, InputError> {
+    fn start<'a>(&'a self, parameters: &'a [Parameter], near: Option<&[Pose]>) -> Result<PoseVectors<'a>, InputError> {
         let mut vectors = self.sensing.vectors(&self.model, &self.internal, parameters, &self.equations);
         near.into_iter().for_each(|poses| vectors.begin_at(poses));
         stacked(&mut vectors, &self.model, parameters)?;
