@@ -12,7 +12,7 @@ pub enum GaugeConvention {
     Anchors,
     /// Of all robots that the data cannot tell apart the one whose anchors are nearest to the file's (free-network adjustment).
     LeastChange,
-    /// What is measured, known or held fixes everything; data that leave a motion free are refused.
+    /// Measured, known or held numbers fix everything; data that leave a motion free are refused.
     Known,
 }
 

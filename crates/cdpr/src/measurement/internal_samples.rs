@@ -13,7 +13,7 @@ pub struct InternalSamples {
     pub swivels: Option<Vec<f64>>,
     /// Mass of the platform with its load, sample by sample (kg); that of the robot's file where there are none.
     pub masses: Option<Vec<f64>>,
-    /// What is known of the robot besides.
+    /// Facts known of the robot besides.
     pub facts: Vec<Known>,
     /// True where lengths count from that of one common pose, which is the world's origin.
     pub are_changes: bool,

@@ -1,4 +1,4 @@
-//! What is known of a robot besides its samples: distances, tape-measured lengths, anchors on a plane or a wall, equal drums.
+//! Facts known of a robot besides its samples: distances, tape-measured lengths, anchors on a plane or a wall, equal drums.
 
 use std::str::FromStr;
 
@@ -7,7 +7,7 @@ use thiserror::Error;
 /// Standard deviation of a distance without a stated one (m).
 const ASSUMED: f64 = 1e-3;
 
-/// One thing known of a robot, with its standard deviation; cables count from 0.
+/// One fact known of a robot, with its standard deviation; cables count from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Known {
     /// The thing.
@@ -86,7 +86,7 @@ pub enum KnownError {
 
 impl Known {
     /// Cables that it speaks of.
-    pub fn cables(&self) -> &[usize] {
+    pub(crate) fn cables(&self) -> &[usize] {
         match &self.fact {
             Fact::Distance { cables, .. } => cables,
             Fact::Length { cable, .. } => std::slice::from_ref(cable),
@@ -95,7 +95,7 @@ impl Known {
     }
 
     /// Refuses what is not of a robot with so many cables, or of lengths that count from nothing.
-    pub fn check(&self, cable_count: usize, are_changes: bool) -> Result<(), KnownError> {
+    pub(crate) fn check(&self, cable_count: usize, are_changes: bool) -> Result<(), KnownError> {
         let needed = match self.fact {
             Fact::Length { .. } => 1,
             Fact::Plane { .. } => 4,

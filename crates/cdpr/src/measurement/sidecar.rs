@@ -18,7 +18,7 @@ pub struct Sidecar {
     /// Columns of the file by the names that measurements have, e.g. `x_m = "X_world"`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub columns: BTreeMap<String, String>,
-    /// What is known of the robot, for calibration without poses: `distance[1,2]=2.412+-0.002` and the like.
+    /// Facts known of the robot, for calibration without poses: `distance[1,2]=2.412+-0.002` and the like.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub known: Vec<String>,
     /// The frames that poses refer to.

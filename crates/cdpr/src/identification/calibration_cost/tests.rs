@@ -62,7 +62,9 @@ fn better_sensors_and_more_poses_pay_for_the_model_that_can_use_them() {
         tracked.validation_position_m.unwrap() < rows[7].calibration.as_ref().unwrap().validation_position_m.unwrap()
     );
     assert!(rows[9].calibration.as_ref().is_none_or(|found| found.validation_position_m.is_none()));
-    assert!(rows[11].calibration.is_none() && rows[11].reason.as_ref().unwrap().contains("elastic"), "{:?}", rows[11]);
+    // tensions in equilibrium with the load calibrate an elastic model without a tracker
+    let elastic = rows[11].calibration.as_ref().unwrap_or_else(|| panic!("{:?}", rows[11].reason));
+    assert_eq!((elastic.parameter_count, elastic.validation_position_m), (62, None));
     assert_eq!(prepared.calibration_row(3, &points[3]), rows[3], "the same every time");
 }
 

@@ -147,11 +147,11 @@ pub enum InputError {
     NoEquationLeft {
         /// Equations of a sample.
         rows: usize,
-        /// Where they come from, in words.
+        /// Their sources in words.
         sensors: String,
         /// Unknowns of a sample.
         unknowns: usize,
-        /// What they are, in words.
+        /// Their names in words.
         of: &'static str,
     },
     /// Changes of lengths beside other sensors.

@@ -48,7 +48,7 @@ pub struct Settings {
     pub starts: u32,
     /// Seed of the other starts.
     pub seed: u64,
-    /// What fixes motions of everything that data without poses leave free.
+    /// Convention that fixes motions of everything that data without poses leave free.
     pub gauge: GaugeConvention,
     /// Keep the way to the optimum, for [`course`](crate::identification::course).
     pub keeps_course: bool,

@@ -11,7 +11,7 @@ use crate::statics::cable_state;
 /// An equation, as residuals in standard deviations.
 #[derive(Clone, Debug)]
 pub(super) enum Equation {
-    /// Something known.
+    /// A known fact.
     Known(Known),
     /// Σ c (p − p₀) = 0 over coefficients c with their parameters and values p₀.
     Still {

@@ -1,8 +1,9 @@
 //! Errors of a model at the poses where a sample's measurements agree best.
 
+use super::found::{as_found, modelled_length};
 use super::question::{check_swivels, no_equation_left, sensing};
 use super::vectors::Sensing;
-use super::{as_found, modelled_length, stacked};
+use super::written::stacked;
 use crate::identification::evaluation::Evaluation;
 use crate::identification::fit::InputError;
 use crate::identification::objective::Sensor;

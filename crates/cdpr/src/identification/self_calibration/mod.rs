@@ -8,31 +8,29 @@ mod cells;
 mod comparison;
 mod equations;
 mod evaluation;
+mod found;
 mod gauge;
 mod question;
 mod sensor_fit;
 mod vectors;
-
-use nalgebra::DVector;
+mod written;
 
 use super::fit::{Fit, InputError, Settings};
-use super::objective::{Sensor, Stacked, Units, Vectors, report, search};
+use super::objective::{Units, report, search};
 use super::worth::joint_worths;
 use crate::geometry::Pose;
 use crate::measurement::{InternalSamples, Samples};
 use crate::model::{FreeParameters, Model};
 use crate::robot::Parameter;
-use crate::scalar::decomposition::svd;
 pub use comparison::Comparison;
 pub use evaluation::evaluate_lengths;
+use found::as_found;
 use gauge::Gauge;
 pub use gauge::GaugeFixing;
 use question::Question;
 pub use sensor_fit::SensorFit;
-use vectors::{PoseVectors, Sensing};
-
-/// Singular value, beside the largest, of a direction that the rows do not tell.
-const UNDETERMINED: f64 = 1e-10;
+use vectors::PoseVectors;
+use written::{Written, stacked};
 
 /// A robot calibrated without measured poses.
 #[must_use = "check the status of the fit before using the parameters"]
@@ -109,59 +107,6 @@ pub fn self_calibrate(
     })
 }
 
-/// Length as it is recorded at a pose (m).
-fn modelled_length(model: &Model, cable: usize, pose: &Pose) -> f64 {
-    model.recorded_length(cable, model.path_or_nan(cable, pose).0.length)
-}
-
-/// Samples at poses that were found, lengths counted from nothing and as the model's winches have them.
-fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]) -> Result<Samples, InputError> {
-    let lengths = model.with_lengths(&internal.samples).map_err(InputError::Winch)?;
-    let mut samples = Samples { poses: poses.to_vec(), ..lengths.into_owned() };
-    if internal.are_changes {
-        let origin: Vec<f64> =
-            (0..model.cable_count()).map(|cable| modelled_length(model, cable, &Pose::identity())).collect();
-        samples.lengths.iter_mut().zip(origin.iter().cycle()).for_each(|(length, origin)| *length += origin);
-    }
-    Ok(samples)
-}
-
-/// Rows at the values of a model, with the poses they were found at.
-struct Written {
-    stacked: Stacked,
-    poses: Vec<Pose>,
-    /// Share of each row's residual that its own pose takes up; empty where only lengths are rows.
-    leverages: Vec<f64>,
-}
-
-impl Written {
-    /// Residuals of lengths, zeros at all other rows.
-    fn lengths(&self, sensing: &Sensing) -> DVector<f64> {
-        let mut lengths = DVector::zeros(self.stacked.residuals.len());
-        let m = match sensing {
-            Sensing::Lengths(_) => self.stacked.row_count(),
-            Sensing::All(layout, _) => layout.places(Sensor::Length, 1).count(),
-        };
-        let size = self.stacked.row_count();
-        for row in (0..self.poses.len()).flat_map(|sample| (0..m).map(move |row| sample * size + row)) {
-            lengths[row] = self.stacked.residuals[row];
-        }
-        lengths
-    }
-
-    /// Shares of the rows' residuals that poses and parameters take up.
-    fn all_leverages(&self) -> Vec<f64> {
-        let mut all = self.leverages.clone();
-        let Some(found) = svd(self.stacked.jacobian.clone(), true, false) else { return all };
-        let largest = found.singular_values.amax();
-        let directions = found.u.iter().flat_map(|u| u.column_iter()).zip(found.singular_values.iter());
-        for (direction, _) in directions.filter(|(_, value)| **value > UNDETERMINED * largest) {
-            all.iter_mut().zip(direction.iter()).for_each(|(leverage, entry)| *leverage += entry * entry);
-        }
-        all
-    }
-}
-
 impl Question<'_> {
     /// Rows at a model's values, poses searched from some that were found before.
     fn rows(&self, model: &Model, parameters: &[Parameter], near: Option<&[Pose]>) -> Result<Written, InputError> {
@@ -188,15 +133,5 @@ impl Question<'_> {
     fn units(&self, scale: Vec<f64>) -> Units {
         let unit = self.sensing.unit();
         Units { scale, unit, absolute: unit.is_none() && self.are_stated(), mean_tension: self.mean_tension() }
-    }
-}
-
-/// Rows at the values of a model.
-fn stacked(vectors: &mut PoseVectors<'_>, model: &Model, parameters: &[Parameter]) -> Result<Stacked, InputError> {
-    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
-    let mut stacked = Stacked::new(vectors, parameters.len());
-    match vectors.write(&values, &mut stacked) {
-        true => Ok(stacked),
-        false => Err(InputError::NoPoses),
     }
 }

@@ -1,6 +1,7 @@
 //! Free parameters and measurements of a calibration without poses, checked; and the model it starts from.
 
 use super::equations::Equation;
+use super::found::modelled_length;
 use super::gauge::Gauge;
 use super::vectors::Sensing;
 use crate::identification::elastostatic::with_constant_wrench;
@@ -25,7 +26,7 @@ pub(super) struct Question<'a> {
     /// The free parameters.
     pub(super) parameters: Vec<Parameter>,
     pub(super) sensing: Sensing,
-    /// What is known besides, and what fixes the gauge.
+    /// Facts known besides, and conditions that fix the gauge.
     pub(super) equations: Vec<Equation>,
     pub(super) settings: &'a Settings,
 }
@@ -138,7 +139,7 @@ impl<'a> Question<'a> {
         let mut robot = self.model.robot().clone();
         for cable in 0..m {
             let changes: Vec<f64> = self.internal.samples.lengths.iter().skip(cable).step_by(m).copied().collect();
-            let length = super::modelled_length(&self.model, cable, &home);
+            let length = modelled_length(&self.model, cable, &home);
             let offset = robot.cables[cable].length_offset.unwrap_or(0.0) + mean(&changes) - length;
             robot.cables[cable].length_offset = Some(offset);
         }

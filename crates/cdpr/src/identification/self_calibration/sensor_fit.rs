@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::Written;
 use super::question::Question;
 use super::vectors::Sensing;
+use super::written::Written;
 use crate::identification::objective::Sensor;
 use crate::measurement::SensorSigmas;
 

@@ -23,7 +23,7 @@ enum SampleVectors<'a> {
     Sensors(Box<SensorVectors<'a>>),
 }
 
-/// What the rows of samples are made of.
+/// Measurements that the rows of samples are made of.
 #[derive(Clone, Debug)]
 pub(super) enum Sensing {
     /// Lengths with this standard deviation (m).
