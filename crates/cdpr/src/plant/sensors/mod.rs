@@ -59,6 +59,7 @@ impl Sensors {
             // a count stands for a length of equal probability
             length: table.encoders.as_ref().map(|encoders| encoders.resolution_m / 12f64.sqrt()),
             tension: table.load_pins.as_ref().map(|pins| pins.noise_N),
+            swivel: table.swivels.map(|swivels| swivels.noise_rad.hypot(swivels.resolution_rad / 12f64.sqrt())),
         };
         Ok(Self {
             cables: CableSensors::new(table, model),
@@ -69,6 +70,7 @@ impl Sensors {
                 rotation: known(accuracies.rotation),
                 length: known(accuracies.length),
                 tension: known(accuracies.tension),
+                swivel: known(accuracies.swivel),
             },
         })
     }
