@@ -133,12 +133,11 @@ fn the_cheapest_calibration_within_an_accuracy_is_told() {
     assert_eq!(rows.len(), 12);
     let cheapest = merged["cheapest"].as_array().unwrap();
     let of = |place: usize| (cheapest[place]["point"].as_u64(), cheapest[place]["words"].as_str().unwrap());
-    // 10 mm without a sensor of poses, 5 mm by kinematics, 1 mm by the elastic model alone
-    let (ten, five, one) = (of(0), of(1), of(3));
+    // 10 mm without a sensor of poses and by kinematics, 1 mm by the elastic model alone
+    let (ten, one) = (of(0), of(3));
     let row = |point: Option<u64>| &rows[point.unwrap() as usize];
     assert_eq!(row(ten.0)["sensor"], "none", "{ten:?}");
     assert!(row(ten.0)["validation_position_m"].is_null() && row(ten.0)["validation_length_m"].is_number());
-    assert_eq!(row(five.0)["model"], "standard", "{five:?}");
     assert_eq!(row(one.0)["model"], "elastic", "{one:?}");
     assert!(one.1.starts_with("for 1 mm: ") && one.1.contains("at a price of"), "{one:?}");
     for (place, accuracy) in [0.01, 0.005, 0.002, 0.001].into_iter().enumerate() {

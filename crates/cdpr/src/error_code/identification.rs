@@ -122,6 +122,16 @@ impl ErrorCode for CompensationError {
     }
 }
 
+#[cfg(feature = "files")]
+impl ErrorCode for crate::identification::compensation::MapError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Read(error) => error.code,
+            Self::Map(error) => error.code(),
+        }
+    }
+}
+
 impl ErrorCode for PlanError {
     fn code(&self) -> &'static str {
         match self {

@@ -49,7 +49,10 @@ impl Plant {
     /// wrench (world axes, moment about the platform origin; N, N·m).
     pub fn acceleration(&self, state: &State, further: &Wrench) -> Twist {
         let twist = state.twist();
-        let cables = state.pulls.wrench(&twist, |cable| state.cables[cable].controlled_length_rate);
+        let cables = match self.dissipates {
+            true => state.pulls.wrench(&twist, |cable| state.cables[cable].controlled_length_rate),
+            false => state.pulls.wrench_at_rest(),
+        };
         let wrench = cables + state.load(self) + further;
         state.inertia.acceleration(&self.model, &state.pose, &twist, &wrench)
     }

@@ -1,6 +1,6 @@
 //! Sensors of a machine in time: what is logged is what they see.
 //!
-//! [`Sensors`] is a value beside the [`State`](super::State): a clone of both is a snapshot. It looks at every step, since
+//! [`Sensors`] is a value beside the [`State`]: a clone of both is a snapshot. It looks at every step, since
 //! amplifiers remember, and keeps rows at the times of each sensor. Every sensor has a random stream of its own: another sensor more changes
 //! no number of the others.
 

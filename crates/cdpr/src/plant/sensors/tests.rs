@@ -60,26 +60,30 @@ fn without_noise_sensors_see_the_truth() {
     assert!((seen - last.pose.position).norm() < 1e-12, "displaced by no noise");
 }
 
-/// The specific force is that of the acceleration which differences of the path show, and of a machine at rest the weight alone.
+/// The specific force is that of the acceleration which differences of the path show, with dampers and without.
 #[test]
 fn the_inertial_unit_feels_the_second_difference_of_its_path() {
     let place = Vector3::new(0.3, -0.2, 0.1);
     let tables =
         "step_s = 1e-4\nrecord_s = 1e-4\n[sensors]\n[sensors.imu]\nrate_Hz = 10000\nposition_m = [0.3, -0.2, 0.1]\n";
-    let text = START.replace("duration_s = 0.6", "duration_s = 0.02") + tables;
-    let (logs, states, simulation) = run(&text, simulator());
-    let (_, rows) = numbers(&logs[0]);
-    assert_eq!(rows.len(), states.len());
-    let gravity = simulation.plant.model().robot().gravity.unwrap();
-    let at = |index: usize| states[index].pose.transform(&place);
-    for index in [20, 77, 150] {
-        // central difference of h = 1e-3: its error h²/12 a'' with a'' ~ ω² a, ω ~ 200 rad/s, is 3e-3 of a
-        let acceleration = (at(index + 10) - 2.0 * at(index) + at(index - 10)) / 1e-6;
-        let force = states[index].pose.rotation.inverse() * (acceleration - gravity);
-        let felt = Vector3::new(rows[index][1], rows[index][2], rows[index][3]);
-        assert!((felt - force).norm() < 0.01 * (1.0 + acceleration.norm()), "{felt} {force}");
-        let omega = states[index].pose.rotation.inverse() * states[index].twist().fixed_rows::<3>(3);
-        assert!((Vector3::new(rows[index][4], rows[index][5], rows[index][6]) - omega).norm() < 1e-12);
+    for damping in ["", "cable_damping_N_s_per_m = 2000\n"] {
+        let text = START
+            .replace("duration_s = 0.6", "duration_s = 0.02")
+            .replace("[start]", &(damping.to_owned() + "[start]"));
+        let (logs, states, simulation) = run(&(text + tables), simulator());
+        let (_, rows) = numbers(&logs[0]);
+        assert_eq!(rows.len(), states.len());
+        let gravity = simulation.plant.model().robot().gravity.unwrap();
+        let at = |index: usize| states[index].pose.transform(&place);
+        for index in [20, 77, 150] {
+            // central difference of h = 1e-3: its error h²/12 a'' with a'' ~ ω² a, ω ~ 200 rad/s, is 3e-3 of a
+            let acceleration = (at(index + 10) - 2.0 * at(index) + at(index - 10)) / 1e-6;
+            let force = states[index].pose.rotation.inverse() * (acceleration - gravity);
+            let felt = Vector3::new(rows[index][1], rows[index][2], rows[index][3]);
+            assert!((felt - force).norm() < 0.01 * (1.0 + acceleration.norm()), "{damping} {felt} {force}");
+            let omega = states[index].pose.rotation.inverse() * states[index].twist().fixed_rows::<3>(3);
+            assert!((Vector3::new(rows[index][4], rows[index][5], rows[index][6]) - omega).norm() < 1e-12);
+        }
     }
 }
 
