@@ -147,9 +147,10 @@ fn the_cheapest_calibration_within_an_accuracy_is_told() {
         let least = within.map(|row| price(&row)).fold(f64::INFINITY, f64::min);
         assert_eq!(cheapest[place]["price"].as_f64(), Some(least), "{accuracy}");
     }
-    assert!(
-        rows[10]["driven_position_m"].is_null() && rows[10]["reason"].as_str().is_some_and(|reason| !reason.is_empty())
-    );
+    // who measures no poses has tensions, which contradict the lengths of cables that do not stretch
+    let driven = |row: usize| (rows[row]["sensor"].as_str(), rows[row]["driven_position_m"].as_f64().unwrap());
+    assert_eq!((driven(8).0, driven(10).0), (Some("none"), Some("none")));
+    assert!(driven(10).1 < driven(8).1, "elastic {:?}, standard {:?}", driven(10), driven(8));
     let read = |name: &str| std::fs::read_to_string(folder.path().join("cost").join(name)).unwrap();
     assert!(read("result.svg").contains("poses measured") && read("result.csv").lines().count() == 13);
 }
