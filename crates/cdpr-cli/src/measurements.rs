@@ -208,7 +208,7 @@ struct Source {
     name: String,
     options: ReadingOptions,
     sigmas: SensorSigmas,
-    /// What is known of the robot besides.
+    /// Facts known of the robot besides.
     known: Vec<String>,
 }
 

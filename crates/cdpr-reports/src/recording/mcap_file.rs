@@ -23,7 +23,7 @@ impl Recording<'_> {
     /// Bytes of an MCAP file: pose (`/platform`), frames (`/tf`), scene (`/scene`), tensions (`/tensions`, N) and events with broken limits
     /// (`/events`), as JSON with schemas; times count from the start of the run.
     pub fn mcap(&self, violations: &[Violation]) -> Result<Vec<u8>, McapError> {
-        let options = WriteOptions::new().compression(None).library("cdpr");
+        let options = WriteOptions::new().compression(None);
         let mut file = File { writer: options.create(Cursor::new(Vec::new()))?, channels: Vec::new(), count: 0 };
         for topic in Topic::ALL {
             let (name, schema) = topic.names();

@@ -18,7 +18,7 @@ use crate::files;
 use crate::inputs::read_robot;
 use crate::progress::Progress;
 
-/// What fixes the frame of a robot whose poses nobody measured, and what it is compared with.
+/// Convention for the frame of a robot whose poses nobody measured, facts known of it, and a robot to compare with.
 #[derive(Debug, Args)]
 pub(super) struct FrameArguments {
     /// Convention that fixes what data without poses leave free: anchors holds coordinates at the file's values, least-change keeps all anchors as near to the
@@ -26,7 +26,7 @@ pub(super) struct FrameArguments {
     #[arg(long, value_name = "GAUGE", default_value = GaugeConvention::default().name(), value_parser = gauges())]
     pub(super) gauge: GaugeConvention,
 
-    /// Something known besides samples without poses: distance[1,2]=2.412, length[1]=1.597 (where changes count from), plane[1,2,3,4], wall-x[1,2], wall-y[1,2],
+    /// Fact known besides samples without poses: distance[1,2]=2.412, length[1]=1.597 (where changes count from), plane[1,2,3,4], wall-x[1,2], wall-y[1,2],
     /// level[1,2,3], equal-drum-radius[1,2]; each with a standard deviation in metres, e.g. distance[1,2]=2.412+-0.002 (without: 1 mm). May be repeated.
     #[arg(long, value_name = "FACT")]
     known: Vec<Known>,
