@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use cdpr_reports::answers::CourseAnswer;
 use clap::Args;
 
-use super::Identification;
+use super::task::Identification;
 
 /// Options of the course.
 #[derive(Clone, Debug, Args)]

@@ -10,7 +10,7 @@ use cdpr_reports::answers::{PathAnswer, ReductionAnswer};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use super::Task;
+use super::task::Task;
 use crate::failure::Failure;
 use crate::selecting::{DataDivision, one_file, two_files};
 

@@ -5,7 +5,7 @@ use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, se
 use cdpr::measurement::Fold;
 use cdpr::model::FreeParameters;
 
-use super::Task;
+use super::task::Task;
 use crate::command_line;
 use crate::failure::Failure;
 use crate::selecting::two_files;

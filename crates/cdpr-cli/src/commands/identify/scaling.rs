@@ -7,7 +7,7 @@ use cdpr::identification::{KindScale, condition_map, conditioning, scaled_kind};
 use cdpr_reports::answers::ScalingAnswer;
 use clap::Args;
 
-use super::Task;
+use super::task::Task;
 use crate::failure::Failure;
 
 /// Options of scales and weights.

@@ -11,7 +11,7 @@ use cdpr_reports::NamedFile;
 use cdpr_reports::answers::UncertaintyAnswer;
 use clap::Args;
 
-use super::Task;
+use super::task::Task;
 use crate::failure::Failure;
 use crate::files;
 

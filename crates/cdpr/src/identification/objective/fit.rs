@@ -1,20 +1,15 @@
-//! Optimum of an objective under any cost, and the report of it.
+//! Optimum of an objective under any cost.
 
-use super::cost::{Cost, Ridge, deviations_of_norms};
+use super::cost::{Cost, Ridge};
 use super::dense::DenseEquations;
 use super::minimax::{self, Certificate};
 use super::problem::ObjectiveVectors;
 use super::vectors::{Stacked, Vectors};
 use super::{Minimize, Objective};
 use crate::identification::elastostatic::checked_start;
-use crate::identification::fit::{
-    Estimate, Fit, InputError, Settings, estimate, inflation, prior_sigma, verdict, warnings,
-};
-use crate::identification::identifiability::Analysis;
-use crate::identification::joint_analysis::{JointRows, analyse_together};
+use crate::identification::fit::{InputError, Settings, prior_sigma};
 use crate::identification::joint_descent::{Around, End, descend};
 use crate::identification::loss::Loss;
-use crate::identification::misfit::Misfit;
 use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::trail::Trail;
@@ -22,21 +17,20 @@ use crate::identification::worth::joint_worths;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model, RecordingParameter};
 use crate::robot::Parameter;
-use crate::scalar::TriangularFactor;
 use crate::solve::{ROUNDING_GAIN, Rules};
 
 /// The optimum and what belongs to it.
 pub(crate) struct Optimum {
     /// The model before the fit; with a free wrench its robot states a constant one.
-    start_model: Model,
-    calibrated: Model,
-    end: End,
-    starts: Starts,
-    scale: Vec<f64>,
+    pub(super) start_model: Model,
+    pub(super) calibrated: Model,
+    pub(super) end: End,
+    pub(super) starts: Starts,
+    pub(super) scale: Vec<f64>,
     /// Metres that are one unit of the vectors; `None` where these are standard deviations of several quantities.
-    unit: Option<f64>,
-    absolute: bool,
-    certificate: Option<Certificate>,
+    pub(super) unit: Option<f64>,
+    pub(super) absolute: bool,
+    pub(super) certificate: Option<Certificate>,
 }
 
 impl Optimum {
@@ -94,7 +88,7 @@ pub(crate) fn optimum(
 }
 
 /// Finds the optimum and what is asked of it with its vectors.
-fn find<T>(
+pub(super) fn find<T>(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
@@ -300,123 +294,4 @@ impl Search<'_> {
         };
         Ok((end, Some(found.certificate)))
     }
-}
-
-/// The fit in full: uncertainty, weak directions, warnings.
-pub(crate) fn fit(
-    model: &Model,
-    samples: &Samples,
-    parameters: &[Parameter],
-    settings: &Settings,
-    progress: &dyn Fn(),
-) -> Result<Fit, InputError> {
-    let (optimum, stacked) =
-        find(model, samples, parameters, (settings, progress), |optimum, vectors| optimum.stacked(vectors))?;
-    let mut fit = report((optimum, &stacked), samples, parameters, settings);
-    fit.warnings.extend(warnings::suspicious_units(model, samples));
-    Ok(fit)
-}
-
-/// The fit of an optimum in full.
-pub(in crate::identification) fn report(
-    (optimum, stacked): (Optimum, &Stacked),
-    samples: &Samples,
-    parameters: &[Parameter],
-    settings: &Settings,
-) -> Fit {
-    let analysis = analyse((&optimum, stacked), samples, parameters, settings);
-    let Optimum { start_model, calibrated, end, starts, certificate, unit, .. } = optimum;
-    let estimates: Vec<Estimate> = parameters
-        .iter()
-        .zip(&analysis.sigmas)
-        .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
-        .collect();
-    let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
-    let noise_factor = misfit(stacked, &estimates).factor();
-    let mut all_warnings = analysis.warnings.clone();
-    all_warnings.extend(warnings::of_bounds(&estimates));
-    all_warnings.extend(caution(settings));
-    Fit {
-        model: calibrated,
-        status,
-        reason,
-        stopped_by: end.stopped,
-        iterations: end.iterations,
-        history: end.trail.costs.clone(),
-        trail: end.trail,
-        parameters: estimates,
-        analysis,
-        noise_factor,
-        loss: Loss::Squared,
-        loss_threshold: f64::INFINITY,
-        outliers: Vec::new(),
-        starts,
-        clock_offset: None,
-        frames: None,
-        certificate: certificate.map(|certificate| certificate.in_metres(unit)),
-        samples: samples.len(),
-        outlier_warning: None,
-        warnings: all_warnings,
-        rows: None,
-    }
-}
-
-/// Residuals of every row of a sample over the samples.
-fn series(stacked: &Stacked) -> Vec<Vec<f64>> {
-    let row =
-        |row: usize| (0..stacked.samples()).map(|sample| stacked.residuals[sample * stacked.size + row]).collect();
-    (0..stacked.size).map(row).collect()
-}
-
-/// Warning of a cost that no statistics belong to.
-fn caution(settings: &Settings) -> Option<String> {
-    let is_max = settings.minimize == Minimize::Max;
-    is_max.then(|| {
-        "the least largest error hangs on a few samples: one outlier moves every parameter, and it has no standard deviations".to_owned()
-    })
-}
-
-/// Squares at the optimum, in units of the vectors.
-fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
-    let priors = estimates.iter().filter_map(|e| Some((e.change / e.prior_sigma?).powi(2)));
-    let prior_cost: f64 = priors.clone().sum();
-    let rows = stacked.free_rows() + priors.count();
-    let cost = stacked.residuals.norm_squared() + prior_cost;
-    Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
-}
-
-fn analyse(
-    (optimum, stacked): (&Optimum, &Stacked),
-    samples: &Samples,
-    parameters: &[Parameter],
-    settings: &Settings,
-) -> Analysis {
-    let Optimum { scale, calibrated, unit, absolute, .. } = optimum;
-    let misfit = Misfit {
-        cost: stacked.residuals.norm_squared(),
-        prior_cost: 0.0,
-        freedom: stacked.free_rows().saturating_sub(parameters.len()),
-    };
-    let inflation = inflation(misfit.factor(), *absolute);
-    let rows = JointRows {
-        model: calibrated,
-        samples,
-        parameters,
-        scale,
-        count: stacked.jacobian.nrows(),
-        plain: TriangularFactor::of(&(&stacked.jacobian * unit.unwrap_or(1.0))),
-        weighted: TriangularFactor::of(&stacked.jacobian),
-        series: series(stacked),
-        inflation,
-    };
-    let mut analysis = analyse_together(rows, settings);
-    match settings.minimize {
-        Minimize::Squares => {}
-        Minimize::Mean => analysis.sigmas = deviations_of_norms(stacked).unwrap_or(analysis.sigmas),
-        Minimize::Max => {
-            analysis.sigmas.fill(None);
-            analysis.correlations.clear();
-        }
-    }
-    analysis
 }

@@ -13,6 +13,7 @@ mod pose_squares;
 mod poseless;
 mod poses;
 mod problem;
+mod report;
 mod sensors;
 #[cfg(test)]
 mod tests;
@@ -20,9 +21,10 @@ mod unknown_poses;
 mod vectors;
 
 pub use comparison::{Driven, JudgedOptimum, ObjectiveValues, OptimumOf, compare_objectives};
-pub(super) use fit::{Units, check_recording, fit, optimum, report, search};
+pub(super) use fit::{Units, check_recording, optimum, search};
 pub use minimax::{ActiveSample, Certificate};
 pub(super) use poseless::PoselessVectors;
+pub(super) use report::{fit, report};
 pub(super) use sensors::{Layout, Sensor, SensorVectors, Swivel, Weights};
 use serde::Serialize;
 pub(super) use vectors::{Stacked, Vectors};

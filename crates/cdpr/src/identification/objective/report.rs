@@ -1,0 +1,134 @@
+//! Report of an optimum: uncertainty, weak directions, warnings.
+
+use super::Minimize;
+use super::cost::deviations_of_norms;
+use super::fit::{Optimum, find};
+use super::vectors::Stacked;
+use crate::identification::fit::{Estimate, Fit, InputError, Settings, estimate, inflation, verdict, warnings};
+use crate::identification::identifiability::Analysis;
+use crate::identification::joint_analysis::{JointRows, analyse_together};
+use crate::identification::loss::Loss;
+use crate::identification::misfit::Misfit;
+use crate::measurement::Samples;
+use crate::model::Model;
+use crate::robot::Parameter;
+use crate::scalar::TriangularFactor;
+
+/// The fit in full: uncertainty, weak directions, warnings.
+pub(crate) fn fit(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<Fit, InputError> {
+    let (optimum, stacked) =
+        find(model, samples, parameters, (settings, progress), |optimum, vectors| optimum.stacked(vectors))?;
+    let mut fit = report((optimum, &stacked), samples, parameters, settings);
+    fit.warnings.extend(warnings::suspicious_units(model, samples));
+    Ok(fit)
+}
+
+/// The fit of an optimum in full.
+pub(in crate::identification) fn report(
+    (optimum, stacked): (Optimum, &Stacked),
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Fit {
+    let analysis = analyse((&optimum, stacked), samples, parameters, settings);
+    let Optimum { start_model, calibrated, end, starts, certificate, unit, .. } = optimum;
+    let estimates: Vec<Estimate> = parameters
+        .iter()
+        .zip(&analysis.sigmas)
+        .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
+        .collect();
+    let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
+    let noise_factor = misfit(stacked, &estimates).factor();
+    let mut all_warnings = analysis.warnings.clone();
+    all_warnings.extend(warnings::of_bounds(&estimates));
+    all_warnings.extend(caution(settings));
+    Fit {
+        model: calibrated,
+        status,
+        reason,
+        stopped_by: end.stopped,
+        iterations: end.iterations,
+        history: end.trail.costs.clone(),
+        trail: end.trail,
+        parameters: estimates,
+        analysis,
+        noise_factor,
+        loss: Loss::Squared,
+        loss_threshold: f64::INFINITY,
+        outliers: Vec::new(),
+        starts,
+        clock_offset: None,
+        frames: None,
+        certificate: certificate.map(|certificate| certificate.in_metres(unit)),
+        samples: samples.len(),
+        outlier_warning: None,
+        warnings: all_warnings,
+        rows: None,
+    }
+}
+
+/// Residuals of every row of a sample over the samples.
+fn series(stacked: &Stacked) -> Vec<Vec<f64>> {
+    let row =
+        |row: usize| (0..stacked.samples()).map(|sample| stacked.residuals[sample * stacked.size + row]).collect();
+    (0..stacked.size).map(row).collect()
+}
+
+/// Warning of a cost that no statistics belong to.
+fn caution(settings: &Settings) -> Option<String> {
+    let is_max = settings.minimize == Minimize::Max;
+    is_max.then(|| {
+        "the least largest error hangs on a few samples: one outlier moves every parameter, and it has no standard deviations".to_owned()
+    })
+}
+
+/// Squares at the optimum, in units of the vectors.
+fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
+    let priors = estimates.iter().filter_map(|e| Some((e.change / e.prior_sigma?).powi(2)));
+    let prior_cost: f64 = priors.clone().sum();
+    let rows = stacked.free_rows() + priors.count();
+    let cost = stacked.residuals.norm_squared() + prior_cost;
+    Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
+}
+
+fn analyse(
+    (optimum, stacked): (&Optimum, &Stacked),
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Analysis {
+    let Optimum { scale, calibrated, unit, absolute, .. } = optimum;
+    let misfit = Misfit {
+        cost: stacked.residuals.norm_squared(),
+        prior_cost: 0.0,
+        freedom: stacked.free_rows().saturating_sub(parameters.len()),
+    };
+    let inflation = inflation(misfit.factor(), *absolute);
+    let rows = JointRows {
+        model: calibrated,
+        samples,
+        parameters,
+        scale,
+        count: stacked.jacobian.nrows(),
+        plain: TriangularFactor::of(&(&stacked.jacobian * unit.unwrap_or(1.0))),
+        weighted: TriangularFactor::of(&stacked.jacobian),
+        series: series(stacked),
+        inflation,
+    };
+    let mut analysis = analyse_together(rows, settings);
+    match settings.minimize {
+        Minimize::Squares => {}
+        Minimize::Mean => analysis.sigmas = deviations_of_norms(stacked).unwrap_or(analysis.sigmas),
+        Minimize::Max => {
+            analysis.sigmas.fill(None);
+            analysis.correlations.clear();
+        }
+    }
+    analysis
+}
