@@ -148,6 +148,13 @@ impl Vectors for PoseVectors<'_> {
         self.sample_count() + self.row_count().div_ceil(self.size())
     }
 
+    fn restart(&mut self) {
+        match &mut self.samples {
+            SampleVectors::Lengths(vectors) => vectors.restart(),
+            SampleVectors::Sensors(vectors) => vectors.restart(),
+        }
+    }
+
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
         let is_written = match &mut self.samples {
             SampleVectors::Lengths(vectors) => vectors.write(values, stacked),

@@ -39,6 +39,8 @@ pub(in crate::identification) struct SensorVectors<'a> {
     found: Vec<Latent>,
     /// True once these are no guesses.
     is_found: bool,
+    /// True where the guesses were found before.
+    are_guesses_found: bool,
     /// Share of each row's residual that its own pose and tensions take up, where was written last.
     leverages: DVector<f64>,
 }
@@ -129,6 +131,7 @@ impl<'a> SensorVectors<'a> {
             leverages: DVector::zeros(layout.size() * guesses.len()),
             found: guesses.clone(),
             is_found: false,
+            are_guesses_found: false,
             layout: layout.clone(),
             weights: *weights,
             model,
@@ -145,7 +148,7 @@ impl<'a> SensorVectors<'a> {
 
     /// Begins searches at these poses.
     pub(in crate::identification) fn begin_at(&mut self, poses: &[Pose]) {
-        self.is_found = true;
+        (self.is_found, self.are_guesses_found) = (true, true);
         for latents in [&mut self.guesses, &mut self.found] {
             latents.iter_mut().zip(poses).for_each(|(latent, pose)| latent.pose = *pose);
         }
@@ -255,6 +258,11 @@ impl Vectors for SensorVectors<'_> {
 
     fn samples(&self) -> usize {
         self.guesses.len()
+    }
+
+    fn restart(&mut self) {
+        self.found.clone_from(&self.guesses);
+        self.is_found = self.are_guesses_found;
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
