@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use super::evaluation::{ErrorBlocks, EvaluationError, evaluate_fitted};
 use super::fit::{self, Prior, fit};
+use super::nearest_rotation::nearest_rotation;
 use super::self_calibration::{evaluate_lengths, self_calibrate};
 use crate::geometry::Pose;
 use crate::measurement::{InternalSamples, Samples, SensorSigmas};
@@ -128,7 +129,9 @@ impl<'a> Calibration<'a> {
             .map(|(commanded, outcome)| (commanded.pose, outcome.pose))
             .collect();
         // who measures no poses knows no frame but the robot's own
-        let frame = if is_measured { Pose::identity() } else { best_frame(&emerged) };
+        let robot = self.model.robot();
+        let normal = robot.motion_pattern.is_planar().then(|| robot.plane.normal());
+        let frame = if is_measured { Pose::identity() } else { best_frame(&emerged, normal) };
         let position = PoseErrorStatistics::of(&missed(&emerged, &frame));
         let turned: Vec<f64> = emerged
             .iter()
@@ -154,17 +157,14 @@ fn missed(emerged: &[(Pose, Pose)], frame: &Pose) -> Vec<f64> {
         .collect()
 }
 
-/// Rigid motion that brings emerging positions nearest to commanded ones in the least squares sense (Kabsch 1976).
-fn best_frame(emerged: &[(Pose, Pose)]) -> Pose {
+/// Rigid motion that brings emerging positions nearest to commanded ones in the least squares sense, of a planar robot about the normal of its plane.
+fn best_frame(emerged: &[(Pose, Pose)], normal: Option<Vector3<f64>>) -> Pose {
     let count = emerged.len().max(1) as f64;
     let commanded = emerged.iter().map(|pair| pair.0.position).sum::<Vector3<f64>>() / count;
     let emerging = emerged.iter().map(|pair| pair.1.position).sum::<Vector3<f64>>() / count;
     let product: Matrix3<f64> =
         emerged.iter().map(|pair| (pair.0.position - commanded) * (pair.1.position - emerging).transpose()).sum();
-    let found = product.svd(true, true);
-    let (Some(left), Some(right)) = (found.u, found.v_t) else { return Pose::identity() };
-    let hand = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, (left * right).determinant().signum()));
-    let rotation = UnitQuaternion::from_matrix(&(left * hand * right));
+    let rotation = nearest_rotation(product, normal);
     Pose { position: commanded - rotation * emerging, rotation }
 }
 

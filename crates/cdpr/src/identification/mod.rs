@@ -31,6 +31,7 @@ mod joint_descent;
 mod likelihood;
 mod loss;
 mod misfit;
+mod nearest_rotation;
 mod normal_equations;
 mod norms;
 mod objective;

@@ -78,7 +78,7 @@ fn a_frame_of_the_robots_own_is_no_error() {
         let back = frame.rotation.inverse() * (pose.position - frame.position);
         (pose, Pose { position: back, rotation: frame.rotation.inverse() * pose.rotation })
     });
-    let found = super::best_frame(&emerged);
+    let found = super::best_frame(&emerged, None);
     assert!((found.position - frame.position).norm() < 1e-14 && found.angle_to(&frame) < 1e-14, "{found:?}");
     assert!(super::missed(&emerged, &found).iter().all(|missed| *missed < 1e-14));
 }

@@ -1,11 +1,12 @@
 //! Frames to start from, in closed form: poses that the recorded lengths give, against those that the tracker gives.
 
-use nalgebra::{Matrix3, Rotation3, SVD, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use super::poses::Frames;
 use crate::equilibrium::forward_kinematics::{self, Solver};
 use crate::geometry::{Pose, inverse, product};
 use crate::identification::fit::InputError;
+use crate::identification::nearest_rotation::nearest_rotation;
 use crate::identification::norms::median;
 use crate::measurement::Samples;
 use crate::model::{Composition, Model, RecordingParameter, SpanEffect, StretchEffect};
@@ -112,11 +113,7 @@ fn tracker(pairs: &[Pair], frames: &Frames, by_rotation: bool, normal: Option<Ve
             moment += size * given.rotation_matrix() * measured.rotation_matrix().transpose();
         }
     }
-    if let Some(normal) = normal {
-        // the plane stays the plane
-        moment += 1e3 * (moment.norm() + 1.0) * normal * normal.transpose();
-    }
-    let rotation = nearest_rotation(moment);
+    let rotation = nearest_rotation(moment, normal);
     Pose { position: to - rotation * from, rotation }
 }
 
@@ -128,15 +125,5 @@ fn marker(pairs: &[Pair], frames: &Frames) -> Pose {
         position += on_platform.position / pairs.len() as f64;
         sum += on_platform.rotation_matrix();
     }
-    Pose { position, rotation: nearest_rotation(sum) }
-}
-
-/// The rotation R of the largest tr(Rᵀ M).
-fn nearest_rotation(matrix: Matrix3<f64>) -> UnitQuaternion<f64> {
-    let SVD { u: Some(u), v_t: Some(v_t), .. } = SVD::new(matrix, true, true) else {
-        return UnitQuaternion::identity();
-    };
-    let mirror = if (u * v_t).determinant() < 0.0 { -1.0 } else { 1.0 };
-    let rotation = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, mirror)) * v_t;
-    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(rotation))
+    Pose { position, rotation: nearest_rotation(sum, None) }
 }
