@@ -1,7 +1,6 @@
 //! Column names of measurement files: which quantity, in which unit.
 
 use crate::reading::did_you_mean;
-use crate::robot::Robot;
 
 /// Quantity of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -56,12 +55,6 @@ const LENGTH_UNITS: &[(&str, f64)] = &[("m", 1.0), ("mm", 1e-3)];
 const ANGLE_UNITS: &[(&str, f64)] = &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)];
 const TENSION_UNITS: &[(&str, f64)] = &[("N", 1.0), ("kN", 1e3)];
 const TIME_UNITS: &[(&str, f64)] = &[("s", 1.0), ("ms", 1e-3)];
-
-/// Names of the columns of a robot's positions in a unit: of a planar robot those of the axes of its plane.
-pub(super) fn position_columns(robot: &Robot, unit: &str) -> Vec<String> {
-    let axes = if robot.motion_pattern.is_planar() { robot.plane.axes() } else { "xyz".to_owned() };
-    axes.chars().map(|axis| format!("{axis}_{unit}")).collect()
-}
 
 /// Why a claimed column cannot be used.
 #[derive(Clone, Debug, PartialEq)]

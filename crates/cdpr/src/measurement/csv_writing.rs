@@ -2,21 +2,13 @@
 
 use std::fmt::Write;
 
-use super::Samples;
-use super::columns::position_columns;
-use crate::geometry::MotionPattern;
+use super::{Samples, pose_columns, pose_numbers};
 use crate::robot::Robot;
 
 impl Samples {
     /// The samples as a measurement CSV; numbers in the shortest form that reads back to the same bits.
     pub fn to_csv(&self, robot: &Robot) -> String {
-        let pattern = robot.motion_pattern;
-        let mut names = position_columns(robot, "m");
-        match pattern {
-            MotionPattern::Planar => names.push("angle_rad".to_owned()),
-            MotionPattern::Spatial => names.extend(["qx", "qy", "qz", "qw"].map(str::to_owned)),
-            _ => {}
-        }
+        let mut names = pose_columns(robot);
         let recorded = if self.motor_angles.is_some() { "motor_angle_rad" } else { "cable_length_m" };
         names.extend((1..=self.cable_count).map(|cable| format!("{recorded}_{cable}")));
         if self.tensions.is_some() {
@@ -34,19 +26,12 @@ impl Samples {
     }
 
     fn row(&self, robot: &Robot, sample: usize) -> Vec<String> {
-        let pattern = robot.motion_pattern;
-        let pose = &self.poses[sample];
         let number = |value: f64| {
             let mut text = String::new();
             let _ = write!(text, "{value}"); // writing into a String cannot fail
             text
         };
-        let components = pattern.pose_to_components(robot.plane, pose);
-        let kept = if pattern == MotionPattern::Spatial { 3 } else { components.len() };
-        let mut fields: Vec<String> = components[..kept].iter().copied().map(number).collect();
-        if pattern == MotionPattern::Spatial {
-            fields.extend(pose.rotation.coords.iter().copied().map(number));
-        }
+        let mut fields: Vec<String> = pose_numbers(robot, &self.poses[sample]).into_iter().map(number).collect();
         let of_cables = |values: &[f64]| values[sample * self.cable_count..][..self.cable_count].to_vec();
         fields.extend(of_cables(self.motor_angles.as_ref().unwrap_or(&self.lengths)).into_iter().map(number));
         fields.extend(self.tensions.iter().flat_map(|tensions| of_cables(tensions)).map(number));

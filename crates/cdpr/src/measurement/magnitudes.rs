@@ -6,8 +6,8 @@
 
 use std::f64::consts::PI;
 
-use super::columns::{Quantity, position_columns};
-use super::{Samples, three_digits};
+use super::columns::Quantity;
+use super::{Samples, position_columns, three_digits};
 use crate::geometry::{MotionPattern, Pose};
 use crate::robot::Robot;
 

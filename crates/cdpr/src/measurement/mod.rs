@@ -15,6 +15,7 @@ mod known;
 mod magnitudes;
 #[cfg(feature = "files")]
 mod mix_ups;
+mod pose_columns;
 #[cfg(feature = "files")]
 mod pose_track;
 mod samples;
@@ -29,6 +30,7 @@ pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};
 pub(crate) use digits::{decimals, three_digits};
 pub use internal_samples::InternalSamples;
 pub use known::{Fact, Known, KnownError};
+pub(crate) use pose_columns::{pose_columns, pose_numbers, position_columns, turn_columns, turn_numbers};
 pub use samples::{DataError, Samples, SensorSigmas};
 pub use sidecar::{Frames, Provenance, Sidecar, schema};
 pub use split::{Fold, Split, SplitError};

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::plant::Plant;
 use super::state::State;
 use crate::geometry::MotionPattern;
+use crate::measurement::{pose_columns, pose_numbers, position_columns};
 use crate::model::Model;
 
 /// Columns of a log: `t_s`, the pose as measurement files state it, tensions and recorded lengths, then the twist.
@@ -17,24 +18,17 @@ impl LogFormat {
     /// The columns of a model's robot.
     pub fn new(model: &Model) -> Self {
         let (robot, cables) = (model.robot(), 1..=model.cable_count());
-        let pattern = robot.motion_pattern;
-        let axes = if pattern.is_planar() { robot.plane.axes() } else { "xyz".to_owned() };
-        let along =
-            |stem: &str, unit: &str| axes.chars().map(|axis| format!("{stem}{axis}_{unit}")).collect::<Vec<_>>();
-        let turns = |planar: &str, spatial: [&str; 4]| match pattern {
-            MotionPattern::Planar => vec![planar.to_owned()],
-            MotionPattern::Spatial => {
-                spatial.iter().filter(|name| !name.is_empty()).map(|name| (*name).to_owned()).collect()
-            }
-            _ => Vec::new(),
-        };
         let mut names = vec!["t_s".to_owned()];
-        names.extend(along("", "m"));
-        names.extend(turns("angle_rad", ["qx", "qy", "qz", "qw"]));
+        names.extend(pose_columns(robot));
         names.extend(cables.clone().map(|cable| format!("tension_N_{cable}")));
         names.extend(cables.map(|cable| format!("cable_length_m_{cable}")));
-        names.extend(along("v", "m_s"));
-        names.extend(turns("omega_rad_s", ["wx_rad_s", "wy_rad_s", "wz_rad_s", ""]));
+        names.extend(position_columns(robot, "m_s").into_iter().map(|name| format!("v{name}")));
+        let turns: &[&str] = match robot.motion_pattern {
+            MotionPattern::Planar => &["omega_rad_s"],
+            MotionPattern::Spatial => &["wx_rad_s", "wy_rad_s", "wz_rad_s"],
+            _ => &[],
+        };
+        names.extend(turns.iter().map(|name| (*name).to_owned()));
         Self { names }
     }
 
@@ -57,13 +51,7 @@ impl LogFormat {
             let _ = write!(text, "{},", value + 0.0);
         };
         number(state.time);
-        let pattern = robot.motion_pattern;
-        match pattern {
-            MotionPattern::Spatial => {
-                state.pose.position.iter().chain(state.pose.rotation.coords.iter()).for_each(|&value| number(value));
-            }
-            _ => pattern.pose_to_components(robot.plane, &state.pose).into_iter().for_each(&mut number),
-        }
+        pose_numbers(robot, &state.pose).into_iter().for_each(&mut number);
         state.cables.iter().for_each(|cable| number(cable.tension));
         for (index, cable) in state.cables.iter().enumerate() {
             number(model.recorded_length(index, cable.controlled_length));

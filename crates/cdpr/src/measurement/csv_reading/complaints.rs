@@ -4,8 +4,9 @@ use super::content::Columns;
 use super::layout::Decimals;
 use super::rows::{CsvFile, Row};
 use crate::geometry::MotionPattern;
-use crate::measurement::columns::{Quantity, meaning, position_columns};
+use crate::measurement::columns::{Quantity, meaning};
 use crate::measurement::header_mistakes;
+use crate::measurement::position_columns;
 use crate::reading::{Place, ReadError};
 
 impl CsvFile<'_> {

@@ -8,7 +8,8 @@ use super::content::{Columns, Content, by_angle};
 use super::layout::Layout;
 use super::rows::{CsvFile, Row};
 use crate::geometry::MotionPattern;
-use crate::measurement::columns::{Column, Quantity, meaning, position_columns};
+use crate::measurement::columns::{Column, Quantity, meaning};
+use crate::measurement::position_columns;
 use crate::reading::{ReadError, did_you_mean};
 
 /// Columns that a name map gives, by their names in the file.

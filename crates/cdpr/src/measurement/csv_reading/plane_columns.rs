@@ -2,7 +2,8 @@
 
 use super::content::Columns;
 use super::rows::{CsvFile, Row};
-use crate::measurement::columns::{Quantity, position_columns};
+use crate::measurement::columns::Quantity;
+use crate::measurement::position_columns;
 use crate::reading::ReadError;
 
 /// First and second component, as files of any plane named them before the axes counted.

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use nalgebra::Vector3;
-
 use super::signal::{Clock, LowPass, Noise, counted};
 use super::table::{EncoderTable, InclinometerTable, LoadPinTable, SensorTable, SwivelTable};
-use crate::geometry::{MotionPattern, Pose, Twist};
+use crate::geometry::{Pose, Twist};
+use crate::measurement::{turn_columns, turn_numbers};
 use crate::model::Model;
 use crate::plant::plant::Plant;
 use crate::plant::state::State;
@@ -67,13 +66,9 @@ impl CableSensors {
         let time = state.time - self.last;
         self.last = state.time;
         // amplifiers follow between the rows too
-        let passed: Vec<f64> = match &mut self.load_pins {
-            Some((_, filters, _)) => {
-                let inputs = state.cables.iter().map(|cable| cable.tension);
-                filters.iter_mut().zip(inputs).map(|(filter, tension)| filter.pass(tension, time)).collect()
-            }
-            None => Vec::new(),
-        };
+        if let Some((_, filters, _)) = &mut self.load_pins {
+            filters.iter_mut().zip(&state.cables).for_each(|(filter, cable)| filter.pass(cable.tension, time));
+        }
         if !self.clock.is_due(state.time) {
             return;
         }
@@ -81,7 +76,7 @@ impl CableSensors {
             time: state.time,
             pose: self.inclinometer.as_mut().map(|(table, noise)| turned(&state.pose, plant.model(), table, noise)),
             lengths: self.lengths(plant.model(), state),
-            tensions: self.tensions(plant.model(), &passed),
+            tensions: self.tensions(plant.model()),
             swivels: self.swivel_angles(plant.model(), state),
         };
         self.rows.push(row);
@@ -100,14 +95,14 @@ impl CableSensors {
         state.cables.iter().enumerate().map(length).collect()
     }
 
-    fn tensions(&mut self, model: &Model, passed: &[f64]) -> Vec<f64> {
-        let Some((table, _, noise)) = &mut self.load_pins else { return Vec::new() };
-        let shown = |(index, &tension): (usize, &f64)| {
+    fn tensions(&mut self, model: &Model) -> Vec<f64> {
+        let Some((table, filters, noise)) = &mut self.load_pins else { return Vec::new() };
+        let shown = |(index, filter): (usize, &LowPass)| {
             let bias = table.bias_N.as_ref().map_or(0.0, |bias| bias[index]);
-            let shown = model.recorded_tension(index, tension) + bias + noise.of(table.noise_N);
+            let shown = model.recorded_tension(index, filter.output()) + bias + noise.of(table.noise_N);
             table.range_N.map_or(shown, |range| shown.clamp(0.0, range))
         };
-        passed.iter().enumerate().map(shown).collect()
+        filters.iter().enumerate().map(shown).collect()
     }
 
     fn swivel_angles(&mut self, model: &Model, state: &State) -> Vec<f64> {
@@ -123,12 +118,9 @@ impl CableSensors {
     pub(super) fn csv(&self, plant: &Plant) -> String {
         let model = plant.model();
         let (robot, cables) = (model.robot(), 1..=model.cable_count());
-        let pattern = robot.motion_pattern;
         let mut names = vec!["t_s".to_owned()];
         if self.inclinometer.is_some() {
-            let turns: &[&str] =
-                if pattern == MotionPattern::Planar { &["angle_rad"] } else { &["qx", "qy", "qz", "qw"] };
-            names.extend(turns.iter().map(|name| (*name).to_owned()));
+            names.extend(turn_columns(robot.motion_pattern).iter().map(|name| (*name).to_owned()));
         }
         let mut of_cables = |is_there: bool, stem: &str| {
             names.extend(cables.clone().filter(|_| is_there).map(|cable| format!("{stem}_{cable}")));
@@ -139,11 +131,7 @@ impl CableSensors {
         let mut text = names.join(",") + "\n";
         for row in &self.rows {
             let _ = write!(text, "{}", row.time);
-            let turn: Vec<f64> = match (&row.pose, pattern) {
-                (Some(pose), MotionPattern::Planar) => pattern.pose_to_components(robot.plane, pose)[2..].to_vec(),
-                (Some(pose), _) => pose.rotation.coords.iter().copied().collect(),
-                (None, _) => Vec::new(),
-            };
+            let turn = row.pose.as_ref().map(|pose| turn_numbers(robot, pose)).unwrap_or_default();
             for value in turn.iter().chain(&row.lengths).chain(&row.tensions).chain(&row.swivels) {
                 // a swivel whose angle is not determined shows nothing
                 let _ = if value.is_nan() { write!(text, ",") } else { write!(text, ",{}", value + 0.0) };
@@ -154,10 +142,9 @@ impl CableSensors {
     }
 }
 
-/// Angle of a pulley's swivel, right-handed about its axis from the direction of gravity (rad); `None` for one that does not swivel.
+/// Angle of a pulley's swivel, right-handed about its axis from the direction of gravity (rad); `None` for one that does not swivel, and without gravity.
 pub(super) fn swivel_angle(model: &Model, cable: usize, pose: &Pose) -> Option<f64> {
-    let down = model.robot().gravity.filter(|gravity| gravity.norm() > 0.0).unwrap_or(-Vector3::z());
-    model.swivel_angle(cable, pose, &down)
+    model.swivel_angle(cable, pose, &model.robot().gravity?)
 }
 
 fn turned(pose: &Pose, model: &Model, table: &InclinometerTable, noise: &mut Noise) -> Pose {

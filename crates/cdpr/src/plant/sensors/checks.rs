@@ -38,7 +38,7 @@ pub(super) fn check(table: &SensorTable, model: &Model) -> Result<(), PlantError
     if table.swivels.is_some()
         && (0..cables).all(|cable| cables::swivel_angle(model, cable, &crate::geometry::Pose::identity()).is_none())
     {
-        let message = "the model has no pulleys that swivel: take one with the effect `pulley`".to_owned();
+        let message = "the model has no pulleys that swivel across gravity: take one with the effect `pulley`, and state `gravity_m_s2`".to_owned();
         return wrong("sensors", "swivels", message);
     }
     if table.inclinometer.is_some() && !model.robot().motion_pattern.has_rotation() {

@@ -61,16 +61,19 @@ impl LowPass {
         Self { cut_off, value: None }
     }
 
-    /// Output after an input held over a time (s).
-    pub(super) fn pass(&mut self, input: f64, time: f64) -> f64 {
-        let output = match (self.cut_off, self.value) {
+    /// Takes an input that was held over a time (s).
+    pub(super) fn pass(&mut self, input: f64, time: f64) {
+        self.value = Some(match (self.cut_off, self.value) {
             (Some(cut_off), Some(value)) => {
                 value + (input - value) * -(-std::f64::consts::TAU * cut_off * time).exp_m1()
             }
             _ => input,
-        };
-        self.value = Some(output);
-        output
+        });
+    }
+
+    /// Output by now; 0 before any input.
+    pub(super) fn output(&self) -> f64 {
+        self.value.unwrap_or(0.0)
     }
 }
 

@@ -6,7 +6,8 @@ use rand::RngExt;
 
 use super::signal::{Clock, Noise};
 use super::table::TrackerTable;
-use crate::geometry::{MotionPattern, Pose, Twist};
+use crate::geometry::{Pose, Twist};
+use crate::measurement::{pose_columns, pose_numbers};
 use crate::model::Model;
 use crate::plant::plant::Plant;
 use crate::plant::state::State;
@@ -77,24 +78,12 @@ impl Tracker {
     /// Columns of measurement files; `t_s` is when a pose arrives.
     pub(super) fn csv(&self, plant: &Plant) -> String {
         let robot = plant.model().robot();
-        let pattern = robot.motion_pattern;
-        let axes = if pattern.is_planar() { robot.plane.axes() } else { "xyz".to_owned() };
         let mut names = vec!["t_s".to_owned()];
-        names.extend(axes.chars().map(|axis| format!("{axis}_m")));
-        let turns: &[&str] = match pattern {
-            MotionPattern::Planar => &["angle_rad"],
-            MotionPattern::Spatial => &["qx", "qy", "qz", "qw"],
-            _ => &[],
-        };
-        names.extend(turns.iter().map(|name| (*name).to_owned()));
+        names.extend(pose_columns(robot));
         let mut text = names.join(",") + "\n";
         for (time, pose) in &self.rows {
             let _ = write!(text, "{time}");
-            let numbers: Vec<f64> = match pattern {
-                MotionPattern::Spatial => pose.position.iter().chain(pose.rotation.coords.iter()).copied().collect(),
-                _ => pattern.pose_to_components(robot.plane, pose),
-            };
-            for number in numbers {
+            for number in pose_numbers(robot, pose) {
                 let _ = write!(text, ",{}", number + 0.0);
             }
             text.push('\n');
