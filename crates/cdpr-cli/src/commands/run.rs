@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::scenario_file;
 use cdpr_reports::answers::{RunAnswer, title};
 use cdpr_reports::figures::Figure;
-use cdpr_reports::recording::Recording;
+use cdpr_reports::recording::{Recording, Violation};
 use cdpr_reports::run_page::RunPage;
 
 const EXAMPLES: &str = "\
@@ -71,9 +71,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     })?;
     log.write()?;
     recording.happened(&summary.events);
-    let answer = RunAnswer::new((&simulation, &summary), &recording, &at(LOG).display().to_string());
+    let violations = recording.violations();
+    let answer = RunAnswer::new((&simulation, &summary), &violations, &at(LOG).display().to_string());
     let result = output.file(&answer, "result.json")?;
-    let shown = Shown { arguments: &arguments, simulation: &simulation, recording: &recording };
+    let shown =
+        Shown { arguments: &arguments, simulation: &simulation, recording: &recording, violations: &violations };
     shown.write(&answer, &result)?;
     drop(progress);
     output.answer(&answer)
@@ -84,18 +86,18 @@ struct Shown<'a> {
     arguments: &'a Arguments,
     simulation: &'a Simulation,
     recording: &'a Recording<'a>,
+    violations: &'a [Violation],
 }
 
 impl Shown<'_> {
     /// Writes all files that belong to a complete run.
     fn write(&self, answer: &RunAnswer, result: &str) -> Result<(), Failure> {
-        let recording = self.recording;
-        let violations = recording.violations();
+        let Self { recording, violations, .. } = *self;
         let page = self.page(answer)?;
-        let mcap = recording.mcap(&violations).map_err(|error| Failure::unwritable("the recording", &error))?;
+        let mcap = recording.mcap(violations).map_err(|error| Failure::unwritable("the recording", &error))?;
         let drawing = |figure: Option<Figure>| figure.map(|figure| figure.file());
-        let tensions = drawing(recording.tension_figure(&violations));
-        let pose = drawing(recording.pose_figure(&violations));
+        let tensions = drawing(recording.tension_figure(violations));
+        let pose = drawing(recording.pose_figure(violations));
         let contents = [
             Some(result.as_bytes()),
             Some(page.as_bytes()),
@@ -137,6 +139,7 @@ impl Shown<'_> {
         ];
         let page = RunPage {
             recording: self.recording,
+            violations: self.violations,
             name: &name,
             status: answer.status(),
             reason: answer.reason(),

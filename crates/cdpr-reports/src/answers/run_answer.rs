@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
 use crate::number_format::{cell, short};
-use crate::recording::{Recording, Violation};
+use crate::recording::Violation;
 use crate::table::Table;
 
 /// End of a run.
@@ -83,8 +83,8 @@ struct ViolationAnswer {
 }
 
 impl RunAnswer {
-    /// Answer of a simulation that has run, with its record; `log` is the file with its rows.
-    pub fn new((simulation, summary): (&Simulation, &Summary), recording: &Recording<'_>, log: &str) -> Self {
+    /// Answer of a simulation that has run, with the broken limits of its record; `log` is the file with its rows.
+    pub fn new((simulation, summary): (&Simulation, &Summary), violations: &[Violation], log: &str) -> Self {
         let (model, state) = (simulation.plant.model(), &simulation.state);
         let (status, reason) = match &summary.end {
             End::Completed => ("completed", None),
@@ -107,8 +107,8 @@ impl RunAnswer {
             tension_max: summary.tension_max,
             energy,
             events: summary.events.iter().map(EventAnswer::new).collect(),
-            warnings: warnings(&recording.violations()),
-            violations: recording.violations().into_iter().map(ViolationAnswer::of).collect(),
+            warnings: warnings(violations),
+            violations: violations.iter().map(ViolationAnswer::of).collect(),
             log: log.to_owned(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
         }
@@ -138,9 +138,9 @@ impl RunAnswer {
 }
 
 impl ViolationAnswer {
-    fn of(violation: Violation) -> Self {
+    fn of(violation: &Violation) -> Self {
         let Violation { span: (from_s, to_s), cable, words } = violation;
-        Self { from_s, to_s, cable: cable + 1, words }
+        Self { from_s: *from_s, to_s: *to_s, cable: cable + 1, words: words.clone() }
     }
 }
 

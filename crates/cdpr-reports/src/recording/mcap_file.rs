@@ -83,7 +83,7 @@ impl File {
 
 #[cfg(test)]
 mod tests {
-    use cdpr::geometry::{Pose, Twist};
+    use cdpr::geometry::Pose;
     use cdpr::nalgebra::Vector3;
     use cdpr::robot::Robot;
 
@@ -98,7 +98,7 @@ mod tests {
             // slack from 0.5 s to 0.6 s, broken from 1 s on
             tensions[1] = if (50..=60).contains(&k) { 0.0 } else { 1500.0 };
             tensions[2] = if k > 100 { 0.0 } else { 1500.0 };
-            Moment { time, pose, twist: Twist::zeros(), tensions }
+            Moment { time, pose, tensions }
         };
         let broken = Occurrence { time: 1.0, words: "cable 3 breaks".to_owned(), cable: Some(2), breaks: true };
         let limits = vec![(1000.0, 3000.0); cables];

@@ -5,7 +5,7 @@ mod messages;
 mod violation;
 
 use cdpr::Limits;
-use cdpr::geometry::{Pose, Twist};
+use cdpr::geometry::Pose;
 use cdpr::plant::{Event, Happening, State};
 use cdpr::robot::Robot;
 
@@ -20,8 +20,6 @@ pub struct Moment {
     pub time: f64,
     /// Platform pose.
     pub pose: Pose,
-    /// Twist of the platform (world axes; m/s, rad/s).
-    pub twist: Twist,
     /// Tensions (N), pull positive, one per cable.
     pub tensions: Vec<f64>,
 }
@@ -88,7 +86,6 @@ impl<'a> Recording<'a> {
         self.moments.push(Moment {
             time: state.time,
             pose: state.pose,
-            twist: state.twist(),
             tensions: state.cables.iter().map(|cable| cable.tension).collect(),
         });
     }

@@ -22,6 +22,8 @@ const MOST_ROWS: usize = 200;
 pub struct RunPage<'a> {
     /// Record of the run.
     pub recording: &'a Recording<'a>,
+    /// Its broken limits.
+    pub violations: &'a [Violation],
     /// Name of the scenario.
     pub name: &'a str,
     /// How the run ended, in a word, as `completed`.
@@ -41,8 +43,7 @@ pub struct RunPage<'a> {
 impl RunPage<'_> {
     /// HTML of the page.
     pub fn render(&self) -> Result<String, PageError> {
-        let recording = self.recording;
-        let violations = recording.violations();
+        let Self { recording, violations, .. } = *self;
         let title = format!("Run of {}", self.name);
         let figure = |figure: Option<Figure>| figure.map(|figure| Value::from_safe_string(figure.inline()));
         let verdict = match (self.status, violations.is_empty()) {
@@ -53,10 +54,10 @@ impl RunPage<'_> {
         let values = context! {
             verdict,
             headline => self.headline(),
-            outcome => plain(&self.outcome(&violations)),
+            outcome => plain(&self.outcome(violations)),
             facts => self.facts.iter().map(|(term, text)| context! { term => *term, text => plain(text) }).collect::<Value>(),
-            pose_figure => figure(recording.pose_figure(&violations)),
-            tension_figure => figure(recording.tension_figure(&violations)),
+            pose_figure => figure(recording.pose_figure(violations)),
+            tension_figure => figure(recording.tension_figure(violations)),
             events => self.events(),
             violations => violations.iter().take(MOST_ROWS).map(|one| context! {
                 from => seconds(one.span.0), to => seconds(one.span.1), words => plain(&one.words),
@@ -65,7 +66,7 @@ impl RunPage<'_> {
             warnings => self.warnings.iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
             command => plain(self.command),
         };
-        let data = page_data::json(recording, &violations);
+        let data = page_data::json(recording, violations);
         Page { title: &title, class: "wide", template: TEMPLATE, values, data, version: self.version }.render()
     }
 

@@ -1,6 +1,5 @@
 //! Pages of runs: well formed, complete and silent towards the network.
 
-use cdpr::geometry::Twist;
 use cdpr::robot::Robot;
 
 use super::RunPage;
@@ -10,7 +9,6 @@ fn recording(robot: &Robot, count: u32) -> Recording<'_> {
     let moment = |k: u32| Moment {
         time: 0.01 * f64::from(k),
         pose: robot.home.unwrap(),
-        twist: Twist::zeros(),
         tensions: (0..robot.cables.len()).map(|cable| 100.0 * (k as usize + cable) as f64).collect(),
     };
     let event = Occurrence { time: 0.5, words: "a wrench <b> acts".to_owned(), cable: None, breaks: false };
@@ -22,6 +20,7 @@ fn page(recording: &Recording<'_>, status: &str) -> String {
     let facts = [("Machine", "elastic".to_owned())];
     let page = RunPage {
         recording,
+        violations: &recording.violations(),
         name: "scenario",
         status,
         reason: None,
