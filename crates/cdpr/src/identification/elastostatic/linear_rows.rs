@@ -59,6 +59,10 @@ impl LinearRows {
         let of_cable = |(column, parameter): (usize, &Parameter)| Some((column, parameter.cable, slot(parameter)?));
         let is_own = |(_, parameter): &(usize, &Parameter)| parameter.kind != ParameterKind::Wrench;
         let columns = parameters.iter().enumerate().filter(is_own).map(of_cable).collect::<Option<Vec<_>>>()?;
+        // groups of cables take the columns in turn
+        if !columns.is_sorted_by_key(|(_, cable, _)| *cable) {
+            return None;
+        }
         let mut groups = vec![Numbers::default(); m.div_ceil(LANES)];
         for place in 0..groups.len() * LANES {
             let (law, lane) = (model.law(place.min(m - 1)), place % LANES);

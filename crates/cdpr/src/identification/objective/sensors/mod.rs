@@ -45,6 +45,12 @@ pub(in crate::identification) struct SensorVectors<'a> {
     leverages: DVector<f64>,
 }
 
+/// Rows of a model under a load: of no parameters, and of the free ones.
+struct RowsOf<'a> {
+    bare: RowModel<'a>,
+    full: RowModel<'a>,
+}
+
 impl Layout {
     /// Rows that a model's samples have; nothing of tensions where the load is not `balanced`.
     pub(in crate::identification) fn of(
@@ -177,10 +183,15 @@ impl<'a> SensorVectors<'a> {
 
     fn write_all(&mut self, model: &Model, load: Load, stacked: &mut Stacked) -> Option<()> {
         let masses = self.internal.masses.as_ref().filter(|_| self.layout.balances);
+        let parameters = self.parameters;
+        let of_load =
+            |load: Load| RowsOf { bare: RowModel::new(model, load, &[]), full: RowModel::new(model, load, parameters) };
+        let mut rows = of_load(load);
         for sample in 0..self.guesses.len() {
-            let load = masses.map_or(load, |masses| load.with_mass(model.robot(), masses[sample]));
-            let rows = RowModel::new(model, load, self.parameters);
-            self.found[sample] = self.find(&rows, sample)?;
+            if let Some(masses) = masses {
+                rows = of_load(load.with_mass(model.robot(), masses[sample]));
+            }
+            self.found[sample] = self.find(&rows.bare, sample)?;
             self.write_sample(&rows, sample, stacked)?;
         }
         Some(())
@@ -207,11 +218,11 @@ impl<'a> SensorVectors<'a> {
     }
 
     /// Rows of a sample without what its pose and tensions explain.
-    fn write_sample(&mut self, rows: &RowModel<'_>, sample: usize, stacked: &mut Stacked) -> Option<()> {
+    fn write_sample(&mut self, rows: &RowsOf<'_>, sample: usize, stacked: &mut Stacked) -> Option<()> {
         let (sensors, at) = (self.sensors(), &self.found[sample]);
         let size = self.layout.size();
-        let mut own = sensors.rows(rows, sample, at)?;
-        let mut by_parameters = sensors.by_parameters(rows, self.parameters, sample, at)?;
+        let mut own = sensors.rows(&rows.bare, sample, at)?;
+        let mut by_parameters = sensors.by_parameters(&rows.full, self.parameters, sample, at)?;
         let unknowns = own.by_latent.ncols();
         // twice is enough for right angles to rounding, whatever the weights
         orthonormalise(&mut own.by_latent, unknowns);

@@ -77,13 +77,13 @@ impl SampleSensors<'_> {
         self.directions[sample].len() + if self.layout.balances { self.layout.m } else { 0 }
     }
 
-    /// Residuals and derivatives at a pose with tensions; nothing where a cable has no path.
+    /// Residuals and derivatives at a pose with tensions, by rows of no parameters; nothing where a cable has no path.
     pub(super) fn rows(&self, rows: &RowModel<'_>, sample: usize, at: &Latent) -> Option<Rows> {
         let Layout { m, n, balances, .. } = *self.layout;
         let (model, directions) = (rows.model, &self.directions[sample]);
         let recorded = Recorded::of(&self.internal.samples, sample);
         let (mut plain, mut noise) = (SampleRows::new(model, 0), Noise::new(model));
-        RowModel::new(model, rows.load, &[]).write(&at.pose, &at.tensions, recorded, &mut plain);
+        rows.write(&at.pose, &at.tensions, recorded, &mut plain);
         rows.noise(&at.pose, &at.tensions, &UNITS, &mut noise);
         let size = self.layout.size();
         let mut all = Rows { residuals: DVector::zeros(size), by_latent: DMatrix::zeros(size, self.unknowns(sample)) };
