@@ -4,6 +4,7 @@
 //! Program and style are made from `viewer/` and committed in `html_page/generated`.
 
 mod nodes;
+mod plane;
 #[cfg(test)]
 pub(crate) mod reading;
 #[cfg(test)]
@@ -14,6 +15,7 @@ use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 use thiserror::Error as ThisError;
 
 pub(crate) use nodes::{Nodes, nodes};
+pub(crate) use plane::PlaneData;
 pub(crate) use text::{breakable, plain, prose};
 
 const FRAME: &str = include_str!("frame.html");

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::{Purpose, Report, Shown};
 use crate::answers::SelectionAnswer;
-use crate::html_page::{digits, inside_script, plain};
+use crate::html_page::{PlaneData, digits, inside_script, plain};
 
 /// Numbers that a page may hold for its samples (about 8 bytes each): more samples are thinned out.
 const MOST_NUMBERS: usize = 90_000;
@@ -49,14 +49,6 @@ struct RobotData {
     plane: Option<PlaneData>,
     turns: bool,
     cables: Vec<CableData>,
-}
-
-/// Letters and world directions of a planar robot's axes.
-#[derive(Serialize)]
-struct PlaneData {
-    names: Vec<String>,
-    first: [f64; 3],
-    second: [f64; 3],
 }
 
 #[derive(Serialize)]
@@ -171,12 +163,6 @@ pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
 
 fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
     let nominal = report.robot;
-    let planar = nominal.motion_pattern.is_planar();
-    let plane = planar.then(|| PlaneData {
-        names: nominal.plane.axes().chars().map(String::from).collect(),
-        first: nominal.plane.first_axis().into(),
-        second: nominal.plane.second_axis().into(),
-    });
     let calibrated = &shown.judgement.fit.model.robot().cables;
     let cables = nominal.cables.iter().zip(calibrated).enumerate().map(|(index, (before, after))| CableData {
         name: cable_name(index + 1, &before.name),
@@ -190,7 +176,7 @@ fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
             .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis) }),
         drum: DrumData::of(after),
     });
-    RobotData { plane, turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
+    RobotData { plane: PlaneData::of(nominal), turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
 }
 
 fn cable_name(number: usize, name: &str) -> String {

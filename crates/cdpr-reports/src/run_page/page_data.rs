@@ -3,7 +3,7 @@
 use cdpr::nalgebra::Vector3;
 use serde::Serialize;
 
-use crate::html_page::{digits, inside_script, plain};
+use crate::html_page::{PlaneData, digits, inside_script, plain};
 use crate::recording::{Recording, Violation};
 
 /// Numbers that a page may hold for its moments (about 9 bytes each).
@@ -23,13 +23,6 @@ struct RobotData {
     name: String,
     plane: Option<PlaneData>,
     cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-struct PlaneData {
-    names: Vec<String>,
-    first: [f64; 3],
-    second: [f64; 3],
 }
 
 #[derive(Serialize)]
@@ -69,12 +62,6 @@ struct ViolationData {
 /// The block as text that may stand inside a `script` element; moments evenly thinned out to what a page may hold, the last one stays.
 pub(super) fn json(recording: &Recording<'_>, violations: &[Violation]) -> String {
     let robot = recording.robot;
-    let planar = robot.motion_pattern.is_planar();
-    let plane = planar.then(|| PlaneData {
-        names: robot.plane.axes().chars().map(String::from).collect(),
-        first: robot.plane.first_axis().into(),
-        second: robot.plane.second_axis().into(),
-    });
     let cable = |(index, cable): (usize, &cdpr::robot::Cable)| CableData {
         name: plain(&cable.name),
         frame_anchor_m: short(&cable.frame_anchor),
@@ -86,7 +73,7 @@ pub(super) fn json(recording: &Recording<'_>, violations: &[Violation]) -> Strin
         page: "run",
         robot: RobotData {
             name: plain(&robot.name),
-            plane,
+            plane: PlaneData::of(robot),
             cables: robot.cables.iter().enumerate().map(cable).collect(),
         },
         moments: moments(recording),
