@@ -1,10 +1,10 @@
 // The machine as it moves: cables by tension, the platform, and the way that its origin has gone.
 import { AmbientLight, DirectionalLight, Group, Quaternion, Vector3 } from "three";
-import { button, element } from "../controls";
 import { dashed, dispose, lines, markers } from "../scene/drawing";
 import { type Segment, vector } from "../scene/geometry";
 import { body, bounds, boxEdges, floor } from "../scene/solid";
 import { Stage } from "../scene/stage";
+import { offerViews } from "../scene/views";
 import { colour, onThemeChange } from "../theme";
 import { LOOKS, type TensionScale } from "../workspace/tension-style";
 import { type Clock, momentAt } from "./clock";
@@ -41,7 +41,7 @@ export class MachineScene {
     const light = new DirectionalLight("#fff", 1.8);
     light.position.set(0.4, -1, 1.4);
     this.stage.content.add(new AmbientLight("#fff", 2.1), light, this.standing, this.moving);
-    this.offerViews(controls);
+    offerViews(controls, this.stage, data.robot.plane !== null, () => this.standardView());
     onThemeChange(() => {
       this.stand();
       this.move();
@@ -62,21 +62,6 @@ export class MachineScene {
     const lowest = positions.reduce((least, point) => Math.min(least, point.z), Number.POSITIVE_INFINITY) - reach;
     if (!robot.plane && Number.isFinite(lowest)) low.z = Math.min(low.z, lowest);
     return [low, high];
-  }
-
-  private offerViews(controls: HTMLElement): void {
-    const views = element("div", "", "buttons");
-    views.setAttribute("role", "group");
-    views.setAttribute("aria-label", "View");
-    button(views, "Reset view", () => this.standardView());
-    if (!this.data.robot.plane) {
-      button(views, "Top", () => this.stage.lookFrom(new Vector3(0, -1e-3, 1), new Vector3(0, 0, 1)));
-      button(views, "Front", () => this.stage.lookFrom(new Vector3(0, -1, 0), new Vector3(0, 0, 1)));
-      button(views, "Side", () => this.stage.lookFrom(new Vector3(1, 0, 0), new Vector3(0, 0, 1)));
-    }
-    button(views, "Zoom in", () => this.stage.zoom(0.85));
-    button(views, "Zoom out", () => this.stage.zoom(1 / 0.85));
-    controls.append(views);
   }
 
   private standardView(): void {

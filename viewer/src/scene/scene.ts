@@ -1,6 +1,6 @@
 // The robot in space: nominal against calibrated geometry, a measured pose, and where the errors point to.
 import { AmbientLight, DirectionalLight, type Object3D, Vector3 } from "three";
-import { button, choice, element } from "../controls";
+import { choice, element } from "../controls";
 import type { PageData } from "../data";
 import { models } from "../charts/quantities";
 import { topOf } from "../charts/map";
@@ -11,6 +11,7 @@ import { dashed, dispose, handle, lines, markers } from "./drawing";
 import { type Posed, type Segment, errorVectors, largestShift, posed, roundMagnification, vector } from "./geometry";
 import { body, bounds, boxEdges, drum, floor, wheel } from "./solid";
 import { Stage } from "./stage";
+import { offerViews } from "./views";
 
 const WORDS =
   "The robot in three dimensions. Arrow keys turn it, plus and minus zoom; the slider above walks through the samples. Errors and positions stand as numbers in the tables of the result folder.";
@@ -59,7 +60,7 @@ class RobotScene {
     this.shift = this.magnifier(controls, "Anchor shifts magnified", largestShift(data.robot.cables), 0.06, redraw);
     this.poseSlider(controls);
     this.offerMoving();
-    this.viewButtons(controls);
+    offerViews(controls, stage, data.robot.plane !== null, () => this.standardView());
     onThemeChange(() => {
       this.build();
       this.stage.drawNow();
@@ -149,21 +150,6 @@ class RobotScene {
 
   private get position(): Vector3 {
     return vector(this.data.samples.position_m[this.row] ?? [0, 0, 0]);
-  }
-
-  private viewButtons(controls: HTMLElement): void {
-    const group = element("div", "", "buttons");
-    group.setAttribute("role", "group");
-    group.setAttribute("aria-label", "View");
-    button(group, "Reset view", () => this.standardView());
-    if (!this.data.robot.plane) {
-      button(group, "Top", () => this.stage.lookFrom(new Vector3(0, -1e-3, 1), new Vector3(0, 0, 1)));
-      button(group, "Front", () => this.stage.lookFrom(new Vector3(0, -1, 0), new Vector3(0, 0, 1)));
-      button(group, "Side", () => this.stage.lookFrom(new Vector3(1, 0, 0), new Vector3(0, 0, 1)));
-    }
-    button(group, "Zoom in", () => this.stage.zoom(0.85));
-    button(group, "Zoom out", () => this.stage.zoom(1 / 0.85));
-    controls.append(group);
   }
 
   private standardView(): void {

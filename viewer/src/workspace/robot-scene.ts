@@ -1,12 +1,13 @@
 // The robot in space: cables by tension, the platform that follows the pointer, and the hulls with their clip plane.
 import { AmbientLight, DirectionalLight, Group, Vector3 } from "three";
-import { button, choice, element } from "../controls";
+import { choice } from "../controls";
 import { dashed, dispose, handle, lines, markers } from "../scene/drawing";
 import { offerDragging } from "../scene/dragging";
 import type { Segment } from "../scene/geometry";
 import type { Label } from "../scene/labels";
 import { body } from "../scene/solid";
 import { Stage } from "../scene/stage";
+import { offerViews } from "../scene/views";
 import { colour, onThemeChange } from "../theme";
 import { type Platform, cableName } from "./platform";
 import type { ShownRegion } from "./regions";
@@ -70,16 +71,7 @@ export class RobotScene {
       { label: "in the x–z plane", value: new Vector3(0, 1, 0) },
       { label: "in the y–z plane", value: new Vector3(1, 0, 0) },
     ], () => {});
-    const views = element("div", "", "buttons");
-    views.setAttribute("role", "group");
-    views.setAttribute("aria-label", "View");
-    button(views, "Reset view", () => this.standardView());
-    button(views, "Top", () => this.stage.lookFrom(new Vector3(0, -1e-3, 1), new Vector3(0, 0, 1)));
-    button(views, "Front", () => this.stage.lookFrom(new Vector3(0, -1, 0), new Vector3(0, 0, 1)));
-    button(views, "Side", () => this.stage.lookFrom(new Vector3(1, 0, 0), new Vector3(0, 0, 1)));
-    button(views, "Zoom in", () => this.stage.zoom(0.85));
-    button(views, "Zoom out", () => this.stage.zoom(1 / 0.85));
-    controls.append(views);
+    offerViews(controls, this.stage, false, () => this.standardView());
     this.surfaces.offer(controls, () => this.build());
   }
 
