@@ -9,7 +9,10 @@ use super::angle::full_angle;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in two AVX2 registers; exists only on machines that have the unit.
+///
+/// Aligned: what does not fit into registers lies on the stack without straddling two cache lines.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
 pub struct Avx2 {
     token: V3,
     halves: [f64x4; 2],

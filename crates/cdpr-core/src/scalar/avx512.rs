@@ -10,7 +10,10 @@ use super::avx2::sums_of_halves;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
 /// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
+///
+/// Aligned: what does not fit into registers lies on the stack on a cache line of its own.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct Avx512 {
     token: V4,
     value: f64x8,

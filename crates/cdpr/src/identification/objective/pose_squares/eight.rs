@@ -224,25 +224,33 @@ impl<L: Lanes> Eight<L> {
     /// Writes the changes of six residuals with the parameters of a cable, from those with a wrench.
     #[inline(always)]
     pub(super) fn write_columns(&self, place: usize, by_wrench: &[[L; 6]; 6], cable: &Cable, columns: &mut [Column]) {
-        let l = self.l;
         let at = &self.cables[place];
-        let per_scale = l.constant(1.0 / cable.values.scale);
+        let per_scale = self.l.constant(1.0 / cable.values.scale);
+        let has_platform_anchor = cable.places.iter().any(|slot| (3..6).contains(slot));
+        let has_length = cable.places.iter().any(|slot| *slot >= 6);
+        let pull_by_anchor = at.pull_by_anchor();
         for (row, &[x, y, z, a, b, c]) in by_wrench.iter().enumerate() {
             let turn = [a, b, c];
             // by a pull at the platform anchor
             let by_pull = add([x, y, z], cross(turn, at.moment_arm));
-            let along = dot(by_pull, at.direction);
-            let bent = rotate(&at.direction_gradient, by_pull);
-            let by_anchor = sub(scale(along, at.direction), scale(at.residual, bent));
-            let mut in_platform = by_anchor;
-            if cable.places.iter().any(|slot| (3..6).contains(slot)) {
+            let by_anchor = rotate(&pull_by_anchor, by_pull);
+            let (mut in_platform, mut along) = (by_anchor, at.residual);
+            if has_platform_anchor {
                 let lever = sub(scale(at.residual, cross(at.direction, turn)), by_anchor);
                 in_platform = rotate_back(&self.rotation, lever);
             }
-            for (column, &slot) in columns.iter_mut().zip(&cable.places) {
+            if has_length {
+                along = dot(by_pull, at.direction);
+            }
+            for (column, slot) in columns.iter_mut().zip(&cable.places) {
+                // numbers that are chosen by a constant stay in registers
                 let entry = match slot {
-                    0..3 => by_anchor[slot],
-                    3..6 => in_platform[slot - 3],
+                    0 => by_anchor[0],
+                    1 => by_anchor[1],
+                    2 => by_anchor[2],
+                    3 => in_platform[0],
+                    4 => in_platform[1],
+                    5 => in_platform[2],
                     6 => along * per_scale,
                     7 => along * per_scale * at.controlled,
                     _ => along * at.length_by_radius + at.residual * dot(by_pull, at.direction_by_radius),
@@ -250,6 +258,21 @@ impl<L: Lanes> Eight<L> {
                 entry.store(&mut column[row].0);
             }
         }
+    }
+}
+
+impl<L: Lanes> At<L> {
+    /// Change of the pull ρ u on the platform with the frame anchor, symmetric: u uᵀ − ρ ∂u/∂b.
+    #[inline(always)]
+    fn pull_by_anchor(&self) -> [[L; 3]; 3] {
+        let (u, gradient) = (self.direction, &self.direction_gradient);
+        let mut by_anchor = *gradient;
+        for i in 0..3 {
+            for j in 0..3 {
+                by_anchor[i][j] = u[i] * u[j] - self.residual * gradient[i][j];
+            }
+        }
+        by_anchor
     }
 }
 

@@ -27,7 +27,7 @@ use crate::robot::Parameter;
 use crate::scalar::{Kernel, LANES, Lanes, Line, dispatch};
 
 /// Share of the mean length that predicted poses may move before JᵀJ is summed anew.
-const SAME: f64 = 1e-5;
+const SAME: f64 = 1e-4;
 
 /// Samples of a rigid model of six degrees of freedom whose predictions follow the parameters.
 pub(super) struct PoseSquares {
