@@ -218,6 +218,21 @@ impl Source {
     }
 }
 
+/// Reasons against options where poses are not measured.
+pub(crate) const NO_POSE: &str = "there is no pose to be compared with";
+pub(crate) const BY_REGIONS: &str = "regions are parted by poses";
+pub(crate) const NO_OUTLIER: &str = "a pose takes up most of an outlier, so that its residual does not show it";
+
+/// Refuses the first option asked for of those that need measured poses, each with what it needs them for.
+pub(crate) fn refuse_without_poses(data: &str, asked: &[(&str, bool, &str)]) -> Result<(), Failure> {
+    let Some((option, _, reason)) = asked.iter().find(|(_, is_asked, _)| *is_asked) else { return Ok(()) };
+    Err(Failure::input(
+        "data::option-needs-poses",
+        format!("{data}: {option} needs measured poses, and these data have none: {reason}"),
+        "leave it out, or write the poses that are found with `cdpr identify --out-poses FILE` and ask of that file",
+    ))
+}
+
 /// Samples at rest, and a remark on what they are means of.
 fn at_rest(samples: &Samples, name: &str, model: &Model, output: &Output) -> Result<Samples, Failure> {
     let at_rest = samples.at_rest(model.robot()).map_err(|error| Failure::refused(name, &error))?;

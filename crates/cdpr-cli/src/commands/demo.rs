@@ -69,7 +69,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         vec![NamedFile::new("robot.toml", robot.to_toml()), NamedFile::new(MACHINE_FILE, machine.to_toml())];
     inputs.extend(training.files("training"));
     inputs.extend(validation.files("validation"));
-    let DataDivision { samples, data_count, folds, words } = parted;
+    let DataDivision { samples, internal, data_count, folds, words } = parted;
     let mut selection = arguments.selection;
     if selection.prior.is_empty() {
         selection.prior.push(PLATFORM_ANCHORS);
@@ -78,6 +78,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let comparison = selection.compare(ComparisonData {
         robot,
         samples,
+        internal,
         data_count,
         folds,
         data_name: "training.csv (virtual measurements of the CableRobot Simulator)".to_owned(),

@@ -14,7 +14,7 @@ use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
-use crate::measurements::DataArguments;
+use crate::measurements::{DataArguments, refuse_without_poses};
 use crate::progress::Progress;
 use cdpr_reports::answers::{EvaluationAnswer, errors_csv};
 
@@ -53,14 +53,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let map = arguments.compensation.read(&model)?;
     let mut outside = Vec::new();
     let (samples, evaluation) = match arguments.data.lacks_poses(&model)? {
-        true if map.is_some() => {
-            return Err(Failure::input(
-                "data::option-needs-poses",
-                format!("{}: --compensation needs measured poses, and these data have none", arguments.data.name()),
-                "leave it out: without poses there is no error of the pose to correct",
-            ));
+        true => {
+            let asked = ("--compensation", map.is_some(), "there is no error of the pose to correct");
+            refuse_without_poses(&arguments.data.name(), &[asked])?;
+            at_best_poses(&arguments.data, &model, output)?
         }
-        true => at_best_poses(&arguments.data, &model, output)?,
         false => {
             let samples = arguments.data.read(&model, output)?;
             let progress = Progress::spinner("predicting poses");

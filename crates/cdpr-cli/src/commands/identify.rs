@@ -194,14 +194,14 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let (scaling, map) = scaling::find(&task, &result.fit)?;
     let mut path = path::find(&task, &result.fit, other.as_ref())?;
     let found = (path.path.take(), path.reduction.take(), path.warning.take());
-    let (course, course_files) = arguments.course.answer(&result);
+    let (course, course_files) = arguments.course.answer((result.course.clone(), &result.fit));
     let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
     let answer = answer.with_scaling(scaling).with_course(course);
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, other.as_ref(), answer.reason(), &answer.warnings(), &answer.additions()))
+        .map(|_| report::page(&task, (other.as_ref(), None), answer.reason(), &answer.warnings(), &answer.additions()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));

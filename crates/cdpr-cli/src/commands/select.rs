@@ -71,15 +71,11 @@ impl Arguments {
     fn data(&self, output: &Output) -> Result<ComparisonData, Failure> {
         let robot = self.robot.read()?;
         let reader = reader_of(&robot, self.robot.model(Composition::STANDARD)?);
-        let samples = self.data.read(&reader, output)?;
-        samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
-        let DataDivision { samples, data_count, folds, words } = match &self.validation {
-            Some(path) => {
-                let other = self.data.read_other(path, &reader, output)?;
-                two_files(&samples, &other, &path.display().to_string())?
-            }
-            None => one_file(samples, self.split, self.selection.seed)?,
+        let division = match self.data.lacks_poses(&reader)? {
+            true => self.without_poses(&reader, output)?,
+            false => self.with_poses(&reader, output)?,
         };
+        let DataDivision { samples, internal, data_count, folds, words } = division;
         let mut inputs = vec![NamedFile::new("robot", robot.to_toml())];
         for path in [Some(self.data.path()), self.data.merged_path(), self.validation.as_deref()].into_iter().flatten()
         {
@@ -88,6 +84,7 @@ impl Arguments {
         Ok(ComparisonData {
             robot,
             samples,
+            internal,
             data_count,
             folds,
             data_name: self.data.name(),
@@ -96,6 +93,36 @@ impl Arguments {
             warnings: output.warnings(),
             inputs,
         })
+    }
+}
+
+impl Arguments {
+    fn with_poses(&self, reader: &Model, output: &Output) -> Result<DataDivision, Failure> {
+        let samples = self.data.read(reader, output)?;
+        samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
+        let Some(path) = &self.validation else { return one_file(samples, self.split, self.selection.seed) };
+        two_files(&samples, &self.data.read_other(path, reader, output)?, &path.display().to_string())
+    }
+
+    /// Samples of sensors inside the machine, parted alike.
+    fn without_poses(&self, reader: &Model, output: &Output) -> Result<DataDivision, Failure> {
+        let name = self.data.name();
+        self.selection.refuse_without_poses(&name, self.split)?;
+        let mut internal = self.data.read_internal(reader, output)?;
+        let mut division = match &self.validation {
+            Some(path) => {
+                let other = self.data.read_other_internal(path, reader, output)?;
+                let division = two_files(&internal.samples, &other.samples, &path.display().to_string())?;
+                internal = internal.followed_by(&other).map_err(|error| Failure::refused(&name, &error))?;
+                division
+            }
+            None => one_file(internal.samples.clone(), self.split, self.selection.seed)?,
+        };
+        division.words.push_str(
+            "; the pose of a sample is what its own rows tell, and errors are scaled for what it takes up of them",
+        );
+        division.internal = Some(internal);
+        Ok(division)
     }
 }
 

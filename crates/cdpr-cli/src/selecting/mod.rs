@@ -5,11 +5,13 @@ mod objectives;
 
 use std::time::Instant;
 
-use cdpr::identification::Loss;
 use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
-use cdpr::identification::selection::{Requirement, SelectionCriterion, Settings, fit_count, select};
-use cdpr::measurement::{Fold, Samples, Split};
+use cdpr::identification::selection::{
+    Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
+};
+use cdpr::identification::{Loss, Objective};
+use cdpr::measurement::{Fold, InternalSamples, Samples, Split};
 use cdpr::model::FreeParameters;
 use cdpr::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
@@ -20,6 +22,7 @@ pub(crate) use folder::write_folder;
 pub(crate) use objectives::ObjectiveArguments;
 
 use crate::failure::Failure;
+use crate::measurements::{BY_REGIONS, NO_OUTLIER, NO_POSE, refuse_without_poses};
 use crate::progress::Progress;
 
 /// Options that say how candidates are compared.
@@ -29,9 +32,9 @@ pub(crate) struct SelectionArguments {
     #[arg(long, value_name = "LIST", value_parser = candidate_list)]
     candidates: Option<CandidateList>,
 
-    /// The error that decides, on validation data.
-    #[arg(long, value_enum, default_value_t = CriterionName::Position, value_name = "NAME")]
-    criterion: CriterionName,
+    /// The error that decides, on validation data. Default: position, without measured poses length.
+    #[arg(long, value_enum, value_name = "NAME")]
+    criterion: Option<CriterionName>,
 
     /// Limits that the recommended model must keep on validation data, e.g. position_mean_m=0.005,length_max_m=0.01.
     #[arg(long, value_name = "NAME=LIMIT,…", value_delimiter = ',')]
@@ -109,7 +112,9 @@ impl SelectionArguments {
             ("candidates", candidates.map(|list| format!("'{list}'")).collect()),
             (
                 "criterion",
-                self.criterion.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default(),
+                self.criterion
+                    .and_then(|name| Some(name.to_possible_value()?.get_name().to_owned()))
+                    .unwrap_or_default(),
             ),
             ("require", joined(self.require.iter().map(ToString::to_string).collect(), ",")),
             ("hold", self.hold.to_string()),
@@ -129,6 +134,22 @@ impl SelectionArguments {
         given.map(|(name, value): &(&str, String)| format!(" --{name} {value}")).collect()
     }
 
+    /// Refuses what compares with measured poses, or parts samples by them.
+    pub(crate) fn refuse_without_poses(&self, data: &str, split: Option<Split>) -> Result<(), Failure> {
+        let of_poses = matches!(self.criterion, Some(CriterionName::Position | CriterionName::Rotation));
+        let by_regions = self.regions.is_some() || matches!(split, Some(Split::Region(_)));
+        let other = self.objective.of(fit::Settings::default()).objective != Objective::Length;
+        refuse_without_poses(
+            data,
+            &[
+                ("--criterion position or rotation", of_poses, NO_POSE),
+                ("--regions or --split region:K", by_regions, BY_REGIONS),
+                ("--objective other than length", other, NO_POSE),
+                ("--loss huber or cauchy", !matches!(self.loss, Loss::Auto | Loss::Squared), NO_OUTLIER),
+            ],
+        )
+    }
+
     /// Which rungs the default ladder has.
     fn ladder(&self, samples: &Samples) -> Ladder {
         let has_prior = |prior: &Prior| prior.kind == ParameterKind::PlatformAnchor;
@@ -136,12 +157,13 @@ impl SelectionArguments {
     }
 
     /// Identifies and judges every candidate.
-    pub(crate) fn compare(&self, data: ComparisonData) -> Result<Comparison, Failure> {
+    pub(crate) fn compare(&self, mut data: ComparisonData) -> Result<Comparison, Failure> {
         let candidates = match &self.candidates {
             Some(list) => list.0.clone(),
             None => candidate::defaults(&data.robot, self.ladder(&data.samples)),
         };
-        let criterion = SelectionCriterion::from(self.criterion);
+        let without = data.internal.as_ref().map_or(CriterionName::Position, |_| CriterionName::Length);
+        let criterion = SelectionCriterion::from(self.criterion.unwrap_or(without));
         if criterion == SelectionCriterion::Rotation && !data.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
             return Err(Failure::input("criterion::not-in-data", message, "use --criterion position or length"));
@@ -169,11 +191,16 @@ impl SelectionArguments {
         };
         let progress = Progress::of(fit_count(&candidates, &data.folds, &settings), "comparing candidates");
         let start = Instant::now();
-        let ComparisonData { robot, samples, folds, data_name, .. } = &data;
-        let selection = select(robot, &candidates, samples, folds, &settings, &|| progress.step())
-            .map_err(|error| Failure::refused(data_name, &error))?;
+        let ComparisonData { robot, samples, internal, folds, data_name, .. } = &data;
+        let step = || progress.step();
+        let selection = match internal {
+            Some(internal) => select_without_poses(robot, &candidates, internal, folds, &settings, &step),
+            None => select(robot, &candidates, samples, folds, &settings, &step).map(|own| (own, samples.clone())),
+        };
+        let (selection, samples) = selection.map_err(|error| Failure::refused(data_name, &error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, samples)).collect();
+        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, &samples)).collect();
+        data.samples = samples;
         drop(progress);
         Ok(Comparison { data, candidates, settings, selection, seconds, inverse_seconds })
     }
@@ -196,6 +223,8 @@ fn time_inverse(judged: &cdpr::identification::selection::JudgedCandidate, sampl
 /// Samples, folds and words for the way validation data were chosen.
 pub(crate) struct DataDivision {
     pub(crate) samples: Samples,
+    /// The samples where their poses are not measured.
+    pub(crate) internal: Option<InternalSamples>,
     /// How many of the samples are of the first file.
     pub(crate) data_count: usize,
     pub(crate) folds: Vec<Fold>,
@@ -211,24 +240,13 @@ pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Re
         validation: (train.len()..samples.len()).collect(),
     };
     let words = format!("{} samples of {name}", validation.len());
-    Ok(DataDivision { samples, data_count: train.len(), folds: vec![fold], words })
+    Ok(DataDivision { samples, internal: None, data_count: train.len(), folds: vec![fold], words })
 }
 
 /// Training and validation data from one file: by the split asked for, else by the column `set` where it tells, else by
 /// five contiguous blocks.
 pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Result<DataDivision, Failure> {
-    let by_column = Split::Column.folds(&samples, seed);
-    let split = match (split, &by_column) {
-        (Some(split), _) => split,
-        (None, Ok(_)) => Split::Column,
-        (None, Err(_)) => Split::Blocks(samples.len().clamp(2, 5)),
-    };
+    let split = Split::or_default(split, &samples);
     let folds = split.folds(&samples, seed).map_err(|error| Failure::refused("--split", &error))?;
-    let words = match split {
-        Split::Column => "the rows that the column `set` names".to_owned(),
-        Split::Blocks(count) => format!("{count} contiguous blocks, each held out in turn"),
-        Split::KFold(count) => format!("{count} random parts, each held out in turn"),
-        Split::Region(count) => format!("{count} regions of the workspace, each held out in turn"),
-    };
-    Ok(DataDivision { data_count: samples.len(), samples, folds, words })
+    Ok(DataDivision { data_count: samples.len(), internal: None, samples, folds, words: split.words() })
 }

@@ -74,16 +74,57 @@ fn poses_that_are_known_fix_the_gauge() {
 fn what_needs_poses_is_refused() {
     let (folder, _) = lengths();
     for (command, code) in [
-        ("identify planar-example lengths.csv --free frame-anchor --split kfold:3", "data::option-needs-poses"),
-        ("identify planar-example lengths.csv --free frame-anchor --report page.html", "data::option-needs-poses"),
+        ("identify planar-example lengths.csv --free frame-anchor --split region:3", "data::option-needs-poses"),
+        ("identify planar-example lengths.csv --free frame-anchor --path lasso", "data::option-needs-poses"),
         ("identify planar-example measured.csv --free frame-anchor --out-poses found.csv", "data::has-poses"),
         ("identify planar-example measured.csv --free frame-anchor --gauge least-change", "data::has-poses"),
-        ("select planar-example lengths.csv", "csv::no-poses"),
+        ("select planar-example lengths.csv --criterion position", "data::option-needs-poses"),
+        ("select planar-example lengths.csv --regions 3", "data::option-needs-poses"),
+        ("select planar-example lengths.csv --loss huber", "data::option-needs-poses"),
     ] {
         let run = cdpr_in(folder.path(), command);
         assert_eq!(run.exit_code, 2, "{command}");
         assert!(run.stderr.contains(code), "{command}: {}", run.stderr);
     }
+}
+
+/// Candidates are judged by what they predict of held-out lengths, and the folder of the result is that of data with poses.
+#[test]
+fn candidates_are_compared_without_poses() {
+    let (folder, count) = lengths();
+    let command =
+        "select planar-example lengths.csv --candidates standard;standard:frame-anchor --split kfold:3 --out res";
+    let run = cdpr_in(folder.path(), command);
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let told = "the pose of a sample is what its own rows tell";
+    assert!(run.stdout.contains(told) && run.stdout.contains("mean cable-length error"), "{}", run.stdout);
+    let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
+    assert_eq!((answer["criterion"].as_str(), answer["samples"].as_u64()), (Some("length"), Some(count as u64)));
+    for candidate in answer["candidates"].as_array().unwrap() {
+        let validation = &candidate["validation"];
+        let error = validation["length_error_m"]["rms"].as_f64().unwrap();
+        assert!((2e-5..2e-4).contains(&error) && validation["position_error_m"]["mean"].is_null(), "{validation}");
+    }
+    for file in ["result.json", "report.html", "calibrated.toml", "validation-errors.csv"] {
+        assert!(folder.path().join("res").join(file).exists(), "{file}");
+    }
+}
+
+/// Held-out parts, page and course of a calibration without poses.
+#[test]
+fn a_calibration_without_poses_is_judged_on_held_out_parts() {
+    let (folder, _) = lengths();
+    let command = "identify planar-example lengths.csv --free frame-anchor --split kfold:3 --course --report page.html --format json";
+    let run = cdpr_in(folder.path(), command);
+    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    let answer = run.json();
+    let error = answer["validation"]["length_error_m"]["rms"].as_f64().unwrap();
+    assert!((2e-5..2e-4).contains(&error), "{}", answer["validation"]);
+    let course = answer["course"].as_array().unwrap();
+    let last = course.last().unwrap()["length_rms_m"].as_f64().unwrap();
+    assert!(course.len() > 1 && (last / answer["length_rms_m"].as_f64().unwrap() - 1.0).abs() < 1e-6, "{course:?}");
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    assert!(page.contains("mean cable-length error") && page.contains("Course"), "page");
 }
 
 /// A platform under four cables with swivelling pulleys, in a file of its own.
@@ -211,9 +252,9 @@ fn what_no_sensor_tells_is_refused_in_words() {
         ("identify hanging.toml run.csv --model pulley --free frame-anchor --gauge known", "data::gauge-open"),
         ("identify hanging.toml run.csv --model pulley --free frame-anchor --known height[1]", "known::syntax"),
         ("identify hanging.toml run.csv --model pulley --free frame-anchor --known level[1,7]", "known::not-of-robot"),
-        ("identify hanging.toml run.csv --model pulley --free frame-anchor --course", "data::option-needs-poses"),
+        ("identify hanging.toml run.csv --model pulley --free frame-anchor --drive s.toml", "data::option-needs-poses"),
         ("identify planar-example run.csv --free frame-anchor", "data::no-swivel-zero"),
-        ("select hanging.toml run.csv", "csv::no-poses"),
+        ("select hanging.toml lengths.csv", "candidate::all-failed"),
     ] {
         let run = cdpr_in(folder.path(), command);
         assert_eq!(run.exit_code, 2, "{command}: {}", run.stdout);

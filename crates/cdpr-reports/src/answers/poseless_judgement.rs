@@ -1,6 +1,7 @@
 //! Errors of a model on samples without poses that it was not fitted to.
 
 use cdpr::identification::ErrorBlocks;
+use cdpr::measurement::Split;
 use serde::Serialize;
 
 use crate::number_format::significant;
@@ -19,6 +20,12 @@ impl PoselessJudgement {
     /// Errors on data of a name, after and before.
     pub fn new(data: String, errors: ErrorBlocks, before: Option<ErrorBlocks>) -> Self {
         Self { data, errors, before }
+    }
+
+    /// Errors on parts that calibrations did not see, scaled for what the poses of these samples take up of them.
+    pub fn of_parts(split: Split, errors: ErrorBlocks, before: Option<ErrorBlocks>) -> Self {
+        let data = format!("held-out parts ({split}; poses by their own rows, errors scaled for what these take up)");
+        Self::new(data, errors, before)
     }
 
     pub(super) fn words(&self) -> String {

@@ -7,11 +7,13 @@ use cdpr::model::Model;
 use serde::Serialize;
 
 use super::Answer;
+use super::CourseAnswer;
 use super::PoseAnswer;
 use super::PoselessJudgement;
 use super::identification_words::{identifiability, parameters, status_words};
 use super::start_words::start_words;
 use crate::number_format::significant;
+use crate::report::Addition;
 
 /// Parameters found from lengths at unknown poses.
 #[derive(Serialize)]
@@ -48,6 +50,9 @@ pub struct SelfCalibrationAnswer {
     /// Anchors beside those of another robot.
     #[serde(skip_serializing_if = "Option::is_none")]
     comparison: Option<Comparison>,
+    /// Course of the fit, where it is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    course: Option<CourseAnswer>,
     warnings: Vec<String>,
     #[serde(skip)]
     doubts: usize,
@@ -65,7 +70,8 @@ impl SelfCalibrationAnswer {
         (data, of_data): (String, &Warnings),
         [out, out_poses]: [Option<String>; 2],
     ) -> Self {
-        let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge } = found;
+        let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge, .. } =
+            found;
         let Warnings { list: warnings, doubts } = fit.own_warnings(of_data);
         let axes = model.axes();
         let anchor = |cable: &cdpr::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
@@ -94,6 +100,7 @@ impl SelfCalibrationAnswer {
             history: fit.history,
             validation: None,
             comparison: None,
+            course: None,
             warnings,
             doubts,
             out,
@@ -105,6 +112,27 @@ impl SelfCalibrationAnswer {
     #[must_use]
     pub fn with_judgements(self, validation: Option<PoselessJudgement>, comparison: Option<Comparison>) -> Self {
         Self { validation, comparison, ..self }
+    }
+
+    /// The same with the course of the fit.
+    #[must_use]
+    pub fn with_course(self, course: Option<CourseAnswer>) -> Self {
+        Self { course, ..self }
+    }
+
+    /// Warnings, those that doubt the outcome first.
+    pub fn warnings(&self) -> Warnings {
+        Warnings { list: self.warnings.clone(), doubts: self.doubts }
+    }
+
+    /// Outcome of the fit in words.
+    pub fn reason(&self) -> &str {
+        &self.reason
+    }
+
+    /// Parts of its page.
+    pub fn additions(&self) -> Vec<Addition> {
+        self.course.iter().map(CourseAnswer::addition).collect()
     }
 
     /// Motions that the data leave free, and parameters that fix them.
@@ -155,6 +183,7 @@ impl Answer for SelfCalibrationAnswer {
             parameters(&self.parameters, width),
             identifiability(&self.analysis, *parameter_count, self.noise_factor)
         ));
+        text.extend(self.course.iter().map(|course| course.words(width)));
         if !remarks.is_empty() {
             text.push_str("\nwarnings\n");
             remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));

@@ -5,7 +5,7 @@ mod files;
 
 use cdpr::identification::candidate::Candidate;
 use cdpr::identification::selection::{Selection, Settings, Warnings};
-use cdpr::measurement::{Fold, Samples};
+use cdpr::measurement::{Fold, InternalSamples, Samples};
 use cdpr::robot::Robot;
 
 use crate::NamedFile;
@@ -19,6 +19,8 @@ pub struct ComparisonData {
     pub robot: Robot,
     /// All samples, those of the fits and those of the validation.
     pub samples: Samples,
+    /// The same without measured poses, where these are what the comparison finds.
+    pub internal: Option<InternalSamples>,
     /// How many of the samples `data_name` has; the others are of another file, for validation alone.
     pub data_count: usize,
     /// Parts of the samples.

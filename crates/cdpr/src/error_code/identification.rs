@@ -16,6 +16,7 @@ impl ErrorCode for DataError {
             Self::AllEqual { .. } => "data::all-equal",
             Self::NoTimes => "data::no-times",
             Self::DifferentCables { .. } => "data::cable-count",
+            Self::DifferentLengths => "data::no-start-lengths",
         }
     }
 }

@@ -91,6 +91,8 @@ pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
-pub use self_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, evaluate_lengths, self_calibrate};
+pub use self_calibration::{
+    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate, evaluate_lengths, self_calibrate,
+};
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};

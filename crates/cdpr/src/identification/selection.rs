@@ -11,6 +11,7 @@ mod requirement;
 mod settings;
 mod untried;
 mod warnings;
+mod without_poses;
 mod worse;
 
 pub use criterion::SelectionCriterion;
@@ -23,6 +24,7 @@ pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 pub use settings::Settings;
 use thiserror::Error;
 pub use warnings::Warnings;
+pub use without_poses::select_without_poses;
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
@@ -99,6 +101,15 @@ pub enum InputError {
     },
 }
 
+impl InputError {
+    /// The failure of the first candidate where all of them failed.
+    fn where_all_failed(judged: &[JudgedCandidate]) -> Option<Self> {
+        let JudgedCandidate { name, outcome: Err(reason), .. } = judged.first()? else { return None };
+        let all = judged.iter().all(|judged| judged.outcome.is_err());
+        all.then(|| Self::AllFailed { name: name.clone(), reason: reason.clone() })
+    }
+}
+
 /// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
 /// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
 ///
@@ -130,10 +141,8 @@ pub fn select(
         JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
     let mut judged = map_all(candidates, judge_one);
-    if let Some(JudgedCandidate { name, outcome: Err(reason), .. }) =
-        judged.iter().all(|judged| judged.outcome.is_err()).then(|| &judged[0])
-    {
-        return Err(InputError::AllFailed { name: name.clone(), reason: reason.clone() });
+    if let Some(error) = InputError::where_all_failed(&judged) {
+        return Err(error);
     }
     comparison::compare(&mut judged, settings);
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {

@@ -1,6 +1,6 @@
 //! Samples of sensors inside the machine, at poses that nobody measured.
 
-use super::{Known, Samples};
+use super::{DataError, Known, Samples};
 
 /// Samples at poses that are known in part or not at all.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +30,37 @@ impl InternalSamples {
             facts: Vec::new(),
             are_changes,
         }
+    }
+
+    /// The samples with these indices, in this order.
+    #[must_use]
+    pub fn subset(&self, indices: &[usize]) -> Self {
+        let m = self.samples.cable_count;
+        let of_cables = |data: &Vec<f64>| indices.iter().flat_map(|&i| data[i * m..][..m].to_vec()).collect();
+        Self {
+            samples: self.samples.subset(indices),
+            known: indices.iter().map(|&i| self.known[i].clone()).collect(),
+            swivels: self.swivels.as_ref().map(of_cables),
+            masses: self.masses.as_ref().map(|masses| indices.iter().map(|&i| masses[i]).collect()),
+            facts: self.facts.clone(),
+            are_changes: self.are_changes,
+        }
+    }
+
+    /// These samples followed by others; quantities that only one of the two has are dropped, facts are those of the first.
+    pub fn followed_by(&self, other: &Self) -> Result<Self, DataError> {
+        if self.are_changes != other.are_changes {
+            return Err(DataError::DifferentLengths);
+        }
+        let joined = |a: &Option<Vec<f64>>, b: &Option<Vec<f64>>| Some([a.as_deref()?, b.as_deref()?].concat());
+        Ok(Self {
+            samples: self.samples.followed_by(&other.samples)?,
+            known: [self.known.as_slice(), &other.known].concat(),
+            swivels: joined(&self.swivels, &other.swivels),
+            masses: joined(&self.masses, &other.masses),
+            facts: self.facts.clone(),
+            are_changes: self.are_changes,
+        })
     }
 
     /// Number of poses that are known whole.

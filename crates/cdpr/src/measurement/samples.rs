@@ -75,6 +75,9 @@ pub enum DataError {
         /// Cables of the other.
         second: usize,
     },
+    /// Lengths of one set beside changes of the other.
+    #[error("one data set has lengths, the other their changes from a common pose: they do not count from the same")]
+    DifferentLengths,
 }
 
 impl Samples {

@@ -103,6 +103,22 @@ impl fmt::Display for Split {
 }
 
 impl Split {
+    /// The split asked for, else by the column `set` where it tells, else five contiguous blocks.
+    pub fn or_default(split: Option<Self>, samples: &Samples) -> Self {
+        let by_column = || Self::Column.folds(samples, 0).is_ok().then_some(Self::Column);
+        split.or_else(by_column).unwrap_or(Self::Blocks(samples.len().clamp(2, 5)))
+    }
+
+    /// The split in a sentence's words.
+    pub fn words(self) -> String {
+        match self {
+            Self::Column => "the rows that the column `set` names".to_owned(),
+            Self::Blocks(count) => format!("{count} contiguous blocks, each held out in turn"),
+            Self::KFold(count) => format!("{count} random parts, each held out in turn"),
+            Self::Region(count) => format!("{count} regions of the workspace, each held out in turn"),
+        }
+    }
+
     /// The folds of a data set. `seed` matters for [`Split::KFold`] only.
     pub fn folds(self, samples: &Samples, seed: u64) -> Result<Vec<Fold>, SplitError> {
         let count = samples.len();

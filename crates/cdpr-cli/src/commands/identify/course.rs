@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use cdpr::identification::CourseStep;
+use cdpr::identification::fit::Fit;
 use cdpr_reports::answers::CourseAnswer;
 use clap::Args;
-
-use super::task::Identification;
 
 /// Options of the course.
 #[derive(Clone, Debug, Args)]
@@ -30,8 +30,11 @@ impl CourseArguments {
     }
 
     /// Answer and files of what the options ask for.
-    pub(super) fn answer(&self, result: &Identification) -> (Option<CourseAnswer>, Vec<(PathBuf, Vec<u8>)>) {
-        let Some(answer) = CourseAnswer::new(result.course.clone(), result.fit.parameters.clone()) else {
+    pub(super) fn answer(
+        &self,
+        (course, fit): (Vec<CourseStep>, &Fit),
+    ) -> (Option<CourseAnswer>, Vec<(PathBuf, Vec<u8>)>) {
+        let Some(answer) = CourseAnswer::new(course, fit.parameters.clone()) else {
             return (None, Vec::new());
         };
         let table = self.course_table.iter().map(|path| (path.clone(), answer.csv().into_bytes()));

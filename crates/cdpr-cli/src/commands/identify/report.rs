@@ -1,8 +1,8 @@
 //! The report of an identification: that of a comparison with the model as given.
 
 use cdpr::identification::Candidate;
-use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, select};
-use cdpr::measurement::Fold;
+use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, select, select_without_poses};
+use cdpr::measurement::{Fold, InternalSamples, Samples};
 use cdpr::model::FreeParameters;
 
 use super::task::Task;
@@ -11,10 +11,11 @@ use crate::failure::Failure;
 use crate::selecting::two_files;
 use cdpr_reports::report::{Addition, Purpose, Report, render};
 
-/// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit.
+/// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit; `internal` are all samples where their
+/// poses are not measured.
 pub(super) fn page(
     task: &Task<'_>,
-    other: Option<&cdpr::measurement::Samples>,
+    (other, internal): (Option<&Samples>, Option<&InternalSamples>),
     reason: &str,
     warnings: &Warnings,
     additions: &[Addition],
@@ -41,9 +42,14 @@ pub(super) fn page(
     let composition = task.model.composition();
     let free = |free: FreeParameters| Candidate { composition, free };
     let candidates = [free(FreeParameters::default()), free(arguments.free.clone())];
-    let settings = Settings { fit: task.settings(), seed: arguments.seed, ..Settings::default() };
-    let mut selection = select(task.model.robot(), &candidates, &samples, &folds, &settings, &|| ())
-        .map_err(|error| Failure::refused(&name, &error))?;
+    let criterion = internal.map_or(SelectionCriterion::Position, |_| SelectionCriterion::Length);
+    let settings = Settings { fit: task.settings(), seed: arguments.seed, criterion, ..Settings::default() };
+    let robot = task.model.robot();
+    let compared = match internal {
+        Some(internal) => select_without_poses(robot, &candidates, internal, &folds, &settings, &|| ()),
+        None => select(robot, &candidates, &samples, &folds, &settings, &|| ()).map(|own| (own, samples)),
+    };
+    let (mut selection, samples) = compared.map_err(|error| Failure::refused(&name, &error))?;
     // the user has chosen the model: the page is about it, whatever the model as given can do
     selection.recommended = Some(1);
     selection.reason = reason.to_owned();
@@ -51,7 +57,7 @@ pub(super) fn page(
     let report = Report {
         purpose: Purpose::Identification,
         command: &command_line(),
-        robot: task.model.robot(),
+        robot,
         samples: &samples,
         data_count,
         folds: &folds,
@@ -59,7 +65,7 @@ pub(super) fn page(
         data_name: &name,
         validation_name: validation.as_deref().unwrap_or("none: all figures are of the data of the fit"),
         selection: &selection,
-        criterion: SelectionCriterion::default(),
+        criterion,
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
         warnings,

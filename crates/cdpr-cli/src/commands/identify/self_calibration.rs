@@ -2,20 +2,23 @@
 
 use std::process::ExitCode;
 
+use cdpr::error_code::ErrorCode;
 use cdpr::identification::{
-    Comparison, GaugeConvention, Loss, Objective, SelfCalibration, evaluate_lengths, self_calibrate,
+    Comparison, GaugeConvention, Loss, Objective, SelfCalibration, cross_validate, evaluate_lengths, self_calibrate,
 };
-use cdpr::measurement::{InternalSamples, Known};
+use cdpr::measurement::{Fold, InternalSamples, Known, Split};
 use cdpr::model::Model;
 use cdpr_reports::answers::{PoselessJudgement, SelfCalibrationAnswer};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use super::Arguments;
+use super::task::Task;
+use super::{Arguments, report};
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
+use crate::measurements::{BY_REGIONS, NO_OUTLIER, NO_POSE, refuse_without_poses};
 use crate::progress::Progress;
 
 /// Convention for the frame of a robot whose poses nobody measured, facts known of it, and a robot to compare with.
@@ -73,44 +76,27 @@ impl FrameArguments {
 
 /// Refuses options that ask for measured poses, each with what it needs them for.
 fn refuse_options(arguments: &Arguments) -> Result<(), Failure> {
-    let asked = [
-        (
-            "--split",
-            arguments.split.is_some(),
-            "parts of the data are judged by errors of poses; judge by another file with --validation",
-        ),
-        ("--compare-objectives", arguments.compare_objectives, "objectives are compared by errors of poses"),
-        ("--drive", arguments.drive.is_asked(), "what is driven is compared with what poses tell"),
-        ("--report", arguments.report.is_some(), "its tables and charts are of errors at measured poses"),
-        (
-            "--profile, --bootstrap or --uncertainty",
-            arguments.uncertainty.is_asked(),
-            "they draw samples at measured poses",
-        ),
-        ("--path or --out-reduced", arguments.path.is_asked(), "penalties are chosen by errors of poses"),
-        (
-            "--scale, --row-weight or --condition-map",
-            arguments.scaling.is_asked(),
-            "rows are weighed by the accuracy of each sensor here",
-        ),
-        ("--course", arguments.course.is_asked(), "a course tells residuals at measured poses"),
-        (
-            "--objective other than length",
-            arguments.settings().objective != Objective::Length,
-            "there is no pose to be compared with",
-        ),
-        (
-            "--loss huber or cauchy",
-            !matches!(arguments.loss, Loss::Auto | Loss::Squared),
-            "a pose takes up most of an outlier, so that its residual does not show it",
-        ),
-    ];
-    let Some((option, _, reason)) = asked.into_iter().find(|(_, is_asked, _)| *is_asked) else { return Ok(()) };
-    Err(Failure::input(
-        "data::option-needs-poses",
-        format!("{}: {option} needs measured poses, and these data have none: {reason}", arguments.data.name()),
-        "leave it out, or write the poses that are found with --out-poses FILE and ask of that file",
-    ))
+    refuse_without_poses(
+        &arguments.data.name(),
+        &[
+            ("--split region:K", matches!(arguments.split, Some(Split::Region(_))), BY_REGIONS),
+            ("--compare-objectives", arguments.compare_objectives, "objectives are compared by errors of poses"),
+            ("--drive", arguments.drive.is_asked(), "what is driven is compared with what poses tell"),
+            (
+                "--profile, --bootstrap or --uncertainty",
+                arguments.uncertainty.is_asked(),
+                "they draw samples at measured poses",
+            ),
+            ("--path or --out-reduced", arguments.path.is_asked(), "penalties are chosen by errors of poses"),
+            (
+                "--scale, --row-weight or --condition-map",
+                arguments.scaling.is_asked(),
+                "rows are weighed by the accuracy of each sensor here",
+            ),
+            ("--objective other than length", arguments.settings().objective != Objective::Length, NO_POSE),
+            ("--loss huber or cauchy", !matches!(arguments.loss, Loss::Auto | Loss::Squared), NO_OUTLIER),
+        ],
+    )
 }
 
 /// Errors of a model as given and of the calibrated one on samples that it was not fitted to.
@@ -126,32 +112,62 @@ fn judged(
     Ok(PoselessJudgement::new(name.to_owned(), errors(calibrated)?, errors(model).ok()))
 }
 
+/// Errors on the parts that each fold holds out.
+fn cross_validated(
+    arguments: &Arguments,
+    (model, samples): (&Model, &InternalSamples),
+    (folds, found): (&[Fold], &SelfCalibration),
+) -> Result<Option<PoselessJudgement>, Failure> {
+    let Some(split) = arguments.split else { return Ok(None) };
+    let (after, before) = cross_validate((model, samples), (&arguments.free, &arguments.settings()), (folds, found))
+        .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
+    Ok(Some(PoselessJudgement::of_parts(split, after.blocks(), before.map(|errors| errors.blocks()))))
+}
+
 /// Calibrates the robot, and writes what is asked for.
 pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> Result<ExitCode, Failure> {
     refuse_options(arguments)?;
+    let name = arguments.data.name();
+    let refused = |error: &dyn ErrorCode| Failure::refused(&name, error);
     let mut samples = arguments.data.read_internal(model, output)?;
     samples.facts.extend(arguments.frame.known.iter().cloned());
     let other = arguments.validation.as_ref().map(|path| arguments.data.read_other_internal(path, model, output));
     let other = other.transpose()?;
+    let folds = arguments.split.map(|split| split.folds(&samples.samples, arguments.seed)).transpose();
+    let folds = folds.map_err(|error| refused(&error))?.unwrap_or_default();
     let progress = Progress::of(arguments.starts as usize, "calibrating");
     let settings = arguments.settings();
-    let found = self_calibrate(model, &samples, &arguments.free, &settings, &|| progress.step())
-        .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
-    drop(progress);
+    let part = if let [fold] = &folds[..] { samples.subset(&fold.train) } else { samples.clone() };
+    let found = self_calibrate(model, &part, &arguments.free, &settings, &|| progress.step())
+        .map_err(|error| refused(&error))?;
     let comparison = arguments.frame.comparison(&found)?;
-    let validation = arguments
+    let by_file = arguments
         .validation
         .as_ref()
         .zip(other.as_ref())
         .map(|(path, other)| judged((model, &found.fit.model), other, &path.display().to_string()));
-    let validation = validation.transpose()?;
+    let validation = by_file.transpose()?.or(cross_validated(arguments, (model, &samples), (&folds, &found))?);
     let calibrated = found.fit.model.robot().to_toml();
     let poses = found.samples.to_csv(model.robot());
-    let (out, out_poses) = (arguments.out.as_deref(), arguments.out_poses.as_deref());
-    let files = [(out, calibrated.as_bytes()), (out_poses, poses.as_bytes())];
-    files::write_all(&files.into_iter().filter_map(|(path, content)| Some((path?, content))).collect::<Vec<_>>())?;
-    let names = [out, out_poses].map(|path| path.map(|path| path.display().to_string()));
-    let of_data = (arguments.data.name(), &output.doubts());
-    let answer = SelfCalibrationAnswer::new(found, (model, arguments.free.to_string()), of_data, names);
-    output.answer(&answer.with_judgements(validation, comparison))
+    let (course, mut files) = arguments.course.answer((found.course.clone(), &found.fit));
+    let found_samples = found.samples.clone();
+    let (out, out_poses) = (&arguments.out, &arguments.out_poses);
+    let names = [out, out_poses].map(|path| path.as_ref().map(|path| path.display().to_string()));
+    let answer =
+        SelfCalibrationAnswer::new(found, (model, arguments.free.to_string()), (name.clone(), &output.doubts()), names);
+    let answer = answer.with_judgements(validation, comparison).with_course(course);
+    if let Some(path) = &arguments.report {
+        let all = other.as_ref().map_or(Ok(samples.clone()), |other| samples.followed_by(other));
+        let all = all.map_err(|error| refused(&error))?;
+        let samples = if folds.is_empty() { &found_samples } else { &samples.samples };
+        let task = Task { model, samples, arguments, drive: None, progress: &progress };
+        let other = other.as_ref().map(|other| &other.samples);
+        let page = report::page(&task, (other, Some(&all)), answer.reason(), &answer.warnings(), &answer.additions())?;
+        files.push((path.clone(), page.into_bytes()));
+    }
+    drop(progress);
+    files.extend(out.iter().map(|path| (path.clone(), calibrated.clone().into_bytes())));
+    files.extend(out_poses.iter().map(|path| (path.clone(), poses.clone().into_bytes())));
+    files::write_all(&files.iter().map(|(path, content)| (path.as_path(), &content[..])).collect::<Vec<_>>())?;
+    output.answer(&answer)
 }

@@ -6,7 +6,6 @@ use crate::identification::candidate::Candidate;
 use crate::identification::evaluation::{Evaluation, evaluate_fitted};
 use crate::identification::fit::{self, Fit, fit};
 use crate::identification::loss::Loss;
-use crate::identification::plausibility::Distrust;
 use crate::measurement::{Fold, Samples, Split, SplitError};
 use crate::model::Model;
 use crate::robot::Robot;
@@ -61,26 +60,9 @@ impl Problem<'_> {
             validation_samples.extend(&fold.validation);
             fold_sizes.push((fold.name.clone(), fold.validation.len()));
         }
-        Ok(Judgement {
-            train,
-            region_errors: self.errors_on_regions(&model, candidate, reported.loss)?,
-            fit: reported,
-            requirements: Vec::new(),
-            distrust: Distrust::default(),
-            validation: errors.blocks(),
-            folds: Vec::new(),
-            criterion: f64::NAN,
-            standard_error: f64::NAN,
-            compared_samples: 0,
-            set_aside: Vec::new(),
-            disqualified: None,
-            relative_position_error: None,
-            information: None,
-            regions: None,
-            validation_errors: errors,
-            validation_samples,
-            fold_sizes,
-        })
+        let region_errors = self.errors_on_regions(&model, candidate, reported.loss)?;
+        let held_out = (validation_samples, fold_sizes);
+        Ok(Judgement { region_errors, ..Judgement::new(reported, train, errors, held_out) })
     }
 
     fn fit_to(

@@ -64,6 +64,35 @@ pub struct Judgement {
 }
 
 impl Judgement {
+    /// Errors of a fit, on its own data and sample by sample on those that were held out; what is compared with others follows.
+    pub(super) fn new(
+        fit: Fit,
+        train: ErrorBlocks,
+        validation_errors: Evaluation,
+        (validation_samples, fold_sizes): (Vec<usize>, Vec<(String, usize)>),
+    ) -> Self {
+        Self {
+            fit,
+            train,
+            validation: validation_errors.blocks(),
+            folds: Vec::new(),
+            validation_errors,
+            validation_samples,
+            criterion: f64::NAN,
+            standard_error: f64::NAN,
+            compared_samples: 0,
+            set_aside: Vec::new(),
+            disqualified: None,
+            requirements: Vec::new(),
+            distrust: Distrust::default(),
+            relative_position_error: None,
+            information: None,
+            regions: None,
+            region_errors: None,
+            fold_sizes,
+        }
+    }
+
     /// Takes the error figures without the samples set aside, and holds them against the requirements.
     pub(super) fn take_figures(&mut self, requirements: &[Requirement]) {
         let kept = |range: std::ops::Range<usize>| -> Vec<usize> {

@@ -6,15 +6,18 @@
 mod accuracies;
 mod cells;
 mod comparison;
+mod course;
 mod equations;
 mod evaluation;
 mod found;
 mod gauge;
 mod question;
 mod sensor_fit;
+mod validation;
 mod vectors;
 mod written;
 
+use super::course::CourseStep;
 use super::fit::{Fit, InputError, Settings};
 use super::objective::{Units, report, search};
 use super::worth::joint_worths;
@@ -29,6 +32,8 @@ use gauge::Gauge;
 pub use gauge::GaugeFixing;
 use question::Question;
 pub use sensor_fit::SensorFit;
+pub use validation::cross_validate;
+pub(super) use validation::{Calibrated, Calibrations};
 use vectors::PoseVectors;
 use written::{Written, stacked};
 
@@ -52,6 +57,10 @@ pub struct SelfCalibration {
     pub parameter_count: usize,
     /// Motions of everything that the data leave free, and parameters that fix them.
     pub gauge: GaugeFixing,
+    /// True where lengths count from those at the world's origin; false for lengths, and for changes that offsets make lengths.
+    pub counts_changes: bool,
+    /// Course of the fit where it was kept ([`Settings::keeps_course`]); residuals are those at the poses of each step.
+    pub course: Vec<CourseStep>,
 }
 
 /// Identifies parameters of a model from what a machine's own sensors recorded at unknown poses; `progress` is called after each start.
@@ -75,8 +84,9 @@ pub fn self_calibrate(
     question.agree_on_accuracies(&kept, &start.poses)?;
     let Question { model: start_model, internal: data, .. } = &question;
     let mut vectors = question.start(&kept, Some(&start.poses))?;
-    let units = question.units(question.scale(&kept, &vectors.poses())?);
-    let optimum = search(&mut vectors, (start_model, &kept), units, settings, progress)?;
+    let worths = question.scale(&kept, &vectors.poses())?;
+    let optimum_of = (start_model, &kept[..]);
+    let optimum = search(&mut vectors, optimum_of, question.units(worths.clone()), settings, progress)?;
     let stacked = optimum.stacked(&mut vectors)?;
     let calibrated = optimum.calibrated().clone();
     let end = question.rows(&calibrated, &question.parameters, Some(&start.poses))?;
@@ -85,6 +95,7 @@ pub fn self_calibrate(
     let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, data, &end.poses)?;
     let mut fit = report((optimum, &stacked), &found, &kept, settings);
+    let course = question.course(&mut vectors, (&fit, &kept, &worths))?;
     // the convention adds what the data do not tell
     fit.analysis.rank -= (kept.len() - parameters).min(fit.analysis.rank);
     // angles from a common start are those of no start length
@@ -102,6 +113,8 @@ pub fn self_calibrate(
         equations,
         parameter_count: question.parameters.len(),
         gauge: gauge.told(model, &question.parameters, (data, settings.gauge)),
+        course,
+        counts_changes: data.are_changes,
         samples: found,
         fit,
     })
