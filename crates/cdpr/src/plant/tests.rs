@@ -4,6 +4,7 @@
 mod compositions;
 mod conservation;
 mod drums;
+mod dual_numbers;
 mod oracle;
 mod scenarios;
 mod small_motions;
