@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::geometry::{Pose, Wrench};
+use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::model::{Composition, Model};
 use cdpr::reading::{Size, did_you_mean};
 use cdpr::robot::{Robot, builtin};
@@ -106,6 +106,12 @@ pub(crate) fn load_of(robot: &Robot, wrench: Option<&NumberList>) -> Result<Load
         Some(numbers) => Ok(Load::constant(wrench_of(robot, "--wrench", numbers)?)),
         None => Load::of(robot).map_err(|error| Failure::refused("ROBOT", &error)),
     }
+}
+
+/// The twist or acceleration that an option gives by its components; none without it.
+pub(crate) fn twist_of(robot: &Robot, option: &str, numbers: Option<&NumberList>) -> Result<Twist, Failure> {
+    let Some(numbers) = numbers else { return Ok(Twist::zeros()) };
+    robot.motion_pattern.twist(robot.plane, &numbers.0).map_err(|error| Failure::refused(option, &error))
 }
 
 /// The wrench that an option gives by its components: world axes, those of the file for a planar robot.

@@ -1,7 +1,6 @@
 //! `cdpr load`: what the cables' tensions say about the load.
 
 use std::process::ExitCode;
-use std::str::FromStr;
 
 use clap::Args;
 
@@ -43,33 +42,22 @@ pub(crate) struct Arguments {
     recorded: bool,
 
     /// Also the wrench that a group of cables exerts on the platform: a name and cable numbers; may be repeated.
-    #[arg(long = "group", value_name = "NAME=1,3,…")]
-    groups: Vec<Group>,
+    #[arg(long = "group", value_name = "NAME=1,3,…", value_parser = group)]
+    groups: Vec<(String, Vec<usize>)>,
 }
 
-/// A named group of cables, `upper=1,3,5,7`.
-#[derive(Clone, Debug)]
-struct Group {
-    name: String,
-    /// Numbers from 1.
-    cables: Vec<usize>,
-}
-
-impl FromStr for Group {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let form = "a name, `=` and cable numbers expected, e.g. upper=1,3,5,7";
-        let (name, numbers) = text.split_once('=').ok_or(form)?;
-        if name.trim().is_empty() || numbers.trim().is_empty() {
-            return Err(form.to_owned());
-        }
-        let number = |word: &str| match word.trim().parse::<usize>() {
-            Ok(number) if number > 0 => Ok(number),
-            _ => Err(format!("`{}` is not a cable number; cables are counted from 1", word.trim())),
-        };
-        Ok(Self { name: name.trim().to_owned(), cables: numbers.split(',').map(number).collect::<Result<_, _>>()? })
+/// A named group of cables by their numbers from 1, `upper=1,3,5,7`.
+fn group(text: &str) -> Result<(String, Vec<usize>), String> {
+    let form = "a name, `=` and cable numbers expected, e.g. upper=1,3,5,7";
+    let (name, numbers) = text.split_once('=').ok_or(form)?;
+    if name.trim().is_empty() || numbers.trim().is_empty() {
+        return Err(form.to_owned());
     }
+    let number = |word: &str| match word.trim().parse::<usize>() {
+        Ok(number) if number > 0 => Ok(number),
+        _ => Err(format!("`{}` is not a cable number; cables are counted from 1", word.trim())),
+    };
+    Ok((name.trim().to_owned(), numbers.split(',').map(number).collect::<Result<_, _>>()?))
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -82,8 +70,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             *tension = model.real_tension(cable, *tension);
         });
     }
-    let groups: Vec<_> = arguments.groups.into_iter().map(|group| (group.name, group.cables)).collect();
-    let answer = LoadAnswer::of(&model, &pose, tensions, &groups).map_err(|error| refused("--tensions", &error))?;
+    let answer = LoadAnswer::of(&model, &pose, tensions, &arguments.groups);
+    let answer = answer.map_err(|error| refused("--tensions", &error))?;
     if !answer.is_finite() {
         return Err(Failure::numerical("the wrench of these tensions overflows; check their unit (N)"));
     }

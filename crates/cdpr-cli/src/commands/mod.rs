@@ -15,6 +15,7 @@ mod check;
 mod compensate;
 mod completions;
 mod demo;
+mod dynamics;
 mod evaluate;
 mod explain;
 mod export;
@@ -72,6 +73,7 @@ commands! {
     tension: Tension,
     load: Load,
     stiffness: Stiffness,
+    dynamics: Dynamics,
     modes: Modes,
     workspace: Workspace,
     model: Model,

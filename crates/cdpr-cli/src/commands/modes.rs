@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use cdpr::model::Composition;
 use cdpr::plant::{Plant, PlantError, Winches};
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
@@ -16,7 +16,6 @@ use cdpr_reports::answers::ModesAnswer;
 const EXAMPLES: &str = "\
 Examples:
   cdpr modes studies/robots/simulator-in-motion.toml --pose 0,0,1.5,0,0,0
-  cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --model pulley+elastic --tensions 3678,2169,4250,1708,3985,2394,4715,1684
   cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --winches drums --format json";
 
 /// Natural frequencies, damping and mode shapes of the platform at a pose, and the linear system behind them.
@@ -43,15 +42,9 @@ pub(crate) struct Arguments {
     tensions: Option<NumberList>,
 
     /// Winches that hold their lengths, or drums with inertia that hold their torques.
-    #[arg(long, value_enum, default_value_t = WinchArgument::Ideal, value_name = "ideal|drums")]
+    #[arg(long, default_value = "ideal", value_name = "ideal|drums", value_parser = ["ideal", "drums"])]
     #[arg(hide_possible_values = true)]
-    winches: WinchArgument,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum WinchArgument {
-    Ideal,
-    Drums,
+    winches: String,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -59,10 +52,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     output.about(&model.robot().name);
     let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
     let refused = |error: PlantError| Failure::refused("ROBOT", &error);
-    let winches = match arguments.winches {
-        WinchArgument::Ideal => Winches::Ideal,
-        WinchArgument::Drums => Winches::Drums,
-    };
+    let winches = if arguments.winches == "drums" { Winches::Drums } else { Winches::Ideal };
     let plant = Plant::new(model, winches).map_err(refused)?;
     let tensions = match tensions_of(plant.model(), &pose, None, arguments.tensions.as_ref())? {
         Chosen::Tensions(tensions) => tensions,

@@ -235,7 +235,6 @@ impl Search<'_> {
         let progress = Progress::spinner("following rays");
         let solve = |region: &Region<'_>| hull::solve(region, &self.bounds, &self.center, &settings);
         let found = solve(self.region).map_err(|error| Failure::refused("--method hull", &error))?;
-        let measure = found.measure();
         let image = image_of(reachable, self.region, &found);
         self.write_hulls(&found, image.as_ref(), arguments)?;
         let differential = change.map(|(cause, by)| {
@@ -247,9 +246,7 @@ impl Search<'_> {
             let criterion = self.study_file.feasible(model)?;
             solve(&self.region.with_criterion(&criterion)).ok()
         };
-        let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
         let [physical, model] = [&self.study_file.machine, &self.study_file.control].map(feasible);
-        let reaches = |hull: &Hull| hull.rays_at_bounds > 0;
         if let Some(path) = &arguments.svg {
             let picture = Picture {
                 experiment: self.study_file,
@@ -264,30 +261,9 @@ impl Search<'_> {
             })?;
             files::write(path, svg.as_bytes())?;
         }
-        let answer = Found {
-            method: "hull",
-            reached: measure.filter(|_| found.is_star_shaped()).map(|measure| measure.size),
-            error_bound: measure.map(|measure| measure.error_bound),
-            physical: physical.as_ref().and_then(size),
-            model: model.as_ref().and_then(size),
-            emerging: image.as_ref().map(|image| image.size),
-            linear: arguments.linear.then(|| self.linear_hull(reachable, &settings).unwrap_or(f64::NAN)),
-            points: found.points,
-            feasible_points: found.feasible_points,
-            at_bounds: AtBounds {
-                physical: physical.as_ref().is_some_and(reaches),
-                model: model.as_ref().is_some_and(reaches),
-                reachable: reaches(&found),
-            },
-            parts: None,
-            by_accuracy: Vec::new(),
-            outlines: (found.dimension() == 2).then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),
-            differential,
-            reason: (!found.is_star_shaped()).then(|| {
-                let rays = found.rays_again;
-                format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")
-            }),
-        };
+        let linear = arguments.linear.then(|| self.linear_hull(reachable, &settings).unwrap_or(f64::NAN));
+        let feasible = [physical.as_ref(), model.as_ref()];
+        let answer = Found { linear, differential, ..Found::of_hull(&found, feasible, image) };
         drop(progress);
         Ok(answer)
     }

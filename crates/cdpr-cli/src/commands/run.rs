@@ -4,8 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::measurement::{Provenance, Sidecar};
-use cdpr::plant::{LogFormat, Simulation, Winches};
+use cdpr::plant::{LogFormat, Simulation};
 use clap::Args;
 
 use crate::answer::Output;
@@ -13,8 +12,7 @@ use crate::failure::Failure;
 use crate::files::{self, GrowingFile, OwnFolder};
 use crate::progress::Progress;
 use crate::scenario_file;
-use cdpr_reports::answers::{RunAnswer, title};
-use cdpr_reports::figures::Figure;
+use cdpr_reports::answers::RunAnswer;
 use cdpr_reports::recording::{Recording, Violation};
 use cdpr_reports::run_page::RunPage;
 
@@ -95,21 +93,13 @@ impl Shown<'_> {
         let Self { recording, violations, .. } = *self;
         let page = self.page(answer)?;
         let mcap = recording.mcap(violations).map_err(|error| Failure::unwritable("the recording", &error))?;
-        let drawing = |figure: Option<Figure>| figure.map(|figure| figure.file());
-        let tensions = drawing(recording.tension_figure(violations));
-        let pose = drawing(recording.pose_figure(violations));
-        let contents = [
-            Some(result.as_bytes()),
-            Some(page.as_bytes()),
-            Some(mcap.as_slice()),
-            tensions.as_ref().map(String::as_bytes),
-            pose.as_ref().map(String::as_bytes),
-        ];
-        let sensed = self.sensed();
-        let own = RESULTS.iter().zip(contents).filter_map(|(name, content)| Some((*name, content?)));
-        let all = own.chain(sensed.iter().map(|(name, text)| (*name, text.as_bytes())));
-        let all: Vec<(PathBuf, &[u8])> = all.map(|(name, content)| (self.arguments.out.join(name), content)).collect();
-        files::write_all(&all.iter().map(|(path, content)| (path.as_path(), *content)).collect::<Vec<_>>())
+        let drawings = [recording.tension_figure(violations), recording.pose_figure(violations)];
+        let [tensions, pose] = drawings.map(|figure| figure.map(|figure| figure.file().into_bytes()));
+        let contents = [Some(result.to_owned().into_bytes()), Some(page.into_bytes()), Some(mcap), tensions, pose];
+        let own = RESULTS.into_iter().zip(contents).filter_map(|(name, content)| Some((name, content?)));
+        let all = own.chain(self.sensed().into_iter().map(|(name, text)| (name, text.into_bytes())));
+        let all: Vec<_> = all.map(|(name, content)| (self.arguments.out.join(name), content)).collect();
+        files::write_all(&all.iter().map(|(path, content)| (path.as_path(), content.as_slice())).collect::<Vec<_>>())
     }
 
     /// Records of the sensors, with a sidecar for measurement files.
@@ -117,26 +107,15 @@ impl Shown<'_> {
         let Some(sensors) = &self.simulation.sensors else { return Vec::new() };
         let logs = sensors.logs(&self.simulation.plant);
         let source = format!("cdpr run {}", self.arguments.scenario.display());
-        let provenance = Provenance {
-            source: Some(source),
-            robot: Some(self.recording.robot.name.clone()),
-            ..Provenance::default()
-        };
-        let sidecar =
-            Sidecar { layout_version: 1, sigmas: sensors.sigmas(), provenance: Some(provenance), ..Sidecar::default() };
-        let beside = logs.iter().any(|log| log.name == SENSED[0]).then(|| (SIDECAR, sidecar.to_toml()));
+        let sidecar = || sensors.sidecar(&self.simulation.plant, source).to_toml();
+        let beside = logs.iter().any(|log| log.name == SENSED[0]).then(|| (SIDECAR, sidecar()));
         logs.into_iter().map(|log| (log.name, log.csv)).chain(beside).collect()
     }
 
     fn page(&self, answer: &RunAnswer) -> Result<String, Failure> {
-        let plant = &self.simulation.plant;
         let name =
             self.arguments.scenario.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let facts = [
-            ("Machine", title(plant.model())),
-            ("Winches", winches(plant.winches()).to_owned()),
-            ("Steps", answer.steps_in_words()),
-        ];
+        let facts = answer.facts(&self.simulation.plant);
         let page = RunPage {
             recording: self.recording,
             violations: self.violations,
@@ -149,12 +128,5 @@ impl Shown<'_> {
             version: env!("CARGO_PKG_VERSION"),
         };
         page.render().map_err(|error| Failure::unwritable("the page of the run", &error))
-    }
-}
-
-fn winches(kind: Winches) -> &'static str {
-    match kind {
-        Winches::Ideal => "ideal: lengths are what is commanded",
-        Winches::Drums => "drums with inertia and friction",
     }
 }

@@ -24,6 +24,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "tension",
     "load",
     "stiffness",
+    "dynamics",
     "modes",
     "workspace",
     "model",

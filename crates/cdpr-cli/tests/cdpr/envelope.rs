@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 46] = [
+const CASES: [(&str, Option<&str>); 47] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -36,6 +36,7 @@ const CASES: [(&str, Option<&str>); 46] = [
     ("tension planar-example --pose 0,5.2 --wrench 0,-60000", Some("planar-example")),
     ("load planar-example --pose 0,5.2 --tensions 5808,5909,2390,2421", Some("planar-example")),
     ("stiffness planar-example --model elastic --pose 0,5.2", Some("planar-example")),
+    ("dynamics plate-in-motion.toml --pose 1.9,1.4,0", Some("moving-plate")),
     ("modes plate-in-motion.toml --pose 1.9,1.4,0", Some("moving-plate")),
     ("workspace planar-example --step 1", Some("planar-example")),
     ("workspace planar-example --wrench 0,-60000 --step 1", Some("planar-example")),

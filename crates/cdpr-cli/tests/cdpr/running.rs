@@ -1,4 +1,4 @@
-//! `cdpr run` and `cdpr modes`: machines in time.
+//! `cdpr run`, `cdpr modes` and `cdpr dynamics`: machines in time.
 
 use super::{cdpr, cdpr_in, numbers, root};
 
@@ -137,6 +137,79 @@ fn the_scenario_of_the_book_runs() {
     let (_, rows) = log(folder.path());
     assert_eq!(rows.len(), 301);
     assert!(rows[101..].iter().all(|row| row[10] == 0.0), "cable 3 is broken");
+}
+
+/// The same scenario by the integrator with error control: as many rows, the same end to the error of the fixed steps, fewer steps.
+#[test]
+fn a_run_with_error_control_ends_where_the_fixed_steps_do() {
+    let run = |text: &str| {
+        let folder = folder(text);
+        let run = cdpr_in(folder.path(), "run scenario.toml --out out --format json");
+        assert_eq!(run.exit_code, 0, "{}", run.stderr);
+        (log(folder.path()).1, run.json())
+    };
+    let (fixed, _) = run(SCENARIO);
+    let (controlled, answer) = run(&(SCENARIO.to_owned() + "integrator = \"error-controlled\"\n"));
+    assert_eq!(answer["integrator"], "error-controlled");
+    assert!(answer["steps"].as_u64().unwrap() < 200, "{}", answer["steps"]);
+    assert_eq!(fixed.len(), controlled.len());
+    for (one, other) in fixed.iter().zip(&controlled) {
+        // time and pose; a cable that goes slack within a step costs the fixed one its order
+        let gap = (0..4).map(|column| (one[column] - other[column]).abs()).fold(0.0, f64::max);
+        assert!(gap < 1e-6, "{gap:e} at {} s", one[0]);
+    }
+    let folder = folder(&(SCENARIO.to_owned() + "tolerance = 1e-9\n"));
+    let refused = cdpr_in(folder.path(), "run scenario.toml --out out");
+    assert!(refused.exit_code == 2 && refused.stderr.contains("scenario.toml:16:"), "{}", refused.stderr);
+}
+
+/// What inverse dynamics ask for, forward dynamics give; cables at rest carry the load; lengths are those of the tensions.
+#[test]
+fn forward_and_inverse_dynamics_are_told() {
+    let folder = folder(SCENARIO);
+    let ask = |options: &str| {
+        let asked = format!("dynamics plate-in-motion.toml --pose 1.9,1.4,0.1 {options} --format json");
+        let run = cdpr_in(folder.path(), &asked);
+        assert!(run.exit_code <= 1, "{}", run.stderr);
+        run.json_with(&["status", "mass_matrix", "bias", "acceleration", "cables", "tensions_N"])
+    };
+    let near = |found: &[f64], expected: &[f64]| found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9);
+    let list = |answer: &serde_json::Value| {
+        let words: Vec<String> = numbers(answer).iter().map(f64::to_string).collect();
+        words.join(",")
+    };
+    let wanted = [0.5, -1.0, 2.0];
+    let inverse = ask("--twist 1,2,3 --acceleration=0.5,-1,2");
+    assert!(near(&numbers(&inverse["acceleration"]), &wanted), "{inverse}");
+    assert!((inverse["mass_matrix"][0][0].as_f64().unwrap() - 5.0).abs() < 1e-12);
+    // m a of the centre of mass, which ω = 3 rad/s pulls inwards, and the weight of 5 kg: by hand
+    let (sin, cos) = 0.1_f64.sin_cos();
+    let center = [0.02 * cos - 0.05 * sin, 0.02 * sin + 0.05 * cos];
+    let force = [
+        5.0 * (0.5 - 2.0 * center[1] - 9.0 * center[0]),
+        5.0 * (-1.0 + 2.0 * center[0] - 9.0 * center[1]) + 5.0 * 9.81,
+    ];
+    assert!(near(&numbers(&inverse["cables"]["force_N"]), &force), "{inverse} {force:?}");
+    let forward = ask(&format!("--twist 1,2,3 --tensions {}", list(&inverse["tensions_N"])));
+    assert!(near(&numbers(&forward["acceleration"]), &wanted), "{forward}");
+    // winches hold the lengths that ik tells for tensions: the cables have these tensions, and the platform stays
+    let rest = ask("");
+    assert!(near(&numbers(&rest["acceleration"]), &[0.0; 3]), "{rest}");
+    let tensions = list(&rest["tensions_N"]);
+    let told =
+        format!("ik plate-in-motion.toml --pose 1.9,1.4,0.1 --model elastic --tensions {tensions} --format json");
+    let lengths = list(&cdpr_in(folder.path(), &told).json()["controlled_lengths_m"]);
+    let held = ask(&format!("--model elastic --lengths {lengths}"));
+    assert!(near(&numbers(&held["acceleration"]), &[0.0; 3]), "{held}");
+    assert!(near(&numbers(&held["tensions_N"]), &numbers(&rest["tensions_N"])), "{held}");
+    let beyond = ask("--acceleration 0,5000,0");
+    assert!(beyond["status"] == "infeasible" && beyond["tensions_N"].is_null(), "{beyond}");
+    let words = cdpr_in(folder.path(), "dynamics plate-in-motion.toml --pose 1.9,1.4,0 --acceleration 0,1,0").stdout;
+    assert!(words.contains("mass matrix") && words.contains("tension N"), "{words}");
+    let rigid = cdpr_in(folder.path(), &format!("dynamics plate-in-motion.toml --pose 1.9,1.4,0 --lengths {lengths}"));
+    assert!(rigid.exit_code == 2 && rigid.stderr.contains("does not stretch"), "{}", rigid.stderr);
+    let short = cdpr_in(folder.path(), "dynamics plate-in-motion.toml --pose 1.9,1.4,0 --twist 1");
+    assert!(short.exit_code == 2 && short.stderr.contains("--twist"), "{}", short.stderr);
 }
 
 /// The frequencies of `modes` are those of the criterion, whose lowest one has its own derivation.

@@ -60,7 +60,8 @@ impl ModeAnswer {
     }
 }
 
-fn rows(matrix: &DMatrix<f64>) -> Rows {
+/// Rows of a matrix.
+pub(super) fn rows(matrix: &DMatrix<f64>) -> Rows {
     // + 0.0: the sign of zero says nothing
     matrix.row_iter().map(|row| row.iter().map(|x| x + 0.0).collect()).collect()
 }

@@ -2,10 +2,11 @@
 
 use cdpr::geometry::MotionPattern;
 use cdpr::model::Model;
-use cdpr::plant::{End, Event, Happening, Simulation, State, Summary};
+use cdpr::plant::scenario::Integrator;
+use cdpr::plant::{End, Event, Happening, Plant, Simulation, State, Summary, Winches};
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer};
+use super::{Answer, PoseAnswer, title};
 use crate::number_format::{cell, short};
 use crate::recording::Violation;
 use crate::table::Table;
@@ -19,6 +20,8 @@ pub struct RunAnswer {
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
+    /// `symplectic` or `error-controlled`.
+    integrator: Integrator,
     steps: u64,
     #[serde(rename = "final")]
     last: FinalState,
@@ -101,6 +104,7 @@ impl RunAnswer {
             model: model.composition().to_string(),
             status,
             reason,
+            integrator: simulation.integrator(),
             steps: summary.steps,
             last: FinalState::new(model, state),
             tension_min: summary.tension_min,
@@ -131,9 +135,18 @@ impl RunAnswer {
         &self.warnings
     }
 
-    /// Steps, as `3000, the last at 3 s`.
-    pub fn steps_in_words(&self) -> String {
-        format!("{}, the last at {} s", self.steps, short(self.last.time_s))
+    /// Facts on machine, winches and steps: terms with their text.
+    pub fn facts(&self, plant: &Plant) -> [(&'static str, String); 3] {
+        let winches = match plant.winches() {
+            Winches::Ideal => "ideal: lengths are what is commanded",
+            Winches::Drums => "drums with inertia and friction",
+        };
+        let kind = match self.integrator {
+            Integrator::Symplectic => "of a fixed length",
+            Integrator::ErrorControlled => "with error control",
+        };
+        let steps = format!("{} {kind}, the last at {} s", self.steps, short(self.last.time_s));
+        [("Machine", title(plant.model())), ("Winches", winches.to_owned()), ("Steps", steps)]
     }
 }
 

@@ -1,6 +1,8 @@
 //! The answer of what is reached.
 
 use cdpr::metamodel::Experiment;
+use cdpr::metamodel::reachable::Image;
+use cdpr::workspace::hull::Hull;
 use cdpr::workspace::{Bounds, Point, Region};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -40,6 +42,40 @@ pub struct Found {
     pub differential: Option<Differential>,
     /// Reason why the answer is negative.
     pub reason: Option<String>,
+}
+
+impl Found {
+    /// Findings of the rays of a hull: the reachable one, the wrench-feasible ones of machine and control model, and where the platform comes to rest.
+    pub fn of_hull(found: &Hull, [physical, model]: [Option<&Hull>; 2], image: Option<Image>) -> Self {
+        let (measure, is_whole) = (found.measure(), found.is_star_shaped());
+        let size = |hull: &Hull| hull.measure().map(|measure| measure.size);
+        let reaches = |hull: &Hull| hull.rays_at_bounds > 0;
+        Self {
+            method: "hull",
+            reached: measure.filter(|_| is_whole).map(|measure| measure.size),
+            error_bound: measure.map(|measure| measure.error_bound),
+            physical: physical.and_then(size),
+            model: model.and_then(size),
+            emerging: image.as_ref().map(|image| image.size),
+            linear: None,
+            points: found.points,
+            feasible_points: found.feasible_points,
+            at_bounds: AtBounds {
+                physical: physical.is_some_and(reaches),
+                model: model.is_some_and(reaches),
+                reachable: reaches(found),
+            },
+            parts: None,
+            by_accuracy: Vec::new(),
+            outlines: (found.dimension() == 2)
+                .then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),
+            differential: None,
+            reason: (!is_whole).then(|| {
+                let rays = found.rays_again;
+                format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")
+            }),
+        }
+    }
 }
 
 /// Workspaces that reach the faces of the box, so that more of them may lie outside.

@@ -34,6 +34,7 @@ impl ErrorCode for StepError {
             Self::Cable(error) => error.code(),
             Self::Winch(error) => error.code(),
             Self::Overflow => "numerical::overflow",
+            Self::Tolerance { .. } => "plant::tolerance",
             Self::Count { .. } => "lengths::count",
         }
     }

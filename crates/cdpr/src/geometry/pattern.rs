@@ -189,8 +189,8 @@ impl MotionPattern {
         forces.chain(moments.iter().map(|name| (*name).to_owned())).collect()
     }
 
-    /// Pose from the components of `MotionPattern::component_names` (m, rad).
-    pub fn pose(self, plane: Plane, components: &[f64]) -> Result<Pose, PatternError> {
+    /// One finite number per degree of freedom.
+    fn check(self, plane: Plane, components: &[f64]) -> Result<(), PatternError> {
         let (expected, found) = (self.dof(), components.len());
         if expected != found {
             return Err(PatternError::ComponentCount {
@@ -202,6 +202,18 @@ impl MotionPattern {
         if let Some(index) = components.iter().position(|x| !x.is_finite()) {
             return Err(PatternError::NotFinite { index: index + 1, value: components[index] });
         }
+        Ok(())
+    }
+
+    /// Twist, or acceleration, from its components in the degrees of freedom: translations, then turns (world axes; m/s, rad/s and so on).
+    pub fn twist(self, plane: Plane, components: &[f64]) -> Result<Twist, PatternError> {
+        self.check(plane, components)?;
+        Ok(self.twist_basis(plane).iter().zip(components).map(|(basis, number)| basis * *number).sum())
+    }
+
+    /// Pose from the components of `MotionPattern::component_names` (m, rad).
+    pub fn pose(self, plane: Plane, components: &[f64]) -> Result<Pose, PatternError> {
+        self.check(plane, components)?;
         let position = match self.is_planar() {
             true => plane.embed([components[0], components[1]]),
             false => Vector3::new(components[0], components[1], components[2]),

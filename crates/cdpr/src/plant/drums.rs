@@ -54,11 +54,7 @@ impl Plant {
         load: &Wrench,
         time: f64,
     ) -> Result<(), StepError> {
-        for index in 0..self.drums.len() {
-            let (_, radius) = self.drum_length(index, state.cables[index].drum_angle)?;
-            let work = &mut state.pulls.drums[index];
-            (work.radius, work.acceleration, work.sum) = (radius, 0.0, 0.0);
-        }
+        self.look_at_drums(state)?;
         let (start, center) = (state.momentum, state.inertia.center(&state.pose));
         let (mut sum, mut rate) = (Momentum::default(), Momentum::default());
         for (share, weight) in STAGES {
@@ -75,6 +71,23 @@ impl Plant {
             cable.controlled_length_rate = work.radius * cable.drum_speed;
         }
         Ok(())
+    }
+
+    /// Radii of the drums at their angles.
+    fn look_at_drums(&self, state: &mut State) -> Result<(), StepError> {
+        for index in 0..self.drums.len() {
+            let (_, radius) = self.drum_length(index, state.cables[index].drum_angle)?;
+            let work = &mut state.pulls.drums[index];
+            (work.radius, work.acceleration, work.sum) = (radius, 0.0, 0.0);
+        }
+        Ok(())
+    }
+
+    /// Wrench of the cables on a platform with a twist (N, N·m); the accelerations of the drums stand in the state's work.
+    #[cfg(any(feature = "error-control", test))]
+    pub(super) fn driven(&self, state: &mut State, command: &Command<'_>, twist: &Twist) -> Result<Wrench, StepError> {
+        self.look_at_drums(state)?;
+        Ok(self.accelerate(state, command, twist, 0.0))
     }
 
     /// Accelerations of the drums at a stage, and the wrench of the cables.

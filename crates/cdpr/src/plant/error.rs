@@ -105,13 +105,19 @@ pub enum PlantError {
     },
 }
 
+impl From<StepError> for PlantError {
+    fn from(error: StepError) -> Self {
+        Self::of_step(error)
+    }
+}
+
 impl PlantError {
     /// Mistake that keeps a machine from its first step.
     pub(super) fn of_step(error: StepError) -> Self {
         match error {
             StepError::Cable(error) => Self::Cable(error),
             StepError::Winch(error) => Self::Winch(error),
-            StepError::Overflow | StepError::Count { .. } => {
+            StepError::Overflow | StepError::Tolerance { .. } | StepError::Count { .. } => {
                 Self::Value { key: ScenarioKey::of("start", ""), message: error.to_string() }
             }
         }
@@ -144,6 +150,15 @@ pub enum StepError {
         "the motion grew beyond all numbers: the step is too large for what the machine came to, or a load is not plausible"
     )]
     Overflow,
+    /// No step is small enough for a tolerance.
+    #[error(
+        "no step of the integrator keeps its error below {tolerance:e}: the machine is too stiff for it, or its forces jump; use a larger \
+         tolerance, or integrator = \"symplectic\""
+    )]
+    Tolerance {
+        /// Error that a step may have.
+        tolerance: f64,
+    },
     /// Not one command per cable.
     #[error("{found} commands are given, the robot has {expected} cables: give one per cable")]
     Count {

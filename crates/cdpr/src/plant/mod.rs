@@ -5,18 +5,22 @@
 //! M(x) \[v̇; ω̇\] + n(x, ω) = Σ fᵢ \[uᵢ; bᵢ × uᵢ\] + w(x, t),  fᵢ = max(0, law(qᵢ, q_θ,ᵢ) + dᵢ (q̇ᵢ − q̇_θ,ᵢ)),
 //!
 //! with the laws, outlets and loads of the static library: at rest the plant is [`Model::forward`](crate::model::Model::forward). The integrator is a
-//! symmetric, symplectic composition of order four (decision 0039). [`Scenario`] is a file that says what happens, [`Simulation`] runs it.
+//! symmetric, symplectic composition of order four (decision 0039); a library's rule with error control is the reference (decision 0042). [`Scenario`] is a file that says what happens, [`Simulation`] runs it.
 
 mod cable_motion;
 mod drums;
 mod dynamics;
 mod energy;
 mod error;
+#[cfg(any(feature = "error-control", test))]
+mod error_control;
 mod event;
 mod linearization;
 mod log;
 mod modes;
 mod momentum;
+#[cfg(any(feature = "error-control", test))]
+mod passages;
 #[expect(clippy::module_inception, reason = "the type is what the room is about")]
 mod plant;
 mod pulls;

@@ -98,7 +98,7 @@ impl Inertia {
 
     /// Pose after a time without forces (s): the centre of mass goes straight, the angular momentum stays.
     #[inline]
-    pub fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Pose {
+    pub(super) fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Pose {
         let from = pose.position + self.center(pose) + momentum.linear * (time / self.body.mass);
         let rotation = self.turned(&pose.rotation, &momentum.angular, time);
         Pose { position: from - rotation * self.body.center_of_mass, rotation }

@@ -42,12 +42,12 @@ pub struct Damping {
 impl Damping {
     /// d of a cable of this stiffness ∂f/∂q (N/m → N·s/m).
     #[inline]
-    pub fn coefficient(&self, stiffness: f64) -> f64 {
+    pub(super) fn coefficient(&self, stiffness: f64) -> f64 {
         self.constant + self.time * stiffness
     }
 
     /// Damping that the robot file states for a cable; none where it is silent.
-    pub fn of(cable: &Cable) -> Self {
+    pub(super) fn of(cable: &Cable) -> Self {
         let constant = cable.damping.unwrap_or(0.0);
         Self { constant, time: cable.damping_time.unwrap_or(0.0) }
     }

@@ -6,7 +6,7 @@ use super::error::{PlantError, ScenarioKey, StepError};
 use super::event::{Event, Happening};
 use super::linearization::SENSIBLE;
 use super::plant::{Damping, Plant};
-use super::scenario::{ControlKind, EventKind, EventTable, Scenario, Start, Time};
+use super::scenario::{ControlKind, EventKind, EventTable, Integrator, Scenario, Start, Time};
 use super::sensors::Sensors;
 use super::state::State;
 use super::step::Command;
@@ -17,7 +17,7 @@ use crate::model::Model;
 use crate::robot::Robot;
 
 /// Times that differ by less than this share of a step are one.
-const SAME_TIME: f64 = 1e-6;
+pub(super) const SAME_TIME: f64 = 1e-6;
 
 /// A machine on its way through a scenario.
 #[derive(Clone, Debug)]
@@ -30,25 +30,25 @@ pub struct Simulation {
     pub events: Vec<Event>,
     /// Sensors with what they have seen.
     pub sensors: Option<Sensors>,
-    time: Time,
-    commands: Commands,
-    wrench: Option<Series>,
+    pub(super) time: Time,
+    pub(super) commands: Commands,
+    pub(super) wrench: Option<Series>,
 }
 
 /// Commands of a scenario.
 #[derive(Clone, Debug, PartialEq)]
-struct Commands {
+pub(super) struct Commands {
     kind: ControlKind,
     /// Lengths (m) or torques (N·m) of the start.
     start: Vec<f64>,
-    changes: Option<Series>,
+    pub(super) changes: Option<Series>,
     now: Vec<f64>,
 }
 
 /// Rows over time, straight between them and constant outside.
 #[derive(Clone, Debug, PartialEq)]
-struct Series {
-    times: Vec<f64>,
+pub(super) struct Series {
+    pub(super) times: Vec<f64>,
     rows: Vec<Vec<f64>>,
 }
 
@@ -90,7 +90,10 @@ impl Simulation {
         };
         let plant = Plant::with_damping(model, machine.winches, damping)?;
         let mut state = start_of(&plant, &scenario.start)?;
-        check_step(&plant, &state, scenario.time.step_s)?;
+        match scenario.time.integrator {
+            Integrator::Symplectic => check_step(&plant, &state, scenario.time.step_s)?,
+            Integrator::ErrorControlled => check_smooth(&plant, &state)?,
+        }
         let commands = Commands::of(&plant, &state, scenario)?;
         let events = events_of(&plant, &scenario.event)?;
         let wrench = scenario.wrench.as_ref().map(|series| {
@@ -111,7 +114,7 @@ impl Simulation {
         &mut self,
         mut watch: impl FnMut(&Plant, &State) -> Result<ControlFlow<()>, E>,
     ) -> Result<Summary, E> {
-        let Time { duration_s: duration, step_s: step, record_s } = self.time;
+        let Time { duration_s: duration, step_s: step, record_s, .. } = self.time;
         let every = (record_s.unwrap_or(10.0 * step) / step).round().max(1.0) as u64;
         let count = (duration / step - SAME_TIME).ceil().max(1.0) as u64;
         let mut summary =
@@ -125,11 +128,14 @@ impl Simulation {
         let mut next = self.happen_until(0.0, 0, &mut summary);
         for index in 0..count {
             let target = if index + 1 == count { duration } else { (index + 1) as f64 * step };
+            let is_recorded = (index + 1) % every == 0 || index + 1 == count;
+            if !is_recorded && self.skips_unrecorded_times() {
+                continue;
+            }
             if let Err(error) = self.advance(target, &mut next, &mut summary) {
                 summary.end = End::Failed(error);
                 return Ok(summary);
             }
-            let is_recorded = (index + 1) % every == 0 || index + 1 == count;
             if is_recorded && watch(&self.plant, &self.state)?.is_break() {
                 summary.end = End::Stopped;
                 return Ok(summary);
@@ -149,7 +155,24 @@ impl Simulation {
         self.step_to(target, summary)
     }
 
+    /// True where the integrator has steps of its own and no sensor looks at those of the file.
+    fn skips_unrecorded_times(&self) -> bool {
+        self.time.integrator == Integrator::ErrorControlled && self.sensors.is_none()
+    }
+
     fn step_to(&mut self, target: f64, summary: &mut Summary) -> Result<(), StepError> {
+        summary.steps += match self.time.integrator {
+            #[cfg(any(feature = "error-control", test))]
+            Integrator::ErrorControlled => self.pass_to(target)?,
+            _ => self.take_step(target)?,
+        };
+        summary.look(&self.state);
+        self.measure();
+        Ok(())
+    }
+
+    /// One step to a time; the number of steps.
+    fn take_step(&mut self, target: f64) -> Result<u64, StepError> {
         let (from, whole) = (self.state.time, self.time.step_s);
         let time = target - from;
         // the grid's times are rounded, its step is not
@@ -165,10 +188,12 @@ impl Simulation {
         self.state.external = event;
         taken?;
         self.state.time = target;
-        summary.steps += 1;
-        summary.look(&self.state);
-        self.measure();
-        Ok(())
+        Ok(1)
+    }
+
+    /// Integrator of the scenario.
+    pub fn integrator(&self) -> Integrator {
+        self.time.integrator
     }
 
     /// Sensors look at the state.
@@ -224,7 +249,7 @@ impl Commands {
     }
 
     /// Command for the step that ends at a time.
-    fn at(&mut self, time: f64) -> Command<'_> {
+    pub(super) fn at(&mut self, time: f64) -> Command<'_> {
         if let Some(series) = &self.changes {
             series.at(time, &mut self.now);
             self.now.iter_mut().zip(&self.start).for_each(|(now, start)| *now += start);
@@ -237,7 +262,7 @@ impl Commands {
 }
 
 impl Series {
-    fn at(&self, time: f64, row: &mut [f64]) {
+    pub(super) fn at(&self, time: f64, row: &mut [f64]) {
         let after = self.times.partition_point(|&other| other <= time);
         let (low, high) = (after.saturating_sub(1), after.min(self.times.len() - 1));
         let width = self.times[high] - self.times[low];
@@ -302,6 +327,24 @@ fn check_step(plant: &Plant, state: &State, step: f64) -> Result<(), PlantError>
     match step * fastest <= SENSIBLE {
         true => Ok(()),
         false => Err(PlantError::StepTooLarge { step, largest, frequency: fastest / std::f64::consts::TAU }),
+    }
+}
+
+/// Refuses machines whose forces jump where a step with error control does not see it coming.
+fn check_smooth(plant: &Plant, state: &State) -> Result<(), PlantError> {
+    let refuse = |reason: String| {
+        let message = format!("integrator = \"error-controlled\" is not for this run: {reason}; use \"symplectic\"");
+        Err(PlantError::Value { key: ScenarioKey::of("time", "integrator"), message })
+    };
+    if cfg!(not(any(feature = "error-control", test))) {
+        return refuse("this build is without the feature `error-control`".to_owned());
+    }
+    if state.cables.iter().any(|cable| cable.memory.is_some()) {
+        return refuse("cables with hysteresis remember at the end of every fixed step".to_owned());
+    }
+    match plant.drums.iter().position(|drum| drum.coulomb > 0.0) {
+        Some(drum) => refuse(format!("the drum of cable {} sticks and slides by dry friction, which jumps", drum + 1)),
+        None => Ok(()),
     }
 }
 

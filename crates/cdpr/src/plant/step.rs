@@ -42,10 +42,7 @@ impl Plant {
     ///
     /// After an error the state is where the step failed; a snapshot taken before leads back.
     pub fn step(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
-        let (expected, found) = (self.model.cable_count(), command.numbers().len());
-        if expected != found {
-            return Err(StepError::Count { expected, found });
-        }
+        self.check_count(command)?;
         self.prepare(state, command, time)?;
         for (kick, drift) in STAGES {
             self.kick(state, command, kick * time)?;
@@ -60,8 +57,14 @@ impl Plant {
         }
     }
 
+    /// One command per cable.
+    pub(super) fn check_count(&self, command: &Command<'_>) -> Result<(), StepError> {
+        let (expected, found) = (self.model.cable_count(), command.numbers().len());
+        if expected == found { Ok(()) } else { Err(StepError::Count { expected, found }) }
+    }
+
     /// Speeds of ideal winches over the step, and which drums their friction holds.
-    fn prepare(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+    pub(super) fn prepare(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
         if !self.drums.is_empty() {
             return self.prepare_drums(state, command);
         }
@@ -75,7 +78,7 @@ impl Plant {
     }
 
     /// Ideal winches stand where they were told to go, drums that came to a stop within the step rest.
-    fn finish(&self, state: &mut State, command: &Command<'_>) {
+    pub(super) fn finish(&self, state: &mut State, command: &Command<'_>) {
         if !self.drums.is_empty() {
             return self.finish_drums(state);
         }

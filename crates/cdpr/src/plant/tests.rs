@@ -5,6 +5,7 @@ mod compositions;
 mod conservation;
 mod drums;
 mod dual_numbers;
+mod error_control;
 mod oracle;
 mod scenarios;
 mod small_motions;

@@ -1,6 +1,6 @@
 //! Checks of a scenario that need no robot, with the place of each mistake.
 
-use super::{Control, ControlKind, EventKind, EventTable, Scenario, Time};
+use super::{Control, ControlKind, EventKind, EventTable, Integrator, Scenario, Time};
 use crate::plant::plant::Winches;
 use crate::reading::{ReadError, Step, TomlDocument};
 
@@ -59,6 +59,16 @@ fn check_time(time: &Time, place: &Place<'_>) -> Result<(), ReadError> {
     if time.duration_s / time.step_s > STEP_LIMIT {
         let message = format!("{} s in steps of {} s are more than {STEP_LIMIT:e} steps", time.duration_s, time.step_s);
         return wrong("step_s", message, "take larger steps, or a shorter time");
+    }
+    if let Some(tolerance) = time.tolerance {
+        if time.integrator == Integrator::Symplectic {
+            let message = "tolerance belongs to integrator = \"error-controlled\"".to_owned();
+            return wrong("tolerance", message, "drop it, or name that integrator");
+        }
+        if !(1e-13..=1e-3).contains(&tolerance) {
+            let message = format!("tolerance is {tolerance:e}; it is a number from 1e-13 to 1e-3");
+            return wrong("tolerance", message, "e.g. 1e-10");
+        }
     }
     let Some(record) = time.record_s else { return Ok(()) };
     let multiple = record / time.step_s;

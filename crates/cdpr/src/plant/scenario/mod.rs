@@ -6,7 +6,7 @@ mod checks;
 mod reading;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 #[cfg(feature = "files")]
 pub use reading::located;
@@ -164,6 +164,23 @@ pub struct Time {
     pub step_s: f64,
     /// Time between rows of the log (s), a whole multiple of the step; every tenth step when missing.
     pub record_s: Option<f64>,
+    /// Integrator: `symplectic` (fixed steps, the default) or `error-controlled`.
+    #[serde(default)]
+    pub integrator: Integrator,
+    /// `error-controlled`: error that each of its steps may have in m, rad, m/s and rad/s, and relative to them; 1e-10 when missing.
+    #[schemars(range(min = 1e-13, max = 1e-3))]
+    pub tolerance: Option<f64>,
+}
+
+/// Integrator of the equations of motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Integrator {
+    /// Steps of a fixed length, of order four, that keep the energy.
+    #[default]
+    Symplectic,
+    /// Dormand and Prince's rule of order eight with steps as long as the tolerance lets them be: a reference, for machines whose forces do not jump.
+    ErrorControlled,
 }
 
 fn millisecond() -> f64 {

@@ -17,7 +17,7 @@ use super::error::PlantError;
 use super::plant::Plant;
 use super::state::State;
 use crate::geometry::Wrench;
-use crate::measurement::SensorSigmas;
+use crate::measurement::{Provenance, SensorSigmas, Sidecar};
 use crate::model::Model;
 
 pub use table::{
@@ -88,9 +88,11 @@ impl Sensors {
         }
     }
 
-    /// Accuracies of the sensors, as a sidecar of measurements states them.
-    pub fn sigmas(&self) -> SensorSigmas {
-        self.sigmas
+    /// Sidecar of their measurement file: accuracies, and the run that it comes from.
+    pub fn sidecar(&self, plant: &Plant, source: String) -> Sidecar {
+        let robot = Some(plant.model().robot().name.clone());
+        let provenance = Some(Provenance { source: Some(source), robot, ..Provenance::default() });
+        Sidecar { layout_version: 1, sigmas: self.sigmas, provenance, ..Sidecar::default() }
     }
 
     /// Files of the sensors that are there.

@@ -1,0 +1,147 @@
+//! Forward and inverse dynamics of a platform on its cables.
+
+use cdpr::geometry::{Pose, Twist, Wrench};
+use cdpr::model::Model;
+use cdpr::plant::{Inertia, Plant, PlantError};
+use cdpr::statics::{Load, StaticsError, balanced_wrench};
+use serde::Serialize;
+
+use super::modes_answer::rows;
+use super::{Answer, PoseAnswer, WrenchAnswer, degrees_of_freedom};
+use crate::number_format::cell;
+use crate::table::Table;
+
+/// Mass matrix, bias, and acceleration or the wrench and tensions that it takes.
+#[derive(Serialize)]
+pub struct DynamicsAnswer {
+    robot: String,
+    model: String,
+    /// `feasible`; `infeasible`, `singular` where no tensions make the acceleration.
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    pose: PoseAnswer,
+    /// Names of the components of matrix, bias, twist and acceleration.
+    degrees_of_freedom: Vec<String>,
+    /// \[v; ω\] (m/s, rad/s).
+    twist: Vec<f64>,
+    /// M (kg, kg·m, kg·m²) and n (N, N·m) of M \[v̇; ω̇\] + n = wrench.
+    mass_matrix: Vec<Vec<f64>>,
+    bias: WrenchAnswer,
+    /// \[v̇; ω̇\] (m/s², rad/s²).
+    acceleration: Vec<f64>,
+    /// Wrench of the cables on the platform.
+    cables: WrenchAnswer,
+    /// Null where there are none within the limits.
+    #[serde(rename = "tensions_N")]
+    tensions: Option<Vec<f64>>,
+    #[serde(skip)]
+    cable_names: Vec<String>,
+}
+
+impl DynamicsAnswer {
+    /// Dynamics at a pose with a twist and an acceleration (world axes, about the platform origin), for which the cables exert a wrench.
+    pub fn new(
+        model: &Model,
+        inertia: &Inertia,
+        (pose, twist): (&Pose, &Twist),
+        (acceleration, cables): (&Twist, &Wrench),
+    ) -> Self {
+        let robot = model.robot();
+        let rates = |twist: &Twist| model.twist_basis().iter().map(|basis| basis.dot(twist) + 0.0).collect();
+        Self {
+            robot: robot.name.clone(),
+            model: model.composition().to_string(),
+            status: "feasible",
+            reason: None,
+            pose: PoseAnswer::new(robot, pose),
+            degrees_of_freedom: degrees_of_freedom(robot),
+            twist: rates(twist),
+            mass_matrix: rows(&inertia.mass_matrix_in_pattern(model, pose)),
+            bias: WrenchAnswer::new(robot, &inertia.bias(pose, twist)),
+            acceleration: rates(acceleration),
+            cables: WrenchAnswer::new(robot, cables),
+            tensions: None,
+            cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
+        }
+    }
+
+    /// Forward dynamics: what tensions make of a pose with a twist under a load.
+    pub fn by_tensions(
+        model: &Model,
+        inertia: &Inertia,
+        moving: (&Pose, &Twist),
+        load: &Load,
+        tensions: Vec<f64>,
+    ) -> Result<Self, StaticsError> {
+        let (pose, twist) = moving;
+        let cables = -balanced_wrench(model, pose, &tensions)?;
+        let acceleration = inertia.acceleration(model, pose, twist, &(cables + load.wrench(pose)));
+        let answer = Self::new(model, inertia, moving, (&acceleration, &cables));
+        Ok(Self { tensions: Some(tensions), ..answer })
+    }
+
+    /// Forward dynamics: what cables make of it whose winches hold these lengths (m).
+    pub fn by_lengths(
+        plant: &Plant,
+        (pose, twist): (&Pose, &Twist),
+        load: &Load,
+        lengths: &[f64],
+    ) -> Result<Self, PlantError> {
+        let mut state = plant.with_lengths(pose, lengths)?;
+        state.set_twist(twist);
+        plant.observe(&mut state)?;
+        let acceleration = plant.acceleration(&state, &(load.wrench(pose) - plant.load().wrench(pose)));
+        let cables = state.inertia.wrench_of_acceleration(pose, twist, &acceleration) - load.wrench(pose);
+        let answer = Self::new(plant.model(), &state.inertia, (pose, twist), (&acceleration, &cables));
+        Ok(Self { tensions: Some(state.cables.iter().map(|cable| cable.tension).collect()), ..answer })
+    }
+
+    /// The same of cables that no tensions serve.
+    pub fn refused(self, status: &'static str, reason: String) -> Self {
+        Self { status, reason: Some(reason), ..self }
+    }
+
+    /// True when every number is finite.
+    pub fn is_finite(&self) -> bool {
+        let numbers = self.acceleration.iter().chain(self.tensions.iter().flatten());
+        numbers.into_iter().all(|number| number.is_finite()) && self.cables.is_finite() && self.bias.is_finite()
+    }
+}
+
+impl Answer for DynamicsAnswer {
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        let mut text = format!("{}, model {}, at {}\n{}", self.robot, self.model, self.pose.words(), self.status);
+        self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
+        text.push_str("\n\nmotion (m, rad, s)\n");
+        let mut motion = Table::with_heading([vec![String::new()], self.degrees_of_freedom.clone()].concat());
+        for (name, numbers) in [("twist", &self.twist), ("acceleration", &self.acceleration)] {
+            motion.row([vec![name.to_owned()], numbers.iter().map(|x| cell(Some(*x), 4)).collect()].concat());
+        }
+        text.push_str(&motion.text(width));
+        text.push_str("\nmass matrix (kg, m)\n");
+        let mut mass = Table::with_heading([vec![String::new()], self.degrees_of_freedom.clone()].concat());
+        for (name, row) in self.degrees_of_freedom.iter().zip(&self.mass_matrix) {
+            mass.row([vec![name.clone()], row.iter().map(|x| cell(Some(*x), 3)).collect()].concat());
+        }
+        text.push_str(&mass.text(width));
+        text.push_str("\nwrenches\n");
+        let mut wrenches = Table::with_heading([vec![String::new()], self.cables.heading()].concat());
+        for (name, wrench) in [("bias", &self.bias), ("cables", &self.cables)] {
+            wrenches.row([vec![name.to_owned()], wrench.cells()].concat());
+        }
+        text.push_str(&wrenches.text(width));
+        if let Some(tensions) = &self.tensions {
+            let mut table = Table::with_heading(vec!["cable".to_owned(), "tension N".to_owned()]);
+            for (name, tension) in self.cable_names.iter().zip(tensions) {
+                table.row(vec![name.clone(), cell(Some(*tension), 1)]);
+            }
+            text.push_str(&format!("\n{}", table.text(width)));
+        }
+        text
+    }
+}
