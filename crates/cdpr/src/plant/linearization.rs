@@ -182,7 +182,7 @@ impl Linearization {
     }
 
     /// Largest magnitude of an eigenvalue of A (rad/s): the fastest motion.
-    pub fn fastest(&self) -> Option<f64> {
+    pub(super) fn fastest(&self) -> Option<f64> {
         Some(self.eigenvalues()?.iter().map(|value| value.norm()).fold(0.0, f64::max))
     }
 }

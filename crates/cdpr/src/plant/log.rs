@@ -32,11 +32,6 @@ impl LogFormat {
         Self { names }
     }
 
-    /// Names of the columns.
-    pub fn names(&self) -> &[String] {
-        &self.names
-    }
-
     /// The first line.
     pub fn header(&self) -> String {
         self.names.join(",") + "\n"

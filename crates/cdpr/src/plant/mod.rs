@@ -40,7 +40,7 @@ pub use event::{Event, Happening};
 pub use linearization::Linearization;
 pub use log::LogFormat;
 pub use modes::{Mode, Modes};
-pub use momentum::{Inertia, Momentum};
+pub use momentum::Inertia;
 pub use plant::{Damping, Plant, Winches};
 pub use scenario::Scenario;
 pub use sensors::Sensors;

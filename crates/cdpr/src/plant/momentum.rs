@@ -11,11 +11,11 @@ const PIECE: f64 = 5e-3;
 
 /// Momentum of a platform: linear, and angular about its centre of mass (world axes; kg·m/s, kg·m²/s). Without forces both stay to the last bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Momentum {
+pub(super) struct Momentum {
     /// p = m v_c.
-    pub linear: Vector3<f64>,
+    pub(super) linear: Vector3<f64>,
     /// L = R I_c Rᵀ ω.
-    pub angular: Vector3<f64>,
+    pub(super) angular: Vector3<f64>,
 }
 
 /// A body as its motion pattern lets it move.
@@ -53,7 +53,7 @@ impl Inertia {
     }
 
     /// s = R c, from the platform origin to the centre of mass (world, m).
-    pub fn center(&self, pose: &Pose) -> Vector3<f64> {
+    pub(super) fn center(&self, pose: &Pose) -> Vector3<f64> {
         pose.rotation * self.body.center_of_mass
     }
 
@@ -65,14 +65,14 @@ impl Inertia {
 
     /// Twist \[v; ω\] of the platform origin (world axes).
     #[inline]
-    pub fn twist(&self, pose: &Pose, momentum: &Momentum) -> Twist {
+    pub(super) fn twist(&self, pose: &Pose, momentum: &Momentum) -> Twist {
         let omega = self.angular_velocity(&pose.rotation, &momentum.angular);
         let v = momentum.linear / self.body.mass - omega.cross(&self.center(pose));
         Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z)
     }
 
     /// Momentum of a twist, as far as the pattern moves.
-    pub fn momentum(&self, pose: &Pose, twist: &Twist) -> Momentum {
+    pub(super) fn momentum(&self, pose: &Pose, twist: &Twist) -> Momentum {
         let omega = self.rotations * twist.fixed_rows::<3>(3);
         let v = self.translations * (twist.fixed_rows::<3>(0) + omega.cross(&self.center(pose)));
         let turned = pose.rotation * (self.body.inertia * (pose.rotation.inverse() * omega));
@@ -88,7 +88,7 @@ impl Inertia {
     }
 
     /// Mass matrix M(x) about the platform origin in world axes, 6 × 6.
-    pub fn mass_matrix(&self, pose: &Pose) -> Matrix6<f64> {
+    pub(super) fn mass_matrix(&self, pose: &Pose) -> Matrix6<f64> {
         let rotation = pose.rotation_matrix();
         let mut turn = Matrix6::zeros();
         turn.fixed_view_mut::<3, 3>(0, 0).copy_from(&rotation);

@@ -16,7 +16,7 @@ pub struct State {
     /// Platform pose.
     pub pose: Pose,
     /// Momentum of the platform.
-    pub momentum: Momentum,
+    pub(super) momentum: Momentum,
     /// Cables and winches.
     pub cables: Vec<CableMotion>,
     /// The platform with all loads that it took up.
