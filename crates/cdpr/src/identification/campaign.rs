@@ -171,25 +171,28 @@ impl Experiment {
             model: self.control.clone(),
             waits_for: Vec::new(),
         };
-        let (mut measured, mut all): (Vec<bool>, Option<Samples>) = (vec![false; poses.len()], None);
+        let (mut measured, mut all): (Vec<usize>, Option<Samples>) = (vec![0; poses.len()], None);
+        let levels = table.tension_levels;
+        let times = |command: &CommandedPose| if command.shortened.is_some() { 1 } else { levels };
         for round in 1..=table.rounds as usize {
-            let open: Vec<usize> = (0..poses.len()).filter(|&k| standing.measurable[k] && !measured[k]).collect();
+            let is_open = |k: &usize| standing.measurable[*k] && measured[*k] < times(&poses[*k]);
+            let open: Vec<usize> = (0..poses.len()).filter(is_open).collect();
             let room =
                 table.budget.map_or(usize::MAX, |budget| budget - all.as_ref().map_or(0, Samples::len).min(budget));
-            let count = table.poses_per_round.min(room).min(open.len());
+            let count = table.poses_per_round.min(room).min(open.len() * levels.max(1));
             if count == 0 {
                 campaign.status = if room == 0 { CampaignStatus::BudgetSpent } else { CampaignStatus::NothingLeft };
                 break;
             }
-            let (chosen, expected) = current.planned((poses, &open), all.as_ref(), (&wishes, count, seed))?;
-            let commands: Vec<CommandedPose> = chosen.iter().map(|&place| poses[place].clone()).collect();
+            let (chosen, expected) = current.planned((poses, &open, levels), all.as_ref(), (&wishes, count, seed))?;
+            let commands = current.commands_at_levels((poses, &chosen), &expected, levels);
             let order = Order { round, experiment: &current, poses: &commands, expected: &expected };
             let Some(samples) = record(&order)? else {
                 campaign.status = CampaignStatus::Waiting;
                 campaign.waits_for = commands.iter().map(|command| command.pose).collect();
                 break;
             };
-            chosen.iter().for_each(|&place| measured[place] = true);
+            chosen.iter().for_each(|&place| measured[place] += 1);
             let predicted = evaluate_fitted(&current.control, &samples).map_err(CampaignError::from)?.blocks();
             let new_poses = samples.len();
             let together = match all.take() {
@@ -265,19 +268,41 @@ impl Experiment {
     /// The next best poses among open ones, by their places in the order of a path, with the records that the controller's model expects.
     fn planned(
         &self,
-        (poses, open): (&[CommandedPose], &[usize]),
+        (poses, open, levels): (&[CommandedPose], &[usize], usize),
         measured: Option<&Samples>,
         (wishes, count, seed): (&Wishes, usize, u64),
     ) -> Result<(Vec<usize>, Samples), CampaignError> {
         let candidates: Vec<CommandedPose> = open.iter().map(|&place| poses[place].clone()).collect();
         let sigmas = self.study.noise.unwrap_or_default();
-        let candidates = Candidates::of_commands(&self.control, &candidates, 1, sigmas)?;
+        let candidates = Candidates::of_commands(&self.control, &candidates, levels, sigmas)?;
         let count = count.min(candidates.samples.len());
         let (criterion, fit) = (wishes.criterion, wishes.fit.clone());
         let settings = PlanSettings { count, criterion, repeats: false, starts: STARTS, seed, fit };
         let found = plan(&self.control, &candidates, measured, &wishes.free, &settings)?;
         let places = found.chosen.iter().map(|&chosen| open[candidates.places[chosen]]).collect();
         Ok((places, candidates.samples.subset(&found.chosen)))
+    }
+}
+
+impl Experiment {
+    /// Commands of chosen poses, with the tensions of their levels where there are several.
+    fn commands_at_levels(
+        &self,
+        (poses, chosen): (&[CommandedPose], &[usize]),
+        expected: &Samples,
+        levels: usize,
+    ) -> Vec<CommandedPose> {
+        let m = expected.cable_count;
+        let real = |sample: usize, recorded: &[f64]| -> Vec<f64> {
+            (0..m).map(|cable| self.control.real_tension(cable, recorded[sample * m + cable])).collect()
+        };
+        let command = |(sample, &place): (usize, &usize)| {
+            let command = poses[place].clone();
+            let has_levels = levels > 1 && command.shortened.is_none();
+            let tensions = expected.tensions.as_ref().filter(|_| has_levels).map(|all| real(sample, all));
+            CommandedPose { tensions, ..command }
+        };
+        chosen.iter().enumerate().map(command).collect()
     }
 }
 

@@ -92,9 +92,17 @@ impl<'a> Controller<'a> {
         self.distribution.is_some().then_some(self.tensions.as_slice())
     }
 
-    /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none.
-    pub(super) fn lengths(&mut self, pose: &Pose, state: &mut State) -> Result<Vec<f64>, OperationError> {
-        if let Some(distribution) = &mut self.distribution {
+    /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
+    /// command in place of its own choice, where lengths depend on them.
+    pub(super) fn lengths(
+        &mut self,
+        (pose, tensions): (&Pose, Option<&[f64]>),
+        state: &mut State,
+    ) -> Result<Vec<f64>, OperationError> {
+        let given = tensions.filter(|_| self.distribution.is_some());
+        if let Some(given) = given {
+            self.tensions = given.to_vec();
+        } else if let Some(distribution) = &mut self.distribution {
             let found = distribution.solve(pose)?;
             if let Some(reason) = found.reason {
                 return Err(OperationError::NoTensions(reason));

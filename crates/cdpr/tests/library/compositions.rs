@@ -166,7 +166,7 @@ fn winches_of_a_sagging_machine_are_set_where_it_is_in_balance() {
         // settled to 1e-10 of 5000 N, at levers of 1 m
         assert!(residual.amax() < 1e-5, "{method:?}: {residual}");
         let offsets = winch_offsets(&initial, &control, &sagging, &pose).expect("offsets");
-        let commanded = CommandedPose { pose, set: None, shortened: None };
+        let commanded = CommandedPose::at(pose);
         let outcomes = operate(&control, &sagging, &offsets, &[commanded]).expect("the same robot");
         let missed = outcomes[0].pose.displacement_to(&pose).norm();
         assert!(missed < 1e-9, "{method:?}: {missed} {:?}", outcomes[0].reason);

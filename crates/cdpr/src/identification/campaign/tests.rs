@@ -39,6 +39,38 @@ fn half_of_the_poses_drive_as_well_as_all() {
     assert_eq!(found.status, CampaignStatus::BudgetSpent);
 }
 
+/// Levels of tension tell compliances that poses at one level tell less: the chosen levels are commanded, and their lengths are those of no other level.
+#[test]
+fn levels_of_tension_are_measured_as_poses_are() {
+    let deviation = |levels: &str| {
+        let mut experiment =
+            campaign_of(&format!("free = 'compliance,wrench'\nposes_per_round = 12\nrounds = 1\n{levels}"));
+        let control = experiment.machine.clone();
+        experiment = experiment.with_control(control);
+        let poses = experiment.poses(Vec::new(), 0).unwrap();
+        let mut commanded = Vec::new();
+        let mut record = |order: &Order<'_>| -> Result<Option<Samples>, CampaignError> {
+            commanded.extend(order.poses.iter().map(|command| command.tensions.is_some()));
+            let made = order.experiment.record(order.poses, 1)?.samples;
+            // the machine is the control model: what is recorded is what was expected, to the sensors' noise
+            let pairs = made.tensions.as_ref().unwrap().iter().zip(order.expected.tensions.as_ref().unwrap());
+            assert!(pairs.map(|(made, expected)| (made - expected).abs()).fold(0.0, f64::max) < 400.0);
+            Ok(Some(made))
+        };
+        let found = experiment.campaign(&poses, 0, &mut record).unwrap();
+        (commanded, found.rounds[0].deviation_m.unwrap())
+    };
+    let (one, plain) = deviation("");
+    let (several, at_levels) = deviation("tension_levels = 3");
+    assert!(one.iter().all(|is_told| !is_told) && several.iter().all(|is_told| *is_told));
+    assert!(at_levels < plain, "{at_levels} {plain}");
+    let mut rigid = campaign_of("free = 'frame-anchor'\nposes_per_round = 9\ntension_levels = 2");
+    rigid.study.poses = None;
+    let mut record = |_: &Order<'_>| -> Result<Option<Samples>, CampaignError> { Ok(None) };
+    let poses = [CommandedPose::at(rigid.start)];
+    assert!(matches!(rigid.campaign(&poses, 0, &mut record), Err(CampaignError::Plan(PlanError::LevelsOfRigid))));
+}
+
 /// The same records lead to the same rounds; a record that is missing is waited for.
 #[test]
 fn a_campaign_waits_and_goes_on() {

@@ -19,6 +19,10 @@ pub struct CampaignTable {
     /// Poses to measure in every round.
     #[schemars(range(min = 1))]
     pub poses_per_round: usize,
+    /// Levels of tension of an elastic control model at every pose, from which a design chooses as from poses: the middle of the limits, and those towards both ends of every direction that changes no wrench; 1 when missing.
+    #[serde(default = "tension_levels")]
+    #[schemars(range(min = 1))]
+    pub tension_levels: usize,
     /// Most rounds; 10 when missing.
     #[serde(default = "rounds")]
     #[schemars(range(min = 1, max = 1000))]
@@ -42,6 +46,10 @@ pub enum CampaignRecord {
     Virtual,
     /// Files that a real robot recorded: the campaign waits for them.
     Files,
+}
+
+fn tension_levels() -> usize {
+    1
 }
 
 fn rounds() -> u32 {

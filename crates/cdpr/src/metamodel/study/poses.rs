@@ -16,6 +16,8 @@ pub struct CommandedPose {
     pub set: Option<String>,
     /// A cable whose winch pulls in more than the control model asks for.
     pub shortened: Option<Shortening>,
+    /// Tensions that an elastic control model commands in place of its own choice, one a cable (N).
+    pub tensions: Option<Vec<f64>>,
 }
 
 /// One cable of a tension test.
@@ -30,7 +32,7 @@ pub struct Shortening {
 impl CommandedPose {
     /// This pose, in no subset and with all cables as the control model wants them.
     pub fn at(pose: Pose) -> Self {
-        Self { pose, set: None, shortened: None }
+        Self { pose, set: None, shortened: None, tensions: None }
     }
 }
 
@@ -84,6 +86,7 @@ impl TensionTests {
             pose: pose.pose,
             set: self.set.clone().or_else(|| pose.set.clone()),
             shortened: Some(Shortening { cable, by: self.shorten_m }),
+            tensions: None,
         };
         chosen.flat_map(|pose| (0..cable_count).map(move |cable| shortened(pose, cable))).collect()
     }
