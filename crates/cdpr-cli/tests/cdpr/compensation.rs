@@ -147,10 +147,15 @@ fn the_cheapest_calibration_within_an_accuracy_is_told() {
         let least = within.map(|row| price(&row)).fold(f64::INFINITY, f64::min);
         assert_eq!(cheapest[place]["price"].as_f64(), Some(least), "{accuracy}");
     }
-    // who measures no poses has tensions, which contradict the lengths of cables that do not stretch
+    // who measures no poses has tensions, which contradict the lengths of cables that do not stretch: these are calibrated by lengths alone, with tensions they drove 11 to 13 mm
     let driven = |row: usize| (rows[row]["sensor"].as_str(), rows[row]["driven_position_m"].as_f64().unwrap());
     assert_eq!((driven(9).0, driven(11).0), (Some("none"), Some("none")));
-    assert!(driven(11).1 < 0.5 * driven(9).1, "elastic {:?}, standard {:?}", driven(11), driven(9));
+    assert!(
+        driven(11).1 < 0.6 * driven(9).1 && driven(9).1 < 0.0095,
+        "elastic {:?}, standard {:?}",
+        driven(11),
+        driven(9)
+    );
     let read = |name: &str| std::fs::read_to_string(folder.path().join("cost").join(name)).unwrap();
     assert!(read("result.svg").contains("poses measured") && read("result.csv").lines().count() == 13);
 }

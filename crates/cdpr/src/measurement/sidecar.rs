@@ -64,7 +64,7 @@ pub fn schema() -> schemars::Schema {
     let columns = "Sidecar `<data>.meta.toml` of a measurement CSV. Columns of the CSV: x_m, y_m, z_m position, of planar \
                    robots the two of their axes (x_m, z_m in the plane xz; files with x_m, y_m are read, too); qx, qy, qz, qw \
                    unit quaternion, or rx_rad, ry_rad, rz_rad with R = Rx Ry Rz (3R3T), or angle_rad (1R2T); \
-                   cable_length_m_1…m, or cable_length_change_m_1…m from one unknown pose, or motor_angle_rad_1…m of the winches in their place; optional tension_N_1…m, set, t_s, of data without poses also swivel_rad_1…m of the pulleys (about pulley_swivel_axis, 0 towards gravity). _mm, _deg and _kN are accepted and converted; \
+                   cable_length_m_1…m, or cable_length_change_m_1…m from one unknown pose, or motor_angle_rad_1…m of the winches in their place; optional tension_N_1…m, set, t_s, of data without poses also swivel_rad_1…m of the pulleys (about pulley_swivel_axis, 0 towards gravity) and mass_kg of the platform with its load in a sample (optional). _mm, _deg and _kN are accepted and converted; \
                    other columns are ignored with a notice. Fields are separated by commas, semicolons or tabs, decimals by points or, with the latter two, commas; lines \
                    that begin with # are comments; UTF-8, UTF-16 and Latin-1 are read.";
     schema.insert("description".to_owned(), columns.into());

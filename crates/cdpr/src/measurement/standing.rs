@@ -7,6 +7,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
 use crate::geometry::Pose;
 use crate::robot::Robot;
 
+use super::digits::three_digits;
 use super::{DataError, Samples, SensorSigmas};
 
 /// A pose is held when it stays for this long (s) …
@@ -56,8 +57,9 @@ impl fmt::Display for StaticSamples {
         let SensorSigmas { position, rotation, length, tension, .. } = self.scatter;
         let known =
             [(position, 1e3, "mm"), (rotation, 1e3, "mrad"), (length, 1e3, "mm of length"), (tension, 1.0, "N")];
-        let parts =
-            known.iter().filter_map(|(value, factor, unit)| Some(format!(" {:.2e} {unit}", (*value)? * factor)));
+        let parts = known
+            .iter()
+            .filter_map(|(value, factor, unit)| Some(format!(" {} {unit}", three_digits((*value)? * factor))));
         write!(formatter, "{}", parts.collect::<Vec<_>>().join(","))?;
         if self.takes_scatter {
             write!(formatter, ", taken for the accuracy of the sensors since none is stated")

@@ -166,12 +166,12 @@ impl<'a> RowModel<'a> {
 
     /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
     /// standard deviation of what it is by.
-    pub(in crate::identification) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
+    pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
         self.noise_at((pose, tensions), sigmas, noise, None);
     }
 
     /// [`RowModel::noise`], and the residuals with what was recorded.
-    pub(super) fn noise_at(
+    pub(in crate::identification) fn noise_at(
         &self,
         (pose, tensions): (&Pose, &[f64]),
         sigmas: &Sigmas,

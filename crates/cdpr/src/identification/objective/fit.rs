@@ -175,7 +175,8 @@ impl<V: Vectors> Landscape for Together<'_, '_, V> {
 
     fn descend(&mut self, _: usize, change: &[f64]) -> End {
         let from: Vec<f64> = self.search.start.iter().zip(change).map(|(start, change)| start + change).collect();
-        self.search.descend(self.vectors, &from)
+        let patience = self.vectors.patience();
+        self.search.descend(self.vectors, &from, patience)
     }
 
     fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
@@ -197,7 +198,7 @@ impl Search<'_> {
         let part =
             Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
         let samples = vectors.samples();
-        let mut best = [self.descend(vectors, self.start)];
+        let mut best = [self.descend(vectors, self.start, None)];
         if !best[0].cost.is_finite() {
             return Err(InputError::NotFinite);
         }
@@ -220,8 +221,8 @@ impl Search<'_> {
         }
     }
 
-    fn descend(&self, vectors: &mut impl Vectors, from: &[f64]) -> End {
-        let squares = self.descend_under(None, vectors, from);
+    fn descend(&self, vectors: &mut impl Vectors, from: &[f64], patience: Option<u32>) -> End {
+        let squares = self.descend_under(None, vectors, (from, patience));
         match self.settings.minimize {
             Minimize::Mean => self.follow_norms(vectors, squares),
             _ => squares,
@@ -239,7 +240,7 @@ impl Search<'_> {
                 break;
             }
             smoothing *= 0.1;
-            let next = self.descend_under(Some(smoothing), vectors, &end.values);
+            let next = self.descend_under(Some(smoothing), vectors, (&end.values, None));
             let cost = sum_of_norms(vectors, &next.values);
             let trail = end.trail.joined(Trail { costs: vec![cost], ..next.trail });
             end = End { cost, iterations: end.iterations + next.iterations, trail, ..next };
@@ -255,8 +256,13 @@ impl Search<'_> {
         self.parameters.iter().enumerate().filter_map(ridge).collect()
     }
 
-    /// Descends by squares, or by norms with this smoothing.
-    fn descend_under(&self, smoothing: Option<f64>, vectors: &mut impl Vectors, from: &[f64]) -> End {
+    /// Descends by squares, or by norms with this smoothing, by so many steps at most.
+    fn descend_under(
+        &self,
+        smoothing: Option<f64>,
+        vectors: &mut impl Vectors,
+        (from, patience): (&[f64], Option<u32>),
+    ) -> End {
         let ridges = self.ridges();
         vectors.restart();
         let mut cost = Cost { vectors, stacked: None, smoothing, ridges: &ridges };
@@ -264,7 +270,7 @@ impl Search<'_> {
         let around = Around { parameters: self.parameters, scale: self.scale, minimizer, keeps_course };
         let rules = Rules {
             tolerance: self.settings.tolerance,
-            max_iterations: self.settings.max_iterations,
+            max_iterations: patience.unwrap_or(u32::MAX).min(self.settings.max_iterations),
             least_gain: ROUNDING_GAIN,
             rule: self.settings.minimizer.rule(),
         };

@@ -18,6 +18,11 @@ pub(in crate::identification) struct Stacked {
 
 /// Residual vectors as functions of the free parameters.
 pub(in crate::identification) trait Vectors {
+    /// Steps after which a descent from another start than the file's values is given up; nothing where it has as many as any.
+    fn patience(&self) -> Option<u32> {
+        None
+    }
+
     /// Entries of one sample's vector.
     fn size(&self) -> usize;
 

@@ -6,6 +6,7 @@ use super::vectors::Sensing;
 use crate::geometry::Pose;
 use crate::identification::fit::{InputError, Settings};
 use crate::identification::objective::{Sensor, Weights, search};
+use crate::model::Model;
 use crate::robot::Parameter;
 
 /// Rounds at most.
@@ -28,8 +29,13 @@ impl Question<'_> {
             return Ok(());
         }
         let settings = Settings { starts: 1, keeps_course: false, max_iterations: STEPS, ..self.settings.clone() };
+        let (mut model, mut near) = (self.model.clone(), near.to_vec());
         for _ in 0..ROUNDS {
-            let fits = self.fits_of_one_start(parameters, near, &settings)?;
+            let (fits, calibrated, poses) = self.fits_of_one_start((&model, parameters), &near, &settings)?;
+            if settings.priors.is_empty() {
+                // the next round goes on from here; a prior is about the file's values
+                (model, near) = (calibrated, poses);
+            }
             if fits.iter().all(|fit| !(fit.deviation() > EXACT * fit.sigma)) {
                 break;
             }
@@ -44,17 +50,19 @@ impl Question<'_> {
         Ok(())
     }
 
+    /// Residuals of all sensors, with the model and the poses of a search from a model's values.
     fn fits_of_one_start(
         &self,
-        parameters: &[Parameter],
+        (model, parameters): (&Model, &[Parameter]),
         near: &[Pose],
         settings: &Settings,
-    ) -> Result<Vec<SensorFit>, InputError> {
-        let mut vectors = self.start(parameters, Some(near))?;
+    ) -> Result<(Vec<SensorFit>, Model, Vec<Pose>), InputError> {
+        let mut vectors = self.start(model, parameters, Some(near))?;
         let units = self.units(self.scale(parameters, &vectors.poses())?);
-        let optimum = search(&mut vectors, (&self.model, parameters), units, settings, &|| ())?;
-        let end = self.rows(optimum.calibrated(), parameters, Some(near))?;
-        Ok(self.sensor_fits(&end))
+        let optimum = search(&mut vectors, (model, parameters), units, settings, &|| ())?;
+        let calibrated = optimum.calibrated().clone();
+        let end = self.rows(&calibrated, parameters, Some(&vectors.poses()))?;
+        Ok((self.sensor_fits(&end), calibrated, end.poses))
     }
 }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use nalgebra::DVector;
 
 use super::found::{as_found, modelled_length};
-use super::question::{check_swivels, no_equation_left, sensing};
+use super::question::{Forces, check_swivels, no_equation_left, sensing};
 use super::vectors::Sensing;
 use super::written::stacked;
 use crate::geometry::Pose;
@@ -160,11 +160,11 @@ fn factor(taken: f64, rows: usize) -> f64 {
 fn used<'a>(model: &Model, internal: &'a InternalSamples) -> (Cow<'a, InternalSamples>, Sensing) {
     let geometry =
         InternalSamples { samples: Samples { tensions: None, ..internal.samples.clone() }, ..internal.clone() };
-    let by_geometry = sensing(model, &geometry, false);
+    let by_geometry = sensing(model, &geometry, Forces::Sensors);
     let is_determined =
         !model.needs_tensions() && by_geometry.vectors(model, &geometry, &[], &[]).equation_count().is_some();
     match is_determined || internal.samples.tensions.is_none() {
         true => (Cow::Owned(geometry), by_geometry),
-        false => (Cow::Borrowed(internal), sensing(model, internal, false)),
+        false => (Cow::Borrowed(internal), sensing(model, internal, Forces::Sensors)),
     }
 }

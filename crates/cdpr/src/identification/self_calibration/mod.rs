@@ -83,7 +83,7 @@ pub fn self_calibrate(
     }
     question.agree_on_accuracies(&kept, &start.poses)?;
     let Question { model: start_model, internal: data, .. } = &question;
-    let mut vectors = question.start(&kept, Some(&start.poses))?;
+    let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
     let worths = question.scale(&kept, &vectors.poses())?;
     let optimum_of = (start_model, &kept[..]);
     let optimum = search(&mut vectors, optimum_of, question.units(worths.clone()), settings, progress)?;
@@ -103,6 +103,7 @@ pub fn self_calibrate(
     fit.tell_nominal_values(model);
     fit.warnings.extend(sensor_fit::warnings(&sensors));
     fit.warnings.extend(cells::warning(&fit, settings));
+    fit.warnings.extend(question.unused_tensions());
     if let Some(words) = gauge.scale_warning() {
         fit.warnings.insert(0, words);
     }
@@ -130,10 +131,15 @@ impl Question<'_> {
     }
 
     /// Vectors of some of the parameters, written at their start.
-    fn start<'a>(&'a self, parameters: &'a [Parameter], near: Option<&[Pose]>) -> Result<PoseVectors<'a>, InputError> {
-        let mut vectors = self.sensing.vectors(&self.model, &self.internal, parameters, &self.equations);
+    fn start<'a>(
+        &'a self,
+        model: &'a Model,
+        parameters: &'a [Parameter],
+        near: Option<&[Pose]>,
+    ) -> Result<PoseVectors<'a>, InputError> {
+        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
         near.into_iter().for_each(|poses| vectors.begin_at(poses));
-        stacked(&mut vectors, &self.model, parameters)?;
+        stacked(&mut vectors, model, parameters)?;
         Ok(vectors)
     }
 

@@ -31,11 +31,42 @@ pub(super) struct Question<'a> {
     pub(super) settings: &'a Settings,
 }
 
-/// Rows of a model's samples: of lengths alone, or of all sensors; tensions count where the load is known or free.
-pub(super) fn sensing(model: &Model, internal: &InternalSamples, is_wrench_free: bool) -> Sensing {
+/// Free parameters that only tensions tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Forces {
+    /// None.
+    Nothing,
+    /// Of load cells, or of winches that count from nowhere.
+    Sensors,
+    /// The wrench.
+    Wrench,
+}
+
+impl Forces {
+    fn of(free: &FreeParameters, hold: &FreeParameters, internal: &InternalSamples) -> Self {
+        let is_free = |kind: ParameterKind, cables: usize| {
+            (0..cables).any(|cable| free.contains(kind, cable) && !hold.contains(kind, cable))
+        };
+        let m = internal.samples.cable_count;
+        let of_sensors = [ParameterKind::TensionScale, ParameterKind::TensionOffset];
+        let counts_from_nowhere = internal.are_changes && is_free(ParameterKind::LengthOffset, m);
+        match is_free(ParameterKind::Wrench, 1) {
+            true => Self::Wrench,
+            false if counts_from_nowhere || of_sensors.into_iter().any(|kind| is_free(kind, m)) => Self::Sensors,
+            false => Self::Nothing,
+        }
+    }
+}
+
+/// Rows of a model's samples: of lengths alone, or of all sensors; tensions count where the load is known or free, of rigid models where these are `asked` or there are no more cables
+/// than degrees of freedom.
+///
+/// More cables pull against each other, and stretch by what the model lacks: calibrated lengths have anchors that make up for it, equilibrium has the true ones.
+pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) -> Sensing {
     let samples = &internal.samples;
-    let has_load = is_wrench_free || Load::of(model.robot()).is_ok();
-    let balances = model.needs_tensions() || (samples.tensions.is_some() && has_load);
+    let has_load = asked == Forces::Wrench || Load::of(model.robot()).is_ok();
+    let is_told = asked != Forces::Nothing || model.cable_count() <= model.dof();
+    let balances = model.needs_tensions() || (samples.tensions.is_some() && has_load && is_told);
     let weights = Weights::new(model, &samples.sigmas, mean(samples.tensions.as_deref().unwrap_or_default()));
     let layout = Layout::of(model, internal, balances, &weights);
     match layout.has_only_lengths() {
@@ -70,9 +101,7 @@ impl<'a> Question<'a> {
         check_recording(free, settings)?;
         check_question(model, &internal.samples, settings)?;
         check_swivels(model, internal)?;
-        let is_wrench_free =
-            free.contains(ParameterKind::Wrench, 0) && !settings.hold.contains(ParameterKind::Wrench, 0);
-        let sensing = sensing(model, internal, is_wrench_free);
+        let sensing = sensing(model, internal, Forces::of(free, &settings.hold, internal));
         internal.facts.iter().try_for_each(|known| known.check(model.cable_count(), internal.are_changes))?;
         let equations = internal.facts.iter().cloned().map(Equation::Known).collect();
         if sensing.vectors(model, internal, &[], &[]).equation_count().unwrap_or(0) == 0 {
@@ -93,6 +122,17 @@ impl<'a> Question<'a> {
             question.count_lengths_from_nothing()?;
         }
         Ok(question)
+    }
+
+    /// Remark on recorded tensions that are no rows.
+    pub(super) fn unused_tensions(&self) -> Option<String> {
+        let is_used = matches!(&self.sensing, Sensing::All(layout, _) if layout.balances());
+        let has_load = Load::of(self.model.robot()).is_ok();
+        (!is_used && has_load && self.internal.samples.tensions.is_some()).then(|| {
+            "tensions are recorded and not used: rigid cables that pull against each other stretch by what the model lacks, so that equilibrium and lengths ask for different \
+             anchors; take an elastic model, or free tension-scale, tension-offset or wrench, which tensions tell"
+                .to_owned()
+        })
     }
 
     /// Parameters that are searched under the convention of the gauge.

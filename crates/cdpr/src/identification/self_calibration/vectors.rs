@@ -127,8 +127,15 @@ impl PoseVectors<'_> {
     }
 }
 
+/// Steps of other starts by all sensors: those that lead to an optimum take a dozen, and each of a lost one costs searches of poses that nothing holds.
+const PATIENCE: u32 = 40;
+
 /// Equations stand in samples of their own; what these have too many of rows are rows without meaning, each taken up by an unknown.
 impl Vectors for PoseVectors<'_> {
+    fn patience(&self) -> Option<u32> {
+        matches!(self.samples, SampleVectors::Sensors(_)).then_some(PATIENCE)
+    }
+
     fn size(&self) -> usize {
         match &self.samples {
             SampleVectors::Lengths(vectors) => vectors.size(),

@@ -82,9 +82,8 @@ impl SampleSensors<'_> {
         let Layout { m, n, balances, .. } = *self.layout;
         let (model, directions) = (rows.model, &self.directions[sample]);
         let recorded = Recorded::of(&self.internal.samples, sample);
-        let (mut plain, mut noise) = (SampleRows::new(model, 0), Noise::new(model));
-        rows.write(&at.pose, &at.tensions, recorded, &mut plain);
-        rows.noise(&at.pose, &at.tensions, &UNITS, &mut noise);
+        let (mut plain, mut noise) = (vec![0.0; n + m], Noise::new(model));
+        rows.noise_at((&at.pose, &at.tensions), &UNITS, &mut noise, Some((recorded, &mut plain)));
         let size = self.layout.size();
         let mut all = Rows { residuals: DVector::zeros(size), by_latent: DMatrix::zeros(size, self.unknowns(sample)) };
         let places = places(model, directions);
@@ -96,7 +95,7 @@ impl SampleSensors<'_> {
                 true => continue,
                 false => (row - n, self.weights.of(Sensor::Length)),
             };
-            all.residuals[to] = weight * plain.residual(row);
+            all.residuals[to] = weight * plain[row];
             for (column, place) in places.iter().enumerate() {
                 all.by_latent[(to, column)] = weight * noise.by_pose[row][*place];
             }
