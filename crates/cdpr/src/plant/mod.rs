@@ -15,6 +15,7 @@ mod error;
 #[cfg(any(feature = "error-control", test))]
 mod error_control;
 mod event;
+mod kinks;
 mod linearization;
 mod log;
 mod modes;
@@ -27,6 +28,7 @@ mod pulls;
 pub mod scenario;
 pub mod sensors;
 mod simulation;
+mod stage_start;
 mod start;
 mod state;
 mod step;

@@ -5,6 +5,7 @@ use cdpr_core::structure;
 use super::cable_motion::CableMotion;
 use super::error::StepError;
 use super::plant::Plant;
+use super::stage_start::Start;
 
 use crate::cable::wrench::wrench;
 use crate::cable::{CableInput, CableState};
@@ -33,6 +34,8 @@ pub(super) struct Pulls {
     pub(super) laws: Vec<LawPull>,
     /// Drums within a step.
     pub(super) drums: Vec<DrumWork>,
+    /// State at the start of the stages.
+    pub(super) start: Start,
 }
 
 /// A drum within a step.
@@ -85,6 +88,7 @@ impl Pulls {
             columns: vec![[0.0; 6]; cables],
             laws: vec![LawPull::NONE; cables],
             drums: vec![DrumWork::default(); drums],
+            start: Start::new(cables),
         }
     }
 

@@ -44,17 +44,23 @@ impl Plant {
     pub fn step(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
         self.check_count(command)?;
         self.prepare(state, command, time)?;
-        for (kick, drift) in STAGES {
-            self.kick(state, command, kick * time)?;
-            self.drift(state, drift * time)?;
-        }
-        self.kick(state, command, B1 * time)?;
+        self.pass_kinks(state, command, time)?;
         self.finish(state, command);
         state.time += time;
         match state.is_finite() {
             true => self.observe(state),
             false => Err(StepError::Overflow),
         }
+    }
+
+    /// Kicks and drifts over a time (s).
+    #[inline]
+    pub(super) fn stages(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+        for (kick, drift) in STAGES {
+            self.kick(state, command, kick * time)?;
+            self.drift(state, drift * time)?;
+        }
+        self.kick(state, command, B1 * time)
     }
 
     /// One command per cable.
