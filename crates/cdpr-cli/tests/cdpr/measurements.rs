@@ -288,7 +288,7 @@ fn every_command_that_reads_measurements_takes_the_options_of_dirty_files() {
 
 /// Lengths of one log, poses of another on the same clock, half as often.
 #[test]
-fn a_log_without_poses_is_refused_and_merged_with_that_of_a_tracker() {
+fn a_log_without_poses_is_merged_with_that_of_a_tracker_and_refused_where_poses_are_needed() {
     let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
     let (mut log, mut track) = ("t_s,L1,L2,L3,L4\n".to_owned(), "t_s;x_m;z_m\n".to_owned());
     for (k, line) in samples_with(0.1).lines().skip(1).enumerate() {
@@ -299,8 +299,8 @@ fn a_log_without_poses_is_refused_and_merged_with_that_of_a_tracker() {
     std::fs::write(folder.path().join("log.csv"), log).unwrap();
     std::fs::write(folder.path().join("tracker.csv"), track).unwrap();
     let columns = "--columns cable_length_m_1=L1,cable_length_m_2=L2,cable_length_m_3=L3,cable_length_m_4=L4";
-    let refused = cdpr_in(folder.path(), &format!("select square.toml log.csv {columns}"));
-    assert_eq!(refused.exit_code, 2);
+    let refused = cdpr_in(folder.path(), &format!("compensate square.toml log.csv --out map {columns}"));
+    assert_eq!(refused.exit_code, 2, "{}", refused.stderr);
     assert!(refused.stderr.contains("csv::no-poses") && refused.stderr.contains("--merge"), "{}", refused.stderr);
     let run = cdpr_in(
         folder.path(),

@@ -77,8 +77,8 @@ impl CsvFile<'_> {
         if positions.iter().any(|name| header_mistakes::probably_meant(name, &unclaimed).is_some()) {
             return Ok(());
         }
-        let message = "the file has no poses: models are chosen by errors of predicted poses, which these data cannot tell; `identify` and `evaluate` of one \
-                       model do without, so that candidates can be compared by the lengths and swivels of --validation FILE";
+        let message =
+            "the file has no poses, and measured ones are needed here; `identify`, `evaluate` and `select` do without";
         let help = format!(
             "give the tracker's log with --merge FILE, or say which columns are the pose with --columns {}=…; \
              robot \"{}\" needs {}",

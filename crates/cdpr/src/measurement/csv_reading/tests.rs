@@ -118,7 +118,7 @@ fn data_without_poses_are_refused_with_the_reason() {
     assert_eq!((error.code, error.line()), ("csv::no-poses", Some(1)));
     let words = error.to_string();
     assert!(
-        words.contains("`identify` and `evaluate` of one model do without")
+        words.contains("`identify`, `evaluate` and `select` do without")
             && words.contains("--merge")
             && words.contains("--columns x_m=…,y_m=…"),
         "{words}"
