@@ -186,31 +186,13 @@ impl<'a> SensorVectors<'a> {
         let parameters = self.parameters;
         let of_load =
             |load: Load| RowsOf { bare: RowModel::new(model, load, &[]), full: RowModel::new(model, load, parameters) };
-        let common = of_load(load);
-        let own = |sample: usize| masses.map(|masses| of_load(load.with_mass(model.robot(), masses[sample])));
-        let count = self.guesses.len();
-        if !self.is_found {
-            // the place of a sample is a start for the next one
-            for sample in 0..count {
-                self.found[sample] = self.find(&own(sample).as_ref().unwrap_or(&common).bare, sample)?;
+        let mut rows = of_load(load);
+        for sample in 0..self.guesses.len() {
+            if let Some(masses) = masses {
+                rows = of_load(load.with_mass(model.robot(), masses[sample]));
             }
-        }
-        let has_place = !self.is_found;
-        let this = &*self;
-        let written = map_all(count, |sample| {
-            let own = own(sample);
-            let rows = own.as_ref().unwrap_or(&common);
-            let at = if has_place { this.found[sample].clone() } else { this.find(&rows.bare, sample)? };
-            let (residuals, jacobian, leverages) = this.sample_rows(rows, sample, &at)?;
-            Some((at, residuals, jacobian, leverages))
-        });
-        let size = self.layout.size();
-        for (sample, written) in written.into_iter().enumerate() {
-            let (at, residuals, jacobian, leverages) = written?;
-            self.found[sample] = at;
-            self.leverages.rows_mut(sample * size, size).copy_from(&leverages);
-            stacked.residuals.rows_mut(sample * size, size).copy_from(&residuals);
-            stacked.jacobian.rows_mut(sample * size, size).copy_from(&jacobian);
+            self.found[sample] = self.find(&rows.bare, sample)?;
+            self.write_sample(&rows, sample, stacked)?;
         }
         Some(())
     }
@@ -235,14 +217,9 @@ impl<'a> SensorVectors<'a> {
         ends.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(found, _)| found)
     }
 
-    /// Residuals and derivatives of a sample without what its pose and tensions explain, and the shares that these take of the residuals.
-    fn sample_rows(
-        &self,
-        rows: &RowsOf<'_>,
-        sample: usize,
-        at: &Latent,
-    ) -> Option<(DVector<f64>, DMatrix<f64>, DVector<f64>)> {
-        let sensors = self.sensors();
+    /// Rows of a sample without what its pose and tensions explain.
+    fn write_sample(&mut self, rows: &RowsOf<'_>, sample: usize, stacked: &mut Stacked) -> Option<()> {
+        let (sensors, at) = (self.sensors(), &self.found[sample]);
         let size = self.layout.size();
         let mut own = sensors.rows(&rows.bare, sample, at)?;
         let mut by_parameters = sensors.by_parameters(&rows.full, self.parameters, sample, at)?;
@@ -255,7 +232,10 @@ impl<'a> SensorVectors<'a> {
             by_parameters -= &own.by_latent * explained;
         }
         let leverages = DVector::from_fn(size, |row, _| own.by_latent.row(row).norm_squared());
-        Some((own.residuals, by_parameters, leverages))
+        self.leverages.rows_mut(sample * size, size).copy_from(&leverages);
+        stacked.residuals.rows_mut(sample * size, size).copy_from(&own.residuals);
+        stacked.jacobian.rows_mut(sample * size, size).copy_from(&by_parameters);
+        Some(())
     }
 
     /// Share of each row's residual that its own pose and tensions take up, where was written last.
@@ -269,18 +249,6 @@ impl<'a> SensorVectors<'a> {
         let own = |known: &Vec<bool>| measured_count(self.model, &self.weights, known).min(count);
         self.internal.known.iter().map(|known| count - own(known)).sum()
     }
-}
-
-/// Answers of all samples in their order, each by its own.
-#[cfg(feature = "parallel")]
-fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    use rayon::prelude::*;
-    (0..count).into_par_iter().map(work).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
-    (0..count).map(work).collect()
 }
 
 /// Parts of a pose that are measured with an accuracy.
