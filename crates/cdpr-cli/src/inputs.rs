@@ -90,6 +90,21 @@ fn help_for_missing_robot(text: &str) -> String {
     }
 }
 
+/// `--pose`.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct PoseArgument {
+    /// Platform pose (m, rad): x,y | x,y,angle | x,y,z | x,y,z,rx,ry,rz, as the robot's motion pattern has it.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
+    pose: NumberList,
+}
+
+impl PoseArgument {
+    /// The pose of this robot.
+    pub(crate) fn of(&self, robot: &Robot) -> Result<Pose, Failure> {
+        pose_of(robot, "--pose", &self.pose)
+    }
+}
+
 /// The pose that an option gives by its components.
 pub(crate) fn pose_of(robot: &Robot, option: &str, numbers: &NumberList) -> Result<Pose, Failure> {
     robot.motion_pattern.pose(robot.plane, &numbers.0).map_err(|error| Failure::refused(option, &error))

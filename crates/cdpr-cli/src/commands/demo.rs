@@ -15,11 +15,11 @@ use clap::Args;
 
 use crate::answer::Output;
 use cdpr_reports::NamedFile;
-use cdpr_reports::comparison::ComparisonData;
+use cdpr_reports::comparison::{ComparisonData, DataDivision};
 
 use crate::failure::Failure;
 use crate::inputs::read_robot;
-use crate::selecting::{DataDivision, SelectionArguments, two_files, write_folder};
+use crate::selecting::{SelectionArguments, write_folder};
 use cdpr_reports::answers::simulated_by;
 
 const EXAMPLES: &str = "\
@@ -64,7 +64,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let machine = machine()?;
     let (training, validation) = (record(TRAINING, &machine, 1)?, record(VALIDATION, &machine, 2)?);
     let robot = read_robot("cablerobot-simulator-helicopter")?;
-    let parted = two_files(&training.samples, &validation.samples, "validation.csv")?;
+    let parted = DataDivision::of_two_files(&training.samples, &validation.samples, "validation.csv")
+        .map_err(|error| Failure::refused("validation.csv", &error))?;
     let mut inputs =
         vec![NamedFile::new("robot.toml", robot.to_toml()), NamedFile::new(MACHINE_FILE, machine.to_toml())];
     inputs.extend(training.files("training"));

@@ -7,11 +7,11 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, load_of, pose_of, twist_of};
+use crate::inputs::{ModelArguments, PoseArgument, load_of, twist_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::refused;
 use crate::tension_choice::{Chosen, tensions_of};
-use cdpr_reports::answers::DynamicsAnswer;
+use cdpr_reports::answers::{DynamicsAnswer, needed_wrench};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -29,9 +29,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Velocity and angular velocity (m/s, rad/s); 0 when left out.
     #[arg(long, value_name = "TWIST", allow_hyphen_values = true)]
@@ -57,7 +56,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let robot = model.robot();
-    let pose = pose_of(robot, "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(robot)?;
     let twist = twist_of(robot, "--twist", arguments.twist.as_ref())?;
     let load = load_of(robot, arguments.wrench.as_ref())?;
     let inertia =
@@ -69,7 +68,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             .map_err(|error| Failure::refused("--lengths", &error))?
     } else {
         let wanted = twist_of(robot, "--acceleration", arguments.acceleration.as_ref())?;
-        let needed = inertia.wrench_of_acceleration(&pose, &twist, &wanted) - load.wrench(&pose);
+        let needed = needed_wrench(&inertia, moving, &load, &wanted);
         let asked = NumberList(model.twist_basis().iter().map(|basis| -basis.dot(&needed)).collect());
         let wrench = if arguments.acceleration.is_some() { Some(&asked) } else { arguments.wrench.as_ref() };
         match tensions_of(&model, &pose, wrench, arguments.tensions.as_ref())? {

@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
 use cdpr::reading::Size;
 use cdpr_reports::NamedFile;
+use cdpr_reports::answers::{ExportAnswer, FirmwareAnswer, SkippedFigure};
 use cdpr_reports::firmware::{Configuration, Firmware, configuration};
 use cdpr_reports::saved_result::{FigureFile, SavedResult};
 
@@ -54,42 +54,6 @@ enum Kind {
     Klipper,
 }
 
-/// Configuration of a firmware.
-#[derive(Serialize)]
-struct Configured {
-    status: &'static str,
-    robot: String,
-    lines: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    out: Option<String>,
-}
-
-impl Answer for Configured {
-    fn words(&self, _width: Option<usize>) -> String {
-        match &self.out {
-            None => self.lines.join("\n") + "\n",
-            Some(out) => format!("{} lines of configuration of {} written to {out}\n", self.lines.len(), self.robot),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct Exported {
-    status: &'static str,
-    reason: Option<String>,
-    result: String,
-    candidate: Option<String>,
-    out: String,
-    files: Vec<String>,
-    skipped: Vec<Skipped>,
-}
-
-#[derive(Serialize)]
-struct Skipped {
-    figure: &'static str,
-    reason: &'static str,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     match arguments.kind {
         Kind::Svg => figures(arguments, SavedResult::drawings, output),
@@ -112,7 +76,7 @@ fn configured(arguments: &Arguments, firmware: Firmware, output: &mut Output) ->
     let out = arguments.out.as_ref();
     out.map_or(Ok(()), |path| files::write(path, (lines.join("\n") + "\n").as_bytes()))?;
     let out = out.map(|path| shown_path(path));
-    output.answer(&Configured { status: "written", robot: robot.name.clone(), lines, out })
+    output.answer(&FirmwareAnswer::new(robot.name.clone(), lines, out))
 }
 
 fn figures(
@@ -131,26 +95,15 @@ fn figures(
             Some(content) => files.push((folder.join(name), name, content)),
             None => {
                 output.remark(&format!("{name} is not written: {why_not}"));
-                skipped.push(Skipped { figure: name, reason: why_not });
+                skipped.push(SkippedFigure { figure: name, reason: why_not });
             }
         }
     }
     let pairs: Vec<(&Path, &[u8])> = files.iter().map(|(path, _, content)| (&**path, content.as_bytes())).collect();
     files::write_all(&pairs)?;
     let written = files.iter().map(|(_, name, _)| (*name).to_owned()).collect();
-    let reason = files.is_empty().then(|| {
-        let why: Vec<String> = skipped.iter().map(|one| format!("{}: {}", one.figure, one.reason)).collect();
-        format!("nothing of the result can be shown: {}", why.join("; "))
-    });
-    output.answer(&Exported {
-        status: if reason.is_none() { "written" } else { "empty" },
-        reason,
-        result: arguments.result.display().to_string(),
-        candidate: data.shown,
-        out: shown_path(&folder),
-        files: written,
-        skipped,
-    })
+    let of = (arguments.result.display().to_string(), data.shown);
+    output.answer(&ExportAnswer::new(of, shown_path(&folder), (written, skipped)))
 }
 
 /// The result in a folder with its tables, or that of a JSON file alone.
@@ -177,17 +130,4 @@ fn folder_of(result: &Path) -> &Path {
 
 fn shown_path(path: &Path) -> String {
     path.display().to_string()
-}
-
-impl Answer for Exported {
-    fn words(&self, _width: Option<usize>) -> String {
-        let about = self.candidate.as_ref().map(|name| format!(", candidate {name}")).unwrap_or_default();
-        let files: String = self.files.iter().map(|name| format!("  {name}\n")).collect();
-        format!("figures of {}{about}\n\n{files}\nwritten to {}\n", self.result, self.out)
-    }
-
-    /// A result of which nothing can be shown.
-    fn is_negative(&self) -> bool {
-        self.reason.is_some()
-    }
 }

@@ -10,7 +10,7 @@ use clap::Args;
 use crate::answer::{Answer, Output};
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, pose_of, wrench_of};
+use crate::inputs::{ModelArguments, PoseArgument, wrench_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_path, refused};
 use crate::tension_choice::{Chosen, tensions_of};
@@ -37,9 +37,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    /// Platform pose (m, rad): x,y | x,y,angle | x,y,z | x,y,z,rx,ry,rz, as the robot's motion pattern has it.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Cable tensions of an elastic model, one per cable (N), not judged against limits; those nearest the middle of the
     /// limits that balance the load when left out.
@@ -62,7 +61,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(model.robot())?;
     check_forces(&model, &arguments)?;
     let map = arguments.compensation.read(&model)?;
     let correction =

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, pose_of};
+use crate::inputs::{ModelArguments, PoseArgument};
 use crate::numbers::NumberList;
 use crate::statics_failure::refused;
 use cdpr_reports::answers::LoadAnswer;
@@ -29,9 +29,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Cable tensions, one per cable (N), pull positive.
     #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
@@ -63,7 +62,7 @@ fn group(text: &str) -> Result<(String, Vec<usize>), String> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let robot = model.robot();
-    let pose = pose_of(robot, "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(robot)?;
     let mut tensions = arguments.tensions.0;
     if arguments.recorded {
         tensions.iter_mut().enumerate().take(model.cable_count()).for_each(|(cable, tension)| {

@@ -10,7 +10,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{RobotArgument, load_of, pose_of};
+use crate::inputs::{PoseArgument, RobotArgument, load_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::refused;
 use crate::tension_choice::{Chosen, tensions_of};
@@ -33,9 +33,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     robot: RobotArgument,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Constant load in place of the robot's wrench and weight: fx,fy | fx,fy,m | fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m).
     #[arg(long, value_name = "WRENCH", allow_hyphen_values = true)]
@@ -51,7 +50,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let robot = arguments.robot.read()?;
     let supported = Composition::supported(&robot).map_err(|error| Failure::refused("ROBOT", &error))?;
     let model = Model::new(robot, supported.richest).map_err(|error| Failure::refused("ROBOT", &error))?;
-    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(model.robot())?;
     let answer = EffectsAnswer::new(&model, &supported, &pose);
     if let Err(path) = model.cable_lengths(&pose) {
         return output.answer(&answer.refused("singular", path.to_string()));

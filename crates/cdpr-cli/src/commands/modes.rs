@@ -5,10 +5,11 @@ use std::process::ExitCode;
 use cdpr::model::Composition;
 use cdpr::plant::{Plant, PlantError, Winches};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{RobotArgument, pose_of};
+use crate::inputs::{PoseArgument, RobotArgument};
 use crate::numbers::NumberList;
 use crate::tension_choice::{Chosen, tensions_of};
 use cdpr_reports::answers::ModesAnswer;
@@ -16,6 +17,7 @@ use cdpr_reports::answers::ModesAnswer;
 const EXAMPLES: &str = "\
 Examples:
   cdpr modes studies/robots/simulator-in-motion.toml --pose 0,0,1.5,0,0,0
+  cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --model pulley+elastic --tensions 3678,2169,4250,1708,3985,2394,4715,1684
   cdpr modes robot.toml --pose 0,0,1.5,0,0,0 --winches drums --format json";
 
 /// Natural frequencies, damping and mode shapes of the platform at a pose, and the linear system behind them.
@@ -33,27 +35,31 @@ pub(crate) struct Arguments {
     #[arg(long, default_value_t = Composition::ELASTIC, value_name = "MODEL")]
     model: Composition,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Cable tensions in balance with the load, one per cable (N); those nearest the middle of the limits when left out.
     #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
     tensions: Option<NumberList>,
 
     /// Winches that hold their lengths, or drums with inertia that hold their torques.
-    #[arg(long, default_value = "ideal", value_name = "ideal|drums", value_parser = ["ideal", "drums"])]
+    #[arg(long, default_value = "ideal", value_name = "ideal|drums", value_parser = winches())]
     #[arg(hide_possible_values = true)]
-    winches: String,
+    winches: Winches,
+}
+
+/// Winches by their names.
+fn winches() -> impl TypedValueParser<Value = Winches> {
+    let named = |name: String| if name == "drums" { Winches::Drums } else { Winches::Ideal };
+    PossibleValuesParser::new(["ideal", "drums"]).map(named)
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.robot.model(arguments.model)?;
     output.about(&model.robot().name);
-    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(model.robot())?;
     let refused = |error: PlantError| Failure::refused("ROBOT", &error);
-    let winches = if arguments.winches == "drums" { Winches::Drums } else { Winches::Ideal };
-    let plant = Plant::new(model, winches).map_err(refused)?;
+    let plant = Plant::new(model, arguments.winches).map_err(refused)?;
     let tensions = match tensions_of(plant.model(), &pose, None, arguments.tensions.as_ref())? {
         Chosen::Tensions(tensions) => tensions,
         Chosen::None { reason, .. } => {

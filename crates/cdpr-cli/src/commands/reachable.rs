@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size, image_of};
+use cdpr::metamodel::reachable::{Census, Image, Reachable, image_of};
 use cdpr::metamodel::sensitivity::{Offsets, ParameterDeviation};
 use cdpr::model::Model;
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Bounds, Cells, Point, Region, components, hull};
-use cdpr_reports::reachable::{AtBounds, Found, Picture, ReachableAnswer, differential};
+use cdpr::workspace::{Bounds, Cells, Point, Region, hull};
+use cdpr_reports::reachable::{Found, Picture, ReachableAnswer, differential};
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
@@ -184,42 +184,17 @@ impl Search<'_> {
         let progress = Progress::spinner("commanding the cells of the grid");
         let census = Census::take(reachable, self.region, &grid);
         let answers = census.reached(reachable.requirements().position_error_max);
-        let reached = grid::outcome(&grid, &answers);
         if let Some(path) = &arguments.mesh {
             write_mesh(path, &self.surface(&grid, &answers)?)?;
         }
-        let parts = components(&grid, &answers);
-        let cells = answers.iter().enumerate().filter(|(_, holds)| **holds);
-        let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
-        let by_accuracy = thresholds.iter().map(|&most| (most, grid::outcome(&grid, &census.reached(Some(most))).size));
-        let by_accuracy = by_accuracy.collect();
         let feasible = |model: &Model| self.study_file.feasible_cells(model, self.region, &grid);
         let [physical, model] = [&self.study_file.machine, &self.study_file.control].map(feasible);
-        let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
-        let found = Found {
-            method: "grid",
-            reached: Some(reached.size),
-            error_bound: Some(reached.error_bound),
-            at_bounds: AtBounds {
-                physical: reaches(&physical),
-                model: reaches(&model),
-                reachable: reached.reaches_bounds,
-            },
-            physical: physical.map(|outcome| outcome.size),
-            model: model.map(|outcome| outcome.size),
-            emerging: Some(emerging_size(reachable, self.region, &grid, &cells)),
-            linear: arguments.linear.then(|| {
-                let criterion = reachable.by_linear_step();
-                grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
-            }),
-            points: grid.points(),
-            feasible_points: cells.len() as u64,
-            parts: Some(parts.iter().map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
-            by_accuracy,
-            outlines: None,
-            differential: None,
-            reason: None,
-        };
+        let linear = arguments.linear.then(|| {
+            let criterion = reachable.by_linear_step();
+            grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
+        });
+        let found = Found::of_grid((reachable, self.region, &grid), (&census, &answers), [physical, model], thresholds);
+        let found = Found { linear, ..found };
         drop(progress);
         Ok(self.explained(found))
     }

@@ -1,9 +1,9 @@
 //! `cdpr select`: the simplest control model that is good enough, on data it was not fitted to.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::measurement::Split;
+use cdpr::measurement::{Samples, Split};
 use cdpr::model::{Composition, Model};
 use cdpr::reading::Size;
 use cdpr::robot::Robot;
@@ -12,13 +12,13 @@ use clap::Args;
 use crate::answer::Output;
 use crate::command_line;
 use cdpr_reports::NamedFile;
-use cdpr_reports::comparison::ComparisonData;
+use cdpr_reports::comparison::{ComparisonData, DataDivision};
 
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
 use crate::measurements::DataArguments;
-use crate::selecting::{DataDivision, SelectionArguments, one_file, two_files, write_folder};
+use crate::selecting::{SelectionArguments, write_folder};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -100,8 +100,13 @@ impl Arguments {
     fn with_poses(&self, reader: &Model, output: &Output) -> Result<DataDivision, Failure> {
         let samples = self.data.read(reader, output)?;
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
-        let Some(path) = &self.validation else { return one_file(samples, self.split, self.selection.seed) };
-        two_files(&samples, &self.data.read_other(path, reader, output)?, &path.display().to_string())
+        let Some(path) = &self.validation else { return self.one_file(samples) };
+        two_files(&samples, &self.data.read_other(path, reader, output)?, path)
+    }
+
+    fn one_file(&self, samples: Samples) -> Result<DataDivision, Failure> {
+        DataDivision::of_one_file(samples, self.split, self.selection.seed)
+            .map_err(|error| Failure::refused("--split", &error))
     }
 
     /// Samples of sensors inside the machine, parted alike.
@@ -112,11 +117,11 @@ impl Arguments {
         let mut division = match &self.validation {
             Some(path) => {
                 let other = self.data.read_other_internal(path, reader, output)?;
-                let division = two_files(&internal.samples, &other.samples, &path.display().to_string())?;
+                let division = two_files(&internal.samples, &other.samples, path)?;
                 internal = internal.followed_by(&other).map_err(|error| Failure::refused(&name, &error))?;
                 division
             }
-            None => one_file(internal.samples.clone(), self.split, self.selection.seed)?,
+            None => self.one_file(internal.samples.clone())?,
         };
         division.words.push_str(
             "; the pose of a sample is what its own rows tell, and errors are scaled for what it takes up of them",
@@ -124,6 +129,11 @@ impl Arguments {
         division.internal = Some(internal);
         Ok(division)
     }
+}
+
+fn two_files(train: &Samples, validation: &Samples, path: &Path) -> Result<DataDivision, Failure> {
+    let name = path.display().to_string();
+    DataDivision::of_two_files(train, validation, &name).map_err(|error| Failure::refused(&name, &error))
 }
 
 /// The model that reads motor angles: with drums where the robot has them. Each candidate then reads them by its own winches.

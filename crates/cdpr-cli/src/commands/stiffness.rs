@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{RobotArgument, load_of, pose_of};
+use crate::inputs::{PoseArgument, RobotArgument, load_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_path, refused};
 use crate::tension_choice::{Chosen, tensions_of};
@@ -34,9 +34,8 @@ pub(crate) struct Arguments {
     #[arg(long, default_value_t = Composition::ELASTIC, value_name = "MODEL")]
     model: Composition,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// Cable tensions, one per cable (N); those nearest the middle of the limits that balance the load when left out.
     #[arg(long, value_name = "TENSIONS", allow_hyphen_values = true)]
@@ -54,7 +53,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         let message = format!("--model {}: its cables are rigid, so the stiffness is infinite", model.composition());
         return Err(Failure::input("stiffness::rigid-cable", message, format!("use `--model {elastic}`")));
     }
-    let pose = pose_of(model.robot(), "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(model.robot())?;
     let load = load_of(model.robot(), arguments.wrench.as_ref())?;
     let answer = StiffnessAnswer::new(&model, &pose);
     let tensions = match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {

@@ -12,7 +12,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, limits_of, load_of, pose_of};
+use crate::inputs::{ModelArguments, PoseArgument, limits_of, load_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::tension_method::{MethodArguments, Wishes, refused};
 use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, is_shown};
@@ -40,9 +40,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    /// Platform pose (m, rad), components as in `cdpr ik --pose`.
-    #[arg(long, value_name = "POSE", allow_hyphen_values = true)]
-    pose: NumberList,
+    #[command(flatten)]
+    pose: PoseArgument,
 
     /// External wrench fx,fy | fx,fy,m | fx,fy,fz | fx,fy,fz,mx,my,mz (N, N·m; world axes, moment about the platform
     /// origin), instead of the robot's external wrench and weight.
@@ -64,7 +63,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let robot = model.robot();
-    let pose = pose_of(robot, "--pose", &arguments.pose)?;
+    let pose = arguments.pose.of(robot)?;
     let load = load_of(robot, arguments.wrench.as_ref())?;
     let limits = limits_of(robot, arguments.min, arguments.max)?;
     let method = arguments.choice.method;

@@ -11,7 +11,7 @@ use cdpr::identification::selection::{
     Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
 };
 use cdpr::identification::{Loss, Objective};
-use cdpr::measurement::{Fold, InternalSamples, Samples, Split};
+use cdpr::measurement::{Samples, Split};
 use cdpr::model::FreeParameters;
 use cdpr::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
@@ -199,54 +199,8 @@ impl SelectionArguments {
         };
         let (selection, samples) = selection.map_err(|error| Failure::refused(data_name, &error))?;
         let seconds = start.elapsed().as_secs_f64();
-        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, &samples)).collect();
         data.samples = samples;
         drop(progress);
-        Ok(Comparison { data, candidates, settings, selection, seconds, inverse_seconds })
+        Ok(Comparison::new(data, (candidates, settings), selection, seconds))
     }
-}
-
-/// Mean wall time of one pose's cable lengths (s).
-fn time_inverse(judged: &cdpr::identification::selection::JudgedCandidate, samples: &Samples) -> Option<f64> {
-    let model = &judged.outcome.as_ref().ok()?.fit.model;
-    let poses = &samples.poses[..samples.len().min(200)];
-    let start = Instant::now();
-    let mut lengths = 0.0;
-    for pose in poses {
-        lengths += model.cable_lengths(pose).map_or(0.0, |lengths| lengths.iter().sum::<f64>());
-    }
-    // the sum keeps the work from being left out
-    std::hint::black_box(lengths);
-    Some(start.elapsed().as_secs_f64() / poses.len() as f64)
-}
-
-/// Samples, folds and words for the way validation data were chosen.
-pub(crate) struct DataDivision {
-    pub(crate) samples: Samples,
-    /// The samples where their poses are not measured.
-    pub(crate) internal: Option<InternalSamples>,
-    /// How many of the samples are of the first file.
-    pub(crate) data_count: usize,
-    pub(crate) folds: Vec<Fold>,
-    pub(crate) words: String,
-}
-
-/// Training and validation data from two files.
-pub(crate) fn two_files(train: &Samples, validation: &Samples, name: &str) -> Result<DataDivision, Failure> {
-    let samples = train.followed_by(validation).map_err(|error| Failure::refused(name, &error))?;
-    let fold = Fold {
-        name: name.to_owned(),
-        train: (0..train.len()).collect(),
-        validation: (train.len()..samples.len()).collect(),
-    };
-    let words = format!("{} samples of {name}", validation.len());
-    Ok(DataDivision { samples, internal: None, data_count: train.len(), folds: vec![fold], words })
-}
-
-/// Training and validation data from one file: by the split asked for, else by the column `set` where it tells, else by
-/// five contiguous blocks.
-pub(crate) fn one_file(samples: Samples, split: Option<Split>, seed: u64) -> Result<DataDivision, Failure> {
-    let split = Split::or_default(split, &samples);
-    let folds = split.folds(&samples, seed).map_err(|error| Failure::refused("--split", &error))?;
-    Ok(DataDivision { data_count: samples.len(), internal: None, samples, folds, words: split.words() })
 }

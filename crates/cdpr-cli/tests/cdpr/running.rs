@@ -163,7 +163,7 @@ fn a_run_with_error_control_ends_where_the_fixed_steps_do() {
     assert!(refused.exit_code == 2 && refused.stderr.contains("scenario.toml:16:"), "{}", refused.stderr);
 }
 
-/// What inverse dynamics ask for, forward dynamics give; cables at rest carry the load; lengths are those of the tensions.
+/// Forward dynamics give the acceleration that inverse dynamics were asked for; cables at rest carry the load; lengths are those of the tensions.
 #[test]
 fn forward_and_inverse_dynamics_are_told() {
     let folder = folder(SCENARIO);

@@ -92,7 +92,7 @@ impl DynamicsAnswer {
         state.set_twist(twist);
         plant.observe(&mut state)?;
         let acceleration = plant.acceleration(&state, &(load.wrench(pose) - plant.load().wrench(pose)));
-        let cables = state.inertia.wrench_of_acceleration(pose, twist, &acceleration) - load.wrench(pose);
+        let cables = needed_wrench(&state.inertia, (pose, twist), load, &acceleration);
         let answer = Self::new(plant.model(), &state.inertia, (pose, twist), (&acceleration, &cables));
         Ok(Self { tensions: Some(state.cables.iter().map(|cable| cable.tension).collect()), ..answer })
     }
@@ -107,6 +107,11 @@ impl DynamicsAnswer {
         let numbers = self.acceleration.iter().chain(self.tensions.iter().flatten());
         numbers.into_iter().all(|number| number.is_finite()) && self.cables.is_finite() && self.bias.is_finite()
     }
+}
+
+/// Wrench of the cables that an acceleration takes under a load: M \[v̇; ω̇\] + n − w.
+pub fn needed_wrench(inertia: &Inertia, (pose, twist): (&Pose, &Twist), load: &Load, acceleration: &Twist) -> Wrench {
+    inertia.wrench_of_acceleration(pose, twist, acceleration) - load.wrench(pose)
 }
 
 impl Answer for DynamicsAnswer {

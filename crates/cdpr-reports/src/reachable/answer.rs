@@ -1,9 +1,10 @@
 //! The answer of what is reached.
 
 use cdpr::metamodel::Experiment;
-use cdpr::metamodel::reachable::Image;
+use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size};
+use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
-use cdpr::workspace::{Bounds, Point, Region};
+use cdpr::workspace::{Bounds, Point, Region, components};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -45,6 +46,42 @@ pub struct Found {
 }
 
 impl Found {
+    /// Findings in the cells of a grid: those that are reached, also with each of these largest errors (m), and the wrench-feasible ones of machine and control model.
+    pub fn of_grid(
+        (reachable, region, grid): (&Reachable<'_>, &Region<'_>, &Grid),
+        (census, answers): (&Census, &[bool]),
+        [physical, model]: [Option<grid::Outcome>; 2],
+        thresholds: &[f64],
+    ) -> Self {
+        let reached = grid::outcome(grid, answers);
+        let cells = answers.iter().enumerate().filter(|(_, holds)| **holds);
+        let cells: Vec<_> = cells.map(|(cell, _)| (cell / grid.slab_points(), cell % grid.slab_points())).collect();
+        let with_error = |&most: &f64| (most, grid::outcome(grid, &census.reached(Some(most))).size);
+        let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
+        let parts = components(grid, answers).into_iter();
+        Self {
+            method: "grid",
+            reached: Some(reached.size),
+            error_bound: Some(reached.error_bound),
+            at_bounds: AtBounds {
+                physical: reaches(&physical),
+                model: reaches(&model),
+                reachable: reached.reaches_bounds,
+            },
+            physical: physical.map(|outcome| outcome.size),
+            model: model.map(|outcome| outcome.size),
+            emerging: Some(emerging_size(reachable, region, grid, &cells)),
+            linear: None,
+            points: grid.points(),
+            feasible_points: cells.len() as u64,
+            parts: Some(parts.map(|part| (part.size, grid.point(part.first.0, part.first.1))).collect()),
+            by_accuracy: thresholds.iter().map(with_error).collect(),
+            outlines: None,
+            differential: None,
+            reason: None,
+        }
+    }
+
     /// Findings of the rays of a hull: the reachable one, the wrench-feasible ones of machine and control model, and where the platform comes to rest.
     pub fn of_hull(found: &Hull, [physical, model]: [Option<&Hull>; 2], image: Option<Image>) -> Self {
         let (measure, is_whole) = (found.measure(), found.is_star_shaped());

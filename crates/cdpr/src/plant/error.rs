@@ -105,15 +105,9 @@ pub enum PlantError {
     },
 }
 
+/// Mistakes that keep a machine from its first step.
 impl From<StepError> for PlantError {
     fn from(error: StepError) -> Self {
-        Self::of_step(error)
-    }
-}
-
-impl PlantError {
-    /// Mistake that keeps a machine from its first step.
-    pub(super) fn of_step(error: StepError) -> Self {
         match error {
             StepError::Cable(error) => Self::Cable(error),
             StepError::Winch(error) => Self::Winch(error),
@@ -122,7 +116,9 @@ impl PlantError {
             }
         }
     }
+}
 
+impl PlantError {
     /// Place in the scenario, where the mistake has one.
     pub fn key(&self) -> Option<ScenarioKey> {
         match self {

@@ -102,7 +102,7 @@ impl Plant {
     ) -> Result<(), PlantError> {
         let (basis, n, drum) = (self.model.twist_basis(), linear.dof, &self.drums[cable]);
         let (row, angle) = (n + cable, state.cables[cable].drum_angle);
-        let radius = |angle: f64| self.drum_length(cable, angle).map(|(_, radius)| radius).map_err(PlantError::of_step);
+        let radius = |angle: f64| self.drum_length(cable, angle).map(|(_, radius)| radius);
         let r = radius(angle)?;
         // a groove's radius changes so slowly that rounding would show in smaller steps
         let by_angle = (radius(angle + 1e-3)? - radius(angle - 1e-3)?) / 2e-3;

@@ -8,6 +8,7 @@
 //! symmetric, symplectic composition of order four (decision 0039); a library's rule with error control is the reference (decision 0042). [`Scenario`] is a file that says what happens, [`Simulation`] runs it.
 
 mod cable_motion;
+mod commands;
 mod drums;
 mod dynamics;
 mod energy;

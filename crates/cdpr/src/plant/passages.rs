@@ -1,8 +1,9 @@
 //! Runs with error control: from one bend of commands and wrenches to the next, between which everything is smooth.
 
+use super::commands::Series;
 use super::error::StepError;
 use super::error_control::Passage;
-use super::simulation::{SAME_TIME, Series, Simulation};
+use super::simulation::{SAME_TIME, Simulation};
 use crate::geometry::Wrench;
 
 /// Error that a step may have where a scenario does not say it.

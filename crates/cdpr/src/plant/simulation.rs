@@ -2,14 +2,14 @@
 
 use std::ops::ControlFlow;
 
+use super::commands::{Commands, Series};
 use super::error::{PlantError, ScenarioKey, StepError};
 use super::event::{Event, Happening};
 use super::linearization::SENSIBLE;
 use super::plant::{Damping, Plant};
-use super::scenario::{ControlKind, EventKind, EventTable, Integrator, Scenario, Start, Time};
+use super::scenario::{EventKind, EventTable, Integrator, Scenario, Start, Time};
 use super::sensors::Sensors;
 use super::state::State;
-use super::step::Command;
 use crate::geometry::{Pose, Twist, Wrench};
 use crate::metamodel::initial_tensions;
 use crate::metamodel::study::{Initial, TensionMethod};
@@ -33,23 +33,6 @@ pub struct Simulation {
     pub(super) time: Time,
     pub(super) commands: Commands,
     pub(super) wrench: Option<Series>,
-}
-
-/// Commands of a scenario.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Commands {
-    kind: ControlKind,
-    /// Lengths (m) or torques (N·m) of the start.
-    start: Vec<f64>,
-    pub(super) changes: Option<Series>,
-    now: Vec<f64>,
-}
-
-/// Rows over time, straight between them and constant outside.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Series {
-    pub(super) times: Vec<f64>,
-    rows: Vec<Vec<f64>>,
 }
 
 /// How a run ended.
@@ -228,51 +211,6 @@ impl Summary {
     }
 }
 
-impl Commands {
-    fn of(plant: &Plant, state: &State, scenario: &Scenario) -> Result<Self, PlantError> {
-        let kind = scenario.control.kind;
-        let start = match kind {
-            ControlKind::Torques => plant.holding_torques(state).map_err(PlantError::of_step)?,
-            _ => state.cables.iter().map(|cable| cable.controlled_length).collect(),
-        };
-        let changes = match (&scenario.control.time_s, &scenario.control.length_change_m) {
-            (Some(times), Some(rows)) => Some(Series { times: times.clone(), rows: rows.clone() }),
-            _ => None,
-        };
-        let expected = start.len();
-        let wrong = |row: &&Vec<f64>| row.len() != expected || row.iter().any(|x| !x.is_finite());
-        if changes.as_ref().is_some_and(|series| series.rows.iter().find(wrong).is_some()) {
-            let message = format!("a row of length_change_m has a finite number for each of the {expected} cables");
-            return Err(PlantError::Value { key: ScenarioKey::of("control", "length_change_m"), message });
-        }
-        Ok(Self { kind, now: start.clone(), start, changes })
-    }
-
-    /// Command for the step that ends at a time.
-    pub(super) fn at(&mut self, time: f64) -> Command<'_> {
-        if let Some(series) = &self.changes {
-            series.at(time, &mut self.now);
-            self.now.iter_mut().zip(&self.start).for_each(|(now, start)| *now += start);
-        }
-        match self.kind {
-            ControlKind::Torques => Command::Torques(&self.now),
-            ControlKind::Lengths | ControlKind::LengthChanges => Command::Lengths(&self.now),
-        }
-    }
-}
-
-impl Series {
-    pub(super) fn at(&self, time: f64, row: &mut [f64]) {
-        let after = self.times.partition_point(|&other| other <= time);
-        let (low, high) = (after.saturating_sub(1), after.min(self.times.len() - 1));
-        let width = self.times[high] - self.times[low];
-        let share = if width > 0.0 { (time - self.times[low]) / width } else { 0.0 };
-        for (entry, (a, b)) in row.iter_mut().zip(self.rows[low].iter().zip(&self.rows[high])) {
-            *entry = a + (b - a) * share;
-        }
-    }
-}
-
 /// The machine at rest in the equilibrium of its start.
 fn start_of(plant: &Plant, start: &Start) -> Result<State, PlantError> {
     let robot = plant.model.robot();
@@ -303,21 +241,13 @@ fn displace(plant: &Plant, state: &mut State, start: &Start) -> Result<(), Plant
         state.set_pose(pose);
     }
     state.set_twist(&of(&start.twist, "twist")?);
-    plant.observe(state).map_err(PlantError::of_step)
+    Ok(plant.observe(state)?)
 }
 
 /// A twist or wrench by its components in the degrees of freedom.
 fn of_components(model: &Model, numbers: &[f64], key: ScenarioKey) -> Result<Twist, PlantError> {
-    let (expected, found) = (model.dof(), numbers.len());
-    if expected != found || numbers.iter().any(|x| !x.is_finite()) {
-        let pattern = model.robot().motion_pattern.name();
-        let message = format!(
-            "{} has {found} numbers; motion pattern {pattern} takes {expected} finite ones: translations, then turns",
-            key.key
-        );
-        return Err(PlantError::Value { key, message });
-    }
-    Ok(model.twist_basis().iter().zip(numbers).map(|(basis, number)| basis * *number).sum())
+    let robot = model.robot();
+    robot.motion_pattern.twist(robot.plane, numbers).map_err(|reason| PlantError::Components { key, reason })
 }
 
 /// Refuses steps that the fastest motion about the start does not allow.

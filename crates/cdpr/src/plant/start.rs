@@ -67,7 +67,7 @@ impl Plant {
             pulls: Pulls::new(cables.len(), self.drums.len()),
             cables,
         };
-        self.observe(&mut state).map_err(PlantError::of_step)?;
+        self.observe(&mut state)?;
         Ok(state)
     }
 

@@ -48,6 +48,7 @@ mod robot_files;
 mod selection_truth;
 mod self_calibration;
 mod self_calibration_by_sensors;
+mod self_calibration_held_out;
 mod sensitivity;
 mod starts;
 mod statics_properties;

@@ -12,7 +12,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::task::Task;
 use crate::failure::Failure;
-use crate::selecting::{DataDivision, one_file, two_files};
+use cdpr_reports::comparison::DataDivision;
 
 /// Parts that take turns where neither a split nor other data are named.
 const PARTS: usize = 5;
@@ -109,10 +109,12 @@ fn nothing_smaller(path: &Path) -> String {
 /// Parts of the data that are held out: as the options say, else contiguous blocks.
 fn division(task: &Task<'_>, other: Option<&Samples>) -> Result<DataDivision, Failure> {
     if let (Some(other), Some(name)) = (other, task.validation_name()) {
-        return two_files(task.samples, other, &name);
+        return DataDivision::of_two_files(task.samples, other, &name).map_err(|error| Failure::refused(&name, &error));
     }
     let parts = Split::Blocks(task.samples.len().clamp(2, PARTS));
-    one_file(task.samples.clone(), Some(task.arguments.split.unwrap_or(parts)), task.arguments.seed)
+    let split = Some(task.arguments.split.unwrap_or(parts));
+    DataDivision::of_one_file(task.samples.clone(), split, task.arguments.seed)
+        .map_err(|error| Failure::refused("--split", &error))
 }
 
 impl PathArguments {

@@ -8,7 +8,7 @@ use cdpr::model::FreeParameters;
 use super::task::Task;
 use crate::command_line;
 use crate::failure::Failure;
-use crate::selecting::two_files;
+use cdpr_reports::comparison::DataDivision;
 use cdpr_reports::report::{Addition, Purpose, Report, render};
 
 /// The page: the model as given and the identified one, on data held out where there are any, else on the data of the fit; `internal` are all samples where their
@@ -26,7 +26,8 @@ pub(super) fn page(
     let data_count = task.samples.len();
     let (samples, folds) = match (other, arguments.split) {
         (Some(other), _) => {
-            let parted = two_files(task.samples, other, &task.validation_name().unwrap_or_default())?;
+            let parted = DataDivision::of_two_files(task.samples, other, &task.validation_name().unwrap_or_default())
+                .map_err(|error| Failure::refused(&name, &error))?;
             (parted.samples, parted.folds)
         }
         (None, Some(split)) => {

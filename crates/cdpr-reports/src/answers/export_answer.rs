@@ -1,0 +1,81 @@
+//! Figures of a result and configurations of firmware, as they were written.
+
+use serde::Serialize;
+
+use super::Answer;
+
+/// Configuration of a firmware.
+#[derive(Serialize)]
+pub struct FirmwareAnswer {
+    status: &'static str,
+    robot: String,
+    lines: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+}
+
+impl FirmwareAnswer {
+    /// Lines for a robot, and the file that they were written to.
+    pub fn new(robot: String, lines: Vec<String>, out: Option<String>) -> Self {
+        Self { status: "written", robot, lines, out }
+    }
+}
+
+impl Answer for FirmwareAnswer {
+    fn words(&self, _width: Option<usize>) -> String {
+        match &self.out {
+            None => self.lines.join("\n") + "\n",
+            Some(out) => format!("{} lines of configuration of {} written to {out}\n", self.lines.len(), self.robot),
+        }
+    }
+}
+
+/// Figures of a result.
+#[derive(Serialize)]
+pub struct ExportAnswer {
+    status: &'static str,
+    reason: Option<String>,
+    result: String,
+    candidate: Option<String>,
+    out: String,
+    files: Vec<String>,
+    skipped: Vec<SkippedFigure>,
+}
+
+/// A figure that the result has no numbers for.
+#[derive(Serialize)]
+pub struct SkippedFigure {
+    /// Its file.
+    pub figure: &'static str,
+    /// Reason in words.
+    pub reason: &'static str,
+}
+
+impl ExportAnswer {
+    /// Files of a result about a candidate, written to a folder, and those that were not.
+    pub fn new(
+        (result, candidate): (String, Option<String>),
+        out: String,
+        (files, skipped): (Vec<String>, Vec<SkippedFigure>),
+    ) -> Self {
+        let reason = files.is_empty().then(|| {
+            let why: Vec<String> = skipped.iter().map(|one| format!("{}: {}", one.figure, one.reason)).collect();
+            format!("nothing of the result can be shown: {}", why.join("; "))
+        });
+        let status = if reason.is_none() { "written" } else { "empty" };
+        Self { status, reason, result, candidate, out, files, skipped }
+    }
+}
+
+impl Answer for ExportAnswer {
+    fn words(&self, _width: Option<usize>) -> String {
+        let about = self.candidate.as_ref().map(|name| format!(", candidate {name}")).unwrap_or_default();
+        let files: String = self.files.iter().map(|name| format!("  {name}\n")).collect();
+        format!("figures of {}{about}\n\n{files}\nwritten to {}\n", self.result, self.out)
+    }
+
+    /// A result of which nothing can be shown.
+    fn is_negative(&self) -> bool {
+        self.reason.is_some()
+    }
+}
