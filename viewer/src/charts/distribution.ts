@@ -50,7 +50,9 @@ function options(data: PageData): Option<Quantity>[] {
   const length = (errors: Errors) => rows.map((row) => errors.position_error_m[row]).map((error) => (error ? mm(Math.hypot(...error)) : Number.NaN));
   found.push({ label: "position error", unit: "mm", magnitude: true, values: length });
   if (data.robot.turns) found.push({ label: "rotation error", unit: "°", magnitude: true, values: (errors) => rows.map((row) => degrees(errors.rotation_error_rad[row])) });
-  return found.map((value) => ({ label: value.label, value }));
+  // samples whose poses nobody measured have no errors of poses
+  const told = found.filter(({ values }) => models(data).some(({ value }) => finite(values(value)).length > 0));
+  return (told.length > 0 ? told : found).map((value) => ({ label: value.label, value }));
 }
 
 function titled(title: string, plot: Element): HTMLElement {

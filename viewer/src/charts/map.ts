@@ -104,7 +104,10 @@ function quantities(data: PageData): Option<Quantity>[] {
   const length: Quantity = { words: "length error (rms over cables)", unit: "mm", of: (errors, row) => mm(rms(finite(errors.length_error_m[row] ?? []))) };
   const tension: Quantity = { words: "tension error (rms over cables)", unit: "N", of: (errors, row) => rms(finite(errors.tension_error_N?.[row] ?? [])) };
   const all = [position, ...(data.robot.turns ? [rotation] : []), length, ...(data.samples.calibrated.tension_error_N ? [tension] : [])];
-  return all.map((value) => ({ label: value.words, value }));
+  // samples whose poses nobody measured have no errors of poses
+  const rows = data.samples.number.map((_, row) => row);
+  const told = all.filter(({ of }) => models(data).some(({ value }) => rows.some((row) => Number.isFinite(of(value, row)))));
+  return (told.length > 0 ? told : all).map((value) => ({ label: value.words, value }));
 }
 
 function lengthOf(vector: Vector | null | undefined): number {

@@ -42,7 +42,7 @@ fn the_course_of_sixty_two_parameters_is_told_drawn_and_written() {
     assert_eq!(table.lines().count(), course.len() + 1);
     assert!(table.lines().all(|line| line.split(',').count() == 9 + 62));
     let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
-    assert!(page.contains("Course of the fit"));
+    assert!(page.contains("Course of the fit") && page.contains("Parameters step by step"));
     let plain = identify(&folder, &format!("{FREE} {weights} --format json")).json();
     assert!(plain.get("course").is_none());
     assert_eq!(plain["parameters"], answer["parameters"]);

@@ -75,7 +75,7 @@ impl CourseAnswer {
         let falls: Vec<String> = self.columns().skip(1).filter_map(fall).collect();
         Addition {
             id: "course",
-            title: "Course of the fit",
+            title: "Parameters step by step",
             gist: format!("{} steps: rms of {}", self.steps.len() - 1, falls.join(", ")),
             sentences: Vec::new(),
             figure: self.figure().map(|figure| (figure, FIGURE_WORDS)),

@@ -164,6 +164,7 @@ fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
         name => plain(shown.name),
         recommended => input.selection.recommended.is_some(),
         has_validation => judgement.validation.samples > 0,
+        has_pose_errors => judgement.validation.position_error_m.mean.is_finite(),
         has_set_aside => !judgement.set_aside.is_empty(),
         has_tensions => judgement.validation.tension_error.is_some(),
         is_thinned => page_data::is_thinned(input, shown),
