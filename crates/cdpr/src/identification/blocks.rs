@@ -46,6 +46,11 @@ impl Block {
         samples: &Samples,
         weights: &Weights,
     ) -> Self {
+        Self { weights: weights.of_cable(cable).to_vec(), ..Self::unweighted(model, cable, parameters, samples) }
+    }
+
+    /// Its parameters and recorded lengths, without weights of residuals.
+    pub(super) fn unweighted(model: &Model, cable: usize, parameters: Vec<Parameter>, samples: &Samples) -> Self {
         let count = samples.len();
         let mut recorded = Vec::with_capacity(count.next_multiple_of(LANES));
         recorded.extend(samples.lengths.iter().skip(cable).step_by(model.cable_count()));
@@ -60,7 +65,7 @@ impl Block {
             parameters,
             start: CableValues::of(model, cable),
             recorded,
-            weights: weights.of_cable(cable).to_vec(),
+            weights: Vec::new(),
         }
     }
 

@@ -135,11 +135,11 @@ pub(super) fn optimum_of(
     if settings.is_other_objective() {
         let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
         return Ok(OptimalParameters {
-            model: optimum.calibrated().clone(),
             converged: optimum.end().converged(),
             iterations: optimum.end().iterations,
             history: optimum.end().trail.costs.clone(),
             parameters: parameters.to_vec(),
+            model: optimum.into_calibrated(),
         });
     }
     if explains_tensions(model) {
@@ -184,7 +184,7 @@ fn report(
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
-        .map(|(parameter, &sigma)| estimate(model, &calibrated, *parameter, sigma, settings))
+        .map(|(parameter, &sigma)| estimate(*parameter, (parameter.value(model.robot()), &calibrated), sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &optimum.stopped());
     let recorded = calibrated.with_lengths(samples)?;
@@ -269,16 +269,15 @@ pub(super) fn inflation(misfit: f64, absolute: bool) -> f64 {
 }
 
 pub(super) fn estimate(
-    model: &Model,
-    calibrated: &Model,
     parameter: Parameter,
+    (start, calibrated): (f64, &Model),
     sigma: Option<f64>,
     settings: &Settings,
 ) -> Estimate {
-    let (start, value) = (parameter.value(model.robot()), parameter.value(calibrated.robot()));
+    let value = parameter.value(calibrated.robot());
     Estimate {
-        name: parameter.name(model.robot()),
-        unit: parameter.unit(model.robot()),
+        name: parameter.name(calibrated.robot()),
+        unit: parameter.unit(calibrated.robot()),
         nominal: None,
         start,
         value,

@@ -75,7 +75,8 @@ pub(super) fn descend<S: System>(
 ) -> End {
     let trial = Place { values: from.to_vec(), equations };
     let trail = Trail::new(around.keeps_course, 0);
-    let mut descent = Descent { system, around, here: trial.clone(), here_cost: f64::INFINITY, trial, trail };
+    let here = trial.clone();
+    let mut descent = Descent { system, around, here, here_cost: f64::INFINITY, trial, is_untried: false, trail };
     let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
     let end = solve::descend(&mut descent, &rules);
     let mut iterations = end.iterations as u32;
@@ -88,7 +89,9 @@ pub(super) fn descend<S: System>(
     if end.stop() == Stop::Stationary && end.damping == 0.0 {
         iterations += 1;
         // the gradient still knows the way to more digits, and the step costs no evaluation
-        if let Some((step, _)) = around.step(&values, &equations, &Control::none()) {
+        if descent.is_untried && rules.rule == StepRule::Damping {
+            values = descent.trial.values;
+        } else if let Some((step, _)) = around.step(&values, &equations, &Control::none()) {
             values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
         }
     }
@@ -125,6 +128,8 @@ struct Descent<'a, 'p, S: System> {
     /// Infinite before the start.
     here_cost: f64,
     trial: Place<S::Equations>,
+    /// True where the trial is the end of the last step, which nobody evaluated.
+    is_untried: bool,
     trail: Trail,
 }
 
@@ -132,6 +137,7 @@ impl<S: System> solve::Problem for Descent<'_, '_, S> {
     type Number = f64;
 
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
+        self.is_untried = false;
         let Place { values, equations } = &self.here;
         let Some((step, is_cut)) = self.around.step(values, equations, control) else {
             return Step::whole(0.0, false);
@@ -139,12 +145,14 @@ impl<S: System> solve::Problem for Descent<'_, '_, S> {
         for (trial, (value, step)) in self.trial.values.iter_mut().zip(values.iter().zip(&step)) {
             *trial = value + step;
         }
+        self.is_untried = true;
         let size = minimizer::size(&step, self.around.scale);
         let gain = self.around.minimizer.gain(equations, &step, equations.cost());
         Step { size, gain, is_cut, is_regular: true }
     }
 
     fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
+        self.is_untried = false;
         let is_finite = self.system.write(&self.trial.values, &mut self.trial.equations);
         let cost = self.trial.equations.cost();
         Trial { helps: is_finite && cost <= self.here_cost * (1.0 + 1e-12), gain: 1.0 - cost / self.here_cost }
@@ -175,12 +183,11 @@ pub(super) fn damped_step(system: &impl NormalSystem, held: &[bool], damping: f6
         })
         .collect();
     let mut factor = LowerTriangle::new(count);
-    for column in 0..count {
-        factor.set(column, column, 1.0 + damping);
-        for row in column + 1..count {
-            factor.set(row, column, system.entry(row, column) * scale[row] * scale[column]);
-        }
-    }
+    let scale = &scale;
+    factor.fill(|column| {
+        let (entry, own) = (system.column(column), scale[column]);
+        move |row| if row == column { 1.0 + damping } else { entry(row) * scale[row] * own }
+    });
     factor.factorize()?;
     let smallest = factor.smallest();
     // undamped, directions that nothing determines would wander on rounding errors

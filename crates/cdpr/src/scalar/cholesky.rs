@@ -28,9 +28,18 @@ impl LowerTriangle {
         self.lines[column * self.groups() + row / LANES].0[row % LANES]
     }
 
-    pub(crate) fn set(&mut self, row: usize, column: usize, value: f64) {
-        let groups = self.groups();
-        self.lines[column * groups + row / LANES].0[row % LANES] = value;
+    /// Sets every entry to that of a symmetric matrix, whose columns tell the entry of a row.
+    #[inline(always)]
+    pub(crate) fn fill<C: Fn(usize) -> f64>(&mut self, columns: impl Fn(usize) -> C) {
+        let (count, groups) = (self.count, self.groups());
+        for (column, lines) in self.lines.chunks_exact_mut(groups).enumerate() {
+            let (block, entry) = (column / LANES, columns(column));
+            for (first, line) in (block * LANES..).step_by(LANES).zip(&mut lines[block..]) {
+                for (row, number) in (first..count).zip(&mut line.0) {
+                    *number = entry(row);
+                }
+            }
+        }
     }
 
     /// Column by column, for kernels.
@@ -175,13 +184,10 @@ mod tests {
     #[test]
     fn the_factor_solves_as_another_one_does() {
         for count in [1, 3, 4, 6, 8, 14, 24, 31, 62] {
-            let root = DMatrix::from_fn(count, count, |i, j| ((3 * i + 5 * j * j + 1) as f64).sin());
-            let matrix = &root * root.transpose() + DMatrix::identity(count, count);
+            let root = &DMatrix::from_fn(count, count, |i, j| ((3 * i + 5 * j * j + 1) as f64).sin());
+            let matrix = &(root * root.transpose() + DMatrix::identity(count, count));
             let mut triangle = LowerTriangle::new(count);
-            let fill = |triangle: &mut LowerTriangle| {
-                (0..count).for_each(|i| (0..=i).for_each(|j| triangle.set(i, j, matrix[(i, j)])));
-            };
-            fill(&mut triangle);
+            triangle.fill(|j| move |i| matrix[(i, j)]);
             triangle.factorize().unwrap();
             let other = Cholesky::new(matrix.clone()).unwrap();
             let right = DVector::from_fn(count, |k, _| (k as f64).cos());
@@ -190,8 +196,8 @@ mod tests {
             assert!((&found - &expected).amax() < 1e-11 * expected.amax(), "{count}");
             assert!((triangle.smallest() / other.l().diagonal().min() - 1.0).abs() < 1e-11, "{count}");
             for bad in [f64::NAN, -1e3] {
-                fill(&mut triangle);
-                triangle.set(count - 1, count - 1, bad);
+                let last = count - 1;
+                triangle.fill(|j| move |i| if (i, j) == (last, last) { bad } else { matrix[(i, j)] });
                 assert!(triangle.factorize().is_none(), "{count}");
             }
         }

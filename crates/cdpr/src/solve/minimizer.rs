@@ -28,6 +28,12 @@ pub(crate) trait NormalSystem {
     /// Half the second derivative of the cost by two parameters.
     fn entry(&self, i: usize, j: usize) -> f64;
 
+    /// The same by one parameter and any other.
+    #[inline(always)]
+    fn column(&self, j: usize) -> impl Fn(usize) -> f64 {
+        move |i| self.entry(i, j)
+    }
+
     /// The damped step of the parameters that are not held, zeros for the others; nothing where it is not determined.
     fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()>;
 }

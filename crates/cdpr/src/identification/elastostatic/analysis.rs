@@ -31,7 +31,9 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
-        .map(|(parameter, &sigma)| estimate(model, &optimum.calibrated, *parameter, sigma, settings))
+        .map(|(parameter, &sigma)| {
+            estimate(*parameter, (parameter.value(model.robot()), &optimum.calibrated), sigma, settings)
+        })
         .collect();
     let (mut status, mut reason) = verdict(&analysis, &estimates, &optimum.stopped());
     if let Some(why) = without_forward_problem(&optimum.calibrated, &estimates) {

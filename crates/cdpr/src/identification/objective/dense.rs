@@ -32,6 +32,12 @@ impl NormalSystem for DenseEquations {
         self.hessian[(i, j)]
     }
 
+    #[inline(always)]
+    fn column(&self, j: usize) -> impl Fn(usize) -> f64 {
+        let column = &self.hessian.as_slice()[j * self.gradient.len()..][..self.gradient.len()];
+        move |i| column[i]
+    }
+
     fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
         damped_step(self, held, damping, step)
     }

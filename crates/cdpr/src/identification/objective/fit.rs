@@ -1,5 +1,7 @@
 //! Optimum of an objective under any cost.
 
+use std::borrow::Cow;
+
 use super::cost::{Cost, Ridge};
 use super::dense::DenseEquations;
 use super::minimax::{self, Certificate};
@@ -21,8 +23,8 @@ use crate::solve::{ROUNDING_GAIN, Rules};
 
 /// The optimum and what belongs to it.
 pub(crate) struct Optimum {
-    /// The model before the fit; with a free wrench its robot states a constant one.
-    pub(super) start_model: Model,
+    /// Values before the fit; a free wrench starts from the constant one of the robot's load.
+    pub(super) start: Vec<f64>,
     pub(super) calibrated: Model,
     pub(super) end: End,
     pub(super) starts: Starts,
@@ -36,6 +38,10 @@ pub(crate) struct Optimum {
 impl Optimum {
     pub(crate) fn calibrated(&self) -> &Model {
         &self.calibrated
+    }
+
+    pub(crate) fn into_calibrated(self) -> Model {
+        self.calibrated
     }
 
     pub(crate) fn end(&self) -> &End {
@@ -100,8 +106,8 @@ pub(super) fn find<T>(
         return Err(InputError::PosesWithoutTensions);
     }
     let start_model = match model.needs_tensions() {
-        true => checked_start(model, samples, parameters)?,
-        false => model.clone(),
+        true => Cow::Owned(checked_start(model, samples, parameters)?),
+        false => Cow::Borrowed(model),
     };
     let tensions = samples.tensions.as_deref().unwrap_or_default();
     let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
@@ -149,7 +155,7 @@ pub(in crate::identification) fn search(
         _ => (end, None),
     };
     let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { start_model: start_model.clone(), calibrated, end, starts, scale, unit, absolute, certificate })
+    Ok(Optimum { start, calibrated, end, starts, scale, unit, absolute, certificate })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.

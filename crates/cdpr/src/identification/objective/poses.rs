@@ -27,7 +27,7 @@ pub(super) struct PoseVectors<'a> {
     samples: &'a Samples,
     parameters: &'a [Parameter],
     metric: Metric,
-    /// Measured poses: where every search begins, whatever was predicted before.
+    /// Measured poses, once a forward problem is solved: where every search begins, whatever was predicted before.
     guesses: PoseBatch,
     lengths: LaneTable,
     solutions: Solutions,
@@ -45,8 +45,6 @@ impl<'a> PoseVectors<'a> {
         let mut settings = ForwardSettings::default();
         // the measured pose is near: a residual is the model's, not a wrong minimum's
         settings.least_squares.suspicious_residual = settings.least_squares.plausible_residual;
-        let mut lengths = LaneTable::new(model.cable_count());
-        lengths.resize(samples.len());
         let squares = PoseSquares::of(model, samples, parameters, (&metric, settings.least_squares.plausible_residual))
             .map(Box::new);
         Self {
@@ -54,8 +52,8 @@ impl<'a> PoseVectors<'a> {
             samples,
             parameters,
             metric,
-            guesses: samples.poses.iter().collect(),
-            lengths,
+            guesses: PoseBatch::default(),
+            lengths: LaneTable::new(model.cable_count()),
             solutions: Solutions::default(),
             settings,
             unpredicted: None,
@@ -80,6 +78,10 @@ impl<'a> PoseVectors<'a> {
 
     /// Predicts all poses; nothing where one has no prediction.
     fn predict(&mut self, model: &Model, state: &mut State) -> Option<()> {
+        if self.guesses.is_empty() {
+            self.guesses = self.samples.poses.iter().collect();
+            self.lengths.resize(self.samples.len());
+        }
         let mut controlled = vec![0.0; model.cable_count()];
         for sample in 0..self.samples.len() {
             let recorded = Recorded::of(self.samples, sample);

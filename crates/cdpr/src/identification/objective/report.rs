@@ -37,11 +37,12 @@ pub(in crate::identification) fn report(
     settings: &Settings,
 ) -> Fit {
     let analysis = analyse((&optimum, stacked), samples, parameters, settings);
-    let Optimum { start_model, calibrated, end, starts, certificate, unit, .. } = optimum;
+    let Optimum { start, calibrated, end, starts, certificate, unit, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
+        .zip(&start)
         .zip(&analysis.sigmas)
-        .map(|(parameter, &sigma)| estimate(&start_model, &calibrated, *parameter, sigma, settings))
+        .map(|((parameter, &start), &sigma)| estimate(*parameter, (start, &calibrated), sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
     let noise_factor = misfit(stacked, &estimates).factor();

@@ -1,7 +1,7 @@
 //! Cables with the parameters of their lengths, and numbers of eight samples.
 
 use crate::geometry::POSE_ROWS;
-use crate::identification::blocks::Block;
+use crate::identification::blocks::{Block, LENGTH_SLOTS};
 use crate::identification::pose_lanes::CableValues;
 use crate::scalar::Line;
 
@@ -32,7 +32,10 @@ impl Cable {
     }
 
     pub(super) fn move_to(&mut self, values: &[f64]) {
-        let change: Vec<f64> = values.iter().zip(&self.start).map(|(to, from)| to - from).collect();
+        let mut change = [0.0; LENGTH_SLOTS];
+        for (change, (to, from)) in change.iter_mut().zip(values.iter().zip(&self.start)) {
+            *change = to - from;
+        }
         self.values = self.block.moved(&self.block.start, &change);
     }
 

@@ -10,8 +10,15 @@ use crate::scalar::{LANES, Lanes, add, constants, cross, dot, ldl, rotate, rotat
 /// Newton steps from one place.
 const STEPS: usize = 8;
 
-/// Product of two steps, a Newton step and itself or the chord after it, over the square of the mean length, below which only rounding is left.
-const SETTLED: f64 = 1e-14;
+/// Product of two steps, a Newton step and itself or the chord after it, over the square of the mean length, that ends the way: what is left is some 1e-11 of
+/// that length, a tenth of a nanometre for ten metres, after the long steps of a fit, and rounding after its last ones.
+const SETTLED: f64 = 1e-11;
+
+/// Newton step, over the mean length, before which the stiffness is good enough for derivatives behind it.
+const NEAR: f64 = 1e-5;
+
+/// Neutral element of sums, to the bit. Lanes of zeros would be cleared by a function, before which all registers go to the stack.
+const NOTHING: f64 = -0.0;
 
 /// Eight poses with the cables there.
 pub(super) struct Eight<L> {
@@ -20,6 +27,9 @@ pub(super) struct Eight<L> {
     /// Rotation at which the cables were asked for last.
     rotation: [[L; 3]; 3],
     cables: [At<L>; MOST_CABLES],
+    /// Factors of the stiffness of the platforms with these cables.
+    factor: [[L; 6]; 6],
+    inverse_pivot: [L; 6],
 }
 
 /// A cable at eight poses.
@@ -33,12 +43,6 @@ struct At<L> {
     direction_gradient: [[L; 3]; 3],
     length_by_radius: L,
     direction_by_radius: [L; 3],
-}
-
-/// Factors of the stiffness of eight platforms.
-pub(super) struct Factored<L> {
-    factor: [[L; 6]; 6],
-    inverse_pivot: [L; 6],
 }
 
 /// Sums over the cables.
@@ -65,7 +69,14 @@ impl<L: Lanes> Eight<L> {
             length_by_radius: l,
             direction_by_radius: [l; 3],
         };
-        Self { l, pose: [l; POSE_ROWS], rotation: [[l; 3]; 3], cables: [none; MOST_CABLES] }
+        Self {
+            l,
+            pose: [l; POSE_ROWS],
+            rotation: [[l; 3]; 3],
+            cables: [none; MOST_CABLES],
+            factor: [[l; 6]; 6],
+            inverse_pivot: [l; 6],
+        }
     }
 
     /// Goes to these poses.
@@ -109,49 +120,55 @@ impl<L: Lanes> Eight<L> {
         }
     }
 
-    /// Comes to rest; nothing where that is not plain. Factors and cables are those of a place that is a small step away.
+    /// Comes to rest; false where that is not plain. Factors and cables are those of a place that is a small step away.
     #[inline(always)]
-    pub(super) fn settle(&mut self, cables: &[Cable], group: usize, plausible: f64) -> Option<Factored<L>> {
+    pub(super) fn settle(&mut self, cables: &[Cable], group: usize, plausible: f64) -> bool {
         let l = self.l;
         let count = l.constant(cables.len() as f64);
+        let everywhere = |lanes| !l.any(l.without(l.everywhere(true), lanes));
         for _ in 0..STEPS {
             let springs = self.visit::<true>(cables, group);
-            let mut factor = self.stiffness(cables.len());
-            let (is_regular, inverse_pivot) = ldl::factorize_in_lanes(6, &mut factor);
+            self.write_stiffness(cables.len());
+            let (is_regular, inverse_pivot) = ldl::factorize_in_lanes(6, &mut self.factor);
+            self.inverse_pivot = inverse_pivot;
             let mean = springs.lengths / count;
             // rms ≤ plausible · mean, written so that NaN is refused too
             let most = l.constant(plausible * plausible) * mean * mean * count;
             let is_plain = l.without(springs.squares.is_less(most), l.constant(0.5).is_less(springs.needs_scalar));
-            let is_plain = l.both(is_plain, l.constant(0.5).is_less(is_regular));
-            if l.any(l.without(l.everywhere(true), is_plain)) {
-                return None;
+            if !everywhere(l.both(is_plain, l.constant(0.5).is_less(is_regular))) {
+                return false;
             }
-            let factored = Factored { factor, inverse_pivot };
-            let first = self.step(&factored, springs.wrench);
+            let first = self.step(springs.wrench);
             let limit = mean * mean * l.constant(SETTLED);
-            if !l.any(l.without(l.everywhere(true), first.is_less(limit))) {
-                return Some(factored);
+            if everywhere(first.is_less(limit)) {
+                return true;
             }
             let chord = self.visit::<false>(cables, group).wrench;
-            let second = self.step(&factored, chord);
-            let is_settled = (first * second).is_less(limit * limit);
-            if !l.any(l.without(l.everywhere(true), is_settled)) {
-                return Some(factored);
+            let second = self.step(chord);
+            let is_near = first.is_less(mean * mean * l.constant(NEAR * NEAR));
+            if everywhere(l.both(is_near, (first * second).is_less(limit * limit))) {
+                return true;
             }
         }
-        None
+        false
     }
 
-    /// Steps to where a wrench vanishes with this stiffness; the square of the step (m², a radian as a metre).
+    /// Steps to where a wrench vanishes with the stiffness; the square of the step (m², a radian as a metre).
     #[inline(always)]
-    fn step(&mut self, factored: &Factored<L>, mut amounts: [L; 6]) -> L {
-        factored.solve(&mut amounts);
+    fn step(&mut self, mut amounts: [L; 6]) -> L {
+        self.solve(&mut amounts);
         self.pose = turned(self.pose, &amounts);
         let mut square = amounts[0] * amounts[0];
         for row in 1..6 {
             square = square + amounts[row] * amounts[row];
         }
         square
+    }
+
+    /// Steps of the platforms with wrenches on them.
+    #[inline(always)]
+    fn solve(&self, right: &mut [L; 6]) {
+        ldl::substitute_in_lanes(6, &self.factor, &self.inverse_pivot, right);
     }
 
     /// Sums over the cables at the poses, and with `KEEP` the cables themselves.
@@ -197,10 +214,11 @@ impl<L: Lanes> Eight<L> {
         sums
     }
 
-    /// −∂W/∂\[δr; δφ\] of the springs' wrench W, its symmetric part, lower triangle: Σ s sᵀ + ρ ∂²q/∂x² with s = \[u; b × u\].
+    /// Writes −∂W/∂\[δr; δφ\] of the springs' wrench W, its symmetric part, lower triangle: Σ s sᵀ + ρ ∂²q/∂x² with s = \[u; b × u\].
     #[inline(always)]
-    fn stiffness(&self, cables: usize) -> [[L; 6]; 6] {
-        let mut sum = [[self.l.constant(0.0); 6]; 6];
+    fn write_stiffness(&mut self, cables: usize) {
+        let nothing = self.l.constant(NOTHING);
+        let [mut of_forces, mut mixed, mut of_moments] = [[[nothing; 3]; 3]; 3];
         let half = self.l.constant(0.5);
         for at in &self.cables[..cables] {
             let (u, b, gradient) = (at.direction, at.moment_arm, &at.direction_gradient);
@@ -210,25 +228,41 @@ impl<L: Lanes> Eight<L> {
                 for j in 0..=i {
                     let diagonal = half * (b[i] * u[j] + b[j] * u[i]);
                     let diagonal = if i == j { diagonal - along } else { diagonal };
-                    sum[i][j] = sum[i][j] + (s[i] * s[j] - at.residual * gradient[i][j]);
-                    sum[3 + i][3 + j] = sum[3 + i][3 + j] + (s[3 + i] * s[3 + j] - at.residual * (row[j] + diagonal));
+                    of_forces[i][j] = of_forces[i][j] + (s[i] * s[j] - at.residual * gradient[i][j]);
+                    let bend = at.residual * (row[j] + diagonal);
+                    of_moments[i][j] = of_moments[i][j] + (s[3 + i] * s[3 + j] - bend);
                 }
                 for j in 0..3 {
-                    sum[3 + i][j] = sum[3 + i][j] + (s[3 + i] * s[j] - at.residual * columns[j][i]);
+                    mixed[i][j] = mixed[i][j] + (s[3 + i] * s[j] - at.residual * columns[j][i]);
                 }
             }
         }
-        sum
+        for i in 0..3 {
+            self.factor[i][..3].copy_from_slice(&of_forces[i]);
+            self.factor[3 + i][..3].copy_from_slice(&mixed[i]);
+            self.factor[3 + i][3..].copy_from_slice(&of_moments[i]);
+        }
     }
 
-    /// Writes the changes of six residuals with the parameters of a cable, from those with a wrench.
+    /// Tells the changes of some numbers with the parameters of a cable, from those with a wrench: which parameter, which number, its change.
     #[inline(always)]
-    pub(super) fn write_columns(&self, place: usize, by_wrench: &[[L; 6]; 6], cable: &Cable, columns: &mut [Column]) {
+    pub(super) fn by_parameters<const N: usize>(
+        &self,
+        place: usize,
+        by_wrench: &[[L; 6]; N],
+        cable: &Cable,
+        mut tell: impl FnMut(usize, usize, L),
+    ) {
         let at = &self.cables[place];
         let per_scale = self.l.constant(1.0 / cable.values.scale);
         let has_platform_anchor = cable.places.iter().any(|slot| (3..6).contains(slot));
         let has_length = cable.places.iter().any(|slot| *slot >= 6);
         let pull_by_anchor = at.pull_by_anchor();
+        // the most common places come without a choice
+        let (anchors, others) = match *cable.places {
+            [0, 1, 2, ref others @ ..] => (3, others),
+            ref all => (0, all),
+        };
         for (row, &[x, y, z, a, b, c]) in by_wrench.iter().enumerate() {
             let turn = [a, b, c];
             // by a pull at the platform anchor
@@ -242,9 +276,12 @@ impl<L: Lanes> Eight<L> {
             if has_length {
                 along = dot(by_pull, at.direction);
             }
-            for (column, slot) in columns.iter_mut().zip(&cable.places) {
+            for axis in 0..anchors {
+                tell(axis, row, by_anchor[axis]);
+            }
+            for (index, slot) in (anchors..).zip(others) {
                 // numbers that are chosen by a constant stay in registers
-                let entry = match slot {
+                let change = match slot {
                     0 => by_anchor[0],
                     1 => by_anchor[1],
                     2 => by_anchor[2],
@@ -255,9 +292,35 @@ impl<L: Lanes> Eight<L> {
                     7 => along * per_scale * at.controlled,
                     _ => along * at.length_by_radius + at.residual * dot(by_pull, at.direction_by_radius),
                 };
-                entry.store(&mut column[row].0);
+                tell(index, row, change);
             }
         }
+    }
+
+    /// Change of half the sum of the squared residuals with a wrench on the platform.
+    #[inline(always)]
+    pub(super) fn half_squares_by_wrench(&self, by_turn: &[[L; 3]; 3], weighted: &[L; 6]) -> [L; 6] {
+        let [x, y, z, a, b, c] = *weighted;
+        let [turned_x, turned_y, turned_z] = rotate_back(by_turn, [a, b, c]);
+        let mut by_wrench = [x, y, z, turned_x, turned_y, turned_z];
+        self.solve(&mut by_wrench);
+        by_wrench
+    }
+
+    /// Changes of the six residuals with a wrench on the platform, by rows.
+    #[inline(always)]
+    pub(super) fn by_wrench(&self, by_turn: &[[L; 3]; 3], weights: &[L; 6]) -> [[L; 6]; 6] {
+        let mut rows = [[weights[0].constant(NOTHING); 6]; 6];
+        for k in 0..3 {
+            rows[k][k] = weights[k];
+            for column in 0..3 {
+                rows[3 + k][3 + column] = weights[3 + k] * by_turn[k][column];
+            }
+        }
+        for row in &mut rows {
+            self.solve(row);
+        }
+        rows
     }
 }
 
@@ -273,29 +336,5 @@ impl<L: Lanes> At<L> {
             }
         }
         by_anchor
-    }
-}
-
-impl<L: Lanes> Factored<L> {
-    #[inline(always)]
-    fn solve(&self, right: &mut [L; 6]) {
-        ldl::substitute_in_lanes(6, &self.factor, &self.inverse_pivot, right);
-    }
-
-    /// Changes of the six residuals with a wrench on the platform, by rows.
-    #[inline(always)]
-    pub(super) fn by_wrench(&self, by_turn: &[[L; 3]; 3], weights: &[L; 6]) -> [[L; 6]; 6] {
-        let zero = weights[0].constant(0.0);
-        let mut rows = [[zero; 6]; 6];
-        for k in 0..3 {
-            rows[k][k] = weights[k];
-            for column in 0..3 {
-                rows[3 + k][3 + column] = weights[3 + k] * by_turn[k][column];
-            }
-        }
-        for row in &mut rows {
-            self.solve(row);
-        }
-        rows
     }
 }

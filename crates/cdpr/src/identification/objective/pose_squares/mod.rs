@@ -11,24 +11,24 @@ mod products;
 #[cfg(test)]
 mod tests;
 
+use nalgebra::{DMatrix, DVector};
+
 use cable::{Cable, Column, MOST_CABLES, PoseLines};
-use eight::{Eight, Factored};
+use eight::Eight;
 use products::Products;
 
 use super::dense::DenseEquations;
 use super::metric::Metric;
 use crate::geometry::POSE_ROWS;
 use crate::identification::blocks::Block;
-use crate::identification::pose_lanes::PoseLanes;
-use crate::identification::weights::Weights;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::Parameter;
 use crate::scalar::{Kernel, LANES, Lanes, Line, dispatch};
 
-/// Share of the mean length that predicted poses may move before JᵀJ is summed anew: steps then come nearer by some ten thousand times still, and the
-/// optimum is where Jᵀr vanishes, whatever JᵀJ.
-const SAME: f64 = 1e-4;
+/// Share of the mean length that predicted poses may move, rms, before J is written and JᵀJ summed anew. The optimum is where Jᵀr vanishes, which is exact
+/// everywhere; what JᵀJ lacks, times the square of the condition, is what is left of a step.
+const SAME: f64 = 3e-5;
 
 /// Samples of a rigid model of six degrees of freedom whose predictions follow the parameters.
 pub(super) struct PoseSquares {
@@ -43,12 +43,12 @@ pub(super) struct PoseSquares {
     plausible: f64,
     /// Predicted poses at the values that were asked for last.
     predicted: Vec<PoseLines>,
-    /// Derivatives there, parameter by parameter of a group.
-    derivatives: Vec<Column>,
+    /// Derivatives where JᵀJ was summed last, parameter by parameter of a group.
+    derivatives: Vec<Line>,
     /// Those values; none where predictions begin at the measured poses.
     values: Option<Vec<f64>>,
-    /// Values at which JᵀJ was summed last, with its diagonal.
-    summed_at: Option<(Vec<f64>, Vec<f64>)>,
+    /// Values at which JᵀJ was summed last, with it.
+    summed_at: Option<(Vec<f64>, DMatrix<f64>)>,
     mean_length: f64,
     products: Products,
 }
@@ -65,10 +65,9 @@ impl PoseSquares {
         if !is_plain || samples.is_empty() || samples.motor_angles.is_some() {
             return None;
         }
-        let weights = Weights::even(1.0, model.cable_count(), samples.len(), &PoseLanes::new(samples));
         let cable = |cable| {
             let own = parameters.iter().filter(|parameter| parameter.cable == cable).copied().collect();
-            Cable::of(Block::new(model, cable, own, samples, &weights))
+            Cable::of(Block::unweighted(model, cable, own, samples))
         };
         let cables = (0..model.cable_count()).map(cable).collect::<Option<Vec<Cable>>>()?;
         let groups = samples.len().div_ceil(LANES);
@@ -88,7 +87,7 @@ impl PoseSquares {
             in_last: (samples.len() - 1) % LANES + 1,
             units,
             plausible,
-            derivatives: vec![Column::default(); groups * products.columns()],
+            derivatives: vec![Line::default(); groups * products.columns() * 6],
             values: None,
             summed_at: None,
             mean_length: samples.lengths.iter().sum::<f64>() / samples.lengths.len() as f64,
@@ -106,29 +105,40 @@ impl PoseSquares {
         let change = self.prepare(values);
         let with_hessian = !self.is_summed_near(values);
         let is_plain = dispatch(Write { squares: self, change: &change, with_hessian });
-        self.conclude(values, is_plain, equations)
+        self.conclude(values, (is_plain, with_hessian), equations)
     }
 
-    fn conclude(&mut self, values: &[f64], is_plain: bool, equations: &mut DenseEquations) -> bool {
+    fn conclude(
+        &mut self,
+        values: &[f64],
+        (is_plain, with_hessian): (bool, bool),
+        equations: &mut DenseEquations,
+    ) -> bool {
         if !is_plain {
             self.forget();
             return false;
         }
         self.values = Some(values.to_vec());
-        self.products.write(equations);
-        if !self.is_summed_near(values) {
-            self.summed_at = Some((values.to_vec(), equations.hessian.diagonal().as_slice().to_vec()));
+        match self.summed_at.as_ref().filter(|_| !with_hessian) {
+            Some((_, hessian)) => {
+                self.products.write_gradient(equations);
+                equations.hessian.copy_from(hessian);
+            }
+            None => {
+                self.products.write(equations);
+                self.summed_at = Some((values.to_vec(), equations.hessian.clone()));
+            }
         }
         equations.cost.is_finite()
     }
 
-    /// True where JᵀJ was summed at values that predict the same poses but for [`SAME`]: it only tells the way to the optimum, which Jᵀr decides.
+    /// True where JᵀJ was summed at values that predict the same poses but for [`SAME`], rms: it only tells the way to the optimum, which Jᵀr decides.
     fn is_summed_near(&self, values: &[f64]) -> bool {
-        let Some((at, diagonal)) = &self.summed_at else { return false };
+        let Some((at, hessian)) = &self.summed_at else { return false };
         let samples = ((self.measured.len() - 1) * LANES + self.in_last) as f64;
         let most = SAME * self.mean_length * self.units[0];
-        let moves = |((to, from), square): ((&f64, &f64), &f64)| (to - from).abs() * (square / samples).sqrt();
-        values.iter().zip(at).zip(diagonal).map(moves).sum::<f64>() <= most
+        let change = DVector::from_iterator(at.len(), values.iter().zip(at).map(|(to, from)| to - from));
+        change.dot(&(hessian * &change)) <= samples * most * most
     }
 
     /// Takes the cables to parameter values: the change of these since the predictions, nothing where they are the measured poses.
@@ -169,22 +179,25 @@ impl Kernel for Write<'_> {
         squares.products.clear(with_hessian);
         let columns = squares.products.columns();
         let groups = squares.measured.len();
+        let (all_derivatives, _) = squares.derivatives.as_chunks_mut::<6>();
         let mut eight = Eight::new(l);
         for group in 0..groups {
             let count = if group + 1 == groups { squares.in_last } else { LANES };
-            let derivatives = &mut squares.derivatives[group * columns..][..columns];
+            let derivatives = &mut all_derivatives[group * columns..][..columns];
             eight.load(&squares.predicted[group]);
             if !change.is_empty() {
                 eight.follow(derivatives, change, &squares.units, count);
             }
-            let Some(factored) = eight.settle(&squares.cables, group, squares.plausible) else { return false };
+            if !eight.settle(&squares.cables, group, squares.plausible) {
+                return false;
+            }
             eight.store(&mut squares.predicted[group]);
             let measured = (&squares.measured[group], &squares.units, count);
-            let Some(residuals) = write_rows(l, (&eight, &factored), measured, (&squares.cables, derivatives)) else {
-                return false;
-            };
-            squares.products.add(l, derivatives, &residuals);
+            let Some(rows) = Rows::of(l, &eight, measured) else { return false };
+            squares.products.add(l, &rows.residuals);
+            rows.add_to_gradient(l, &eight, &squares.cables, &mut squares.products);
             if with_hessian {
+                rows.write(&eight, &squares.cables, derivatives);
                 squares.products.add_to_hessian(l, derivatives);
             }
         }
@@ -192,33 +205,58 @@ impl Kernel for Write<'_> {
     }
 }
 
-/// Residuals of eight samples, and their derivatives by all parameters; nothing where an error is too large.
-#[inline(always)]
-fn write_rows<L: Lanes>(
-    l: L,
-    (eight, factored): (&Eight<L>, &Factored<L>),
-    (measured, units, count): (&PoseLines, &[f64; 6], usize),
-    (cables, derivatives): (&[Cable], &mut [Column]),
-) -> Option<[L; 6]> {
-    let mut of_group = [[0.0; LANES]; 6];
-    for (lines, unit) in of_group.iter_mut().zip(units) {
-        lines[..count].fill(*unit);
+/// Residuals of eight samples with their changes by the pose.
+struct Rows<L> {
+    residuals: [L; 6],
+    weights: [L; 6],
+    by_turn: [[L; 3]; 3],
+}
+
+impl<L: Lanes> Rows<L> {
+    /// Nothing where an error is too large.
+    #[inline(always)]
+    fn of(l: L, eight: &Eight<L>, (measured, units, count): (&PoseLines, &[f64; 6], usize)) -> Option<Self> {
+        let mut of_group = [[0.0; LANES]; 6];
+        for (lines, unit) in of_group.iter_mut().zip(units) {
+            lines[..count].fill(*unit);
+        }
+        let error = error::Error::of(l, measured, &eight.pose)?;
+        let (mut weights, mut residuals) = ([l; 6], [l; 6]);
+        for row in 0..6 {
+            weights[row] = l.load(&of_group[row]);
+            residuals[row] = weights[row] * error.vector[row];
+        }
+        Some(Self { residuals, weights, by_turn: error.by_turn() })
     }
-    let mut weights = [l; 6];
-    for row in 0..6 {
-        weights[row] = l.load(&of_group[row]);
+
+    /// Adds Jᵀr: one wrench for all residuals, whatever the number of parameters.
+    #[inline(always)]
+    fn add_to_gradient(&self, l: L, eight: &Eight<L>, cables: &[Cable], products: &mut Products) {
+        let mut weighted = [l; 6];
+        for row in 0..6 {
+            weighted[row] = self.weights[row] * self.residuals[row];
+        }
+        let by_wrench = [eight.half_squares_by_wrench(&self.by_turn, &weighted)];
+        let mut first = 0;
+        for (place, cable) in cables.iter().enumerate() {
+            eight.by_parameters(place, &by_wrench, cable, |parameter, _, change| {
+                products.add_to_gradient(l, first + parameter, change);
+            });
+            first += cable.places.len();
+        }
     }
-    let error = error::Error::of(l, measured, &eight.pose)?;
-    let mut residuals = [l; 6];
-    for row in 0..6 {
-        residuals[row] = weights[row] * error.vector[row];
+
+    /// Writes J, parameter by parameter.
+    #[inline(always)]
+    fn write(&self, eight: &Eight<L>, cables: &[Cable], derivatives: &mut [Column]) {
+        let by_wrench = eight.by_wrench(&self.by_turn, &self.weights);
+        let mut rest = derivatives;
+        for (place, cable) in cables.iter().enumerate() {
+            let (own, others) = rest.split_at_mut(cable.places.len());
+            eight.by_parameters(place, &by_wrench, cable, |parameter, row, change| {
+                change.store(&mut own[parameter][row].0);
+            });
+            rest = others;
+        }
     }
-    let by_wrench = factored.by_wrench(&error.by_turn(), &weights);
-    let mut first = 0;
-    for (place, cable) in cables.iter().enumerate() {
-        let last = first + cable.places.len();
-        eight.write_columns(place, &by_wrench, cable, &mut derivatives[first..last]);
-        first = last;
-    }
-    Some(residuals)
 }

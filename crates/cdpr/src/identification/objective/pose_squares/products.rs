@@ -41,21 +41,21 @@ impl Products {
         }
     }
 
-    /// Adds eight samples to Σ rᵀr and Jᵀr.
+    /// Adds eight samples to Σ rᵀr.
     #[inline(always)]
-    pub(super) fn add<L: Lanes>(&mut self, l: L, columns: &[Column], residuals: &[L; 6]) {
+    pub(super) fn add<L: Lanes>(&mut self, l: L, residuals: &[L; 6]) {
         let mut cost = l.load(&self.cost.0);
         for row in 0..6 {
             cost = cost + residuals[row] * residuals[row];
         }
         cost.store(&mut self.cost.0);
-        for (sum, column) in self.gradient.iter_mut().zip(columns) {
-            let mut total = l.load(&sum.0);
-            for row in 0..6 {
-                total = total + l.load(&column[row].0) * residuals[row];
-            }
-            total.store(&mut sum.0);
-        }
+    }
+
+    /// Adds eight samples to an entry of Jᵀr.
+    #[inline(always)]
+    pub(super) fn add_to_gradient<L: Lanes>(&mut self, l: L, parameter: usize, entry: L) {
+        let sum = &mut self.gradient[parameter].0;
+        (l.load(sum) + entry).store(sum);
     }
 
     /// Adds eight samples to JᵀJ.
@@ -72,7 +72,13 @@ impl Products {
 
     /// Writes the sums over the lanes.
     pub(super) fn write(&self, equations: &mut DenseEquations) {
+        self.write_gradient(equations);
         dispatch(Total { products: self, equations });
+    }
+
+    /// Writes Σ rᵀr and Jᵀr over the lanes.
+    pub(super) fn write_gradient(&self, equations: &mut DenseEquations) {
+        dispatch(GradientTotal { products: self, equations });
     }
 }
 
@@ -103,6 +109,24 @@ fn add_tile<L: Lanes>(l: L, first: &[Column; TILE], second: &[Column; TILE], sum
     }
 }
 
+struct GradientTotal<'a> {
+    products: &'a Products,
+    equations: &'a mut DenseEquations,
+}
+
+impl Kernel for GradientTotal<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, l: L) {
+        let Self { products, equations } = self;
+        equations.cost = l.load(&products.cost.0).sum();
+        for k in 0..products.parameters {
+            equations.gradient[k] = l.load(&products.gradient[k].0).sum();
+        }
+    }
+}
+
 struct Total<'a> {
     products: &'a Products,
     equations: &'a mut DenseEquations,
@@ -114,11 +138,8 @@ impl Kernel for Total<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) {
         let Self { products, equations } = self;
-        equations.cost = l.load(&products.cost.0).sum();
-        for k in 0..products.parameters {
-            equations.gradient[k] = l.load(&products.gradient[k].0).sum();
-        }
-        let tiles = products.gradient.len() / TILE;
+        let (tiles, count) = (products.gradient.len() / TILE, products.parameters);
+        let entries = equations.hessian.as_mut_slice();
         let mut sums = products.hessian.iter();
         for first in 0..tiles {
             for (second, tile) in (0..=first).zip(&mut sums) {
@@ -130,9 +151,9 @@ impl Kernel for Total<'_> {
                     let totals = L::sums(four);
                     for j in 0..TILE {
                         let (row, column) = (first * TILE + i, second * TILE + j);
-                        if row < products.parameters && column <= row {
-                            equations.hessian[(row, column)] = totals[j];
-                            equations.hessian[(column, row)] = totals[j];
+                        if row < count && column <= row {
+                            entries[column * count + row] = totals[j];
+                            entries[row * count + column] = totals[j];
                         }
                     }
                 }

@@ -37,7 +37,7 @@ fn problem(composition: Composition, free: &str) -> (Model, Samples, Vec<Paramet
     (model, samples, parameters)
 }
 
-/// Short ways end where rounding is left, some 1e-14 m; the solver from the measured poses where a step is less than 1e-9 m, beside errors of millimetres.
+/// Short ways end where some 1e-10 m are left; the solver from the measured poses where a step is less than 1e-9 m, beside errors of millimetres.
 /// Derivatives are those at a place that the last step has left, of a tenth of a millimetre, and exact once values repeat, as they nearly do at an optimum.
 #[test]
 fn squares_are_those_of_vectors() {
@@ -83,7 +83,7 @@ fn squares_have_the_same_bits_on_every_unit() {
                 let with_hessian = !squares.is_summed_near(&values);
                 let write = Write { squares: &mut squares, change: &change, with_hessian };
                 let is_plain = dispatch_on(unit, write).unwrap();
-                assert!(squares.conclude(&values, is_plain, &mut equations));
+                assert!(squares.conclude(&values, (is_plain, with_hessian), &mut equations));
                 bits.extend(equations.gradient.iter().chain(equations.hessian.iter()).map(|number| number.to_bits()));
             }
             bits
