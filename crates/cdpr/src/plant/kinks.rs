@@ -1,11 +1,15 @@
 //! Stages cut where a cable goes slack or taut: the force has a kink there, which costs a step that runs over it two of its orders.
+//!
+//! A cable that is taut at one end of the stages and slack at the other has its kink between. One that goes slack and taut again (or the other way
+//! round) shows it in the middle: the parabola through both ends and the middle turns on the other side of zero. The stages are cut there, and either
+//! part then has a kink that its ends show.
 
 use super::error::StepError;
 use super::plant::Plant;
 use super::pulls::elongation_rate;
 use super::stage_start::CableStart;
 use super::state::State;
-use super::step::Command;
+use super::step::{Command, MIDDLE_AHEAD};
 
 /// Cuts of a step, at most; more cables than these seldom change sides within one.
 const CUTS: usize = 8;
@@ -19,15 +23,24 @@ const LOOKS: usize = 3;
 impl Plant {
     /// Stages over a time (s), cut at kinks.
     pub(super) fn pass_kinks(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
-        let mut left = time;
+        // time up to the next turn of a cable on the other side, and behind it
+        let (mut left, mut behind) = (time, 0.0);
         // cables with weight are never slack
         for _ in 0..if self.sags { 0 } else { CUTS } {
             self.note_start(state)?;
             self.stages(state, command, left)?;
-            let Some((cable, share)) = self.first_kink(state) else { return Ok(()) };
-            left *= 1.0 - self.go_to_kink(state, command, left, (cable, share))?;
+            if let Some((cable, share)) = self.first_kink(state) {
+                left *= 1.0 - self.go_to_kink(state, command, left, (cable, share))?;
+            } else if let Some(share) = self.turn_on_other_side(state, command, left)? {
+                behind += (1.0 - share) * left;
+                left *= share;
+            } else if behind > 0.0 {
+                (left, behind) = (behind, 0.0);
+            } else {
+                return Ok(());
+            }
         }
-        self.stages(state, command, left)
+        self.stages(state, command, left + behind)
     }
 
     fn note_start(&self, state: &mut State) -> Result<(), StepError> {
@@ -36,7 +49,7 @@ impl Plant {
             let (sum, now) = (self.unclipped(state, cable), &state.cables[cable]);
             let (length, rate) = (now.controlled_length, now.controlled_length_rate);
             state.pulls.start.cables[cable] =
-                CableStart { length, rate, angle: now.drum_angle, speed: now.drum_speed, sum };
+                CableStart { length, rate, angle: now.drum_angle, speed: now.drum_speed, sum, middle: sum, end: sum };
         }
         (state.pulls.start.pose, state.pulls.start.momentum) = (state.pose, state.momentum);
         Ok(())
@@ -53,7 +66,7 @@ impl Plant {
 
     /// Law and damper of a cable before they are clipped (N), at the pose that its pulls were found for.
     #[inline]
-    fn unclipped(&self, state: &State, cable: usize) -> f64 {
+    pub(super) fn unclipped(&self, state: &State, cable: usize) -> f64 {
         let law = &state.pulls.laws[cable];
         if law.damping == 0.0 {
             return law.tension;
@@ -63,10 +76,12 @@ impl Plant {
     }
 
     /// The cable that changed sides first, and the share of the stages after which it seems to have.
-    fn first_kink(&self, state: &State) -> Option<(usize, f64)> {
+    fn first_kink(&self, state: &mut State) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
-        for (cable, start) in state.pulls.start.cables.iter().enumerate() {
+        for cable in 0..state.cables.len() {
             let end = self.unclipped(state, cable);
+            let start = &mut state.pulls.start.cables[cable];
+            start.end = end;
             if (start.sum > 0.0) == (end > 0.0) {
                 continue;
             }
@@ -78,7 +93,7 @@ impl Plant {
         first
     }
 
-    /// Stages up to a kink, sought by false position from its first guess; the share of the time gone.
+    /// Stages up to a kink, sought from its first guess; the share of the time gone.
     fn go_to_kink(
         &self,
         state: &mut State,
@@ -92,17 +107,104 @@ impl Plant {
         for look in 1..=LOOKS {
             Self::restore_start(state);
             self.stages(state, command, share * time)?;
-            let sum = self.unclipped(state, cable);
             if look == LOOKS {
                 break;
             }
-            match (sum > 0.0) == (start > 0.0) {
-                true => before = (share, sum),
-                false => after = (share, sum),
+            let found = (share, self.unclipped(state, cable));
+            let next = crossing(before, found, after);
+            match (found.1 > 0.0) == (start > 0.0) {
+                true => before = found,
+                false => after = found,
             }
-            let next = before.0 + (after.0 - before.0) * before.1 / (before.1 - after.1);
             share = if next > END && next < 1.0 - END { next } else { share };
         }
         Ok(share)
+    }
+
+    /// The share of the stages after which a cable that ends on its side turns on the other one; the state is back at their start then, and else at
+    /// their end.
+    fn turn_on_other_side(
+        &self,
+        state: &mut State,
+        command: &Command<'_>,
+        time: f64,
+    ) -> Result<Option<f64>, StepError> {
+        let Some((cable, share)) = first_turn(state) else { return Ok(None) };
+        let start = state.pulls.start.cables[cable].sum;
+        Self::restore_start(state);
+        self.stages(state, command, share * time)?;
+        let turns = (self.unclipped(state, cable) > 0.0) != (start > 0.0);
+        Self::restore_start(state);
+        if !turns {
+            self.stages(state, command, time)?;
+        }
+        Ok(turns.then_some(share))
+    }
+}
+
+/// The cable that seems to turn on the other side first, and the share of the stages after which it does.
+#[inline]
+fn first_turn(state: &State) -> Option<(usize, f64)> {
+    let mut first: Option<(usize, f64)> = None;
+    for (cable, start) in state.pulls.start.cables.iter().enumerate() {
+        let share = turn(start.sum, start.middle, start.end);
+        if share > END && share < 1.0 - END && first.is_none_or(|(_, least)| share < least) {
+            first = Some((cable, share));
+        }
+    }
+    first
+}
+
+/// Share after which a number turns on the other side of zero that is on one side at both ends, by the parabola through ends and middle; 0 where it
+/// does not.
+#[inline]
+fn turn(start: f64, middle: f64, end: f64) -> f64 {
+    // the kick in the middle stands where a constant acceleration has led its pose too far
+    let middle = (middle - 4.0 * MIDDLE_AHEAD * (start + end)) / (1.0 - 8.0 * MIDDLE_AHEAD);
+    let (across, bend) = (end - start, start + end - 2.0 * middle);
+    let extremum = middle - across * across / (8.0 * bend);
+    if extremum * start < 0.0 && extremum * end < 0.0 { 0.5 - across / (4.0 * bend) } else { 0.0 }
+}
+
+/// Place of zero of the parabola through three points of ascending places, whose outer ones lie on different sides; by a straight line where rounding
+/// leaves none.
+fn crossing(before: (f64, f64), found: (f64, f64), after: (f64, f64)) -> f64 {
+    let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
+    let (first, second) = (slope(before, found), slope(found, after));
+    let bend = (second - first) / (after.0 - before.0);
+    // s(t) = s₁ + rise (t − t₁) + bend (t − t₁)²
+    let rise = first + bend * (found.0 - before.0);
+    let root = (rise * rise - 4.0 * bend * found.1).max(0.0).sqrt();
+    let next = found.0 - 2.0 * found.1 / (rise + root.copysign(rise));
+    if next > before.0 && next < after.0 {
+        next
+    } else {
+        before.0 + (after.0 - before.0) * before.1 / (before.1 - after.1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parabolas_cross_zero_and_turn_where_they_do() {
+        // (t − 0.3)(t − 2) and its other side
+        let of = |t: f64| (t - 0.3) * (t - 2.0);
+        for sign in [1.0, -1.0] {
+            let at = |t: f64| (t, sign * of(t));
+            assert!((crossing(at(0.0), at(0.6), at(1.0)) - 0.3).abs() < 1e-15);
+            assert!((crossing(at(0.0), at(0.1), at(1.0)) - 0.3).abs() < 1e-15);
+        }
+        // a straight line, and three points whose middle one is the zero
+        assert_eq!(crossing((0.0, 1.0), (0.5, 0.5), (1.5, -0.5)), 1.0);
+        assert_eq!(crossing((0.0, 1.0), (0.25, 0.0), (1.0, -0.5)), 0.25);
+        let bent = |t: f64, turn: f64, deep: f64| (t - turn) * (t - turn) - deep;
+        for (at, deep, expected) in [(0.4, 0.1, 0.4), (0.4, -0.1, 0.0), (0.7, 0.05, 0.7)] {
+            // the middle as the stages see it, ahead by the acceleration 2
+            let seen = bent(0.5, at, deep) + 2.0 * MIDDLE_AHEAD;
+            let found = turn(bent(0.0, at, deep), seen, bent(1.0, at, deep));
+            assert!((found - expected).abs() < 1e-12, "{at} {deep}: {found}");
+        }
     }
 }

@@ -20,6 +20,10 @@ pub(super) struct CableStart {
     pub(super) speed: f64,
     /// Law and damper before they are clipped (N).
     pub(super) sum: f64,
+    /// The same in the middle of the stages.
+    pub(super) middle: f64,
+    /// The same at the end of the stages.
+    pub(super) end: f64,
 }
 
 impl Start {

@@ -20,6 +20,11 @@ const A2: f64 = 0.604_872_665_711_080;
 const B4: f64 = 1.0 - 2.0 * (B1 + B2 + B3);
 const A3: f64 = 0.5 - (A1 + A2);
 
+/// Kick in the middle of a step.
+const MIDDLE: usize = 3;
+/// Way that a constant acceleration has led the pose of the middle kick too far, over the acceleration and the square of the step.
+pub(super) const MIDDLE_AHEAD: f64 = B1 * 0.5 + B2 * (0.5 - A1) + B3 * (0.5 - A1 - A2) - 0.125;
+
 /// Command to the winches for a step, one number per cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Command<'a> {
@@ -56,11 +61,36 @@ impl Plant {
     /// Kicks and drifts over a time (s).
     #[inline]
     pub(super) fn stages(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
-        for (kick, drift) in STAGES {
-            self.kick(state, command, kick * time)?;
+        for (index, (kick, drift)) in STAGES.into_iter().enumerate() {
+            match index == MIDDLE {
+                true => self.kick_middle(state, command, kick * time)?,
+                false => self.kick(state, command, kick * time)?,
+            }
             self.drift(state, drift * time)?;
         }
         self.kick(state, command, B1 * time)
+    }
+
+    /// The kick in the middle, with a note of what every cable's law and damper are there.
+    #[inline]
+    fn kick_middle(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
+        if !self.dissipates {
+            self.kick(state, command, time)?;
+            for (start, law) in state.pulls.start.cables.iter_mut().zip(&state.pulls.laws) {
+                start.middle = law.tension;
+            }
+            return Ok(());
+        }
+        // half of the kick lies before the middle
+        state.pulls.find(self, &state.pose, &mut state.cables)?;
+        (0..state.cables.len()).for_each(|cable| state.pulls.start.cables[cable].middle = self.unclipped(state, cable));
+        self.kick(state, command, time)?;
+        for cable in 0..state.cables.len() {
+            let after = self.unclipped(state, cable);
+            let middle = &mut state.pulls.start.cables[cable].middle;
+            *middle = 0.5 * (*middle + after);
+        }
+        Ok(())
     }
 
     /// One command per cable.
