@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::inputs::help_for_unknown_robot;
-use cdpr_reports::table::Table;
+use cdpr_reports::answers::RobotsAnswer;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,30 +38,6 @@ impl Answer for RobotFile {
     }
 }
 
-#[derive(Serialize)]
-struct Robots {
-    robots: Vec<Entry>,
-}
-
-#[derive(Serialize)]
-struct Entry {
-    name: String,
-    motion_pattern: &'static str,
-    cable_count: usize,
-    title: Option<String>,
-}
-
-impl Answer for Robots {
-    fn words(&self, width: Option<usize>) -> String {
-        let mut table = Table::new(["name", "pattern", "cables", "title"]);
-        for entry in &self.robots {
-            let title = entry.title.clone().unwrap_or_default();
-            table.row(vec![entry.name.clone(), entry.motion_pattern.to_owned(), entry.cable_count.to_string(), title]);
-        }
-        table.left_column(3).text(width)
-    }
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     if let Some(name) = arguments.name {
         let toml = builtin::find(&name).ok_or_else(|| {
@@ -70,12 +46,5 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         })?;
         return output.answer(&RobotFile { name, toml });
     }
-    let entry = |robot: Robot| Entry {
-        motion_pattern: robot.motion_pattern.name(),
-        cable_count: robot.cable_count(),
-        name: robot.name,
-        title: robot.title,
-    };
-    let robots = builtin::names().filter_map(Robot::builtin).map(entry).collect();
-    output.answer(&Robots { robots })
+    output.answer(&RobotsAnswer::of(builtin::names().filter_map(Robot::builtin)))
 }

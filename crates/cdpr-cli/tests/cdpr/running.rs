@@ -30,6 +30,42 @@ fn log(folder: &std::path::Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(|line| line.split(',').map(|field| field.parse().unwrap()).collect()).collect())
 }
 
+/// Assumed numbers are told where they count: all of a file by `check`, those that the motion rests on by `run` (text, JSON, page) and `modes`.
+#[test]
+fn assumed_numbers_are_told_where_they_count() {
+    let assumed = "[[assumption]]\nkey = \"platform.mass_kg\"\nreason = \"weighed by eye\"\n[[assumption]]\nkey = \"cable.drum_inertia_kg_m2\"\n\
+                   reason = \"a guess\"\n[[assumption]]\nkey = \"cable.cable_damping_N_s_per_m\"\nreason = \"of a rope\"\n[platform]\n";
+    let more =
+        "drum_radius_m = 0.05\ndrum_inertia_kg_m2 = 0.02\ncable_damping_N_s_per_m = 2.0\n[[cable]]\nname = \"1\"";
+    let plate = PLATE.replace("[platform]\n", assumed).replace("[[cable]]\nname = \"1\"", more);
+    let folder = folder(SCENARIO);
+    std::fs::write(folder.path().join("plate-in-motion.toml"), plate).unwrap();
+    let keys = |answer: &serde_json::Value| -> Vec<String> {
+        let all = answer["assumptions"].as_array().unwrap().iter();
+        all.map(|one| one["key"].as_str().unwrap().to_owned()).collect()
+    };
+    let [mass, inertia, damping] = ["platform.mass_kg", "cable.drum_inertia_kg_m2", "cable.cable_damping_N_s_per_m"];
+    let check = cdpr_in(folder.path(), "check plate-in-motion.toml --format json").json();
+    assert_eq!(keys(&check), [mass, inertia, damping]);
+    assert_eq!(check["assumptions"][0]["reason"], "weighed by eye");
+    assert!(cdpr_in(folder.path(), "check plate-in-motion.toml").stdout.contains("cable.drum_inertia_kg_m2: a guess"));
+    // the scenario has a damping of its own, and ideal winches
+    let run = cdpr_in(folder.path(), "run scenario.toml --out out");
+    assert!(run.stdout.contains("rests on assumed numbers\n  platform.mass_kg: weighed by eye\n"), "{}", run.stdout);
+    let result = std::fs::read(folder.path().join("out/result.json")).unwrap();
+    assert_eq!(keys(&serde_json::from_slice(&result).unwrap()), [mass]);
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    assert!(page.contains("Assumed numbers") && page.contains("platform.mass_kg (weighed by eye)"));
+    let modes = |winches: &str| {
+        let command = format!("modes plate-in-motion.toml --pose 1.9,1.4,0 --winches {winches} --format json");
+        keys(&cdpr_in(folder.path(), &command).json())
+    };
+    assert_eq!((modes("ideal"), modes("drums").len()), (vec![mass.to_owned(), damping.to_owned()], 3));
+    let robots = cdpr("robots --format json").json();
+    let macarm = robots["robots"].as_array().unwrap().iter().find(|robot| robot["name"] == "macarm").unwrap();
+    assert_eq!(macarm["assumptions"][0], mass);
+}
+
 #[test]
 fn a_run_leaves_its_rows_and_its_end() {
     let folder = folder(SCENARIO);

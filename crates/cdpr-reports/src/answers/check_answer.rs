@@ -5,14 +5,14 @@ use cdpr::equilibrium::ForwardProblem;
 use cdpr::geometry::Pose;
 use cdpr::model::{Model, Supported};
 use cdpr::nalgebra::DMatrix;
-use cdpr::robot::Robot;
+use cdpr::robot::{Assumption, Robot};
 use cdpr::statics::Load;
 use cdpr::tension::Limits;
 use cdpr::tension::quadratic::{self, Status};
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
-use super::{Answer, PoseAnswer};
+use super::{Answer, PoseAnswer, assumed_numbers};
 
 /// No cable robot has frame anchors farther apart (m); the largest, FAST, has 600 m.
 const LARGEST_FRAME: f64 = 2000.0;
@@ -31,6 +31,8 @@ pub struct CheckAnswer {
     cable_count: usize,
     home: Home,
     models: Models,
+    /// Numbers of the file that nobody printed or measured.
+    assumptions: Vec<Assumption>,
     warnings: Vec<String>,
 }
 
@@ -218,6 +220,7 @@ impl CheckAnswer {
             cable_count: model.cable_count(),
             home: Home { pose: PoseAnswer::new(robot, &pose), rank, condition, feasible, feasible_note },
             models: Models::new(supported),
+            assumptions: robot.assumptions.clone(),
             warnings,
         }
     }
@@ -251,6 +254,7 @@ impl Answer for CheckAnswer {
             text.push_str("\nwarnings\n");
             self.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
         }
+        text.push_str(&assumed_numbers::section("assumed numbers, neither printed nor measured", &self.assumptions));
         text + &missing_effects::section(&self.models.missing)
     }
 }

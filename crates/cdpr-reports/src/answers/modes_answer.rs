@@ -4,9 +4,10 @@ use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::nalgebra::DMatrix;
 use cdpr::plant::{Linearization, Mode, Plant, State};
+use cdpr::robot::Assumption;
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer, degrees_of_freedom};
+use super::{Answer, PoseAnswer, assumed_numbers, degrees_of_freedom};
 use crate::number_format::{cell, significant};
 use crate::table::Table;
 
@@ -38,6 +39,8 @@ pub struct ModesAnswer {
     eigenvalues_per_s: Vec<[f64; 2]>,
     /// Largest sensible step of `cdpr run` (s).
     step_max_s: Option<f64>,
+    /// Numbers of the robot file that the motion rests on and nobody printed or measured.
+    assumptions: Vec<Assumption>,
 }
 
 #[derive(Serialize)]
@@ -97,6 +100,7 @@ impl ModesAnswer {
             input_matrix: linear.input_matrix().as_ref().map(rows),
             eigenvalues_per_s: eigenvalues.iter().map(|value| [value.re, value.im]).collect(),
             step_max_s: linear.largest_step(),
+            assumptions: plant.assumptions().cloned().collect(),
         }
     }
 }
@@ -122,6 +126,6 @@ impl Answer for ModesAnswer {
         if let Some(step) = self.step_max_s {
             text.push_str(&format!("\n`cdpr run` takes steps of {} s at most\n", significant(step, 1)));
         }
-        text
+        text + &assumed_numbers::section("the modes rest on assumed numbers", &self.assumptions)
     }
 }

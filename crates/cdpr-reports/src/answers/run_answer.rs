@@ -4,9 +4,10 @@ use cdpr::geometry::MotionPattern;
 use cdpr::model::Model;
 use cdpr::plant::scenario::Integrator;
 use cdpr::plant::{End, Event, Happening, Plant, Simulation, State, Summary, Winches};
+use cdpr::robot::Assumption;
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer, title};
+use super::{Answer, PoseAnswer, assumed_numbers, title};
 use crate::number_format::{cell, short};
 use crate::recording::Violation;
 use crate::table::Table;
@@ -36,6 +37,8 @@ pub struct RunAnswer {
     /// Broken limits of tensions, as far as the rows show them.
     violations: Vec<ViolationAnswer>,
     log: String,
+    /// Numbers of the robot file that the motion rests on and nobody printed or measured.
+    assumptions: Vec<Assumption>,
     warnings: Vec<String>,
     #[serde(skip)]
     cable_names: Vec<String>,
@@ -114,6 +117,7 @@ impl RunAnswer {
             warnings: warnings(violations),
             violations: violations.iter().map(ViolationAnswer::of).collect(),
             log: log.to_owned(),
+            assumptions: simulation.plant.assumptions().cloned().collect(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
         }
     }
@@ -136,7 +140,7 @@ impl RunAnswer {
     }
 
     /// Facts on machine, winches and steps: terms with their text.
-    pub fn facts(&self, plant: &Plant) -> [(&'static str, String); 3] {
+    pub fn facts(&self, plant: &Plant) -> Vec<(&'static str, String)> {
         let winches = match plant.winches() {
             Winches::Ideal => "ideal: lengths are what is commanded",
             Winches::Drums => "drums with inertia and friction",
@@ -146,7 +150,11 @@ impl RunAnswer {
             Integrator::ErrorControlled => "with error control",
         };
         let steps = format!("{} {kind}, the last at {} s", self.steps, short(self.last.time_s));
-        [("Machine", title(plant.model())), ("Winches", winches.to_owned()), ("Steps", steps)]
+        let mut facts = vec![("Machine", title(plant.model())), ("Winches", winches.to_owned()), ("Steps", steps)];
+        if !self.assumptions.is_empty() {
+            facts.push(("Assumed numbers", assumed_numbers::line(&self.assumptions)));
+        }
+        facts
     }
 }
 
@@ -226,6 +234,6 @@ impl Answer for RunAnswer {
                 [cell(last.tensions.get(index).copied(), 1), cell(last.cable_lengths_m.get(index).copied(), 6)];
             table.row([vec![name.clone()], numbers.to_vec()].concat());
         }
-        text + &table.text(width)
+        text + &table.text(width) + &assumed_numbers::section("the motion rests on assumed numbers", &self.assumptions)
     }
 }

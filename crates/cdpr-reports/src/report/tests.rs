@@ -55,6 +55,7 @@ fn robot(name: &str, motion_pattern: MotionPattern, cables: Vec<Cable>) -> Robot
         plane: Plane::default(),
         gravity: None,
         notes: vec![],
+        assumptions: vec![],
         source: None,
         platform: Platform::default(),
         home: None,

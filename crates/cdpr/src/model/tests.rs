@@ -45,6 +45,7 @@ fn robot_of(cables: Vec<Cable>) -> Robot {
         plane: Plane::default(),
         gravity: None,
         notes: vec![],
+        assumptions: vec![],
         source: None,
         platform: Platform::default(),
         home: None,

@@ -1,7 +1,7 @@
 //! Drums in time: I φ̈ = r f − τ − friction, with φ positive where cable is paid out and q_θ by the winch model.
 //!
-//! Dry friction has sticking as a state: a drum that stands is held while the torque on it is below the friction, and one whose speed changes
-//! sign within a step comes to rest at its end.
+//! Dry friction has sticking as a state: a drum that stands is held while the torque on it is below the friction of drum and pulley, and one whose
+//! speed changes sign within a step comes to rest at its end.
 
 use super::error::StepError;
 use super::momentum::Momentum;
@@ -23,8 +23,8 @@ impl Plant {
             let is_held = match command {
                 Command::Lengths(_) => true,
                 Command::Torques(torques) => {
-                    let torque = (cable.tension * radius - torques[index] * drum.gear).abs();
-                    cable.drum_speed == 0.0 && torque <= drum.coulomb
+                    let (pull, wrap) = (cable.tension * radius, state.pulls.wraps[index]);
+                    cable.drum_speed == 0.0 && drum.friction.holds((pull, wrap), torques[index] * drum.gear)
                 }
             };
             cable.is_stuck = is_held || cable.is_stopped;
@@ -40,7 +40,7 @@ impl Plant {
     pub(super) fn finish_drums(&self, state: &mut State) {
         for (index, drum) in self.drums.iter().enumerate() {
             let cable = &mut state.cables[index];
-            if drum.coulomb > 0.0 && cable.drum_speed * state.pulls.drums[index].before < 0.0 {
+            if drum.friction.is_dry() && cable.drum_speed * state.pulls.drums[index].before < 0.0 {
                 (cable.drum_speed, cable.controlled_length_rate) = (0.0, 0.0);
             }
         }
@@ -107,10 +107,11 @@ impl Plant {
                 Command::Torques(torques) => torques[index] * drum.gear,
                 Command::Lengths(_) => 0.0,
             };
-            let driven = work.radius * (tension + law.weight).max(0.0) - motor;
-            let direction = if work.trial == 0.0 { driven } else { work.trial };
-            let friction = drum.viscous * work.trial + drum.coulomb * direction.signum();
-            work.acceleration = (driven - friction) / drum.inertia;
+            let outside = (tension + law.weight).max(0.0);
+            let direction = if work.trial == 0.0 { work.radius * outside - motor } else { work.trial };
+            let pull = outside * drum.friction.passed_on(pulls.wraps[index], direction);
+            let driven = work.radius * pull - motor;
+            work.acceleration = (driven - drum.friction.torque(work.trial, direction)) / drum.inertia;
         }
         wrench
     }

@@ -108,7 +108,7 @@ impl Plant {
         let by_angle = (radius(angle + 1e-3)? - radius(angle - 1e-3)?) / 2e-3;
         linear.mass[(row, row)] = drum.inertia;
         linear.inputs[(row, n + cable)] = -drum.gear;
-        linear.damping[(row, row)] += drum.viscous + r * r * damping;
+        linear.damping[(row, row)] += drum.friction.viscous + r * r * damping;
         linear.stiffness[(row, row)] -= state.cables[cable].tension * by_angle;
         for k in 0..n {
             linear.stiffness[(k, row)] -= by_length[k] * r;
@@ -178,13 +178,18 @@ impl Linearization {
 
     /// Largest sensible step of [`Plant::step`] (s), by the fastest motion; nothing where there is none.
     pub fn largest_step(&self) -> Option<f64> {
-        self.fastest().filter(|fastest| *fastest > 0.0).map(|fastest| one_digit_below(SENSIBLE / fastest))
+        self.fastest().filter(|fastest| *fastest > 0.0).map(sensible_step)
     }
 
     /// Largest magnitude of an eigenvalue of A (rad/s): the fastest motion.
     pub(super) fn fastest(&self) -> Option<f64> {
         Some(self.eigenvalues()?.iter().map(|value| value.norm()).fold(0.0, f64::max))
     }
+}
+
+/// Largest sensible step (s) of a machine whose fastest motion has this rate (rad/s).
+pub(super) fn sensible_step(fastest: f64) -> f64 {
+    one_digit_below(SENSIBLE / fastest)
 }
 
 /// The number of one digit next below.

@@ -16,6 +16,7 @@ mod error;
 #[cfg(any(feature = "error-control", test))]
 mod error_control;
 mod event;
+mod friction;
 mod kinks;
 mod linearization;
 mod log;

@@ -3,10 +3,11 @@
 use nalgebra::Vector3;
 
 use super::error::PlantError;
+use super::friction::Friction;
 use super::momentum::Inertia;
 use crate::cable::law::Kind;
 use crate::model::{Cables, Model};
-use crate::robot::{Body, Cable};
+use crate::robot::{Assumption, Body, Cable};
 use crate::statics::Load;
 
 /// A machine that moves. Immutable: what changes stands in a [`State`](super::State).
@@ -26,6 +27,8 @@ pub struct Plant {
     pub(super) is_linear: bool,
     /// True where forces depend on speeds.
     pub(super) dissipates: bool,
+    /// True where the pulley of a drum has friction.
+    pub(super) asks_wraps: bool,
     /// True where directions of single cables are needed, not only their sum.
     pub(super) asks_columns: bool,
 }
@@ -67,12 +70,9 @@ pub enum Winches {
 /// A drum with what turns with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Drum {
-    /// Inertia at the drum, rotor times gear ratio squared included (kg·m²).
+    /// Inertia at the drum, rotor and pulley with the squares of their ratios included (kg·m²).
     pub(super) inertia: f64,
-    /// Torque of dry friction (N·m).
-    pub(super) coulomb: f64,
-    /// Torque of friction per speed (N·m·s/rad).
-    pub(super) viscous: f64,
+    pub(super) friction: Friction,
     /// Torque at the drum per torque of the motor.
     pub(super) gear: f64,
 }
@@ -101,14 +101,15 @@ impl Plant {
             Winches::Ideal => Vec::new(),
             Winches::Drums => drums_of(&model)?,
         };
-        let has_viscous = drums.iter().any(|drum| drum.viscous > 0.0 || drum.coulomb > 0.0);
+        let has_friction = drums.iter().any(|drum| drum.friction.viscous > 0.0 || drum.friction.is_dry());
         let has_damping = damping.iter().any(|damping| *damping != Damping::default());
         Ok(Self {
             inertia: Inertia::new(&model, body),
             gravity: model.robot().gravity.unwrap_or_else(Vector3::zeros),
             sags: model.cables() == Cables::Sagging,
             is_linear: model.cables() == Cables::Linear,
-            dissipates: has_viscous || has_damping,
+            dissipates: has_friction || has_damping,
+            asks_wraps: drums.iter().any(|drum| drum.friction.pulley > 0.0),
             // laws that are no closed form are asked cable by cable
             asks_columns: has_damping || !drums.is_empty() || model.cables() != Cables::Linear,
             load,
@@ -128,6 +129,28 @@ impl Plant {
         &self.load
     }
 
+    /// Assumed numbers of its robot file that its motion rests on: not those of drums, pulleys, weight or damping that it does without.
+    pub fn assumptions(&self) -> impl Iterator<Item = &Assumption> {
+        self.model.robot().assumptions.iter().filter(|assumption| self.reads(assumption.plain_key()))
+    }
+
+    /// True for keys of the robot file that motion may depend on.
+    fn reads(&self, key: &str) -> bool {
+        let composition = self.model.composition();
+        let own_damping =
+            || self.damping.iter().zip(&self.model.robot().cables).any(|(d, cable)| *d == Damping::of(cable));
+        let begins = |words: &[&str]| words.iter().any(|word| key.starts_with(word));
+        match key {
+            _ if begins(&["drum_", "rotor_", "gear_ratio"]) => !self.drums.is_empty() || composition.drum,
+            "pulley_friction" | "pulley_inertia_kg_m2" => !self.drums.is_empty() && composition.pulley,
+            _ if begins(&["pulley_"]) => composition.pulley,
+            _ if begins(&["cable_damping_"]) => own_damping(),
+            _ if begins(&["linear_density_", "finite_elements"]) => self.sags,
+            // limits, places to start from, and what sensors record
+            _ => !begins(&["position_", "angle_", "rotation", "diameter_", "length_", "encoder_"]),
+        }
+    }
+
     /// Holders of its cables.
     pub fn winches(&self) -> Winches {
         if self.drums.is_empty() { Winches::Ideal } else { Winches::Drums }
@@ -144,12 +167,15 @@ fn drums_of(model: &Model) -> Result<Vec<Drum>, PlantError> {
         if !(inertia > 0.0) {
             return Err(missing("drum_inertia_kg_m2"));
         }
-        Ok(Drum {
-            inertia,
-            coulomb: cable.winch.coulomb_friction.unwrap_or(0.0),
-            viscous: cable.winch.viscous_friction.unwrap_or(0.0),
-            gear,
-        })
+        let has_pulley = model.composition().pulley;
+        let pulley = if has_pulley { pulley_inertia(cable) } else { None };
+        Ok(Drum { inertia: inertia + pulley.unwrap_or(0.0), friction: Friction::of(cable, has_pulley), gear })
     };
     model.robot().cables.iter().enumerate().map(drum).collect()
+}
+
+/// Inertia of a pulley at the drum whose rim it turns with (kg·m²).
+fn pulley_inertia(cable: &Cable) -> Option<f64> {
+    let ratio = cable.winch.radius? / cable.pulley_radius()?;
+    Some(cable.pulley_inertia? * ratio * ratio)
 }

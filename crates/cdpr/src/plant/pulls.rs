@@ -30,6 +30,8 @@ pub(super) struct Pulls {
     rest: Wrench,
     /// \[u; b × u\] (world); where nothing depends on speeds those of some pose before.
     pub(super) columns: Vec<[f64; 6]>,
+    /// Wrap angles on pulleys (rad); zero where no friction asks for them.
+    pub(super) wraps: Vec<f64>,
     /// Laws at lengths and controlled lengths.
     pub(super) laws: Vec<LawPull>,
     /// Drums within a step.
@@ -86,6 +88,7 @@ impl Pulls {
             tensions: padded(),
             rest: Wrench::zeros(),
             columns: vec![[0.0; 6]; cables],
+            wraps: vec![0.0; cables],
             laws: vec![LawPull::NONE; cables],
             drums: vec![DrumWork::default(); drums],
             start: Start::new(cables),
@@ -108,6 +111,9 @@ impl Pulls {
                 true => plant.linear_pull(index, cable, (self.tensions[index], self.lengths[index])),
                 false => plant.law_pull(index, cable, self.lengths[index]),
             };
+        }
+        if plant.asks_wraps {
+            self.find_wraps(plant, pose)?;
         }
         if !in_lanes {
             self.rest = self.wrench(&Twist::zeros(), |_| 0.0);
@@ -156,6 +162,15 @@ impl Pulls {
         Ok(false)
     }
 
+    /// Wrap angles of straight cables.
+    fn find_wraps(&mut self, plant: &Plant, pose: &Pose) -> Result<(), StepError> {
+        let (position, rotation) = (pose.position.into(), pose.rotation_rows());
+        for (cable, wrap) in self.wraps.iter_mut().enumerate() {
+            *wrap = plant.model.checked_path(cable, position, &rotation).map_err(StaticsError::from)?.0.wrap_angle;
+        }
+        Ok(())
+    }
+
     /// Cables with weight, each sought from its last shape.
     fn find_shapes(&mut self, plant: &Plant, pose: &Pose, cables: &mut [CableMotion]) -> Result<(), StepError> {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
@@ -172,7 +187,7 @@ impl Pulls {
             };
             let state: CableState = found.map_err(|reason| StaticsError::of_cable(index, path.length, reason))?;
             cable.span = Some(state.span);
-            self.lengths[index] = state.strained_length;
+            (self.lengths[index], self.wraps[index]) = (state.strained_length, state.wrap_angle);
             self.columns[index] = wrench(end.moment_arm, state.direction);
             let stiffness = state.tangent.map(|row| crate::scalar::dot(row, state.direction));
             self.laws[index] = LawPull {

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::commands::{Commands, Series};
 use super::error::{PlantError, ScenarioKey, StepError};
 use super::event::{Event, Happening};
-use super::linearization::SENSIBLE;
+use super::linearization::{SENSIBLE, sensible_step};
 use super::plant::{Damping, Plant};
 use super::scenario::{EventKind, EventTable, Integrator, Scenario, Start, Time};
 use super::sensors::Sensors;
@@ -253,10 +253,16 @@ fn of_components(model: &Model, numbers: &[f64], key: ScenarioKey) -> Result<Twi
 /// Refuses steps that the fastest motion about the start does not allow.
 fn check_step(plant: &Plant, state: &State, step: f64) -> Result<(), PlantError> {
     let linear = plant.linearize(state)?;
-    let (Some(fastest), Some(largest)) = (linear.fastest(), linear.largest_step()) else { return Ok(()) };
+    let Some(fastest) = linear.fastest() else { return Ok(()) };
+    // where friction falls with speed, the speed of a drum grows
+    let grows = plant.drums.iter().map(|drum| drum.friction.steepest_fall() / drum.inertia);
+    let fastest = grows.fold(fastest, f64::max);
     match step * fastest <= SENSIBLE {
         true => Ok(()),
-        false => Err(PlantError::StepTooLarge { step, largest, frequency: fastest / std::f64::consts::TAU }),
+        false => {
+            let (largest, frequency) = (sensible_step(fastest), fastest / std::f64::consts::TAU);
+            Err(PlantError::StepTooLarge { step, largest, frequency })
+        }
     }
 }
 
@@ -272,8 +278,11 @@ fn check_smooth(plant: &Plant, state: &State) -> Result<(), PlantError> {
     if state.cables.iter().any(|cable| cable.memory.is_some()) {
         return refuse("cables with hysteresis remember at the end of every fixed step".to_owned());
     }
-    match plant.drums.iter().position(|drum| drum.coulomb > 0.0) {
-        Some(drum) => refuse(format!("the drum of cable {} sticks and slides by dry friction, which jumps", drum + 1)),
+    match plant.drums.iter().position(|drum| drum.friction.is_dry()) {
+        Some(drum) => {
+            let what = if plant.drums[drum].friction.standing > 0.0 { "drum" } else { "pulley" };
+            refuse(format!("the {what} of cable {} sticks and slides by dry friction, which jumps", drum + 1))
+        }
         None => Ok(()),
     }
 }

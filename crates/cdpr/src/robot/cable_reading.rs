@@ -105,6 +105,7 @@ impl CableReader<'_> {
         self.check_limits([Kind::WrapMin, Kind::WrapMax], wraps, "robot::wrap-limits")?;
         self.check_stretch()?;
         self.check_wrap_side()?;
+        self.check_pulley_inertia()?;
         Ok(Cable {
             name: section.name.clone(),
             frame_anchor: self.vector("frame_anchor_m", &section.frame_anchor_m)?,
@@ -133,8 +134,21 @@ impl CableReader<'_> {
             finite_elements: self.finite_elements(section.finite_elements)?,
             damping: self.number(Kind::CableDamping, section.cable_damping_N_s_per_m)?,
             damping_time: self.number(Kind::CableDampingTime, section.cable_damping_time_s)?,
+            pulley_friction: self.number(Kind::PulleyFriction, section.pulley_friction)?,
+            pulley_inertia: self.number(Kind::PulleyInertia, section.pulley_inertia_kg_m2)?,
             winch: self.winch()?,
         })
+    }
+
+    /// A pulley turns with its cable by its radius.
+    fn check_pulley_inertia(&self) -> Result<(), ReadError> {
+        let has_radius = self.section.pulley_radius_m.is_some_and(|radius| radius > 0.0);
+        if has_radius || !self.section.pulley_inertia_kg_m2.is_some_and(|inertia| inertia > 0.0) {
+            return Ok(());
+        }
+        let message = "pulley_inertia_kg_m2 is given, but no pulley_radius_m above zero";
+        let help = "a pulley turns by the length of cable over its radius: add pulley_radius_m";
+        Err(self.error("pulley_inertia_kg_m2", "robot::pulley-inertia", message).with_help(help))
     }
 
     /// A point platform needs none; one that turns has no place to guess.

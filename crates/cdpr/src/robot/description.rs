@@ -4,7 +4,7 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
+use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
@@ -26,6 +26,8 @@ pub struct Robot {
     pub notes: Vec<String>,
     /// Source of the numbers.
     pub source: Option<Source>,
+    /// Numbers that nobody printed or measured.
+    pub assumptions: Vec<Assumption>,
     /// Mass properties.
     pub platform: Platform,
     /// A pose inside the workspace to start from.
@@ -144,6 +146,10 @@ pub struct Cable {
     pub damping: Option<f64>,
     /// Damping time η, damping over stiffness (s); adds to `damping`.
     pub damping_time: Option<f64>,
+    /// Friction coefficient μ of the pulley, its bearing included.
+    pub pulley_friction: Option<f64>,
+    /// Inertia of the pulley about its axis (kg·m²).
+    pub pulley_inertia: Option<f64>,
     /// Winch, as far as the file states it.
     pub winch: CableWinch,
     /// q_recorded = length_scale · q_θ + length_offset; 1 when unknown.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use cdpr_core::cable::elasticity::StiffnessBasis;
 
-use super::{DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
+use super::{Assumption, DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
 /// Keys of a cable that `[cable_defaults]` cannot state: they make it this cable.
@@ -43,6 +43,9 @@ pub(super) struct RobotFile {
     pub(super) notes: Vec<String>,
     /// Source of the numbers.
     pub(super) source: Option<Source>,
+    /// Numbers of this file that nobody printed or measured, each with the reason for its value.
+    #[serde(default)]
+    pub(super) assumption: Vec<Assumption>,
     /// Mass properties of the platform.
     #[serde(default)]
     pub(super) platform: PlatformSection,
@@ -249,9 +252,20 @@ pub(super) struct CableSection {
     /// Torque of dry friction at the drum (N·m).
     #[schemars(range(min = 0))]
     pub(super) drum_coulomb_friction_Nm: Option<f64>,
+    /// Torque of dry friction at the drum that has to be overcome before it turns (N·m), no less than `drum_coulomb_friction_Nm`, which is that of a turning drum; the same when missing.
+    #[schemars(range(min = 0))]
+    pub(super) drum_static_friction_Nm: Option<f64>,
+    /// Stribeck speed of the drum (rad/s): with speed φ̇ dry friction falls from the static one to Coulomb's by exp(−(φ̇/this)²). Needed beside `drum_static_friction_Nm`.
+    pub(super) drum_stribeck_speed_rad_per_s: Option<f64>,
     /// Torque of friction at the drum per speed (N·m·s/rad).
     #[schemars(range(min = 0))]
     pub(super) drum_viscous_friction_Nm_s_per_rad: Option<f64>,
+    /// Friction coefficient of the pulley, its bearing included, for the effect `pulley` with drums in motion: tension at the drum = tension at the outlet · exp(±this · wrap angle).
+    #[schemars(range(min = 0))]
+    pub(super) pulley_friction: Option<f64>,
+    /// Inertia of the pulley about its axis (kg·m²), for drums in motion, with whose rim it turns: it counts at the drum with (drum radius / pulley radius)².
+    #[schemars(range(min = 0))]
+    pub(super) pulley_inertia_kg_m2: Option<f64>,
     /// Recorded length = length_scale · controlled length + length_offset_m.
     pub(super) length_scale: Option<f64>,
     /// See `length_scale` (m).

@@ -1,5 +1,8 @@
 //! A robot as data: geometry, cables, limits and where the numbers come from.
 
+mod assumption;
+#[cfg(feature = "files")]
+mod assumption_reading;
 mod axis;
 mod body;
 #[cfg(feature = "files")]
@@ -32,6 +35,7 @@ mod winch_reading;
 #[cfg(feature = "files")]
 mod writing;
 
+pub use assumption::Assumption;
 pub use axis::Axis;
 pub use body::{Body, BodyError};
 pub use cdpr_core::cable::elasticity::StiffnessBasis;

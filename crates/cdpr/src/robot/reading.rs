@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::{Matrix3, Vector3};
 use toml::de::DeValue;
 
+use super::assumption_reading::check_assumptions;
 use super::cable_defaults::fill_in_cables;
 use super::cable_reading::read_cables;
 use super::file::{Inertia, Moment, PlatformSection, RobotFile, WorkspaceSection, WrenchSection};
@@ -74,6 +75,7 @@ impl Reader<'_> {
         let gravity = |values: &Vec<f64>| self.vector(&[Step::Key("gravity_m_s2")], values);
         let cables = read_cables(self, &file)?;
         let obstacles = read_obstacles(self, &file)?;
+        check_assumptions(self, &file)?;
         self.check_references(&file.reference_check, cables.len())?;
         Ok(Robot {
             gravity: file.gravity_m_s2.as_ref().map(gravity).transpose()?,
@@ -88,6 +90,7 @@ impl Reader<'_> {
             plane: self.plane,
             notes: file.notes,
             source: file.source,
+            assumptions: file.assumption,
             obstacles,
             cables,
             reference_checks: file.reference_check,

@@ -40,6 +40,10 @@ pub struct CableWinch {
     pub rotor_inertia: Option<f64>,
     /// Dry friction at the drum (N·m).
     pub coulomb_friction: Option<f64>,
+    /// Dry friction of a drum that stands (N·m); that of one that turns when unknown.
+    pub static_friction: Option<f64>,
+    /// Speed at which dry friction has fallen by 1 − 1/e of its way from the static one to Coulomb's (rad/s).
+    pub stribeck_speed: Option<f64>,
     /// Friction at the drum per speed (N·m·s/rad).
     pub viscous_friction: Option<f64>,
 }

@@ -38,9 +38,12 @@ impl CableReader<'_> {
             drum_inertia: self.number(Kind::DrumInertia, section.drum_inertia_kg_m2)?,
             rotor_inertia: self.number(Kind::RotorInertia, section.rotor_inertia_kg_m2)?,
             coulomb_friction: self.number(Kind::CoulombFriction, section.drum_coulomb_friction_Nm)?,
+            static_friction: self.number(Kind::StaticFriction, section.drum_static_friction_Nm)?,
+            stribeck_speed: self.number(Kind::StribeckSpeed, section.drum_stribeck_speed_rad_per_s)?,
             viscous_friction: self.number(Kind::ViscousFriction, section.drum_viscous_friction_Nm_s_per_rad)?,
         };
         self.check_first_pulley(&winch)?;
+        self.check_friction(&winch)?;
         if winch.gear_ratio == Some(0.0) {
             return Err(self
                 .error("gear_ratio", "robot::gear-ratio", "gear_ratio is 0, so its motor could not move the drum")
@@ -52,6 +55,30 @@ impl CableReader<'_> {
             return Err(self.error("spool_build_up_m", "robot::spool", message).with_help(help));
         }
         Ok(winch)
+    }
+
+    /// Friction of a drum that stands is no less than that of one that turns, and falls to it over a known speed.
+    fn check_friction(&self, winch: &CableWinch) -> Result<(), ReadError> {
+        let sliding = winch.coulomb_friction.unwrap_or(0.0);
+        match (winch.static_friction, winch.stribeck_speed) {
+            (Some(standing), _) if standing < sliding => {
+                let message =
+                    format!("drum_static_friction_Nm is {standing}, less than the {sliding} of a drum that turns");
+                let help = "a drum that stands takes more torque than one that turns: enlarge it, or lessen drum_coulomb_friction_Nm";
+                Err(self.error("drum_static_friction_Nm", "robot::friction", &message).with_help(help))
+            }
+            (Some(_), None) => {
+                let message = "drum_static_friction_Nm is given without drum_stribeck_speed_rad_per_s";
+                let help = "add the speed over which friction falls from the static one to Coulomb's, e.g. 0.1";
+                Err(self.error("drum_static_friction_Nm", "robot::friction", message).with_help(help))
+            }
+            (None, Some(_)) => {
+                let message = "drum_stribeck_speed_rad_per_s is given without drum_static_friction_Nm";
+                let help = "add the friction of a drum that stands, or leave the speed out";
+                Err(self.error("drum_stribeck_speed_rad_per_s", "robot::friction", message).with_help(help))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The axis of a drum need not lie in the plane of a planar robot: three components are accepted there too.

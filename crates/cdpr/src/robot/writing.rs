@@ -40,6 +40,7 @@ impl Robot {
         if let Some(source) = &self.source {
             section("[source]", lines(source));
         }
+        self.assumptions.iter().for_each(|assumption| section("[[assumption]]", lines(assumption)));
         section("[platform]", lines(&self.platform_section(&self.platform)));
         if let Some(home) = &self.home {
             section("[home_pose]", lines(&self.home_section(home)));
@@ -174,7 +175,11 @@ impl Robot {
             drum_inertia_kg_m2: cable.winch.drum_inertia,
             rotor_inertia_kg_m2: cable.winch.rotor_inertia,
             drum_coulomb_friction_Nm: cable.winch.coulomb_friction,
+            drum_static_friction_Nm: cable.winch.static_friction,
+            drum_stribeck_speed_rad_per_s: cable.winch.stribeck_speed,
             drum_viscous_friction_Nm_s_per_rad: cable.winch.viscous_friction,
+            pulley_friction: cable.pulley_friction,
+            pulley_inertia_kg_m2: cable.pulley_inertia,
             length_scale: cable.length_scale,
             length_offset_m: cable.length_offset,
             tension_scale: cable.tension_scale,

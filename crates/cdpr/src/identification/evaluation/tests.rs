@@ -31,6 +31,7 @@ fn suspended(mass: Option<f64>) -> Robot {
         plane: Plane::default(),
         gravity: Some(Vector3::new(0.0, 0.0, -9.81)),
         notes: vec![],
+        assumptions: vec![],
         source: None,
         platform: Platform { mass, center_of_mass: Some(Vector3::zeros()), ..Platform::default() },
         home: Some(Pose { position: Vector3::new(0.0, 0.0, 0.8), ..Pose::identity() }),

@@ -103,6 +103,7 @@ pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadEr
             file: Some(format!("{}, {}", file_part(files.bodies_name), file_part(files.cables_name))),
             ..Source::default()
         }),
+        assumptions: Vec::new(),
         platform: body.platform,
         home: Some(body.home),
         external_wrench: None,

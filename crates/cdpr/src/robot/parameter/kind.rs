@@ -96,6 +96,14 @@ pub enum ParameterKind {
     CoulombFriction,
     /// Friction at the drum per speed (N·m·s/rad).
     ViscousFriction,
+    /// Dry friction of a drum that stands (N·m).
+    StaticFriction,
+    /// Speed over which a drum's dry friction falls from the static one to Coulomb's (rad/s).
+    StribeckSpeed,
+    /// Friction coefficient of the pulley, its bearing included; without unit.
+    PulleyFriction,
+    /// Inertia of the pulley about its axis (kg·m²).
+    PulleyInertia,
     /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
     DrumAxis,
     /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
@@ -159,7 +167,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 44] = [
+    pub(crate) const ALL: [Self; 48] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -204,6 +212,10 @@ impl ParameterKind {
         Self::RotorInertia,
         Self::CoulombFriction,
         Self::ViscousFriction,
+        Self::StaticFriction,
+        Self::StribeckSpeed,
+        Self::PulleyFriction,
+        Self::PulleyInertia,
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
@@ -274,6 +286,10 @@ impl ParameterKind {
             Self::ViscousFriction => {
                 of(Cable, "viscous-friction", "drum_viscous_friction_Nm_s_per_rad", "N·m·s/rad", NotNegative)
             }
+            Self::StaticFriction => of(Cable, "static-friction", "drum_static_friction_Nm", "N·m", NotNegative),
+            Self::StribeckSpeed => of(Cable, "stribeck-speed", "drum_stribeck_speed_rad_per_s", "rad/s", Positive),
+            Self::PulleyFriction => of(Cable, "pulley-friction", "pulley_friction", "", NotNegative),
+            Self::PulleyInertia => of(Cable, "pulley-inertia", "pulley_inertia_kg_m2", "kg·m²", NotNegative),
             Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
             // the file states unit vectors, drum_axis and pulley_swivel_axis
             Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),

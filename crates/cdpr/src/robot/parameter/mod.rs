@@ -176,6 +176,10 @@ impl Parameter {
             ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
             ParameterKind::DrumRadius | ParameterKind::DrumPitch | ParameterKind::SpoolBuildUp => false,
             ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
+            // friction of a drum that stands is no less than that of one that turns, and a pulley turns by its radius
+            ParameterKind::CoulombFriction => robot.cables[self.cable].winch.static_friction.is_none(),
+            ParameterKind::StaticFriction | ParameterKind::StribeckSpeed | ParameterKind::PulleyInertia => false,
+            ParameterKind::PulleyRadius => robot.cables[self.cable].pulley_inertia.is_none(),
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => false,
             _ => true,
         };
@@ -298,6 +302,10 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::RotorInertia => cable.winch.rotor_inertia,
         Kind::CoulombFriction => cable.winch.coulomb_friction,
         Kind::ViscousFriction => cable.winch.viscous_friction,
+        Kind::StaticFriction => cable.winch.static_friction,
+        Kind::StribeckSpeed => cable.winch.stribeck_speed,
+        Kind::PulleyFriction => cable.pulley_friction,
+        Kind::PulleyInertia => cable.pulley_inertia,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
     }
@@ -340,6 +348,10 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::RotorInertia => &mut cable.winch.rotor_inertia,
         Kind::CoulombFriction => &mut cable.winch.coulomb_friction,
         Kind::ViscousFriction => &mut cable.winch.viscous_friction,
+        Kind::StaticFriction => &mut cable.winch.static_friction,
+        Kind::StribeckSpeed => &mut cable.winch.stribeck_speed,
+        Kind::PulleyFriction => &mut cable.pulley_friction,
+        Kind::PulleyInertia => &mut cable.pulley_inertia,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
     };

@@ -212,6 +212,45 @@ fn mistakes_of_winches_are_told_with_their_place() {
 }
 
 #[test]
+fn friction_that_cannot_be_is_refused_at_its_place() {
+    let text = with_drum();
+    for (from, to, at, code) in [
+        ("drum_static_friction_Nm = 15.0", "drum_static_friction_Nm = 9.0", "9.0", "robot::friction"),
+        ("drum_static_friction_Nm = 15.0", "drum_static_friction_Nm = -1.0", "-1.0", "robot::negative"),
+        ("drum_static_friction_Nm = 15.0\n", "", "0.25", "robot::friction"),
+        ("drum_stribeck_speed_rad_per_s = 0.25\n", "", "15.0", "robot::friction"),
+        ("rad_per_s = 0.25", "rad_per_s = 0.0", "0.0", "robot::not-positive"),
+        ("pulley_friction = 0.03", "pulley_friction = -0.03", "-0.03", "robot::negative"),
+        ("pulley_radius_m = 0.05", "pulley_radius_m = 0.0", "0.02", "robot::pulley-inertia"),
+    ] {
+        mistake(&text, from, to, at, code);
+    }
+}
+
+#[test]
+fn assumptions_of_what_a_file_does_not_state_are_refused_at_their_place() {
+    let text = PLANAR.to_owned() + ASSUMED;
+    for (from, to, told) in [
+        ("platform.mass_kg", "platform.mass", "did you mean `platform.mass_kg`?"),
+        ("platform.mass_kg", "cable.drum_inertia_kg_m2", "no number that this file states"),
+        ("platform.mass_kg", "platform", "did you mean `platform.mass_kg`?"),
+        ("platform.mass_kg", "zzz", "name a number of the file"),
+        ("platform.mass_kg", "platform[1].mass_kg", "no number"),
+        ("platform.mass_kg", "cable.name", "no number"),
+        ("platform.mass_kg", "cable.hysteresis", "assumed twice"),
+        ("cable[1].tension", "cable[2].tension", "did you mean `cable.tension_min_N`?"),
+        ("cable[1].tension", "cable[3].tension", "cable 3 does not exist"),
+        ("cable[1].tension", "cable[1,2].tension", "no number"),
+    ] {
+        let at = if to == "cable.hysteresis" { to.to_owned() } else { to.split('.').next().unwrap().to_owned() };
+        let error = mistake(&text, from, to, &format!("\"{at}"), "robot::assumption");
+        assert!(error.to_string().contains(told), "{error}");
+    }
+    let error = mistake(&text, "\"a guess\"", "\" \"", "\" \"", "robot::assumption");
+    assert!(error.to_string().contains("no reason"), "{error}");
+}
+
+#[test]
 fn bodies_obstacles_and_limits_that_cannot_be_are_refused_at_their_place() {
     for (from, to, code) in [
         ("length_min_m = 0.5", "length_min_m = 13.0", "robot::length-limits"),

@@ -178,6 +178,34 @@ fn bodies_obstacles_and_limits_of_cables_are_read_and_written() {
     assert_eq!(Robot::from_toml(&robot.to_toml(), "box.toml").unwrap(), robot);
 }
 
+const ASSUMED: &str = r#"
+[[assumption]]
+key = "platform.mass_kg"
+reason = "weighed by eye"
+[[assumption]]
+key = "cable[1].tension_min_N"
+reason = "a guess"
+[[assumption]]
+key = "cable.hysteresis"
+reason = "of another rope"
+[[assumption]]
+key = "gravity_m_s2"
+reason = "of the equator"
+"#;
+
+/// Assumed numbers are kept by whatever is done to the robot and written again; what the file does not state cannot be assumed.
+#[test]
+fn assumed_numbers_are_read_and_written() {
+    let robot = Robot::from_toml(&(PLANAR.to_owned() + ASSUMED), "frame.toml").unwrap();
+    let keys: Vec<&str> = robot.assumptions.iter().map(|assumption| assumption.key.as_str()).collect();
+    assert_eq!(keys, ["platform.mass_kg", "cable[1].tension_min_N", "cable.hysteresis", "gravity_m_s2"]);
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+    let assumed = ["macarm", "nist-robocrane", "caroca", "cablerobot-simulator-icosahedron"];
+    for name in builtin::names() {
+        assert_eq!(!Robot::builtin(name).unwrap().assumptions.is_empty(), assumed.contains(&name), "{name}");
+    }
+}
+
 /// A planar robot whose drums stand across its plane, with every winch key.
 fn with_drum() -> String {
     PLANAR.replacen(
@@ -185,7 +213,9 @@ fn with_drum() -> String {
         "drum_radius_m = 0.1\ndrum_pitch_m = 0.008\ndrum_axis = [0.0, 1.0, 0.0]\ndrum_position_m = [-1.0, -0.5, 0.2]\n\
          drum_side = \"right\"\ndrum_guided = false\ndrum_pulley_m = [-1.0, 2.5]\ndrum_start_angle_rad = 0.3\n\
          drum_start_length_m = 1.5\ndrum_groove_length_m = 0.2\ndrum_layer_height_m = 0.007\ngear_ratio = -12.0\n\
-         encoder_counts_per_turn = 4096.0\nplatform_anchor_m = ",
+         encoder_counts_per_turn = 4096.0\ndrum_inertia_kg_m2 = 0.6\ndrum_coulomb_friction_Nm = 10.0\n\
+         drum_static_friction_Nm = 15.0\ndrum_stribeck_speed_rad_per_s = 0.25\npulley_friction = 0.03\n\
+         pulley_inertia_kg_m2 = 0.02\nplatform_anchor_m = ",
         1,
     )
 }
@@ -194,6 +224,8 @@ fn with_drum() -> String {
 fn every_winch_key_is_read_and_written() {
     let robot = Robot::from_toml(&with_drum(), "frame.toml").unwrap();
     let cable = &robot.cables[0];
+    assert_eq!((cable.winch.static_friction, cable.winch.stribeck_speed), (Some(15.0), Some(0.25)));
+    assert_eq!((cable.pulley_friction, cable.pulley_inertia), (Some(0.03), Some(0.02)));
     assert_eq!((cable.winch.radius, cable.winch.pitch(), cable.winch.guided), (Some(0.1), Some(0.008), Some(false)));
     assert_eq!(cable.winch.axis.unwrap().as_slice(), [0.0, 1.0, 0.0]);
     assert_eq!(cable.winch.position.unwrap().as_slice(), [-1.0, -0.5, 0.2]);
