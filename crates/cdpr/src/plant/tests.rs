@@ -4,8 +4,11 @@
 mod compositions;
 mod conservation;
 mod drums;
+mod dual_laws;
 mod dual_numbers;
 mod error_control;
+mod friction;
+mod kinks;
 mod oracle;
 mod scenarios;
 mod small_motions;

@@ -5,6 +5,19 @@ use super::*;
 use crate::model::place_pulleys;
 use crate::statics::Load;
 
+/// A rope that gives back less than it took.
+pub(super) fn rope() -> crate::robot::HysteresisTable {
+    crate::robot::HysteresisTable {
+        strain: vec![0.0, 2e-3, 5e-3, 1e-2],
+        loading_N: vec![0.0, 3.5e3, 9.5e3, 2.1e4],
+        unloading_N: vec![0.0, 3.0e3, 9.0e3, 2.05e4],
+        transition_strain: vec![4e-4],
+        loading_slope_N: None,
+        unloading_slope_N: None,
+        transition_share: None,
+    }
+}
+
 /// The simulator with everything that effects need.
 fn complete() -> Robot {
     let mut robot = simulator();
@@ -14,15 +27,7 @@ fn complete() -> Robot {
         cable.series_compliance = Some(2e-7);
         cable.tension_of_strain = Some(vec![1.5e6, 6e7]);
         cable.tension_max = Some(20_000.0);
-        cable.hysteresis = Some(crate::robot::HysteresisTable {
-            strain: vec![0.0, 2e-3, 5e-3, 1e-2],
-            loading_N: vec![0.0, 3.5e3, 9.5e3, 2.1e4],
-            unloading_N: vec![0.0, 3.0e3, 9.0e3, 2.05e4],
-            transition_strain: vec![4e-4],
-            loading_slope_N: None,
-            unloading_slope_N: None,
-            transition_share: None,
-        });
+        cable.hysteresis = Some(rope());
     }
     let pulleys = vec![(0.161, Vector3::z()); 8];
     place_pulleys(&robot, &pulleys, &robot.home_or_middle()).unwrap()

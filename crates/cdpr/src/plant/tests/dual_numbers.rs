@@ -6,15 +6,16 @@ use num_dual::DualVec;
 
 use super::super::Happening;
 use super::super::plant::Drum;
+use super::dual_laws::{sagging, straight};
 use super::*;
-use crate::cable::elasticity::Elasticity;
-use crate::cable::law::{CableLaw, Kind};
+use crate::cable::law::Kind;
 use crate::cable::outlet::Outlet;
+use crate::cable::stretch::hysteresis::{Memory, TRANSITION_LIMIT};
 use crate::model::place_pulleys;
 use crate::scalar::{Real, add, cross, dot, rotate, rotate_back, scale, sub};
 
 /// Derivatives by displacement and twist (six each), angles and speeds of drums, wrench, controlled lengths or torques, and their rates.
-type Dual = DualVec<f64, Const<COUNT>>;
+pub(super) type Dual = DualVec<f64, Const<COUNT>>;
 const POSE: usize = 0;
 const TWIST: usize = 6;
 const ANGLE: usize = 12;
@@ -56,32 +57,6 @@ fn times(matrix: &Matrix3<f64>, a: [Dual; 3]) -> [Dual; 3] {
     [0, 1, 2].map(|row| a[0] * matrix[(row, 0)] + a[1] * matrix[(row, 1)] + a[2] * matrix[(row, 2)])
 }
 
-/// Tension of a straight cable by its law, below zero too.
-fn tension(law: &CableLaw, coefficients: &[f64], length: Dual, unstrained: Dual) -> Dual {
-    let Kind::Linear(linear, _) = law.kind else {
-        // c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h: Newton's steps in dual numbers end at value and derivatives
-        let (strained, unstrained) = (length + law.hidden_length, unstrained + law.hidden_length);
-        let power = |strain: Dual, of: &dyn Fn(i32, f64) -> Dual| {
-            let terms = coefficients
-                .iter()
-                .enumerate()
-                .map(|(k, c)| of(k as i32, *c) * num_dual::DualNum::powi(&strain, k as i32));
-            terms.fold(Dual::from(0.0), |sum, term| sum + term)
-        };
-        let mut strain = strained / unstrained - 1.0;
-        for _ in 0..20 {
-            let slope = power(strain, &|k, c| Dual::from(c * f64::from(k + 1)));
-            let value = strain * power(strain, &|_, c| Dual::from(c));
-            let gap = value * law.series_compliance + unstrained * (strain + 1.0) - strained;
-            strain -= gap / (slope * law.series_compliance + unstrained);
-        }
-        return strain * power(strain, &|_, c| Dual::from(c));
-    };
-    let [by_length, by_controlled_length, constant] =
-        [linear.by_length, linear.by_controlled_length, linear.constant].map(Dual::from);
-    Elasticity { by_length, by_controlled_length, constant }.tension(length, unstrained).value
-}
-
 /// Motion of a machine in dual numbers: accelerations \[v̇; ω̇\] and those of the drums.
 struct Twin<'a> {
     plant: &'a Plant,
@@ -110,28 +85,45 @@ impl Twin<'_> {
         (radius * (angle - angle.re) + motion.controlled_length, radius * speed, radius)
     }
 
-    /// Pull of a cable on the platform, its moment arm, its tension and the radius of its drum.
+    /// Pull of a cable on the platform, its moment arm, its tension at the drum and the radius of that.
     fn pull(&self, cable: usize) -> ([Dual; 3], [Dual; 3], Dual, Dual) {
         let (model, motion) = (self.plant.model(), &self.state.cables[cable]);
         let (length, rate, radius) = self.winch(cable);
         let arm = turned(&self.state.pose, constants(rate, model.robot().cables[cable].platform_anchor));
         let (velocity, omega) = self.twist();
-        let outlet: Outlet<Dual> = model.law(cable).outlet.map(|number| Dual::from(*number));
-        let path = outlet.path(add(vector(self.state.pose.position.into(), POSE), arm));
-        let coefficients = model.robot().cables[cable].tension_of_strain.clone().unwrap_or_default();
-        let law = tension(model.law(cable), &coefficients, path.length, length + motion.slip);
-        let grows = -dot(path.direction, add(velocity, cross(omega, arm))) - rate;
+        let anchor = add(vector(self.state.pose.position.into(), POSE), arm);
+        let (law, direction, weight) = self.law(cable, anchor, length + motion.slip);
+        let grows = -dot(direction, add(velocity, cross(omega, arm))) - rate;
         let sum = law + grows * self.damping(cable);
         let pulls = !motion.is_broken && sum.re > 0.0;
-        let tension = if pulls { sum } else { Dual::from(0.0) };
-        (scale(tension, path.direction), arm, tension, radius)
+        let zero = Dual::from(0.0);
+        let (tension, at_drum) = if pulls { (sum, sum + weight) } else { (zero, zero) };
+        (scale(tension, direction), arm, at_drum, radius)
+    }
+
+    /// Tension of a cable on the platform by its law, its direction there, and how much more it has at the outlet.
+    fn law(&self, cable: usize, anchor: [Dual; 3], unstrained: Dual) -> (Dual, [Dual; 3], Dual) {
+        let (model, motion) = (self.plant.model(), &self.state.cables[cable]);
+        let own = model.law(cable);
+        let law = motion.memory.map_or_else(|| own.clone(), |memory| own.with_memory(&memory));
+        let coefficients = model.robot().cables[cable].tension_of_strain.clone().unwrap_or_default();
+        if let (Kind::Sagging(_), Some(near)) = (law.kind, &motion.span) {
+            let (pull, outside) = sagging(&law, &coefficients, anchor, unstrained, near);
+            let tension = dot(pull, pull).sqrt();
+            return (tension, scale(Dual::from(1.0) / tension, pull), outside - tension);
+        }
+        let outlet: Outlet<Dual> = law.outlet.map(|number| Dual::from(*number));
+        let path = outlet.path(anchor);
+        (straight(&law, &coefficients, path.length, unstrained), path.direction, Dual::from(0.0))
     }
 
     /// d at the state, of which the rate of a resting cable leaves nothing to differentiate.
     fn damping(&self, cable: usize) -> f64 {
         let (motion, law) = (&self.state.cables[cable], self.plant.model().law(cable));
-        let tension = law.continued_tension(motion.length, motion.unstrained_length(), None).unwrap();
-        self.plant.damping[cable].coefficient(tension.by_length)
+        match law.continued_tension(motion.length, motion.unstrained_length(), motion.memory.as_ref()) {
+            Some(tension) => self.plant.damping[cable].coefficient(tension.by_length),
+            None => self.state.pulls.laws[cable].damping,
+        }
     }
 
     fn accelerations(&self) -> ([Dual; 3], [Dual; 3], Vec<Dual>) {
@@ -142,11 +134,11 @@ impl Twin<'_> {
         for cable in 0..self.plant.model().cable_count() {
             let (pull, arm, tension, radius) = self.pull(cable);
             (force, moment) = (add(force, pull), add(moment, cross(arm, pull)));
-            if let Some(Drum { inertia, viscous, gear, .. }) = self.plant.drums.get(cable) {
+            if let Some(Drum { inertia, friction, gear }) = self.plant.drums.get(cable) {
                 let speed = variable(self.state.cables[cable].drum_speed, SPEED + cable);
                 let torques = self.plant.holding_torques(self.state).unwrap();
                 let motor = variable(torques[cable], INPUT + cable) * *gear;
-                drums.push((radius * tension - motor - speed * *viscous) / *inertia);
+                drums.push((radius * tension - motor - speed * friction.viscous) / *inertia);
             }
         }
         let constant = self.plant.load().constant_part() + self.state.external;
@@ -226,6 +218,8 @@ fn complete() -> Robot {
         cable.series_compliance = Some(2e-7);
         cable.tension_of_strain = Some(vec![1.5e6, 6e7]);
         cable.tension_max = Some(20_000.0);
+        cable.linear_density = Some(0.7);
+        cable.hysteresis = Some(super::compositions::rope());
         cable.winch.radius = Some(0.1525);
         cable.winch.drum_inertia = Some(0.6);
         cable.winch.viscous_friction = Some(3.0);
@@ -270,6 +264,42 @@ fn the_linearisation_agrees_with_dual_numbers() {
     println!("simulator: A and B agree to {worst:.1e}");
 }
 
+/// Ropes that remember, on a branch that their memory leads to smoothly, and cables with weight: by catenaries and finite elements, over pulleys, of
+/// every law of stretch, held by drums.
+#[test]
+fn the_linearisation_of_ropes_and_of_cables_with_weight_agrees_with_dual_numbers() {
+    let mut worst: f64 = 0.0;
+    for (composition, winches, rounding) in [
+        ("hysteresis", Winches::Ideal, ROUNDING),
+        ("pulley+hysteresis", Winches::Drums, ROUNDING),
+        ("elastic+catenary", Winches::Ideal, ROUNDING),
+        ("pulley+elastic+catenary", Winches::Drums, ROUNDING),
+        ("pulley+elastic+finite-element", Winches::Ideal, ROUNDING),
+        ("polynomial+catenary", Winches::Drums, ROUNDING),
+        ("pulley+hysteresis+catenary", Winches::Ideal, ROUNDING),
+    ] {
+        let mut robot = complete();
+        robot.cables.iter_mut().for_each(|cable| cable.stiffness_by = Some(StiffnessBasis::Unstrained));
+        let model = Model::new(robot, composition.parse().unwrap()).unwrap();
+        let damping = (0..8).map(|k| Damping { constant: 100.0 * f64::from(k), time: 1e-3 }).collect();
+        let plant = Plant::with_damping(model, winches, damping).unwrap();
+        let mut state = at_home(&plant, 4000.0);
+        plant.apply(&mut state, &Happening::Load { mass: 50.0, place: Vector3::new(0.5, -0.2, 0.3) });
+        plant.observe(&mut state).unwrap();
+        for memory in state.cables.iter_mut().filter_map(|cable| cable.memory.as_mut()) {
+            // stretched from below, less than the transition before
+            *memory = Memory { strain: memory.strain - 1e-4, stops: [0.1; TRANSITION_LIMIT] };
+        }
+        state.pulls.is_current = false;
+        state.pulls.find(&plant, &state.pose, &mut state.cables).unwrap();
+        for (cable, law) in state.cables.iter_mut().zip(&state.pulls.laws) {
+            cable.tension = law.tension + law.weight;
+        }
+        worst = worst.max(check_within(&plant, &mut state, &[], rounding));
+    }
+    println!("hysteresis and weight: A and B agree to {worst:.1e}");
+}
+
 /// Three degrees of freedom in a plane.
 #[test]
 fn the_linearisation_of_a_planar_machine_agrees_with_dual_numbers() {
@@ -283,6 +313,10 @@ fn the_linearisation_of_a_planar_machine_agrees_with_dual_numbers() {
 
 /// A and B of a state; their equilibrium is made exact by a wrench, as the linearisation takes it.
 fn check(plant: &Plant, state: &mut State, slack: &[usize]) -> f64 {
+    check_within(plant, state, slack, ROUNDING)
+}
+
+fn check_within(plant: &Plant, state: &mut State, slack: &[usize], rounding: f64) -> f64 {
     let taut = state.cables.iter().enumerate().filter(|(_, cable)| cable.tension > 0.0);
     let count = if slack.is_empty() { state.cables.len() } else { state.cables.len() - slack.len() - 1 };
     assert_eq!(taut.count(), count, "tensions are as the case says");
@@ -297,7 +331,7 @@ fn check(plant: &Plant, state: &mut State, slack: &[usize]) -> f64 {
         difference(&b.rows(size, size).into_owned(), &by_input),
     ];
     let composition = plant.model().composition();
-    assert!(off.iter().all(|off| *off < ROUNDING), "{composition}, slack {slack:?}: {off:?}");
+    assert!(off.iter().all(|off| *off < rounding), "{composition}, slack {slack:?}: {off:?}");
     off[0].max(off[1])
 }
 
