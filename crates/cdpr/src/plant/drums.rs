@@ -60,7 +60,7 @@ impl Plant {
         for (share, weight) in STAGES {
             let momentum = added(&start, &rate, share * time);
             let twist = state.inertia.twist(&state.pose, &momentum);
-            let wrench = self.accelerate(state, command, &twist, share * time) + load;
+            let wrench = self.accelerate(state, command, &twist, share * time) + load + state.inertia.drag(&twist);
             rate = state.inertia.rate(&center, &wrench);
             sum = added(&sum, &rate, weight);
             state.pulls.drums.iter_mut().for_each(|work| work.sum += weight * work.acceleration);

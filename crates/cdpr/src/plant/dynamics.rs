@@ -9,15 +9,15 @@ use crate::geometry::{Pose, Twist, Wrench};
 use crate::model::Model;
 
 impl Inertia {
-    /// n(x, ω): what M(x) \[v̇; ω̇\] leaves of the wrench about the platform origin (world axes; N, N·m),
-    /// \[m ω × (ω × s); ω × J ω + m s × (ω × (ω × s))\].
+    /// n(x, v, ω): what M(x) \[v̇; ω̇\] leaves of the wrench about the platform origin (world axes; N, N·m),
+    /// \[m ω × (ω × s) + D_lin v; ω × J ω + m s × (ω × (ω × s)) + D_rot ω\].
     pub fn bias(&self, pose: &Pose, twist: &Twist) -> Wrench {
         let omega = twist.fixed_rows::<3>(3).into_owned();
         let center = self.center(pose);
         let force = omega.cross(&omega.cross(&center)) * self.body.mass;
         let turned = pose.rotation * (self.body.inertia * (pose.rotation.inverse() * omega));
         let moment = omega.cross(&turned) + center.cross(&force);
-        Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
+        Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z) - self.drag(twist)
     }
 
     /// Mass matrix in the n degrees of freedom of a model, Bᵀ M B.

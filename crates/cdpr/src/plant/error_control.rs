@@ -149,7 +149,7 @@ impl Equations<'_> {
             (true, false) => state.pulls.wrench_at_rest(),
         };
         let [from, to] = self.passage.wrenches;
-        let further = from + (to - from) * (time / self.passage.time);
+        let further = from + (to - from) * (time / self.passage.time) + state.inertia.drag(&twist);
         let (inertia, mass) = (&state.inertia, state.inertia.body.mass);
         let rate = inertia.rate(&inertia.center(&state.pose), &(cables + state.load(plant) + further));
         // q̇ = ½ (0, ω) q

@@ -147,7 +147,7 @@ impl Plant {
 fn first_turn(state: &State) -> Option<(usize, f64)> {
     let mut first: Option<(usize, f64)> = None;
     for (cable, start) in state.pulls.start.cables.iter().enumerate() {
-        let share = turn(start.sum, start.middle, start.end);
+        let Some(share) = turn(start.sum, start.middle, start.end) else { continue };
         if share > END && share < 1.0 - END && first.is_none_or(|(_, least)| share < least) {
             first = Some((cable, share));
         }
@@ -155,15 +155,16 @@ fn first_turn(state: &State) -> Option<(usize, f64)> {
     first
 }
 
-/// Share after which a number turns on the other side of zero that is on one side at both ends, by the parabola through ends and middle; 0 where it
-/// does not.
+/// Place of the extremum that lies on the other side of zero than both ends, of the parabola through ends and middle; nothing where there is none.
 #[inline]
-fn turn(start: f64, middle: f64, end: f64) -> f64 {
+fn turn(start: f64, middle: f64, end: f64) -> Option<f64> {
     // the kick in the middle stands where a constant acceleration has led its pose too far
-    let middle = (middle - 4.0 * MIDDLE_AHEAD * (start + end)) / (1.0 - 8.0 * MIDDLE_AHEAD);
+    const SCALE: f64 = 1.0 / (1.0 - 8.0 * MIDDLE_AHEAD);
+    let middle = (middle - 4.0 * MIDDLE_AHEAD * (start + end)) * SCALE;
     let (across, bend) = (end - start, start + end - 2.0 * middle);
-    let extremum = middle - across * across / (8.0 * bend);
-    if extremum * start < 0.0 && extremum * end < 0.0 { 0.5 - across / (4.0 * bend) } else { 0.0 }
+    // open to the side of the ends, with middle − across²/(8 bend) on the other one
+    let turns = start * end > 0.0 && bend * start > 0.0 && 8.0 * bend * middle < across * across;
+    if turns { Some(0.5 - across / (4.0 * bend)) } else { None }
 }
 
 /// Place of zero of the parabola through three points of ascending places, whose outer ones lie on different sides; by a straight line where rounding
@@ -200,11 +201,14 @@ mod tests {
         assert_eq!(crossing((0.0, 1.0), (0.5, 0.5), (1.5, -0.5)), 1.0);
         assert_eq!(crossing((0.0, 1.0), (0.25, 0.0), (1.0, -0.5)), 0.25);
         let bent = |t: f64, turn: f64, deep: f64| (t - turn) * (t - turn) - deep;
-        for (at, deep, expected) in [(0.4, 0.1, 0.4), (0.4, -0.1, 0.0), (0.7, 0.05, 0.7)] {
-            // the middle as the stages see it, ahead by the acceleration 2
-            let seen = bent(0.5, at, deep) + 2.0 * MIDDLE_AHEAD;
-            let found = turn(bent(0.0, at, deep), seen, bent(1.0, at, deep));
-            assert!((found - expected).abs() < 1e-12, "{at} {deep}: {found}");
+        for sign in [1.0, -1.0] {
+            for (at, deep, turns) in [(0.4, 0.1, true), (0.4, -0.1, false), (0.7, 0.05, true), (0.4, 0.2, false)] {
+                // the middle as the stages see it, ahead by the acceleration 2
+                let seen = bent(0.5, at, deep) + 2.0 * MIDDLE_AHEAD;
+                let found = turn(sign * bent(0.0, at, deep), sign * seen, sign * bent(1.0, at, deep));
+                assert_eq!(found.is_some(), turns, "{at} {deep}: {found:?}");
+                assert!(found.is_none_or(|found| (found - at).abs() < 1e-12), "{at} {deep}: {found:?}");
+            }
         }
     }
 }

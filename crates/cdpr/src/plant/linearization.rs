@@ -53,6 +53,8 @@ impl Plant {
         linear.inputs.view_mut((0, 0), (n, n)).fill_with_identity();
         let gradient = self.load_gradient(state);
         add_in_pattern(&mut linear.stiffness, basis, &-gradient);
+        let drag = nalgebra::Matrix6::from_diagonal(&-state.inertia.drag(&Twist::repeat(1.0)));
+        add_in_pattern(&mut linear.damping, basis, &drag);
         for cable in 0..m {
             self.add_cable(&mut linear, state, cable)?;
         }

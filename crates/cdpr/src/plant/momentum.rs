@@ -25,6 +25,8 @@ pub struct Inertia {
     pub body: Body,
     /// I_c⁻¹ about the directions in which the pattern turns, 0 about others (platform axes).
     inverse_inertia: Matrix3<f64>,
+    /// D_lin (N·s/m) and D_rot (N·m·s/rad).
+    damping: [f64; 2],
     /// Projection onto the directions in which the pattern moves (world).
     translations: Matrix3<f64>,
     /// Projection onto the directions about which it turns (world).
@@ -49,7 +51,20 @@ impl Inertia {
             }
             (true, false) => body.inertia.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN)),
         };
-        Self { body, inverse_inertia, translations, rotations }
+        let damping = [robot.platform.damping, robot.platform.rotational_damping].map(|d| d.unwrap_or(0.0));
+        Self { body, inverse_inertia, damping, translations, rotations }
+    }
+
+    /// Wrench that damps a twist of the platform origin, −\[D_lin v; D_rot ω\] (world axes).
+    #[inline]
+    pub(super) fn drag(&self, twist: &Twist) -> Wrench {
+        let [along, about] = self.damping;
+        Wrench::from_fn(|row, _| if row < 3 { -along * twist[row] } else { -about * twist[row] })
+    }
+
+    /// True where something damps the platform itself.
+    pub(super) fn is_damped(&self) -> bool {
+        self.damping != [0.0; 2]
     }
 
     /// s = R c, from the platform origin to the centre of mass (world, m).

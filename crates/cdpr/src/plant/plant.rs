@@ -102,9 +102,10 @@ impl Plant {
             Winches::Drums => drums_of(&model)?,
         };
         let has_friction = drums.iter().any(|drum| drum.friction.viscous > 0.0 || drum.friction.is_dry());
-        let has_damping = damping.iter().any(|damping| *damping != Damping::default());
+        let inertia = Inertia::new(&model, body);
+        let has_damping = inertia.is_damped() || damping.iter().any(|damping| *damping != Damping::default());
         Ok(Self {
-            inertia: Inertia::new(&model, body),
+            inertia,
             gravity: model.robot().gravity.unwrap_or_else(Vector3::zeros),
             sags: model.cables() == Cables::Sagging,
             is_linear: model.cables() == Cables::Linear,

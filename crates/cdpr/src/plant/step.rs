@@ -143,7 +143,8 @@ impl Plant {
         let (pulls, cables, inertia) = (&state.pulls, &state.cables, &state.inertia);
         let rate = |momentum: &Momentum| {
             let twist = inertia.twist(&state.pose, momentum);
-            inertia.rate(&center, &(pulls.wrench(&twist, |cable| cables[cable].controlled_length_rate) + load))
+            let wrench = pulls.wrench(&twist, |cable| cables[cable].controlled_length_rate) + load;
+            inertia.rate(&center, &(wrench + inertia.drag(&twist)))
         };
         let start = state.momentum;
         let first = rate(&start);

@@ -77,6 +77,10 @@ pub struct Platform {
     pub center_of_mass: Option<Vector3<f64>>,
     /// Inertia about the centre of mass (platform axes, kg·m²).
     pub inertia: Option<Matrix3<f64>>,
+    /// Damping of its velocity, D_lin: force −D_lin v at the platform origin (N·s/m).
+    pub damping: Option<f64>,
+    /// Damping of its angular velocity, D_rot: moment −D_rot ω (N·m·s/rad).
+    pub rotational_damping: Option<f64>,
     /// Corners of the body, whose convex hull it is (platform frame, m).
     pub hull: Option<Vec<Vector3<f64>>>,
 }

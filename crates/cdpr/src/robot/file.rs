@@ -75,6 +75,7 @@ pub(super) struct RobotFile {
 /// Mass properties of the platform.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
 pub(super) struct PlatformSection {
     /// Mass (kg).
     #[schemars(range(min = 0))]
@@ -83,6 +84,12 @@ pub(super) struct PlatformSection {
     pub(super) center_of_mass_m: Option<Vec<f64>>,
     /// Inertia about the centre of mass (platform axes, kg·m²): rows of a 3×3 matrix; of a planar robot one number.
     pub(super) inertia_about_center_of_mass_kg_m2: Option<Inertia>,
+    /// Damping of the platform's velocity, as by air (N·s/m): force −this · v at the platform origin, for machines in time.
+    #[schemars(range(min = 0))]
+    pub(super) damping_N_s_per_m: Option<f64>,
+    /// Damping of its angular velocity (N·m·s/rad): moment −this · ω.
+    #[schemars(range(min = 0))]
+    pub(super) rotational_damping_Nm_s_per_rad: Option<f64>,
     /// Corners of the body (platform frame, m), whose convex hull cables shall not touch; that of the platform anchors when missing.
     #[schemars(length(min = 3, max = 256))]
     pub(super) hull_m: Option<Vec<Vec<f64>>>,

@@ -105,6 +105,9 @@ impl Reader<'_> {
             mass: self.not_negative(&path("mass_kg"), section.mass_kg)?,
             center_of_mass: section.center_of_mass_m.as_ref().map(center).transpose()?,
             inertia: inertia.as_ref().map(|inertia| self.inertia(inertia)).transpose()?,
+            damping: self.not_negative(&path("damping_N_s_per_m"), section.damping_N_s_per_m)?,
+            rotational_damping: self
+                .not_negative(&path("rotational_damping_Nm_s_per_rad"), section.rotational_damping_Nm_s_per_rad)?,
             hull: section.hull_m.as_deref().map(|points| read_hull(self, points)).transpose()?,
         })
     }

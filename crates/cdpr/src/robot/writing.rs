@@ -103,6 +103,8 @@ impl Robot {
             mass_kg: platform.mass,
             center_of_mass_m: platform.center_of_mass.as_ref().map(|center| self.components(center)),
             inertia_about_center_of_mass_kg_m2: inertia,
+            damping_N_s_per_m: platform.damping,
+            rotational_damping_Nm_s_per_rad: platform.rotational_damping,
             hull_m: platform.hull.as_ref().map(|hull| hull.iter().map(|point| self.components(point)).collect()),
         }
     }

@@ -293,19 +293,31 @@ fn a_step_in_time_allocates_nothing() {
         (cable.winch.radius, cable.winch.drum_inertia) = (Some(0.1525), Some(0.6));
     }
     let pose = robot.home_or_middle();
+    let mut with_pulleys = place_pulleys(&robot, &[(0.161, Vector3::z()); 8], &pose).unwrap();
+    for cable in &mut with_pulleys.cables {
+        (cable.winch.coulomb_friction, cable.pulley_friction) = (Some(10.0), Some(0.03));
+        (cable.winch.static_friction, cable.winch.stribeck_speed) = (Some(15.0), Some(0.3));
+    }
     for (composition, winches) in [
         ("elastic", Winches::Ideal),
         ("elastic", Winches::Drums),
+        ("pulley+elastic", Winches::Ideal),
+        ("pulley+elastic", Winches::Drums),
         ("polynomial", Winches::Ideal),
         ("elastic+catenary", Winches::Ideal),
     ] {
-        let model = Model::new(robot.clone(), composition.parse().unwrap()).unwrap();
-        let plant = Plant::new(model, winches).unwrap();
+        let composition: Composition = composition.parse().unwrap();
+        let robot = if composition.pulley { &with_pulleys } else { &robot };
+        let plant = Plant::new(Model::new(robot.clone(), composition).unwrap(), winches).unwrap();
         let tensions = [3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
         let mut state = plant.at_rest(&pose, &tensions).unwrap();
         let mut told = plant.holding_torques(&state).unwrap();
         told.resize(8, 0.0);
         let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length - 0.001).collect();
+        if composition.pulley {
+            // cables go slack and taut
+            state.set_twist(&Twist::new(0.5, -0.3, 0.2, 0.5, 0.8, -0.6));
+        }
         let work = || {
             for step in 0..20 {
                 let command = match winches {

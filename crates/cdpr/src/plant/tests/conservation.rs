@@ -30,6 +30,27 @@ fn a_free_body_keeps_energy_and_angular_momentum() {
     assert!((seen.angular - momentum.angular).norm() / momentum.angular.norm() < 1e-12, "{arm}");
 }
 
+/// A platform that air alone holds back slows down by exp(−D t/m), and turns about a principal axis ever slower by exp(−D t/J).
+#[test]
+fn damping_of_the_platform_slows_it_down() {
+    let mut robot = simulator();
+    robot.gravity = Some(Vector3::zeros());
+    robot.external_wrench = None;
+    robot.platform.center_of_mass = Some(Vector3::zeros());
+    robot.platform.inertia = Some(Matrix3::from_diagonal(&Vector3::new(117.0, 121.0, 62.5)));
+    (robot.platform.damping, robot.platform.rotational_damping) = (Some(300.0), Some(40.0));
+    let plant = plant(robot, Composition::ELASTIC, 0.0);
+    let mut state = at_home(&plant, 3000.0);
+    (0..8).for_each(|cable| plant.apply(&mut state, &Happening::CableBreak { cable }));
+    let start = Twist::new(0.3, -0.2, 0.1, 0.0, 0.0, -1.5);
+    state.set_twist(&start);
+    hold(&plant, &mut state, 1e-3, 1000);
+    let (slower, turning) = ((-300.0_f64 / 604.5).exp(), (-40.0_f64 / 62.5).exp());
+    let expected = Twist::from_fn(|row, _| start[row] * if row < 3 { slower } else { turning });
+    // rounding of a thousand steps; the method is exact to (D h/m)⁵
+    assert!((state.twist() - expected).amax() < 1e-13, "{}", state.twist());
+}
+
 /// Energies of a conservative robot over a time, one after every step.
 fn energies(step: f64, seconds: f64) -> Vec<f64> {
     let plant = plant(simulator(), Composition::ELASTIC, 0.0);

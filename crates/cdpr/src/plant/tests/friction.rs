@@ -154,6 +154,24 @@ fn drums_stick_up_to_their_static_friction_and_that_of_the_pulley() {
     assert!(turned(back + 0.1) < 0.0 && turned(-0.1 - out) > 0.0);
 }
 
+/// Drums that stick, slide and turn round, snapshot and put back.
+#[test]
+fn a_restored_snapshot_of_drums_with_friction_goes_on_to_the_same_bits() {
+    let plant = machine(|cable| {
+        coulomb(cable, 20.0, Some((50.0, 0.3)));
+        cable.pulley_friction = Some(0.05);
+    });
+    let mut state = displaced(&plant, &at_home(&plant, 3000.0), &[0.05, 0.0, 0.0, 0.0, 0.05, 0.0]);
+    let told = torques(&plant, &state, 0.0);
+    run(&plant, &mut state, &told, 1e-3, 0.05);
+    let (snapshot, mut again) = (state.clone(), state.clone());
+    run(&plant, &mut state, &told, 1e-3, 0.1);
+    let stuck = |state: &State| state.cables.iter().filter(|cable| cable.is_stuck).count();
+    assert!(state.cables.iter().any(|cable| cable.drum_speed != 0.0) || stuck(&state) != stuck(&snapshot));
+    run(&plant, &mut again, &told, 1e-3, 0.1);
+    assert_eq!(state, again);
+}
+
 /// A pulley that turns with the rim of its drum is inertia of the drum, by the square of the ratio of their radii.
 #[test]
 fn inertia_of_a_pulley_counts_at_its_drum() {

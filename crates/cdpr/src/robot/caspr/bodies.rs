@@ -109,7 +109,7 @@ fn platform(
     let inertia = inertia(&physical.required("inertia")?, joint, (mass, &center_of_mass), findings)?;
     let in_plane = joint.in_plane(&center_of_mass);
     Ok((
-        Platform { mass: Some(mass), center_of_mass: Some(in_plane), inertia: Some(inertia), hull: None },
+        Platform { mass: Some(mass), center_of_mass: Some(in_plane), inertia: Some(inertia), ..Platform::default() },
         center_of_mass,
     ))
 }

@@ -104,6 +104,10 @@ pub enum ParameterKind {
     PulleyFriction,
     /// Inertia of the pulley about its axis (kg·m²).
     PulleyInertia,
+    /// Damping of the platform's velocity D_lin (N·s/m).
+    PlatformDamping,
+    /// Damping of its angular velocity D_rot (N·m·s/rad).
+    RotationalDamping,
     /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
     DrumAxis,
     /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
@@ -167,7 +171,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 48] = [
+    pub(crate) const ALL: [Self; 50] = [
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -216,6 +220,8 @@ impl ParameterKind {
         Self::StribeckSpeed,
         Self::PulleyFriction,
         Self::PulleyInertia,
+        Self::PlatformDamping,
+        Self::RotationalDamping,
     ];
 
     /// Kinds that identification may free, in the order of a parameter vector.
@@ -255,6 +261,10 @@ impl ParameterKind {
             Self::Force => of(ExternalWrench, "force", "force_N", "N", Real),
             Self::Moment => of(ExternalWrench, "moment", "moment_Nm", "N·m", Real),
             Self::Mass => of(Platform, "mass", "mass_kg", "kg", NotNegative),
+            Self::PlatformDamping => of(Platform, "platform-damping", "damping_N_s_per_m", "N·s/m", NotNegative),
+            Self::RotationalDamping => {
+                of(Platform, "rotational-damping", "rotational_damping_Nm_s_per_rad", "N·m·s/rad", NotNegative)
+            }
             Self::CenterOfMass => of(Platform, "center-of-mass", "center_of_mass_m", "m", Real),
             Self::Compliance => of(Cable, "compliance", "axial_compliance_per_N", "1/N", NotNegative),
             Self::TensionScale => of(Cable, "tension-scale", "tension_scale", "", Positive),

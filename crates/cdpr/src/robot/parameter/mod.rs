@@ -60,6 +60,8 @@ impl Parameter {
         let external = robot.external_wrench.as_ref();
         match self.kind {
             Kind::Mass => robot.platform.mass,
+            Kind::PlatformDamping => robot.platform.damping,
+            Kind::RotationalDamping => robot.platform.rotational_damping,
             Kind::CenterOfMass => robot.platform.center_of_mass.map(|center| component(robot, &center, self.axis)),
             Kind::Gravity => robot.gravity.map(|gravity| component(robot, &gravity, self.axis)),
             Kind::Force | Kind::Moment => external.map(|external| self.of_wrench(robot, &external.wrench)),
@@ -92,6 +94,8 @@ impl Parameter {
         let index = axis_index(robot, self.axis);
         match self.kind {
             Kind::Mass => robot.platform.mass = Some(value),
+            Kind::PlatformDamping => robot.platform.damping = Some(value),
+            Kind::RotationalDamping => robot.platform.rotational_damping = Some(value),
             Kind::CenterOfMass => robot.platform.center_of_mass.get_or_insert_default()[index] = value,
             Kind::Gravity => robot.gravity.get_or_insert_default()[index] = value,
             Kind::Force | Kind::Moment | Kind::Wrench => self.set_wrench(robot, value),
@@ -308,6 +312,7 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::PulleyInertia => cable.pulley_inertia,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
+        Kind::PlatformDamping | Kind::RotationalDamping => None,
     }
 }
 
@@ -354,6 +359,7 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::PulleyInertia => &mut cable.pulley_inertia,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
+        Kind::PlatformDamping | Kind::RotationalDamping => return,
     };
     *number = Some(value);
 }

@@ -106,6 +106,18 @@ transition_strain = [0.001, 0.003]
 transition_share = [0.75, 0.25]
 "#;
 
+/// Keys of machines in time that stand in `[platform]`.
+#[test]
+fn damping_of_the_platform_is_read_and_written() {
+    let more = "mass_kg = 1.0\ndamping_N_s_per_m = 12.0\nrotational_damping_Nm_s_per_rad = 3.0";
+    let text = PLANAR.replace("mass_kg = 1.0", more);
+    let robot = Robot::from_toml(&text, "frame.toml").unwrap();
+    assert_eq!((robot.platform.damping, robot.platform.rotational_damping), (Some(12.0), Some(3.0)));
+    assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
+    let error = Robot::from_toml(&text.replace("= 12.0", "= -12.0"), "frame.toml").unwrap_err();
+    assert!(error.code == "robot::negative" && error.to_string().contains("damping_N_s_per_m"), "{error}");
+}
+
 const SPATIAL: &str = r#"layout_version = 1
 name = "box"
 motion_pattern = "3R3T"
