@@ -278,7 +278,7 @@ fn what_sensors_see_identifies_the_machine() {
     let wrong = truth.replace("frame_anchor_m = [-5.431, 7.505, 6.496]", "frame_anchor_m = [-5.331, 7.455, 6.496]");
     assert_ne!(truth, wrong);
     std::fs::write(folder.path().join("wrong.toml"), wrong).unwrap();
-    let identify = "identify wrong.toml out/measurements.csv --merge out/tracker.csv --static --model elastic --free frame-anchor --format json";
+    let identify = "identify wrong.toml out/measurements.csv --merge out/tracker.csv --static --model elastic --free frame-anchor --out calibrated.toml --format json";
     let found = cdpr_in(folder.path(), identify);
     assert_eq!(found.exit_code, 0, "{}", found.stderr);
     let answer = found.json_with(&["status", "parameters", "train"]);
@@ -294,4 +294,10 @@ fn what_sensors_see_identifies_the_machine() {
         );
     }
     assert!(answer["train"]["position_error_m"]["mean"].as_f64().unwrap() < 3e-4);
+    // a calibration makes no assumption a measurement
+    let assumed = |file: &str| {
+        let check = cdpr_in(folder.path(), &format!("check {file} --format json")).json();
+        check["assumptions"].as_array().unwrap().clone()
+    };
+    assert!(assumed("wrong.toml").len() == 5 && assumed("calibrated.toml") == assumed("wrong.toml"));
 }
