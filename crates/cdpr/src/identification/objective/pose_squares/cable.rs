@@ -20,6 +20,8 @@ pub(super) struct Cable {
     /// Places of the parameters in a row of derivatives.
     pub(super) places: Vec<usize>,
     pub(super) values: CableValues,
+    /// The length scale's inverse.
+    pub(super) per_scale: f64,
     block: Block,
 }
 
@@ -28,7 +30,7 @@ impl Cable {
     pub(super) fn of(block: Block) -> Option<Self> {
         let places = block.places_of_lengths()?.to_vec();
         let start = block.values(&block.start).collect();
-        Some(Self { start, places, values: block.start, block })
+        Some(Self { start, places, values: block.start, per_scale: 1.0 / block.start.scale, block })
     }
 
     pub(super) fn move_to(&mut self, values: &[f64]) {
@@ -37,6 +39,7 @@ impl Cable {
             *change = to - from;
         }
         self.values = self.block.moved(&self.block.start, &change);
+        self.per_scale = 1.0 / self.values.scale;
     }
 
     /// Recorded lengths, padded (m).

@@ -186,7 +186,7 @@ impl<L: Lanes> Eight<L> {
             let outlet = values.outlet.map(|number| l.constant(*number));
             let path: CablePath<L> = outlet.path(anchor);
             let recorded = l.load(&cable.recorded()[group * LANES..]);
-            let controlled = (recorded - l.constant(values.offset)) * l.constant(1.0 / values.scale);
+            let controlled = (recorded - l.constant(values.offset)) * l.constant(cable.per_scale);
             let residual = path.length - controlled;
             let pull = wrench(moment_arm, path.direction);
             for row in 0..6 {
@@ -221,19 +221,22 @@ impl<L: Lanes> Eight<L> {
         let [mut of_forces, mut mixed, mut of_moments] = [[[nothing; 3]; 3]; 3];
         let half = self.l.constant(0.5);
         for at in &self.cables[..cables] {
-            let (u, b, gradient) = (at.direction, at.moment_arm, &at.direction_gradient);
-            let (s, columns, along) = (wrench(b, u), moment_columns(gradient, b), dot(b, u));
+            let (b, s, pull) = (at.moment_arm, wrench(at.moment_arm, at.direction), scale(at.residual, at.direction));
+            let mut bend = at.direction_gradient;
+            for row in 0..3 {
+                bend[row] = scale(at.residual, bend[row]);
+            }
+            let (columns, along) = (moment_columns(&bend, b), dot(b, pull));
             for i in 0..3 {
                 let row = turned_row(&columns, b, i);
                 for j in 0..=i {
-                    let diagonal = half * (b[i] * u[j] + b[j] * u[i]);
-                    let diagonal = if i == j { diagonal - along } else { diagonal };
-                    of_forces[i][j] = of_forces[i][j] + (s[i] * s[j] - at.residual * gradient[i][j]);
-                    let bend = at.residual * (row[j] + diagonal);
-                    of_moments[i][j] = of_moments[i][j] + (s[3 + i] * s[3 + j] - bend);
+                    let turn = half * (b[i] * pull[j] + b[j] * pull[i]);
+                    let turn = if i == j { turn - along } else { turn };
+                    of_forces[i][j] = of_forces[i][j] + (s[i] * s[j] - bend[i][j]);
+                    of_moments[i][j] = of_moments[i][j] + (s[3 + i] * s[3 + j] - (row[j] + turn));
                 }
                 for j in 0..3 {
-                    mixed[i][j] = mixed[i][j] + (s[3 + i] * s[j] - at.residual * columns[j][i]);
+                    mixed[i][j] = mixed[i][j] + (s[3 + i] * s[j] - columns[j][i]);
                 }
             }
         }
@@ -254,7 +257,7 @@ impl<L: Lanes> Eight<L> {
         mut tell: impl FnMut(usize, usize, L),
     ) {
         let at = &self.cables[place];
-        let per_scale = self.l.constant(1.0 / cable.values.scale);
+        let per_scale = self.l.constant(cable.per_scale);
         let has_platform_anchor = cable.places.iter().any(|slot| (3..6).contains(slot));
         let has_length = cable.places.iter().any(|slot| *slot >= 6);
         let pull_by_anchor = at.pull_by_anchor();
