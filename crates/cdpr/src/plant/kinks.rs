@@ -20,6 +20,14 @@ const END: f64 = 1e-3;
 /// Looks for the place of a kink, each of which comes some hundred times nearer.
 const LOOKS: usize = 3;
 
+/// Cables that change sides within the stages, each with the share of them after which it seems to.
+struct Changes {
+    /// The first one whose ends show it.
+    kink: Option<(usize, f64)>,
+    /// The first one that turns on the other side.
+    turn: Option<(usize, f64)>,
+}
+
 impl Plant {
     /// Stages over a time (s), cut at kinks.
     pub(super) fn pass_kinks(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
@@ -29,9 +37,10 @@ impl Plant {
         for _ in 0..if self.sags { 0 } else { CUTS } {
             self.note_start(state)?;
             self.stages(state, command, left)?;
-            if let Some((cable, share)) = self.first_kink(state) {
-                left *= 1.0 - self.go_to_kink(state, command, left, (cable, share))?;
-            } else if let Some(share) = self.turn_on_other_side(state, command, left)? {
+            let Changes { kink, turn } = self.changes(state);
+            if let Some(kink) = kink {
+                left *= 1.0 - self.go_to_kink(state, command, left, kink)?;
+            } else if let Some(share) = self.turn_on_other_side(state, command, left, turn)? {
                 behind += (1.0 - share) * left;
                 left *= share;
             } else if behind > 0.0 {
@@ -49,7 +58,7 @@ impl Plant {
             let (sum, now) = (self.unclipped(state, cable), &state.cables[cable]);
             let (length, rate) = (now.controlled_length, now.controlled_length_rate);
             state.pulls.start.cables[cable] =
-                CableStart { length, rate, angle: now.drum_angle, speed: now.drum_speed, sum, middle: sum, end: sum };
+                CableStart { length, rate, angle: now.drum_angle, speed: now.drum_speed, sum, middle: sum };
         }
         (state.pulls.start.pose, state.pulls.start.momentum) = (state.pose, state.momentum);
         Ok(())
@@ -75,22 +84,24 @@ impl Plant {
         law.tension + law.damping * (rate - state.cables[cable].controlled_length_rate)
     }
 
-    /// The cable that changed sides first, and the share of the stages after which it seems to have.
-    fn first_kink(&self, state: &mut State) -> Option<(usize, f64)> {
-        let mut first: Option<(usize, f64)> = None;
-        for cable in 0..state.cables.len() {
+    /// Cables that changed sides between the ends of the stages, or seem to have done so twice.
+    #[inline]
+    fn changes(&self, state: &State) -> Changes {
+        let mut changes = Changes { kink: None, turn: None };
+        for (cable, start) in state.pulls.start.cables.iter().enumerate() {
             let end = self.unclipped(state, cable);
-            let start = &mut state.pulls.start.cables[cable];
-            start.end = end;
-            if (start.sum > 0.0) == (end > 0.0) {
+            let (first, share) = if (start.sum > 0.0) != (end > 0.0) {
+                (&mut changes.kink, start.sum / (start.sum - end))
+            } else if let Some(share) = turn(start.sum, start.middle, end) {
+                (&mut changes.turn, share)
+            } else {
                 continue;
-            }
-            let share = start.sum / (start.sum - end);
+            };
             if share > END && share < 1.0 - END && first.is_none_or(|(_, least)| share < least) {
-                first = Some((cable, share));
+                *first = Some((cable, share));
             }
         }
-        first
+        changes
     }
 
     /// Stages up to a kink, sought from its first guess; the share of the time gone.
@@ -128,8 +139,9 @@ impl Plant {
         state: &mut State,
         command: &Command<'_>,
         time: f64,
+        turn: Option<(usize, f64)>,
     ) -> Result<Option<f64>, StepError> {
-        let Some((cable, share)) = first_turn(state) else { return Ok(None) };
+        let Some((cable, share)) = turn else { return Ok(None) };
         let start = state.pulls.start.cables[cable].sum;
         Self::restore_start(state);
         self.stages(state, command, share * time)?;
@@ -140,19 +152,6 @@ impl Plant {
         }
         Ok(turns.then_some(share))
     }
-}
-
-/// The cable that seems to turn on the other side first, and the share of the stages after which it does.
-#[inline]
-fn first_turn(state: &State) -> Option<(usize, f64)> {
-    let mut first: Option<(usize, f64)> = None;
-    for (cable, start) in state.pulls.start.cables.iter().enumerate() {
-        let Some(share) = turn(start.sum, start.middle, start.end) else { continue };
-        if share > END && share < 1.0 - END && first.is_none_or(|(_, least)| share < least) {
-            first = Some((cable, share));
-        }
-    }
-    first
 }
 
 /// Place of the extremum that lies on the other side of zero than both ends, of the parabola through ends and middle; nothing where there is none.

@@ -22,8 +22,6 @@ pub(super) struct CableStart {
     pub(super) sum: f64,
     /// The same in the middle of the stages.
     pub(super) middle: f64,
-    /// The same at the end of the stages.
-    pub(super) end: f64,
 }
 
 impl Start {

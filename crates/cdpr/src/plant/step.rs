@@ -62,35 +62,29 @@ impl Plant {
     #[inline]
     pub(super) fn stages(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
         for (index, (kick, drift)) in STAGES.into_iter().enumerate() {
-            match index == MIDDLE {
-                true => self.kick_middle(state, command, kick * time)?,
-                false => self.kick(state, command, kick * time)?,
+            if index == MIDDLE && self.dissipates {
+                state.pulls.find(self, &state.pose, &mut state.cables)?;
+                self.note_middle(state, |_, before| before);
+            }
+            self.kick(state, command, kick * time)?;
+            if index == MIDDLE {
+                // half of the kick lies before the middle
+                let share = if self.dissipates { 0.5 } else { 0.0 };
+                self.note_middle(state, |noted, after| after + share * (noted - after));
             }
             self.drift(state, drift * time)?;
         }
         self.kick(state, command, B1 * time)
     }
 
-    /// The kick in the middle, with a note of what every cable's law and damper are there.
+    /// Notes what every cable's law and damper are in the middle of the stages, from what is noted and what they are.
     #[inline]
-    fn kick_middle(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
-        if !self.dissipates {
-            self.kick(state, command, time)?;
-            for (start, law) in state.pulls.start.cables.iter_mut().zip(&state.pulls.laws) {
-                start.middle = law.tension;
-            }
-            return Ok(());
-        }
-        // half of the kick lies before the middle
-        state.pulls.find(self, &state.pose, &mut state.cables)?;
-        (0..state.cables.len()).for_each(|cable| state.pulls.start.cables[cable].middle = self.unclipped(state, cable));
-        self.kick(state, command, time)?;
+    fn note_middle(&self, state: &mut State, note: impl Fn(f64, f64) -> f64) {
         for cable in 0..state.cables.len() {
-            let after = self.unclipped(state, cable);
+            let now = self.unclipped(state, cable);
             let middle = &mut state.pulls.start.cables[cable].middle;
-            *middle = 0.5 * (*middle + after);
+            *middle = note(*middle, now);
         }
-        Ok(())
     }
 
     /// One command per cable.
