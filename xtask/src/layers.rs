@@ -21,7 +21,7 @@ const ROOMS: Rooms = &[
     &["model"],
     &["statics", "tension"],
     &["equilibrium"],
-    &["workspace"],
+    &["workspace", "compensation"],
     &["metamodel"],
     &["identification"],
     &["plant"],

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::identification::compensation::{Compensation, MapError};
+use cdpr::compensation::{Compensation, MapError};
 use cdpr::model::Model;
 use cdpr::reading::Size;
 use clap::Args;
@@ -19,18 +19,23 @@ pub(crate) struct CompensationOption {
 }
 
 impl CompensationOption {
-    /// The map with the name of its file; refuses that of another model.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.compensation.is_some()
+    }
+
+    /// The map that is asked for.
     pub(crate) fn read(&self, model: &Model) -> Result<Option<(Compensation, String)>, Failure> {
         self.compensation.as_deref().map(|path| read(path, model)).transpose()
     }
 }
 
-fn read(path: &Path, model: &Model) -> Result<(Compensation, String), Failure> {
+/// A map with the name of its file; refuses that of another model.
+pub(crate) fn read(path: &Path, model: &Model) -> Result<(Compensation, String), Failure> {
     let name = path.display().to_string();
     let map = Compensation::from_toml_bytes(&files::read(path, Size::Table)?, &name, model);
     let map = map.map_err(|error| match error {
         MapError::Read(error) => Failure::from(*error),
-        MapError::Map(error) => Failure::refused(&name, &error),
+        error => Failure::refused(&name, &error),
     })?;
     Ok((map, name))
 }

@@ -12,6 +12,7 @@ use cdpr::reading::Size;
 use cdpr::robot::Robot;
 
 use crate::answer::Output;
+use crate::compensation_option::read as read_map;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
@@ -45,6 +46,11 @@ impl StudyFile {
             let at_fault = error.robot.clone().unwrap_or_else(|| name.clone());
             Failure::refused(&at_fault, &error)
         })?;
+        let map = experiment.study.control.compensation.as_ref();
+        let experiment = match map.map(|map| read_map(&folder.join(map), &experiment.control)).transpose()? {
+            Some((map, file)) => experiment.with_compensation(map).map_err(|error| Failure::refused(&file, &error))?,
+            None => experiment,
+        };
         Ok(Self { experiment, name, folder })
     }
 

@@ -12,6 +12,7 @@
 //! | [`saved_result`] | a result read back from these files, and its figures |
 //! | [`sensitivity`] | answer, tables and picture of sensitivities and tolerances |
 //! | [`reachable`] | answer and picture of what a study reaches |
+//! | [`sweep_progress`] | a sweep that is planned, or computed in parts |
 //! | [`sweep_result`] | answer, table and drawing of a sweep |
 //! | [`recording`] | the moments of a run, its broken limits, and its MCAP file |
 //! | [`run_page`] | the page of a run, with playback |
@@ -37,6 +38,7 @@ pub mod run_page;
 pub mod saved_result;
 pub mod sensitivity;
 pub mod study_page;
+pub mod sweep_progress;
 pub mod sweep_result;
 pub mod table;
 pub mod workspace_page;

@@ -299,6 +299,7 @@ impl ErrorCode for metamodel::InputError {
             Self::Composition(error) => error.code(),
             Self::InitialPose(error) => error.code(),
             Self::TooManyRobots { .. } => "study::too-many-robots",
+            Self::NoMap { .. } | Self::Map { .. } => "study::compensation",
             Self::NoPoses | Self::NoneFeasible { .. } => "study::no-poses",
             Self::NoRequirement { .. } => "study::no-requirement",
             Self::NoCommandedTensions { .. } => "study::no-commanded-tensions",

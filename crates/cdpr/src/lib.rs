@@ -32,7 +32,7 @@
 //! ```
 //!
 //! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
-//! [`statics`], [`equilibrium`], [`workspace`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
+//! [`statics`], [`equilibrium`], [`workspace`], [`compensation`], [`metamodel`], [`identification`]; [`scalar`] holds the number types and [`reading`] the error of every
 //! file reader, [`error_code`] the stable name of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
 
 #![warn(unnameable_types)]
@@ -53,6 +53,7 @@ pub use statics::Load;
 pub use tension::Limits;
 
 pub mod cable;
+pub mod compensation;
 pub mod equilibrium;
 pub mod error_code;
 pub mod geometry;

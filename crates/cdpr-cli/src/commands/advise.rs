@@ -115,7 +115,8 @@ fn poses(task: &Bounds, machine: &Model, count: usize) -> Vec<Pose> {
 fn command_time(machine: &Model, candidate: &Candidate, tension_method: Method, poses: &[Pose]) -> f64 {
     let Ok(control) = Model::new(machine.robot().clone(), candidate.control) else { return f64::NAN };
     let offsets = vec![0.0; machine.cable_count()];
-    let Ok(mut operation) = Operation::new(Control { model: &control, tension_method }, machine, &offsets) else {
+    let Ok(mut operation) = Operation::new(Control { tension_method, ..Control::from(&control) }, machine, &offsets)
+    else {
         return f64::NAN;
     };
     let start = Instant::now();

@@ -6,12 +6,17 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
+use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
+use cdpr::error_code::ErrorCode;
+use cdpr::measurement::poses_from_csv;
+use cdpr::metamodel::Control;
+use cdpr::model::{Composition, Model};
 use cdpr::reading::Size;
 use cdpr_reports::NamedFile;
-use cdpr_reports::answers::{ExportAnswer, FirmwareAnswer, SkippedFigure};
+use cdpr_reports::answers::{ExportAnswer, FirmwareAnswer, SkippedFigure, TableAnswer};
 use cdpr_reports::firmware::{Configuration, Firmware, configuration};
 use cdpr_reports::saved_result::{FigureFile, SavedResult};
 
@@ -22,27 +27,41 @@ Examples:
   cdpr identify robot.toml samples.csv --free length-offset --format json > fit.json
   cdpr export svg fit.json
   cdpr export reprapfirmware calibrated.toml
-  cdpr export klipper calibrated.toml --out printer.cfg";
+  cdpr export klipper calibrated.toml --out printer.cfg
+  cdpr export lengths calibrated.toml --poses poses.csv --compensation map.toml --out lengths.csv";
 
-/// Write the figures of a result as SVG drawings, or the numbers behind them as CSV tables; or a robot as configuration of a printer's firmware.
+/// Write the figures of a result as SVG drawings, or the numbers behind them as CSV tables; or a robot as configuration of a printer's firmware, or as
+/// table of lengths.
 ///
 /// Figures: model-ladder, residuals, pose errors (error-map), parameters (CSV only), correlations, singular-values,
 /// convergence. They are about the recommended candidate, else the best one. Firmware: lines M669 (anchors) and M666 (spools) of RepRapFirmware,
-/// sections of steppers of Klipper's winch kinematics; for point platforms, to standard output without --out.
+/// sections of steppers of Klipper's winch kinematics; for point platforms, to standard output without --out. Lengths: what a control model sends to
+/// the winches at poses, corrected by its map (--compensation), as a measurement file that `evaluate` reads back.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// What to write.
-    #[arg(value_enum, value_name = "svg|csv|reprapfirmware|klipper", hide_possible_values = true)]
+    #[arg(value_enum, value_name = "svg|csv|reprapfirmware|klipper|lengths", hide_possible_values = true)]
     kind: Kind,
 
-    /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`; for firmware a robot, its file or name.
+    /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`; for firmware and lengths a robot, its file or name.
     #[arg(value_name = "RESULT")]
     result: PathBuf,
 
-    /// Folder to write to, `figures` beside `result.json` when left out; for firmware a file.
+    /// Folder to write to, `figures` beside `result.json` when left out; for firmware and lengths a file.
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
+
+    /// Lengths: poses (CSV) at which the control model says them.
+    #[arg(long, value_name = "POSES.csv", required_if_eq("kind", "lengths"))]
+    poses: Option<PathBuf>,
+
+    /// Lengths: effects of the control model.
+    #[arg(long, default_value_t = Composition::STANDARD, value_name = "MODEL")]
+    model: Composition,
+
+    #[command(flatten)]
+    compensation: CompensationOption,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -52,15 +71,40 @@ enum Kind {
     #[value(name = "reprapfirmware")]
     RepRapFirmware,
     Klipper,
+    Lengths,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    if let (Kind::Svg | Kind::Csv | Kind::RepRapFirmware | Kind::Klipper, true) =
+        (arguments.kind, arguments.compensation.is_asked())
+    {
+        let message = "--compensation: figures have no lengths to correct, and firmware computes its own along straight lines from anchors, with no place for a map";
+        return Err(Failure::usage("usage::value", message)
+            .with_help("`cdpr export lengths` writes a table of corrected lengths"));
+    }
     match arguments.kind {
         Kind::Svg => figures(arguments, SavedResult::drawings, output),
         Kind::Csv => figures(arguments, SavedResult::tables, output),
         Kind::RepRapFirmware => configured(&arguments, Firmware::RepRapFirmware, output),
         Kind::Klipper => configured(&arguments, Firmware::Klipper, output),
+        Kind::Lengths => lengths(&arguments, output),
     }
+}
+
+/// Table of the lengths that a control model sends, corrected by its map.
+fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let name = arguments.result.to_string_lossy();
+    let refused = |error: &dyn ErrorCode| Failure::refused(&name, error);
+    let model = Model::new(read_robot(&name)?, arguments.model).map_err(|error| refused(&error))?;
+    let map = arguments.compensation.read(&model)?;
+    let path = arguments.poses.clone().unwrap_or_default();
+    let poses = poses_from_csv(&files::read(&path, Size::Table)?, &shown_path(&path), model.robot())?;
+    let compensation = map.as_ref().map(|(map, _)| map);
+    let table = Control { compensation, ..Control::from(&model) }.table(&poses).map_err(|error| refused(&error))?;
+    let out = arguments.out.as_deref();
+    let answer = TableAnswer::new(&model, map.map(|(_, file)| file), &table, out.map(shown_path));
+    out.map_or(Ok(()), |path| files::write(path, answer.text().as_bytes()))?;
+    output.answer(&answer)
 }
 
 /// Lines of a firmware's configuration.

@@ -64,8 +64,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pose = arguments.pose.of(model.robot())?;
     check_forces(&model, &arguments)?;
     let map = arguments.compensation.read(&model)?;
-    let correction =
-        map.map(|(map, _)| map.at(&pose)).transpose().map_err(|error| Failure::refused("--pose", &error))?;
     let mut state = State::at(&model, &pose);
     let command = |tensions: &[f64], state: &mut State| {
         let solution = model.inverse(&pose, tensions, state).map_err(|error| refused("--tensions", &error))?;
@@ -89,8 +87,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             model.composition()
         ));
     }
-    if let Some(correction) = correction {
-        answer = answer.with_correction(&model, correction);
+    if let Some((map, _)) = map {
+        answer = answer.with_correction(&model, &pose, &map).map_err(|error| Failure::refused("--pose", &error))?;
     }
     output.answer(&answer)
 }

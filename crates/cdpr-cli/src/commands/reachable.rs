@@ -237,8 +237,10 @@ impl Search<'_> {
             files::write(path, svg.as_bytes())?;
         }
         let linear = arguments.linear.then(|| self.linear_hull(reachable, &settings).unwrap_or(f64::NAN));
+        let size = |region: &Region<'_>| Some(solve(region).ok()?.measure()?.size);
+        let compensation = reachable.map_effect(self.region, &found.vertices(), size);
         let feasible = [physical.as_ref(), model.as_ref()];
-        let answer = Found { linear, differential, ..Found::of_hull(&found, feasible, image) };
+        let answer = Found { linear, differential, compensation, ..Found::of_hull(&found, feasible, image) };
         drop(progress);
         Ok(answer)
     }

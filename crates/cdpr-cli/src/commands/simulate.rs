@@ -5,15 +5,14 @@ use std::process::ExitCode;
 
 use cdpr::metamodel::simulate::Simulation;
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use crate::tension_method::TensionMethodArgument;
-use cdpr_reports::answers::simulated_by;
+use cdpr_reports::answers::{SimulationAnswer, simulated_by};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -48,23 +47,12 @@ pub(crate) struct Arguments {
     seed: u64,
 }
 
-#[derive(Serialize)]
-struct Simulated {
-    samples: usize,
-    left_out: usize,
-    reasons: Vec<String>,
-    seed: u64,
-    winch_offsets_m: Vec<f64>,
-    out: String,
-    sidecar: String,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     study_file.introduce(output);
     let progress = Progress::spinner("measuring");
-    let Simulation { mut samples, left_out, .. } =
-        study_file.accepted(study_file.record(&study_file.commands(arguments.seed)?, arguments.seed))?;
+    let commands = study_file.commands(arguments.seed)?;
+    let Simulation { mut samples, left_out, .. } = study_file.accepted(study_file.record(&commands, arguments.seed))?;
     drop(progress);
     if samples.is_empty() {
         let reason = left_out.first().map(|(_, reason)| reason.clone()).unwrap_or_default();
@@ -82,25 +70,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let (known, table) =
         (study_file.sidecar(simulated_by(), arguments.seed).to_toml(), samples.to_csv(study_file.machine.robot()));
     files::write_all(&[(&sidecar, known.as_bytes()), (&arguments.out, table.as_bytes())])?;
-    output.answer(&Simulated {
-        samples: samples.len(),
-        left_out: left_out.len(),
-        reasons: left_out.iter().map(|(pose, reason)| format!("pose {}: {reason}", pose + 1)).collect(),
-        seed: arguments.seed,
-        winch_offsets_m: study_file.offsets.clone(),
-        out: arguments.out.display().to_string(),
-        sidecar: sidecar.display().to_string(),
-    })
-}
-
-impl Answer for Simulated {
-    fn words(&self, _width: Option<usize>) -> String {
-        let mut text =
-            format!("{} samples written to {}, sensor accuracies to {}\n", self.samples, self.out, self.sidecar);
-        if self.left_out > 0 {
-            text.push_str(&format!("{} commands gave no sample:\n", self.left_out));
-            self.reasons.iter().take(10).for_each(|reason| text.push_str(&format!("  {reason}\n")));
-        }
-        text
-    }
+    let files = [&arguments.out, &sidecar].map(|path| path.display().to_string());
+    output.answer(&SimulationAnswer::new(&study_file, &commands, &left_out, arguments.seed, files))
 }

@@ -16,7 +16,7 @@ use crate::files;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::NamedFile;
-use cdpr_reports::answers::{StudyAnswer, title, unanswered};
+use cdpr_reports::answers::{StudyAnswer, control_title, study_remarks, title, unanswered};
 use cdpr_reports::study_page::{self, StudyPage, StudyPageError, error_maps, errors_table, tracking_figure};
 
 const EXAMPLES: &str = "\
@@ -70,7 +70,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let driving = study_file.accepted(study_file.driving())?;
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
-    found.remark(&study_file.machine).iter().for_each(|remark| output.remark(remark));
+    study_remarks(&study_file, &found).iter().for_each(|remark| output.remark(remark));
     let reason = unanswered(&found);
     let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason).collect())?;
     drop(progress);
@@ -85,7 +85,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         seed: arguments.seed,
         study: arguments.study.display().to_string(),
         study_sha256: Sha256::digest(&bytes).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}")),
-        control: title(&study_file.control),
+        control: control_title(&study_file),
         machine: title(&study_file.machine),
     };
     let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;

@@ -12,13 +12,13 @@ use cdpr::reading::Size;
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
 use merged::merge;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
 use crate::study_file::robot_of_study;
+use cdpr_reports::sweep_progress::SweepProgress;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -95,23 +95,6 @@ fn shard(text: &str) -> Result<Shard, String> {
     }
 }
 
-#[derive(Serialize)]
-struct Progressed {
-    status: &'static str,
-    folder: String,
-    points: usize,
-    computed: usize,
-    already_there: usize,
-    #[serde(skip)]
-    words: String,
-}
-
-impl Answer for Progressed {
-    fn words(&self, _width: Option<usize>) -> String {
-        self.words.clone()
-    }
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     match arguments.step {
         StepOfSweep::All { sweep, out } => {
@@ -137,7 +120,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     }
 }
 
-fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Failure> {
+fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<SweepProgress, Failure> {
     let name = path.display().to_string();
     let sweep = Sweep::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
     let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
@@ -155,21 +138,10 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<Progressed, Fail
     let plan = Plan::new(sweep, subjects);
     plan.introduce(output)?;
     plan.write(out)?;
-    let points = plan.points.len();
-    Ok(Progressed {
-        status: "planned",
-        folder: out.display().to_string(),
-        points,
-        computed: 0,
-        already_there: 0,
-        words: format!(
-            "planned {points} points\nnext: cdpr sweep run {0}; then: cdpr sweep merge {0}\n",
-            out.display()
-        ),
-    })
+    Ok(SweepProgress::planned(out.display().to_string(), plan.points.len()))
 }
 
-fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<Progressed, Failure> {
+fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<SweepProgress, Failure> {
     let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
     let prepared = PreparedSweep::new(&plan.sweep, &plan.subjects);
     let prepared = prepared.map_err(|error| Failure::refused(&folder.display().to_string(), &error))?;
@@ -190,13 +162,5 @@ fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<Progressed, Failu
         progress.step();
     }
     drop(progress);
-    let points = mine.len();
-    Ok(Progressed {
-        status: "computed",
-        folder: folder.display().to_string(),
-        points,
-        computed,
-        already_there,
-        words: format!("{points} points: {computed} computed, {already_there} already there\n"),
-    })
+    Ok(SweepProgress::computed(folder.display().to_string(), computed, already_there))
 }

@@ -69,6 +69,125 @@ fn maps_correct_smooth_errors_and_nothing_else() {
     assert!(!folder.path().join("none.toml").exists() && noise.json()["reason"].as_str().unwrap().contains("noise"));
 }
 
+/// A study drives with the map of its controller and says what it would be without; who changes the controller refuses it.
+#[test]
+fn studies_drive_with_the_map_of_their_controller() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = root().join("studies/twin-compensated.toml");
+    let run = |arguments: &str| cdpr_in(folder.path(), &format!("{arguments} --format json"));
+    let answer = |arguments: &str| {
+        let run = run(arguments);
+        assert_eq!(run.exit_code, 0, "{arguments}: {}", run.stderr);
+        run.json()
+    };
+    let mean = |answer: &serde_json::Value| answer["position_error_m"]["mean"].as_f64().unwrap();
+    let accuracy = answer(&format!("accuracy {}", study.display()));
+    let (with, map) = (mean(&accuracy), &accuracy["compensation"]);
+    // as studies/README.md has them
+    assert!((with - 0.001).abs() < 5e-6 && (mean(&map["without"]) - 0.00417).abs() < 5e-6, "{with} {map}");
+    let told = format!("{} of 80 poses lie beyond", map["outside"]);
+    assert!(map["outside"] == 0 || accuracy["warnings"].to_string().contains(&told), "{}", accuracy["warnings"]);
+    assert!(accuracy["control"].as_str().unwrap().ends_with("corrected by maps/twin-kinematic.toml"), "{accuracy}");
+    let words = cdpr_in(folder.path(), &format!("accuracy {}", study.display())).stdout;
+    assert!(words.contains("with its map positions are missed by 0.999 instead of 4.170 mm"), "{words}");
+    let whole = answer(&format!("study {} --out whole", study.display()));
+    assert_eq!((mean(&whole), mean(&whole["compensation"]["without"])), (with, mean(&map["without"])));
+    let page = std::fs::read_to_string(folder.path().join("whole/report.html")).unwrap();
+    assert!(page.contains("Without its map the control model misses by") && page.contains("corrected by"));
+    // the record of a machine that is driven with the map has what was sent
+    let text = std::fs::read_to_string(&study).unwrap();
+    let maps = root().join("studies/maps").display().to_string();
+    let limits = "[limits]\nposition_error_max_m = 0.003\n[campaign]\nfree = \"frame-anchor\"\nposes_per_round = 9\n";
+    let own = format!("{}\n{limits}", text.replace("\"maps/", &format!("\"{maps}/")));
+    std::fs::write(folder.path().join("own.toml"), &own).unwrap();
+    std::fs::write(folder.path().join("alone.toml"), own.replace("compensation", "# compensation")).unwrap();
+    let [own, alone] = ["own", "alone"].map(|name| answer(&format!("simulate {name}.toml --out {name}.csv")));
+    assert!(own["control"].as_str().unwrap().contains("corrected by") && alone.get("control").is_none());
+    let [own, alone] = ["own", "alone"].map(|name| {
+        let table = std::fs::read_to_string(folder.path().join(name).with_extension("csv")).unwrap();
+        table.lines().nth(1).unwrap().split(',').map(|cell| cell.parse::<f64>().unwrap()).collect::<Vec<_>>()
+    });
+    let apart = own[7..15].iter().zip(&alone[7..15]).map(|(own, alone)| (own - alone).abs()).fold(0.0, f64::max);
+    assert!(apart > 1e-3, "{apart}");
+    // more is reached within 3 mm, and without the map what a study without one reaches
+    let bounds = "--bounds=-1.2,1.2,-1.2,1.2,1.3,1.9 --step 0.6";
+    let [own, alone] = ["own", "alone"].map(|name| answer(&format!("reachable {name}.toml {bounds}")));
+    let size = |answer: &serde_json::Value| answer["reachable_volume_m3"].as_f64().unwrap();
+    assert!(size(&own) > 1.2 * size(&alone), "{} {}", size(&own), size(&alone));
+    assert_eq!(size(&own["compensation"]["without"]), size(&alone));
+    std::fs::write(
+        folder.path().join("sweep.toml"),
+        "study = \"own.toml\"\nposition_error_max_m = [0.01]\nstep_m = 1.0\n[[parameter]]\nkey = \"study.limits.position_error_max_m\"\nvalues = [0.003, 0.004]\n",
+    )
+    .unwrap();
+    for refused in [
+        "sensitivity own.toml",
+        "initial-tension own.toml",
+        "campaign own.toml --out rounds",
+        "chain own.toml",
+        "sweep plan sweep.toml --out swept",
+        "identify cablerobot-simulator-helicopter own.csv --free frame-anchor --drive own.toml",
+    ] {
+        let run = run(refused);
+        let answer = run.json();
+        assert_eq!(
+            (run.exit_code, answer["code"].as_str()),
+            (2, Some("study::compensation")),
+            "{refused}: {}",
+            run.stdout
+        );
+        assert!(answer["reason"].as_str().unwrap().contains("cannot take a map: "), "{refused}: {}", run.stdout);
+    }
+}
+
+/// Lengths with their correction go to a controller as a table, which leads back to the poses; formats without a place for a map refuse it.
+#[test]
+fn tables_of_lengths_have_the_map_and_lead_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("smooth.csv", &samples(true));
+    write("poses.csv", "x_m,y_m\n0.5,4\n-1.3,3.1\n2.2,5.4\n");
+    write("beyond.csv", "x_m,y_m\n0.5,4\n4.5,4\n");
+    let run = |arguments: &str| cdpr_in(folder.path(), &format!("{arguments} --format json"));
+    assert_eq!(run("compensate planar-example smooth.csv --out map.toml").exit_code, 0);
+    let table = run("export lengths planar-example --poses poses.csv --compensation map.toml --out table.csv");
+    assert_eq!(table.exit_code, 0, "{}", table.stderr);
+    let ik = run("ik planar-example --pose -1.3,3.1 --compensation map.toml").json();
+    assert_eq!(table.json()["cable_lengths_m"][1], ik["corrected_lengths_m"]);
+    let errors = |answer: &serde_json::Value| {
+        [answer["position_error_m"]["max"].as_f64().unwrap(), answer["length_error_m"]["max"].as_f64().unwrap()]
+    };
+    let with = errors(&run("evaluate planar-example table.csv --compensation map.toml").json());
+    let without = errors(&run("evaluate planar-example table.csv").json());
+    // turns of pose and correction end at a tenth of a nanometre
+    assert!(with[0] < 1e-9 && with[1] < 1e-12 && without.iter().all(|error| *error > 1e-3), "{with:?} {without:?}");
+    let elastic = cdpr_in(folder.path(), "export lengths planar-example --model elastic --poses poses.csv");
+    assert_eq!(elastic.exit_code, 0, "{}", elastic.stderr);
+    write("elastic.csv", &elastic.stdout);
+    let read = run("evaluate planar-example elastic.csv --model elastic").json();
+    assert!(errors(&read).iter().all(|error| *error < 1e-9) && read["tension_error_N"]["max"].as_f64().unwrap() < 1e-3);
+    for (arguments, code) in [
+        ("lengths planar-example --poses beyond.csv --compensation map.toml", "compensation::outside"),
+        (
+            "lengths planar-example --model elastic --poses poses.csv --compensation map.toml",
+            "compensation::other-model",
+        ),
+        ("klipper planar-example --compensation map.toml", "usage::value"),
+        ("svg result --compensation map.toml", "usage::value"),
+    ] {
+        let refused = run(&format!("export {arguments}"));
+        assert_eq!(
+            (refused.exit_code, refused.json()["code"].as_str()),
+            (2, Some(code)),
+            "{arguments}: {}",
+            refused.stdout
+        );
+    }
+    assert!(
+        run("export lengths planar-example --poses beyond.csv --compensation map.toml").stdout.contains("pose 2: ")
+    );
+}
+
 /// Rows of every robot and model beside those that are printed; the same files on any number of threads.
 #[test]
 fn robots_stand_beside_what_is_printed_of_real_machines() {

@@ -147,6 +147,50 @@ fn what_no_poses_tell_is_said() {
     assert_eq!(drums.json()["code"], "plan::parameter");
 }
 
+/// An elastic controller that a campaign of files asks for poses at levels of tension: the files of two rounds lead to what the machine's own records do.
+#[test]
+fn levels_of_tension_are_asked_of_files_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = |record: &str| {
+        format!(
+            "[control]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n[machine]\nrobot = \"planar-example-calibrated\"\nmodel = \"elastic\"\n\
+             [initial]\npose = [0, 5.2]\noffset = \"none\"\n[limits]\ntension_min_N = 500\ntension_max_N = 9000\n[poses.grid]\nmin = [-1, 4]\n\
+             max = [1, 6]\ncount = [3, 3]\n[noise]\nposition_m = 0.0005\nlength_m = 0.0002\ntension_N = 20\n[campaign]\nfree = \"frame-anchor\"\n\
+             poses_per_round = 8\ntension_levels = 3\nrounds = 2\nrecord = \"{record}\"\n"
+        )
+    };
+    for record in ["virtual", "files"] {
+        std::fs::write(folder.path().join(format!("{record}.toml")), study(record)).unwrap();
+    }
+    let run = |record: &str| cdpr_in(folder.path(), &format!("campaign {record}.toml --out {record} --format json"));
+    let made = run("virtual");
+    assert_eq!(made.exit_code, 0, "{} {}", made.stdout, made.stderr);
+    for round in 1..=2 {
+        let waiting = run("files");
+        assert_eq!((waiting.exit_code, waiting.json()["status"].as_str()), (0, Some("waiting")), "{}", waiting.stdout);
+        let [own, other] = ["files", "virtual"].map(|name| folder.path().join(format!("{name}/round-{round}")));
+        let order = std::fs::read_to_string(own.join("poses.csv")).unwrap();
+        assert_eq!(order, std::fs::read_to_string(other.join("poses.csv")).unwrap(), "round {round}");
+        // the order says which lengths and tensions belong to a level: a pose stands there with several
+        assert!(order.lines().next().unwrap().contains("tension_N_4"), "{order}");
+        let poses: std::collections::BTreeSet<String> =
+            order.lines().skip(1).map(|line| line.split(',').take(2).collect::<Vec<_>>().join(",")).collect();
+        assert!(poses.len() < order.lines().count() - 1, "round {round}: {order}");
+        for name in ["record.csv", "record.meta.toml"] {
+            std::fs::copy(other.join(name), own.join(name)).unwrap();
+        }
+    }
+    let (files, made) = (run("files").json(), made.json());
+    assert_eq!(files["status"], "rounds-over", "{files}");
+    for round in 0..2 {
+        let [own, other] = [&files, &made].map(|answer| &answer["rounds"][round]);
+        for key in ["poses", "new_poses", "candidates", "validation", "predicted", "deviation_m", "rank"] {
+            assert_eq!(own[key], other[key], "round {round}: {key}");
+        }
+        assert!(own["driven"].is_null() && !other["driven"].is_null());
+    }
+}
+
 /// The twin in rounds, again from its records, and from files that are put there by hand.
 #[test]
 fn campaigns_go_from_round_to_round() {

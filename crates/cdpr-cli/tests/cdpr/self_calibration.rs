@@ -108,6 +108,23 @@ fn candidates_are_compared_without_poses() {
     for file in ["result.json", "report.html", "calibrated.toml", "validation-errors.csv"] {
         assert!(folder.path().join("res").join(file).exists(), "{file}");
     }
+    let page = std::fs::read_to_string(folder.path().join("res/report.html")).unwrap();
+    assert_no_pose_errors(&page);
+}
+
+/// The page of data without measured poses has neither rows nor words of pose errors.
+fn assert_no_pose_errors(page: &str) {
+    assert!(page.contains("cable length, mm</td>") && page.contains("rms, mm"), "tables of lengths");
+    for words in [
+        "position, mm</td>",
+        "position mean, mm",
+        "rotation, °</td>",
+        "at the measured pose.",
+        "at the measured pose,",
+        "<em>Position</em>: distance",
+    ] {
+        assert!(!page.contains(words), "{words}");
+    }
 }
 
 /// Held-out parts, page and course of a calibration without poses.
@@ -125,6 +142,7 @@ fn a_calibration_without_poses_is_judged_on_held_out_parts() {
     assert!(course.len() > 1 && (last / answer["length_rms_m"].as_f64().unwrap() - 1.0).abs() < 1e-6, "{course:?}");
     let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
     assert!(page.contains("mean cable-length error") && page.contains("Course"), "page");
+    assert_no_pose_errors(&page);
 }
 
 /// A platform under four cables with swivelling pulleys, in a file of its own.

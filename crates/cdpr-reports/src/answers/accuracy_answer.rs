@@ -9,7 +9,7 @@ use cdpr::metamodel::{Experiment, Status};
 use serde::Serialize;
 
 use super::error_table::{Source, convergence_remark, error_table};
-use super::{Answer, DifferenceAnswer, title};
+use super::{Answer, DifferenceAnswer, beyond_map, control_title, gain_words, title};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -79,7 +79,7 @@ impl AccuracyAnswer {
         Self {
             status: if reason.is_none() { "converged" } else { "not-converged" },
             reason,
-            control: title(&experiment.control),
+            control: control_title(experiment),
             machine: title(&experiment.machine),
             pattern: experiment.machine.robot().motion_pattern,
             accuracy: assessment.accuracy,
@@ -102,7 +102,9 @@ impl AccuracyAnswer {
     /// Remarks on what the numbers leave out.
     pub fn remarks(&self) -> Vec<String> {
         let unsettled = self.prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));
-        self.accuracy.remark().into_iter().chain(unsettled).collect()
+        let places = format!("{} poses", self.accuracy.samples);
+        let beyond = beyond_map(self.accuracy.compensation.as_ref().map_or(0, |map| map.outside), &places);
+        self.accuracy.remark().into_iter().chain(unsettled).chain(beyond).collect()
     }
 }
 
@@ -118,6 +120,9 @@ impl Answer for AccuracyAnswer {
             text.push_str(&format!("{reason}; the others count\n"));
         }
         text.push_str(&format!("\n{}", self.errors(width)));
+        if let Some(map) = &accuracy.compensation {
+            text.push_str(&gain_words(&accuracy.position_error_m, &map.without.position_error_m));
+        }
         text.push_str(&self.tensions());
         if let Some(difference) = &self.difference {
             text.push_str(&difference.words(width));

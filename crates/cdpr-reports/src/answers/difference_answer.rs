@@ -6,7 +6,7 @@ use cdpr::metamodel::difference::{Difference, ErrorChange};
 use cdpr::metamodel::study::CommandedPose;
 use serde::Serialize;
 
-use super::{axis_names, title};
+use super::{axis_names, control_title};
 use crate::figures::{DifferenceMap, DifferencePoint};
 use crate::number_format::{NONE, short, significant};
 use crate::study_page::{SAME_HEIGHT, levels};
@@ -30,7 +30,7 @@ impl DifferenceAnswer {
     pub fn new(experiment: &Experiment, (name, other): (&str, &Experiment), difference: Difference) -> Self {
         Self {
             against: name.to_owned(),
-            other_control: title(&other.control),
+            other_control: control_title(other),
             difference,
             pattern: experiment.machine.robot().motion_pattern,
         }
@@ -98,7 +98,7 @@ impl DifferenceAnswer {
         };
         let ErrorChange { own, other, .. } = self.difference.position_error_m;
         let mean = |value: f64| format!("{} mm", significant(1e3 * value, 3));
-        let own_title = title(&experiment.control);
+        let own_title = control_title(experiment);
         let map = DifferenceMap {
             title: vec![
                 format!("{own_title} against {}", self.other_control),

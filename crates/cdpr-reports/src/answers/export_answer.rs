@@ -1,5 +1,7 @@
-//! Figures of a result and configurations of firmware, as they were written.
+//! Figures of a result, configurations of firmware and tables for controllers, as they were written.
 
+use cdpr::measurement::Samples;
+use cdpr::model::Model;
 use serde::Serialize;
 
 use super::Answer;
@@ -27,6 +29,53 @@ impl Answer for FirmwareAnswer {
             None => self.lines.join("\n") + "\n",
             Some(out) => format!("{} lines of configuration of {} written to {out}\n", self.lines.len(), self.robot),
         }
+    }
+}
+
+/// Table of lengths for a controller.
+#[derive(Serialize)]
+pub struct TableAnswer {
+    status: &'static str,
+    robot: String,
+    model: String,
+    /// Map that corrects the lengths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compensation: Option<String>,
+    poses: usize,
+    cable_lengths_m: Vec<Vec<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    out: Option<String>,
+    #[serde(skip)]
+    text: String,
+}
+
+impl TableAnswer {
+    /// Lengths of a model at poses, corrected by the map of a file, as the text of a table and the file that it was written to.
+    pub fn new(model: &Model, compensation: Option<String>, table: &Samples, out: Option<String>) -> Self {
+        Self {
+            status: "written",
+            robot: model.robot().name.clone(),
+            model: model.composition().to_string(),
+            compensation,
+            poses: table.len(),
+            cable_lengths_m: (0..table.len()).map(|pose| table.lengths_of(pose).to_vec()).collect(),
+            out,
+            text: table.to_csv(model.robot()),
+        }
+    }
+
+    /// Text of the table (CSV).
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+}
+
+impl Answer for TableAnswer {
+    fn words(&self, _width: Option<usize>) -> String {
+        let Self { robot, model, poses, .. } = self;
+        let Some(out) = &self.out else { return self.text.clone() };
+        let map = self.compensation.as_ref().map_or_else(String::new, |file| format!(" corrected by {file}"));
+        format!("lengths of {robot}, model {model}{map}, at {poses} poses written to {out}\n")
     }
 }
 

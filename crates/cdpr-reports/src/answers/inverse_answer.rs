@@ -1,6 +1,8 @@
 //! Cable lengths and directions at a pose, and the lengths that winches must pay out.
 
+use cdpr::compensation::{Compensation, MapError};
 use cdpr::equilibrium::{CableCommand, InverseSolution};
+use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Cable;
@@ -105,14 +107,15 @@ impl InverseAnswer {
         Self { tensions: Some(tensions), ..self }
     }
 
-    /// The same with the correction of a map (m): controlled lengths are those whose recorded ones are longer by it.
-    #[must_use]
-    pub fn with_correction(self, model: &Model, correction: Vec<f64>) -> Self {
-        let corrected = |(cable, (&length, own)): (usize, (&Option<f64>, &f64))| {
-            Some(model.controlled_length(cable, model.recorded_length(cable, length?) + own))
-        };
-        let lengths = self.controlled_lengths_m.iter().zip(&correction).enumerate().map(corrected).collect();
-        Self { correction_m: Some(correction), corrected_lengths_m: Some(lengths), ..self }
+    /// The same with the correction of a map at its pose: controlled lengths are those whose recorded ones are longer by it.
+    pub fn with_correction(self, model: &Model, pose: &Pose, map: &Compensation) -> Result<Self, MapError> {
+        let controlled = self.controlled_lengths_m.iter().enumerate();
+        let recorded =
+            |(cable, length): (usize, &Option<f64>)| model.recorded_length(cable, length.unwrap_or(f64::NAN));
+        let corrected = map.corrected(pose, &controlled.map(recorded).collect::<Vec<f64>>())?.into_iter().enumerate();
+        let lengths = corrected.map(|(cable, length)| model.controlled_length(cable, length));
+        let lengths = lengths.map(|length| length.is_finite().then_some(length)).collect();
+        Ok(Self { correction_m: Some(map.at(pose)?), corrected_lengths_m: Some(lengths), ..self })
     }
 
     /// The same without tensions: the status in a word, and the reason.

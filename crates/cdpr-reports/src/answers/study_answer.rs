@@ -4,7 +4,7 @@ use cdpr::metamodel::Experiment;
 use cdpr::metamodel::field::{Field, Summary};
 use serde::Serialize;
 
-use super::{Answer, title};
+use super::{Answer, control_title, gain_words, title};
 use crate::number_format::{cell, significant};
 use crate::study_page::{ErrorRow, error_rows};
 use crate::table::Table;
@@ -38,7 +38,7 @@ impl StudyAnswer {
         Self {
             status: if reason.is_none() { "converged" } else { "not-converged" },
             reason,
-            control: title(&experiment.control),
+            control: control_title(experiment),
             machine: title(&experiment.machine),
             summary: found.summary.clone(),
             winch_offsets_m: experiment.offsets.clone(),
@@ -65,6 +65,9 @@ impl Answer for StudyAnswer {
             table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
         }
         text.push_str(&format!("\n{}", table.text(width)));
+        if let Some(map) = &self.summary.compensation {
+            text.push_str(&gain_words(&self.summary.position_error_m, &map.without.position_error_m));
+        }
         if let Some(relative) = self.summary.relative_position_error {
             let diameter = significant(self.summary.diameter_m, 3);
             text.push_str(&format!(

@@ -1,7 +1,7 @@
 //! The answer of what is reached.
 
-use cdpr::metamodel::Experiment;
 use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size};
+use cdpr::metamodel::{Experiment, MapEffect};
 use cdpr::workspace::grid::{self, Grid};
 use cdpr::workspace::hull::Hull;
 use cdpr::workspace::{Bounds, Point, Region, components};
@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::Differential;
-use crate::answers::{BEYOND_THE_WHOLE, is_beyond_the_whole, title};
+use crate::answers::{BEYOND_THE_WHOLE, beyond_map, control_title, is_beyond_the_whole, title};
 
 /// Findings of a method; sizes in m² or m³.
 pub struct Found {
@@ -41,6 +41,8 @@ pub struct Found {
     pub outlines: Option<[Vec<Point>; 2]>,
     /// A change of one number.
     pub differential: Option<Differential>,
+    /// Effect of the map that corrects the control model; the size without it is nothing where the hull has none.
+    pub compensation: Option<MapEffect<Option<f64>>>,
     /// Reason why the answer is negative.
     pub reason: Option<String>,
 }
@@ -59,6 +61,8 @@ impl Found {
         let with_error = |&most: &f64| (most, grid::outcome(grid, &census.reached(Some(most))).size);
         let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
         let parts = components(grid, answers).into_iter();
+        let points: Vec<Point> = cells.iter().map(|&(slab, index)| grid.point(slab, index)).collect();
+        let size = |region: &Region<'_>| Some(grid::count(region, grid).outcome(grid).size);
         Self {
             method: "grid",
             reached: Some(reached.size),
@@ -78,6 +82,7 @@ impl Found {
             by_accuracy: thresholds.iter().map(with_error).collect(),
             outlines: None,
             differential: None,
+            compensation: reachable.map_effect(region, &points, size),
             reason: None,
         }
     }
@@ -107,6 +112,7 @@ impl Found {
             outlines: (found.dimension() == 2)
                 .then(|| [found.vertices(), image.map_or_else(Vec::new, |image| image.vertices)]),
             differential: None,
+            compensation: None,
             reason: (!is_whole).then(|| {
                 let rays = found.rays_again;
                 format!("{rays} rays enter the reachable workspace again after they have left it: its hull would be wrong, use --method grid")
@@ -159,9 +165,12 @@ pub struct ReachableAnswer {
     pub sizes: Map<String, Value>,
     /// Reachable share of the physical workspace.
     pub share: Option<f64>,
-    /// Remark on a share above 100 %.
+    /// Effect of the map that corrects the control model.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub remark: Option<&'static str>,
+    pub compensation: Option<Value>,
+    /// Remark on a share above 100 %, or on poses beyond the samples of a map.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
     /// Bound of the error of the reachable one.
     pub error_bound: Option<f64>,
     /// Poses judged.
@@ -217,6 +226,13 @@ impl ReachableAnswer {
         let outline = |which: usize| -> Option<Vec<[f64; 2]>> {
             Some(found.outlines.as_ref()?[which].iter().map(|&[x, y, _]| [x, y]).collect())
         };
+        let too_large = is_beyond_the_whole(found.reached.and_then(share)).then(|| BEYOND_THE_WHOLE.to_owned());
+        let places = match found.method {
+            "grid" => format!("{} poses reached", found.feasible_points),
+            _ => "the corners of the hull".to_owned(),
+        };
+        let beyond = beyond_map(found.compensation.as_ref().map_or(0, |map| map.outside), &places);
+        let remarks: Vec<String> = too_large.into_iter().chain(beyond).collect();
         Self {
             status: if found.reason.is_none() {
                 "found"
@@ -226,7 +242,7 @@ impl ReachableAnswer {
                 "not-star-shaped"
             },
             reason: found.reason.clone(),
-            control: title(&experiment.control),
+            control: control_title(experiment),
             machine: title(&experiment.machine),
             method: found.method,
             bounds_m: bounds.ends(),
@@ -234,7 +250,10 @@ impl ReachableAnswer {
             tension_error_max: experiment.study.limits.as_ref().and_then(|limits| limits.tension_error_max_N),
             sizes,
             share: found.reached.and_then(share),
-            remark: is_beyond_the_whole(found.reached.and_then(share)).then_some(BEYOND_THE_WHOLE),
+            compensation: found.compensation.as_ref().map(|map| {
+                json!({ "outside": map.outside, "without": { key("reachable"): map.without, "share": map.without.and_then(share) } })
+            }),
+            remark: (!remarks.is_empty()).then(|| remarks.join("; ")),
             error_bound: found.error_bound,
             points: found.points,
             feasible_points: found.feasible_points,

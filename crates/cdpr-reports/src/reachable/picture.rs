@@ -6,7 +6,7 @@ use cdpr::workspace::Point;
 use cdpr::workspace::hull::Hull;
 
 use super::Differential;
-use crate::answers::{axis_names, components, title};
+use crate::answers::{axis_names, components, control_title, title};
 use crate::figures::{Look, Outline, Outlines};
 use crate::number_format::{fixed, short};
 
@@ -65,7 +65,7 @@ impl Picture<'_> {
         let experiment = self.experiment;
         let mut lines = vec![
             changed.unwrap_or_else(|| "What is reached, by commanded and by emerging poses".to_owned()),
-            format!("{} drives {}", title(&experiment.control), title(&experiment.machine)),
+            format!("{} drives {}", control_title(experiment), title(&experiment.machine)),
         ];
         if !self.is_planar() {
             let (axis, height) = (&names[2], short(self.hull.center[2]));

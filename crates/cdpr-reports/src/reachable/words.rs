@@ -44,6 +44,9 @@ impl Answer for ReachableAnswer {
         row("physical: the machine is wrench-feasible".to_owned(), found.physical);
         row("model: the control model is".to_owned(), found.model);
         row("reachable, by commanded poses".to_owned(), found.reached);
+        if let Some(map) = &found.compensation {
+            row("the same without the map".to_owned(), map.without);
+        }
         row("reachable, by emerging poses".to_owned(), found.emerging);
         if let Some(linear) = found.linear {
             row("reachable, as one linear step tells".to_owned(), Some(linear));
@@ -55,7 +58,7 @@ impl Answer for ReachableAnswer {
         if found.linear.is_some_and(f64::is_nan) {
             text.push_str("\nwhat one linear step reaches is not star-shaped: --method grid counts it\n");
         }
-        if let Some(remark) = self.remark {
+        if let Some(remark) = &self.remark {
             text.push_str(&format!("\n{remark}\n"));
         }
         if let Some(bound) = self.error_bound {

@@ -1,7 +1,7 @@
 //! Error tables: before and after, and fold by fold.
 
 use cdpr::identification::ErrorBlocks;
-use cdpr::metamodel::errors::{PoseErrorStatistics, TensionErrorStatistics};
+use cdpr::metamodel::errors::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use minijinja::Value;
 
 use super::table::{Cell, Table};
@@ -33,6 +33,13 @@ struct Quantity {
     samples: fn(&ErrorBlocks) -> usize,
 }
 
+impl Quantity {
+    /// True where samples have a value, or where none of them has an answer; not where nobody measured it.
+    fn is_measured(&self, blocks: &ErrorBlocks) -> bool {
+        (self.read)(blocks).mean.is_finite() || (self.samples)(blocks) == 0
+    }
+}
+
 const POSITION: Quantity = Quantity {
     title: "position, mm",
     read: |e| e.position_error_m.into(),
@@ -52,6 +59,17 @@ const LENGTH: Quantity = Quantity {
         Figures { mean: length.mean_abs, rms: length.rms, median: f64::NAN, p95: length.p95, max: length.max }
     },
     write: |value| number::significant(1e3 * value, 3),
+    samples: |e| e.length_samples,
+};
+
+const SWIVEL: Quantity = Quantity {
+    title: "swivel angle, °",
+    read: |e| {
+        let of = |read: fn(&LengthErrorStatistics) -> f64| e.swivel_error.as_ref().map_or(f64::NAN, read);
+        let median = f64::NAN;
+        Figures { mean: of(|e| e.mean_abs), rms: of(|e| e.rms), median, p95: of(|e| e.p95), max: of(|e| e.max) }
+    },
+    write: |value| number::significant(value.to_degrees(), 3),
     samples: |e| e.length_samples,
 };
 
@@ -87,7 +105,12 @@ pub(super) fn before_and_after(report: &Report<'_>, shown: &Shown<'_>) -> Value 
         .filter(|(_, data, blocks)| blocks.samples > 0 && (report.is_held_out || *data == "fit"))
         .collect();
     let has_tensions = lines.iter().any(|(_, _, blocks)| blocks.tension_error.is_some());
-    for quantity in quantities(report).into_iter().chain(has_tensions.then_some(TENSION)) {
+    let has_swivels = lines.iter().any(|(_, _, blocks)| blocks.swivel_error.is_some());
+    let further = has_swivels.then_some(SWIVEL).into_iter().chain(has_tensions.then_some(TENSION));
+    for quantity in quantities(report).into_iter().chain(further) {
+        if !lines.iter().any(|(_, _, blocks)| quantity.is_measured(blocks)) {
+            continue;
+        }
         for (index, (model, data, blocks)) in lines.iter().enumerate() {
             let title = if index == 0 { quantity.title } else { "" };
             let mut cells = vec![Cell::text(title), Cell::text(*model), Cell::text(*data)];
@@ -113,30 +136,37 @@ fn quantities(report: &Report<'_>) -> Vec<Quantity> {
     }
 }
 
-/// Title of a column that point robots do not have.
+/// Titles of columns that data without measured poses do not have.
+const POSITION_MEAN: &str = "#position mean, mm";
+const POSITION_P95: &str = "#position 95 %, mm";
+
+/// Title of a column that point robots do not have either.
 const ROTATION_MEAN: &str = "#rotation mean, °";
 
 /// The validation errors of the model shown, fold by fold, and which candidate is best in each.
 pub(super) fn folds(report: &Report<'_>, shown: &Shown<'_>) -> Value {
-    let turns = report.robot.motion_pattern.has_rotation();
+    let has_poses = shown.judgement.folds.iter().any(|(_, blocks)| POSITION.is_measured(blocks));
+    let turns = has_poses && report.robot.motion_pattern.has_rotation();
     let mut columns = vec![
         ("fold", "def-fold"),
         ("#samples", ""),
-        ("#position mean, mm", "def-mean"),
-        ("#position 95 %, mm", "def-p95"),
+        (POSITION_MEAN, "def-mean"),
+        (POSITION_P95, "def-p95"),
         (ROTATION_MEAN, "def-mean"),
         ("#length rms, mm", "def-rms"),
         ("#not converged", "def-not-converged"),
         ("best candidate in it", "def-criterion"),
     ];
-    if !turns {
-        columns.retain(|(title, _)| *title != ROTATION_MEAN);
-    }
+    columns.retain(|(title, _)| match *title {
+        ROTATION_MEAN => turns,
+        POSITION_MEAN | POSITION_P95 => has_poses,
+        _ => true,
+    });
     let mut table = Table::new(format!("Validation errors of `{}` fold by fold", shown.name), &columns);
     for (index, (name, blocks)) in shown.judgement.folds.iter().enumerate() {
         let figures = [
-            Some((POSITION.write)(blocks.position_error_m.mean)),
-            Some((POSITION.write)(blocks.position_error_m.p95)),
+            has_poses.then(|| (POSITION.write)(blocks.position_error_m.mean)),
+            has_poses.then(|| (POSITION.write)(blocks.position_error_m.p95)),
             turns.then(|| (ROTATION.write)(blocks.rotation_error_rad.mean)),
             Some((POSITION.write)(blocks.length_error_m.rms)),
             Some(blocks.not_converged.to_string()),

@@ -18,7 +18,7 @@ pub(super) fn all(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let fit = &shown.judgement.fit;
     let steps = if fit.iterations == 1 { "step" } else { "steps" };
     context! {
-        scene => "as given and as calibrated, with the errors",
+        scene => scene(shown),
         errors => errors(report, shown),
         parameters => parameters_words(shown),
         identifiability => identifiability(shown),
@@ -26,6 +26,14 @@ pub(super) fn all(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
         convergence => format!("{} after {} {steps}", parameters::status(fit.status), fit.iterations),
         coverage => coverage::gist(report),
         ..common
+    }
+}
+
+/// Contents of the scene.
+fn scene(shown: &Shown<'_>) -> &'static str {
+    match shown.judgement.validation.position_error_m.mean.is_finite() {
+        true => "as given and as calibrated, with the errors",
+        false => "as given and as calibrated",
     }
 }
 

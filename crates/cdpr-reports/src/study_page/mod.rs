@@ -109,7 +109,10 @@ fn comparison(summary: &Summary) -> String {
         format!(", {} % of the {} m across them", significant(100.0 * share, 3), significant(summary.diameter_m, 3))
     });
     let linear = significant(1e3 * summary.linear_position_error_m.mean, 4);
-    format!("Over {poses}{}. One linear step says {linear} mm.", relative.unwrap_or_default())
+    let alone = summary.compensation.as_ref().map(|map| 1e3 * map.without.position_error_m.mean);
+    let alone = alone.map(|mean| format!(" Without its map the control model misses by {} mm.", significant(mean, 4)));
+    let (relative, alone) = (relative.unwrap_or_default(), alone.unwrap_or_default());
+    format!("Over {poses}{relative}. One linear step says {linear} mm.{alone}")
 }
 
 fn facts(page: &StudyPage<'_>) -> Value {
@@ -119,9 +122,11 @@ fn facts(page: &StudyPage<'_>) -> Value {
         let name = robot.title.as_ref().map_or_else(|| robot.name.clone(), |title| format!("{} ({title})", robot.name));
         format!("{name}, model {}", model.composition())
     };
+    let map = experiment.study.control.compensation.as_ref();
+    let corrected = map.map_or_else(String::new, |file| format!(", corrected by {file}"));
     let offsets: Vec<String> = experiment.offsets.iter().map(|offset| significant(1e3 * offset, 3)).collect();
     let mut facts = vec![
-        ("Control model", title(&experiment.control)),
+        ("Control model", title(&experiment.control) + &corrected),
         ("Machine", title(&experiment.machine)),
         ("Poses", page.found.samples.len().to_string()),
         ("Winch offsets", format!("{} mm", offsets.join(", "))),

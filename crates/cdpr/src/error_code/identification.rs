@@ -1,6 +1,7 @@
 //! Codes of what identification and its data refuse.
 
 use super::ErrorCode;
+use crate::compensation::MapError;
 use crate::identification::campaign::CampaignError;
 use crate::identification::candidate::CandidateError;
 use crate::identification::chain::ChainError;
@@ -112,23 +113,22 @@ impl ErrorCode for CompensationError {
     fn code(&self) -> &'static str {
         match self {
             Self::TooFewSamples { .. } => "data::too-few-samples",
-            Self::OnePose => "data::all-equal",
-            Self::OtherModel { .. } => "compensation::other-model",
-            Self::Outside { .. } => "compensation::outside",
             Self::Split(error) => error.code(),
             Self::Evaluation(error) => error.code(),
-            Self::Statics(error) => error.code(),
+            Self::Map(error) => error.code(),
             Self::Winch(error) => error.code(),
         }
     }
 }
 
-#[cfg(feature = "files")]
-impl ErrorCode for crate::identification::compensation::MapError {
+impl ErrorCode for MapError {
     fn code(&self) -> &'static str {
         match self {
             Self::Read(error) => error.code,
-            Self::Map(error) => error.code(),
+            Self::OnePose => "data::all-equal",
+            Self::OtherModel { .. } => "compensation::other-model",
+            Self::Outside { .. } => "compensation::outside",
+            Self::Statics(error) => error.code(),
         }
     }
 }

@@ -23,7 +23,8 @@ impl ErrorCode for OperationError {
             Self::Groove(error) => error.code(),
             Self::NotSmooth(error) => error.code(),
             Self::Input(error) => error.code(),
-            Self::Deviating { reason, .. } => reason.code(),
+            Self::Map(error) => error.code(),
+            Self::AtPose { reason, .. } | Self::Deviating { reason, .. } => reason.code(),
             Self::NoTensions(_) | Self::NoRest { .. } | Self::Singular => NO_ANSWER,
         }
     }

@@ -160,6 +160,7 @@ impl Experiment {
     ) -> Result<Campaign, E> {
         let table = self.study.campaign.as_ref().ok_or(CampaignError::NoTable)?;
         let wishes = Wishes::of(table)?;
+        self.refuse_map("a campaign").map_err(CampaignError::from)?;
         let mut current = self.clone();
         let mut standing = current.standing(poses).map_err(CampaignError::from)?;
         let mut campaign = Campaign {

@@ -120,6 +120,7 @@ impl Experiment {
         region: &[[f64; 2]],
         [seed, second_seed]: [u64; 2],
     ) -> Result<Chain, ChainError> {
+        self.refuse_map("the chain")?;
         let mut chain = Chain {
             steps: Vec::new(),
             first_change_m: [f64::NAN; 2],

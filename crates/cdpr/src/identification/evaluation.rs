@@ -8,6 +8,7 @@ use serde::Serialize;
 use thiserror::Error;
 
 use super::outliers::unexplained;
+use crate::compensation::Compensation;
 use crate::equilibrium::{
     ForwardError, ForwardProblem, ForwardSettings, InverseSolution, NoSolution, State, elastostatics,
 };
@@ -113,9 +114,6 @@ enum NoPrediction {
     NoSolution(#[from] NoSolution),
 }
 
-/// Correction of recorded lengths at a pose, cable by cable (m); nothing where it is not known.
-pub(super) type Correction<'a> = dyn Fn(&Pose) -> Option<Vec<f64>> + 'a;
-
 /// Most turns in which a pose and the correction there are found.
 const TURNS: usize = 20;
 
@@ -158,19 +156,19 @@ impl Predictor {
         Ok(Prediction { pose: found.pose, tensions: self.knows_tensions().then(|| found.tensions.clone()) })
     }
 
-    /// The prediction from recorded lengths less the correction at the pose that they lead to; `first` is the one without.
+    /// The prediction from recorded lengths corrected by a map at the pose that they lead to; `first` is the one without.
     fn predict_corrected(
         &self,
         model: &Model,
         (recorded, first): (&[f64], Prediction),
-        correction: &Correction<'_>,
+        map: &Compensation,
         state: &mut State,
     ) -> Result<Prediction, NoPrediction> {
         let mut found = first;
         for _ in 0..TURNS {
-            let Some(own) = correction(&found.pose) else { break };
-            let length = |(cable, (length, own)): (usize, (&f64, &f64))| model.controlled_length(cable, length - own);
-            let controlled: Vec<f64> = recorded.iter().zip(&own).enumerate().map(length).collect();
+            let Ok(modelled) = map.modelled(&found.pose, recorded) else { break };
+            let length = |(cable, &length): (usize, &f64)| model.controlled_length(cable, length);
+            let controlled: Vec<f64> = modelled.iter().enumerate().map(length).collect();
             let next = self.predict(model, &controlled, &found.pose, state)?;
             let moved = found.pose.displacement_to(&next.pose).amax();
             found = next;
@@ -194,9 +192,9 @@ pub fn evaluate(model: &Model, samples: &Samples) -> Result<Evaluation, Evaluati
 pub(super) fn evaluate_corrected(
     model: &Model,
     samples: &Samples,
-    correction: &Correction<'_>,
+    map: &Compensation,
 ) -> Result<Evaluation, EvaluationError> {
-    evaluate_perhaps_corrected(model, samples, Some(correction))
+    evaluate_perhaps_corrected(model, samples, Some(map))
 }
 
 /// [`evaluate`] of a model that a fit has made: parameters without a forward problem are the outcome of the fit, so that no
@@ -208,21 +206,21 @@ pub fn evaluate_fitted(model: &Model, samples: &Samples) -> Result<Evaluation, E
 fn evaluate_perhaps_corrected(
     model: &Model,
     samples: &Samples,
-    correction: Option<&Correction<'_>>,
+    map: Option<&Compensation>,
 ) -> Result<Evaluation, EvaluationError> {
     let mut state = State::at_home(model);
     let predictor = match Predictor::new(model, &mut state) {
         Err(EvaluationError::Forward(reason)) => Predictor::None(reason),
         other => other?,
     };
-    evaluate_with(&predictor, model, samples, correction, &mut state)
+    evaluate_with(&predictor, model, samples, map, &mut state)
 }
 
 fn evaluate_with(
     predictor: &Predictor,
     model: &Model,
     samples: &Samples,
-    correction: Option<&Correction<'_>>,
+    map: Option<&Compensation>,
     state: &mut State,
 ) -> Result<Evaluation, EvaluationError> {
     let cables = model.cable_count();
@@ -238,9 +236,9 @@ fn evaluate_with(
             *length = model.controlled_length(cable, recorded[cable]);
         }
         let mut predicted = predictor.predict(model, &controlled, pose, state);
-        if let (Some(correction), Ok(first)) = (correction, &mut predicted) {
+        if let (Some(map), Ok(first)) = (map, &mut predicted) {
             let first = Prediction { pose: first.pose, tensions: first.tensions.take() };
-            predicted = predictor.predict_corrected(model, (recorded, first), correction, state);
+            predicted = predictor.predict_corrected(model, (recorded, first), map, state);
         }
         evaluation.add_pose(predicted.as_ref(), pose);
         let measured = samples.tensions.as_ref().map(|tensions| &tensions[sample * cables..][..cables]);
@@ -250,11 +248,7 @@ fn evaluate_with(
             let predicted = predicted.as_ref().map(|tensions| tensions[cable]);
             *tension = measured.or(predicted).unwrap_or(f64::NAN);
         }
-        evaluation.add_lengths(model.inverse(pose, &tensions, state).ok(), recorded);
-        if let Some(own) = correction.and_then(|correction| correction(pose)) {
-            let errors = &mut evaluation.length[sample * cables..];
-            errors.iter_mut().zip(own).for_each(|(error, own)| *error += own);
-        }
+        evaluation.add_lengths(model.inverse(pose, &tensions, state).ok(), (pose, map), recorded);
         if let Some(measured) = measured.filter(|_| predictor.knows_tensions()) {
             let error = |cable: usize| {
                 let predicted = predicted.as_ref().map_or(f64::NAN, |tensions| tensions[cable]);
@@ -278,10 +272,18 @@ impl Evaluation {
         self.rotation.push(predicted.map_or(f64::NAN, |predicted| predicted.pose.angle_to(measured)));
     }
 
-    /// Appends modelled minus recorded lengths; NaN where the model has none.
-    fn add_lengths(&mut self, modelled: Option<&InverseSolution>, recorded: &[f64]) {
-        let modelled = |cable: usize| modelled.map_or(f64::NAN, |solution| solution.cables[cable].recorded_length);
-        self.length.extend(recorded.iter().enumerate().map(|(cable, length)| modelled(cable) - length));
+    /// Appends modelled minus recorded lengths, corrected at the pose where a map knows how; NaN where the model has none.
+    fn add_lengths(
+        &mut self,
+        modelled: Option<&InverseSolution>,
+        (pose, map): (&Pose, Option<&Compensation>),
+        recorded: &[f64],
+    ) {
+        let length = |cable: usize| modelled.map_or(f64::NAN, |solution| solution.cables[cable].recorded_length);
+        let modelled: Vec<f64> = (0..recorded.len()).map(length).collect();
+        let corrected = map.and_then(|map| map.corrected(pose, &modelled).ok());
+        let modelled = corrected.unwrap_or(modelled);
+        self.length.extend(modelled.iter().zip(recorded).map(|(modelled, recorded)| modelled - recorded));
     }
 
     /// Number of samples.

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::control::Control;
 use super::errors::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use super::input_error::InputError;
+use super::map_effect::MapEffect;
 use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
@@ -38,6 +39,9 @@ pub struct Accuracy {
     /// Share of the converged poses with a tension outside the limits; `None` for a rigid machine, or where no limits are
     /// known.
     pub outside_limits_share: Option<f64>,
+    /// Effect of the map that corrects the control model; `None` without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compensation: Option<Box<MapEffect<Accuracy>>>,
 }
 
 impl Accuracy {
@@ -83,6 +87,9 @@ pub(crate) fn assess_operation(
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }
+    let alone = operation.without_map().map(|mut alone| assess_operation(&mut alone, poses)).transpose()?;
+    let outside = || poses.iter().filter(|command| operation.is_beyond_map(&command.pose)).count();
+    let compensation = alone.map(|alone| Box::new(MapEffect { outside: outside(), without: alone.accuracy }));
     let outcomes: Vec<Outcome> = poses.iter().map(|command| operation.answer(command)).collect();
     let mut errors = Errors::default();
     let mut statuses = BTreeMap::new();
@@ -104,6 +111,7 @@ pub(crate) fn assess_operation(
         statuses,
         slack_samples: tensions.slack_samples,
         outside_limits_share: tensions.outside_limits_share,
+        compensation,
     };
     Ok(Assessment { outcomes, accuracy })
 }

@@ -124,7 +124,7 @@ pub fn advise(
     let mut runs = Vec::new();
     for control in compositions(full, supported) {
         let model = Model::new(machine.robot().clone(), control)?;
-        runs.push((control, outcomes(Control { model: &model, tension_method }, machine, &home, poses)?));
+        runs.push((control, outcomes(Control { tension_method, ..Control::from(&model) }, machine, &home, poses)?));
     }
     // of as many effects the one nearest to a real cable last, which is the machine's
     runs.sort_by_key(|(control, _)| (control.effect_count(), richness(control.stretch)));

@@ -3,8 +3,10 @@
 use super::input_error::InputError;
 use super::operation_error::OperationError;
 use super::study::TensionMethod;
+use crate::compensation::Compensation;
 use crate::equilibrium::{State, distribution};
 use crate::geometry::Pose;
+use crate::measurement::Samples;
 use crate::model::Model;
 use crate::statics::{Load, StaticsError};
 use crate::tension::Limits;
@@ -28,11 +30,37 @@ pub struct Control<'a> {
     pub model: &'a Model,
     /// How it chooses the tensions that it commands; without effect where its lengths depend on none.
     pub tension_method: TensionMethod,
+    /// Map that corrects its lengths; beyond the samples of the map they are those of the model.
+    pub compensation: Option<&'a Compensation>,
 }
 
 impl<'a> From<&'a Model> for Control<'a> {
     fn from(model: &'a Model) -> Self {
-        Self { model, tension_method: TensionMethod::default() }
+        Self { model, tension_method: TensionMethod::default(), compensation: None }
+    }
+}
+
+impl Control<'_> {
+    /// Table for a controller: the lengths to send at poses, in the units of the model's encoders, and the tensions that they bring, as samples
+    /// hold them; the first pose without is an error, and so is one beyond the samples of the map.
+    pub fn table(self, poses: &[Pose]) -> Result<Samples, OperationError> {
+        let mut controller = Controller::new(self)?;
+        let mut state = State::at_home(self.model);
+        let mut table = Samples { cable_count: self.model.cable_count(), poses: poses.to_vec(), ..Samples::default() };
+        for (place, pose) in poses.iter().enumerate() {
+            let lengths = match self.compensation.map(|map| map.at(pose)) {
+                Some(Err(unknown)) => Err(unknown.into()),
+                _ => controller.lengths((pose, None), &mut state),
+            };
+            let at_pose = |reason| OperationError::AtPose { pose: place + 1, reason: Box::new(reason) };
+            table.lengths.extend(lengths.map_err(at_pose)?);
+            if let Some(tensions) = controller.tensions() {
+                let recorded = tensions.iter().enumerate();
+                let recorded = recorded.map(|(cable, &tension)| self.model.recorded_tension(cable, tension));
+                table.tensions.get_or_insert_default().extend(recorded);
+            }
+        }
+        Ok(table)
     }
 }
 
@@ -45,6 +73,14 @@ pub(super) struct TensionChoice<'a> {
 }
 
 impl<'a> Control<'a> {
+    /// Refuses a map for a question that cannot take one.
+    pub(crate) fn without_map(self, question: &'static str, reason: &'static str) -> Result<Self, InputError> {
+        match self.compensation {
+            Some(_) => Err(InputError::Map { question, reason }),
+            None => Ok(self),
+        }
+    }
+
     /// True where its lengths belong to tensions that it has to choose.
     pub(super) fn chooses_tensions(&self) -> bool {
         self.model.needs_tensions()
@@ -55,7 +91,7 @@ impl<'a> Control<'a> {
         if !self.chooses_tensions() {
             return Ok(None);
         }
-        let Self { model, tension_method } = self;
+        let Self { model, tension_method, .. } = self;
         let (limits, load) = (Limits::of(model.robot(), None, None)?, Load::of(model.robot())?);
         let solver = distribution::Solver::by(tension_method, model, &load, &limits);
         Ok(Some(TensionChoice { solver, load, limits }))
@@ -66,6 +102,8 @@ impl<'a> Control<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct Controller<'a> {
     model: &'a Model,
+    /// Map that corrects its lengths.
+    compensation: Option<&'a Compensation>,
     /// How tensions are chosen, where lengths depend on them.
     distribution: Option<distribution::Solver<'a>>,
     /// The tensions chosen last (N); NaN where lengths depend on none.
@@ -75,16 +113,27 @@ pub(super) struct Controller<'a> {
 impl<'a> Controller<'a> {
     pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
         let distribution = control.tension_choice()?.map(|choice| choice.solver);
-        Ok(Self { model: control.model, distribution, tensions: vec![f64::NAN; control.model.cable_count()] })
+        let Control { model, compensation, .. } = control;
+        Ok(Self { model, compensation, distribution, tensions: vec![f64::NAN; model.cable_count()] })
     }
 
     pub(super) fn model(&self) -> &'a Model {
         self.model
     }
 
-    /// The model, where its lengths do not depend on tensions.
+    /// The map that corrects its lengths.
+    pub(super) fn compensation(&self) -> Option<&'a Compensation> {
+        self.compensation
+    }
+
+    /// The same without its map.
+    pub(super) fn without_map(self) -> Self {
+        Self { compensation: None, ..self }
+    }
+
+    /// The model, where its lengths do not depend on tensions and no map corrects them.
     pub(super) fn kinematic(&self) -> Option<&'a Model> {
-        self.distribution.is_none().then_some(self.model)
+        (self.distribution.is_none() && self.compensation.is_none()).then_some(self.model)
     }
 
     /// Tensions of the lengths last computed (N), where lengths depend on them.
@@ -92,7 +141,7 @@ impl<'a> Controller<'a> {
         self.distribution.is_some().then_some(self.tensions.as_slice())
     }
 
-    /// Lengths for a pose in the units of the model's encoders (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
+    /// Lengths for a pose in the units of the model's encoders, corrected where a map knows the pose (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
     /// command in place of its own choice, where lengths depend on them.
     pub(super) fn lengths(
         &mut self,
@@ -109,7 +158,9 @@ impl<'a> Controller<'a> {
             }
             self.tensions = found.tensions;
         }
-        Ok(self.model.inverse(pose, &self.tensions, state)?.recorded_lengths()?)
+        let modelled = self.model.inverse(pose, &self.tensions, state)?.recorded_lengths()?;
+        let corrected = self.compensation.and_then(|map| map.corrected(pose, &modelled).ok());
+        Ok(corrected.unwrap_or(modelled))
     }
 }
 

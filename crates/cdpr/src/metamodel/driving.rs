@@ -48,6 +48,12 @@ impl<'a> Driving<'a> {
         self
     }
 
+    /// The same under the control model without its map; nothing where it has none.
+    pub(super) fn without_map(&self) -> Option<Self> {
+        let operation = self.operation.without_map()?;
+        Some(Self { control: Control { compensation: None, ..self.control }, operation, ..self.clone() })
+    }
+
     /// The control model.
     pub(crate) fn control(&self) -> Control<'a> {
         self.control

@@ -8,6 +8,7 @@ mod workspaces;
 use super::input_error::InputError;
 use super::study::{RobotModel, Study, TensionMethod};
 use super::winches::winch_offsets;
+use crate::compensation::{Compensation, MapError};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::robot::Robot;
@@ -36,6 +37,8 @@ pub struct Experiment {
     pub study: Study,
     /// The model that computes the lengths.
     pub control: Model,
+    /// The map that corrects the lengths of the control model.
+    pub compensation: Option<Compensation>,
     /// The model that answers.
     pub machine: Model,
     /// The model that is asked what emerges from what was sent, where the study and its robots name one.
@@ -62,14 +65,28 @@ impl Experiment {
         let former = study.former().zip(robots.former).map(|(side, robot)| model(&side, robot)).transpose()?;
         let start = study.initial_pose(machine.robot()).map_err(InputError::from)?;
         let offsets = winch_offsets(&study.initial, former.as_ref().unwrap_or(&control), &machine, &start)?;
-        Ok(Self { study, control, machine, prediction, former, start, offsets })
+        Ok(Self { study, control, compensation: None, machine, prediction, former, start, offsets })
     }
 
-    /// The same machine with another controller; the winches stay as they were set.
+    /// The same machine with another controller; the winches stay as they were set. Maps belong to the controller before, and are left behind.
     #[must_use]
     pub fn with_control(&self, control: Model) -> Self {
         let former = Some(self.former.clone().unwrap_or_else(|| self.control.clone()));
-        Self { control, former, ..self.clone() }
+        Self { control, former, ..self.without_compensation() }
+    }
+
+    /// The same with the map that the study names; refuses one of another robot or model.
+    pub fn with_compensation(self, map: Compensation) -> Result<Self, MapError> {
+        map.check(&self.control)?;
+        Ok(Self { compensation: Some(map), ..self })
+    }
+
+    /// The same with the control model alone, whatever map the study names.
+    #[must_use]
+    pub(crate) fn without_compensation(&self) -> Self {
+        let mut alone = Self { compensation: None, ..self.clone() };
+        alone.study.control.compensation = None;
+        alone
     }
 
     /// The same with another way to choose tensions, where one is given.

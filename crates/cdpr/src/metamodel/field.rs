@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::accuracy::{force_tracking, outside_reach};
 use super::driving::Driving;
 use super::errors::{PoseErrorStatistics, TensionErrorStatistics};
+use super::map_effect::MapEffect;
 use super::operation::Operation;
 use super::outcome::Outcome;
 use super::status::Status;
@@ -71,6 +72,9 @@ pub struct Summary {
     pub linear_residual_m: PoseErrorStatistics,
     /// Share of the poses at which that distance is at most a tenth of the exact error.
     pub linear_trusted_share: f64,
+    /// Effect of the map that corrects the control model; `None` without one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compensation: Option<Box<MapEffect<Summary>>>,
 }
 
 /// A linear error counts as trusted where it misses the exact one by at most this share of it.
@@ -82,7 +86,11 @@ pub fn field(driving: &Driving<'_>, poses: &[Pose]) -> Field {
         let mut operation = driving.operation();
         poses.iter().map(|pose| sample(&mut operation, pose)).collect()
     });
-    let summary = Summary::of(&samples);
+    let operation = driving.operation();
+    let outside = || poses.iter().filter(|pose| operation.is_beyond_map(pose)).count();
+    let effect = |alone: Driving<'_>| MapEffect { outside: outside(), without: field(&alone, poses).summary };
+    let compensation = driving.without_map().map(|alone| Box::new(effect(alone)));
+    let summary = Summary { compensation, ..Summary::of(&samples) };
     Field { samples, summary }
 }
 
@@ -130,6 +138,7 @@ impl Summary {
             linear_position_error_m: PoseErrorStatistics::of(&linear),
             linear_residual_m: PoseErrorStatistics::of(&residual),
             linear_trusted_share: trusted as f64 / samples.len().max(1) as f64,
+            compensation: None,
         }
     }
 }

@@ -114,6 +114,20 @@ pub enum InputError {
         /// Most answers.
         limit: usize,
     },
+    /// A map that the study names and nobody has given.
+    #[error("[control] compensation names the map {file}, which is not there to drive with: give it to the experiment")]
+    NoMap {
+        /// Its file.
+        file: String,
+    },
+    /// A map, for a question that cannot take one.
+    #[error("[control] compensation: {question} cannot take a map: {reason}; take the key out")]
+    Map {
+        /// Question.
+        question: &'static str,
+        /// Reason.
+        reason: &'static str,
+    },
     /// No poses to command.
     #[error("the study commands no poses: add [poses.grid], [poses.random] or [poses.file]")]
     NoPoses,

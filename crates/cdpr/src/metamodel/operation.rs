@@ -30,7 +30,7 @@ pub(super) struct Emerged {
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
 /// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own
-/// encoders, length_scale · q_θ + length_offset.
+/// encoders, length_scale · q_θ + length_offset, corrected by the map that [`Control`] names where this knows the pose.
 /// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
 /// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
@@ -145,6 +145,22 @@ impl<'a> Operation<'a> {
             self.begin(&way.history, &way.start_pose, &mut |_| ());
         }
         self
+    }
+
+    /// The same under the control model without its map, its way begun anew; nothing where it has none.
+    pub(super) fn without_map(&self) -> Option<Self> {
+        self.control.compensation()?;
+        let Self { control, way, .. } = self.clone();
+        let mut alone = Self { control: control.without_map(), way: None, ..self.clone() };
+        if let Some(way) = way {
+            alone.begin(&way.history, &way.start_pose, &mut |_| ());
+        }
+        Some(alone)
+    }
+
+    /// True where a map corrects the lengths, but not at this pose.
+    pub(super) fn is_beyond_map(&self, pose: &Pose) -> bool {
+        self.control.compensation().is_some_and(|map| map.at(pose).is_err())
     }
 
     /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.

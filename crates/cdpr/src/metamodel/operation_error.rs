@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::input_error::InputError;
 use super::status::Status;
 use crate::cable::winch::GrooveError;
+use crate::compensation::MapError;
 use crate::equilibrium::distribution::{DistributionError, Reason};
 use crate::model::WinchError;
 use crate::statics::StaticsError;
@@ -36,6 +37,17 @@ pub enum OperationError {
         status: Status,
         /// The reason in words, where one is known.
         reason: Option<String>,
+    },
+    /// A pose that the map of the control model does not know.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// One of many poses.
+    #[error("pose {pose}: {reason}")]
+    AtPose {
+        /// Its number, from 1.
+        pose: usize,
+        /// Its reason.
+        reason: Box<Self>,
     },
     /// A machine with one number changed, of which differences are taken, does not answer.
     #[error("{cause} deviating: {reason}")]

@@ -17,6 +17,7 @@ pub use emerging::{Image, emerging_size, image_of};
 
 use super::driving::Driving;
 use super::input_error::InputError;
+use super::map_effect::MapEffect;
 use super::operation::Emerged;
 use super::outcome::Outcome;
 use super::status::Status;
@@ -73,6 +74,22 @@ impl<'a> Reachable<'a> {
     /// Control model, machine and winches.
     pub(crate) fn driving(&self) -> &Driving<'a> {
         &self.driving
+    }
+
+    /// Effect of the map that corrects the control model: positions beyond its samples among these, and a size of what is reached without it; nothing
+    /// where there is no map.
+    pub fn map_effect<T>(
+        &self,
+        region: &Region<'_>,
+        points: &[Point],
+        size: impl FnOnce(&Region<'_>) -> T,
+    ) -> Option<MapEffect<T>> {
+        let alone = Self { driving: self.driving.without_map()?, requirements: self.requirements.clone() };
+        let operation = self.driving.operation();
+        let rotation = region.orientations().first().copied().unwrap_or_default();
+        let pose = |point: &Point| Pose { position: region.position(point), rotation };
+        let outside = points.iter().filter(|point| operation.is_beyond_map(&pose(point))).count();
+        Some(MapEffect { outside, without: size(&region.with_criterion(&alone)) })
     }
 
     /// Requirements on a pose.

@@ -92,6 +92,9 @@ pub struct ControlModel {
     /// How an elastic model chooses the tensions that it commands, within their limits; `qp` when missing: the nearest to the middle
     /// of the limits.
     pub tension_method: Option<TensionMethod>,
+    /// Map of `cdpr compensate`, made for this robot and model, that corrects the lengths it sends: path relative to the study. The winches stay
+    /// as they were set without it, and poses beyond its samples are driven without correction.
+    pub compensation: Option<String>,
 }
 
 impl ControlModel {

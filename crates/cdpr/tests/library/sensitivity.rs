@@ -69,7 +69,7 @@ impl Case {
         if cause.kind == Kind::WinchOffset {
             offsets[cause.cable] += by;
         }
-        let control = Control { model: &control, tension_method: self.method };
+        let control = Control { tension_method: self.method, ..Control::from(&control) };
         let mut operation = Operation::new(control, &machine, &offsets).unwrap();
         if let Some(history) = &self.history {
             operation = operation.with_history(history, &self.home);
@@ -80,7 +80,7 @@ impl Case {
     fn check(&self, rule: Offsets) {
         let offsets = self.offsets(&self.control, &self.machine, None);
         let setting = Setting { initial: &self.initial, pose: self.home, former: None, offsets: rule };
-        let control = Control { model: &self.control, tension_method: self.method };
+        let control = Control { tension_method: self.method, ..Control::from(&self.control) };
         let mut sensitivity = Sensitivity::new(control, &self.machine, &offsets, &setting).unwrap();
         if let Some(history) = &self.history {
             sensitivity = sensitivity.with_history(history, &self.home);

@@ -8,7 +8,8 @@ mod mutation;
 
 use std::sync::LazyLock;
 
-use cdpr::identification::compensation::{Compensation, compensate};
+use cdpr::compensation::Compensation;
+use cdpr::identification::compensation::compensate;
 use cdpr::measurement::{Reading, Samples, Sidecar, Split};
 use cdpr::metamodel::Study;
 use cdpr::model::{Composition, Model};

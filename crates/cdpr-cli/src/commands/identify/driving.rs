@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use cdpr::metamodel::InputError;
 use cdpr::metamodel::accuracy::Accuracy;
 use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::Model;
@@ -34,6 +35,10 @@ impl DriveArguments {
     pub(crate) fn read(&self, seed: u64) -> Result<Option<Drive>, Failure> {
         let Some(path) = &self.drive else { return Ok(None) };
         let study = StudyFile::read(path)?;
+        if study.compensation.is_some() {
+            let reason = "it drives by other control models, and a map belongs to one";
+            return Err(study.refused(&InputError::Map { question: "--drive", reason }));
+        }
         let poses = study.poses(seed)?;
         Ok(Some(Drive { study, poses }))
     }

@@ -91,6 +91,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "sweep-twin-cost.toml",
     "twin-campaign.toml",
     "twin-chain.toml",
+    "twin-compensated.toml",
     "twin-elastostatic-measurements.toml",
     "twin-elastostatic-nominal.toml",
     "twin-kinematic-calibrated.toml",
@@ -99,6 +100,7 @@ const STUDY_FILES: &[EmbeddedFile] = studies![
     "twin-nominal.toml",
     "twin-tolerances.toml",
     "twin-winch-offsets.toml",
+    "maps/twin-kinematic.toml",
     "poses/planar-circle.csv",
     "poses/planar-small-circle.csv",
     "robots/planar-calibrated-low.toml",
@@ -144,7 +146,7 @@ impl Example {
     }
 }
 
-/// The name of a study: a file beside the folders of robots and poses.
+/// The name of a study: a file beside the folders of maps, poses and robots.
 fn name_of(file: &EmbeddedFile) -> Option<&'static str> {
     file.path.strip_suffix(".toml").filter(|name| !name.contains('/'))
 }
@@ -175,7 +177,7 @@ mod tests {
     fn every_file_of_the_folder_of_studies_is_embedded() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../studies");
         let mut paths = Vec::new();
-        for folder in ["", "poses", "robots"] {
+        for folder in ["", "maps", "poses", "robots"] {
             for entry in std::fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap()) {
                 let path = Path::new(folder).join(entry.file_name()).display().to_string();
                 if entry.path().is_file() && path != "README.md" {

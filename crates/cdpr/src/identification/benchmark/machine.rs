@@ -132,7 +132,7 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
     let named = |robot: &str| (robot.to_owned(), Composition::STANDARD.to_string());
     let ((control, of_control), (machine, of_machine)) = (named("control"), named("machine"));
     Study {
-        control: ControlModel { robot: control, model: of_control, tension_method: None },
+        control: ControlModel { robot: control, model: of_control, tension_method: None, compensation: None },
         machine: RobotModel { robot: machine, model: of_machine },
         prediction: None,
         initial: Initial { pose: middle, tension_method: Some(Method::Qp), ..Initial::default() },

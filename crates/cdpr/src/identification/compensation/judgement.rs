@@ -1,9 +1,10 @@
-//! A map judged on samples that it was not made of.
+//! A map made of samples, and judged on samples that it was not made of.
 
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::compensation_error::CompensationError;
-use super::map::Compensation;
+use crate::compensation::{Compensation, MapError};
 use crate::geometry::Pose;
 use crate::identification::evaluation::{
     ErrorBlocks, Evaluation, EvaluationError, evaluate_corrected, evaluate_fitted,
@@ -14,6 +15,9 @@ use crate::model::Model;
 
 /// Least number of samples that a map is made of.
 const LEAST: usize = 10;
+
+/// Most samples of a map; of more, so many are taken evenly.
+const MOST: usize = 400;
 
 /// Parts that are held out in turn.
 const PARTS: usize = 5;
@@ -66,11 +70,24 @@ pub fn compensate(
     if known < LEAST {
         return Err(CompensationError::TooFewSamples { samples: known, least: LEAST });
     }
-    let map = Compensation::of(model, samples, &alone)?;
+    let map = map_of(model, samples, &alone)?;
     let usual = if samples.time.is_some() { Split::Blocks(PARTS) } else { Split::KFold(PARTS) };
     let folds = split.unwrap_or(usual).folds(samples, seed)?;
     let judged = judge(model, (samples, &alone), &folds, seed)?;
     Ok(Compensated { reason: refusal(&judged), map, judged })
+}
+
+/// The map of a model's errors on samples; `errors` are those of the model alone.
+fn map_of(model: &Model, samples: &Samples, errors: &Evaluation) -> Result<Compensation, MapError> {
+    let cables = model.cable_count();
+    let of_sample = |sample: &usize| &errors.length[sample * cables..][..cables];
+    let known = |sample: &usize| of_sample(sample).iter().all(|error| error.is_finite());
+    let all: Vec<usize> = (0..samples.len()).filter(known).collect();
+    let taken = all.len().min(MOST);
+    let used: Vec<usize> = (0..taken).map(|place| all[place * all.len() / taken]).collect();
+    let poses: Vec<Pose> = used.iter().map(|&sample| samples.poses[sample]).collect();
+    let corrections = DMatrix::from_fn(used.len(), cables, |row, cable| -errors.length[used[row] * cables + cable]);
+    Compensation::through(model, &poses, &corrections)
 }
 
 fn judge(
@@ -82,7 +99,7 @@ fn judge(
     let (mut without, mut with) = (Evaluation::default(), Evaluation::default());
     let mut outside = 0;
     for fold in folds {
-        let map = Compensation::of(model, &samples.subset(&fold.train), &alone.subset(&fold.train))?;
+        let map = map_of(model, &samples.subset(&fold.train), &alone.subset(&fold.train))?;
         without.extend(&alone.subset(&fold.validation));
         let (own, beyond) = evaluate_compensated(model, &samples.subset(&fold.validation), &map)?;
         with.extend(&own);
@@ -131,8 +148,7 @@ pub fn evaluate_compensated(
     samples: &Samples,
     map: &Compensation,
 ) -> Result<(Evaluation, Vec<usize>), EvaluationError> {
-    let correction = |pose: &Pose| map.at(pose).ok();
-    let evaluation = evaluate_corrected(model, samples, &correction)?;
+    let evaluation = evaluate_corrected(model, samples, map)?;
     let outside = (0..samples.len()).filter(|&sample| map.at(&samples.poses[sample]).is_err()).collect();
     Ok((evaluation, outside))
 }

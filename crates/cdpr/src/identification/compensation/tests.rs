@@ -1,15 +1,22 @@
 //! Maps on the twin of sec. 6, whose elasticity a kinematic controller does not know: smooth errors, and noise.
 
 use super::*;
+use crate::compensation::{Compensation, MapError};
 use crate::equilibrium::State;
 use crate::geometry::Pose;
+use crate::identification::campaign::{CampaignError, Order};
 use crate::identification::chain::tests::experiment;
 use crate::identification::evaluation::evaluate_fitted;
 use crate::identification::fit::{Settings, fit};
 use crate::measurement::{Samples, SensorSigmas};
-use crate::metamodel::Experiment;
+use crate::metamodel::field::field;
+use crate::metamodel::reachable::Varied;
+use crate::metamodel::sensitivity::Offsets;
+use crate::metamodel::study::CommandedPose;
+use crate::metamodel::{Experiment, InputError, Outcome};
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
+use nalgebra::Vector3;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -58,6 +65,50 @@ fn smooth_errors_of_the_twin_are_halved_where_nothing_was_fitted() {
     let poses: Vec<Pose> = fresh.iter().map(|command| command.pose).collect();
     let (before, after) = (driven(&twin, &poses, None), driven(&twin, &poses, Some(&found.map)));
     assert!(after < 0.7 * before, "{after} {before}");
+    studies_drive_with_maps(&twin, &found.map, &fresh, [before, after]);
+}
+
+/// An experiment drives by the lengths of its map, beyond the samples by those of the model alone, says what it would be without, and refuses questions of other models.
+fn studies_drive_with_maps(twin: &Experiment, map: &Compensation, inside: &[CommandedPose], [before, after]: [f64; 2]) {
+    let mut twin = twin.clone();
+    twin.study.control.compensation = Some("map.toml".to_owned());
+    assert!(matches!(twin.assess(inside), Err(InputError::NoMap { file }) if file == "map.toml"));
+    let corrected = twin.clone().with_compensation(map.clone()).unwrap();
+    let far = Pose { position: twin.start.position + 0.9 * Vector3::z(), ..twin.start };
+    let poses: Vec<CommandedPose> = inside.iter().cloned().chain([CommandedPose::at(far)]).collect();
+    let found = corrected.assess(&poses).unwrap();
+    let mean = |of: &[Outcome]| {
+        let missed =
+            |(command, outcome): (&CommandedPose, &Outcome)| (outcome.pose.position - command.pose.position).norm();
+        inside.iter().zip(of).map(missed).sum::<f64>() / inside.len() as f64
+    };
+    let alone = corrected.without_compensation().assess(&poses).unwrap();
+    // forward problems from other starts end within a nanometre
+    assert!((mean(&found.outcomes) - after).abs() < 1e-8 && (mean(&alone.outcomes) - before).abs() < 1e-8);
+    assert_eq!(found.outcomes.last(), alone.outcomes.last());
+    let effect = found.accuracy.compensation.as_ref().unwrap();
+    assert_eq!((effect.outside, &effect.without), (1, &alone.accuracy));
+    let commands: Vec<Pose> = poses.iter().map(|command| command.pose).collect();
+    let driving = corrected.driving().unwrap();
+    assert_eq!(driving.outcomes(&commands), found.outcomes);
+    let summary = field(&driving, &commands).summary;
+    let effect = summary.compensation.unwrap();
+    assert_eq!((effect.outside, effect.without.position_error_m), (1, alone.accuracy.position_error_m));
+    assert_eq!(summary.position_error_m, found.accuracy.position_error_m);
+    // one linear step from the corrected lengths
+    assert!(summary.linear_residual_m.max < 0.2 * summary.position_error_m.max);
+    let refused = |found: Result<(), InputError>| matches!(found, Err(InputError::Map { .. }));
+    assert!(refused(corrected.sensitivity(Offsets::Kept).map(drop)));
+    let (reachable, causes) = (corrected.reachable().unwrap(), corrected.causes(Offsets::Kept));
+    assert!(refused(Varied::new(&reachable, &causes[0], 1e-3).map(drop)));
+    let limits = corrected.known_limits().unwrap();
+    assert!(refused(corrected.initial_tension_task(&limits).map(drop)));
+    let mut record = |_: &Order<'_>| -> Result<Option<Samples>, CampaignError> { Ok(None) };
+    let campaign = corrected.campaign(&poses, 0, &mut record).map(drop);
+    assert!(matches!(campaign, Err(CampaignError::Machine(InputError::Map { .. }))));
+    assert!(corrected.with_control(twin.machine.clone()).compensation.is_none());
+    let other = Experiment { control: twin.machine.clone(), ..twin };
+    assert!(matches!(other.with_compensation(map.clone()), Err(MapError::OtherModel { .. })));
 }
 
 /// A model that is right leaves noise, of which no map is made.
@@ -126,7 +177,7 @@ fn maps_end_where_their_samples_end() {
     let map = compensate(&model, &samples, None, 0).unwrap().map;
     let at = |x: f64, y: f64| map.at(&model.robot().motion_pattern.pose(model.robot().plane, &[x, y]).unwrap());
     assert!(at(0.3, 4.2).is_ok());
-    assert!(matches!(at(3.0, 4.0), Err(CompensationError::Outside { reason }) if reason.contains("x is")));
+    assert!(matches!(at(3.0, 4.0), Err(MapError::Outside { reason }) if reason.contains("x is")));
     let (_, outside) = evaluate_compensated(&model, &planar(&model, 5, |_, _| 0.0), &map).unwrap();
     assert!(outside.is_empty());
     let few = planar(&model, 9, smooth);
@@ -141,7 +192,7 @@ fn maps_end_where_their_samples_end() {
     let other = Model::new(Robot::builtin("planar-example-calibrated").unwrap(), Composition::STANDARD).unwrap();
     assert!(matches!(
         Compensation::from_toml_bytes(text.as_bytes(), "map.toml", &other),
-        Err(MapError::Map(CompensationError::OtherModel { .. }))
+        Err(MapError::OtherModel { .. })
     ));
     let scale = format!("length_scale_m = {:?}", map.length_scale());
     let wrong = [

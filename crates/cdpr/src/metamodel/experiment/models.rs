@@ -73,9 +73,23 @@ impl History {
 }
 
 impl Experiment {
-    /// The control model with its way to choose tensions.
-    pub(crate) fn controller(&self) -> Control<'_> {
-        Control { model: &self.control, tension_method: self.study.control.tension_method.unwrap_or_default() }
+    /// The control model with its way to choose tensions and its map; refuses a study whose map is not given.
+    pub(crate) fn controller(&self) -> Result<Control<'_>, InputError> {
+        let stated = &self.study.control;
+        match (&stated.compensation, &self.compensation) {
+            (Some(file), None) => Err(InputError::NoMap { file: file.clone() }),
+            (_, map) => Ok(Control {
+                model: &self.control,
+                tension_method: stated.tension_method.unwrap_or_default(),
+                compensation: map.as_ref(),
+            }),
+        }
+    }
+
+    /// Refuses a map for a question that calibrates the controller.
+    pub(crate) fn refuse_map(&self, question: &'static str) -> Result<(), InputError> {
+        let reason = "it calibrates other control models, and a map belongs to one";
+        self.controller()?.without_map(question, reason).map(drop)
     }
 
     /// The model in use when the winches are set.

@@ -19,8 +19,9 @@ impl Experiment {
 
     /// The winches to be set anew, with the tensions that they have now; `limits` are what their tensions keep.
     pub fn initial_tension_task<'a>(&'a self, limits: &'a Limits) -> Result<Task<'a>, InputError> {
+        let reason = "winches that are set anew leave other errors than those that it was made of";
         Ok(Task {
-            control: self.controller(),
+            control: self.controller()?.without_map("the search for initial tensions", reason)?,
             machine: &self.machine,
             set_with: self.set_with(),
             pose: self.start,
@@ -43,7 +44,7 @@ impl Experiment {
     /// How pose and tensions follow all that may deviate.
     pub(crate) fn sensitivity(&self, offsets: Offsets) -> Result<Sensitivity<'_>, InputError> {
         let setting = self.setting(offsets);
-        let sensitivity = Sensitivity::new(self.controller(), &self.machine, &self.offsets, &setting)?;
+        let sensitivity = Sensitivity::new(self.controller()?, &self.machine, &self.offsets, &setting)?;
         Ok(sensitivity.with_history(self.history().as_ref(), &self.start))
     }
 }

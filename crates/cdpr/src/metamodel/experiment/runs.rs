@@ -18,13 +18,13 @@ const BRANCHED: usize = 100;
 impl Experiment {
     /// The machine under its control model, to be asked pose by pose.
     pub(crate) fn operation(&self) -> Result<Operation<'_>, InputError> {
-        let operation = Operation::new(self.controller(), &self.machine, &self.offsets)?;
+        let operation = Operation::new(self.controller()?, &self.machine, &self.offsets)?;
         Ok(operation.with_history(self.history().as_ref(), &self.start))
     }
 
     /// The machine under its control model, to be asked from several threads.
     pub fn driving(&self) -> Result<Driving<'_>, InputError> {
-        let driving = Driving::new(self.controller(), &self.machine, &self.offsets)?;
+        let driving = Driving::new(self.controller()?, &self.machine, &self.offsets)?;
         Ok(driving.with_history(self.history().as_ref(), &self.start))
     }
 
@@ -83,7 +83,7 @@ impl Experiment {
         let Some(history) = self.history() else { return Ok(None) };
         let every = poses.len().div_ceil(BRANCHED).max(1);
         let poses: Vec<Pose> = poses.iter().step_by(every).map(|command| command.pose).collect();
-        let models = (self.controller(), &self.machine);
+        let models = (self.controller()?, &self.machine);
         branches(models, &self.offsets, (&history, &self.start), &poses, stroke).map(Some)
     }
 }

@@ -29,6 +29,8 @@ impl Varied {
     /// Refuses initial tensions: they are no number of their own but come with all winch offsets at once.
     pub fn new(reachable: &Reachable<'_>, cause: &ParameterDeviation, by: f64) -> Result<Self, InputError> {
         let driving = reachable.driving();
+        let reason = "with a number that changes, its corrections would be those of another model";
+        let tension_method = driving.control().without_map("the differential reach", reason)?.tension_method;
         let mut offsets = driving.offsets().to_vec();
         match cause.kind {
             Kind::InitialTension => return Err(InputError::TensionsVaryTogether),
@@ -44,7 +46,7 @@ impl Varied {
         };
         Ok(Self {
             control: varied(driving.control().model, Side::Control)?,
-            tension_method: driving.control().tension_method,
+            tension_method,
             machine: varied(driving.machine(), Side::Machine)?,
             offsets,
             history: driving.history().map(|(history, _)| *history),
@@ -55,7 +57,7 @@ impl Varied {
 
     /// Reachable workspace with the change; machines with history come to every pose as without it.
     pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
-        let control = Control { model: &self.control, tension_method: self.tension_method };
+        let control = Control { tension_method: self.tension_method, ..Control::from(&self.control) };
         let driving = Driving::new(control, &self.machine, &self.offsets)?;
         Reachable::new(driving.with_history(self.history.as_ref(), &self.start), self.requirements.clone())
     }

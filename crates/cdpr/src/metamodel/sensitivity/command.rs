@@ -56,7 +56,7 @@ impl<'a> Command<'a> {
             let lengths = causes.iter().map(|cause| at_tensions(model, pose, &tensions, cause));
             return Ok(Commanded { lengths: lengths.collect::<Result<_, _>>()?, tension_changes: unchanged });
         };
-        let Control { model: choosing, tension_method } = self.control;
+        let Control { model: choosing, tension_method, .. } = self.control;
         let choice = Choice::by(tension_method, (choosing, pose), load, limits, &tensions)?
             .map_err(OperationError::NotSmooth)?;
         let stretch = by_tensions(model, pose, &tensions)?;

@@ -87,7 +87,7 @@ struct Path<'a> {
 
 impl Path<'_> {
     fn drive(&self, control: &Model, machine: &Model, offsets: &[f64]) -> Result<Vec<Outcome>, InputError> {
-        let control = Control { model: control, tension_method: self.sensitivity.control.tension_method };
+        let control = Control { model: control, ..self.sensitivity.control };
         let mut operation = Operation::new(control, machine, offsets)?;
         if let Some((history, start)) = &self.sensitivity.history {
             operation = operation.with_history(history, start);

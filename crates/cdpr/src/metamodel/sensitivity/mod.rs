@@ -71,7 +71,7 @@ pub struct Sensitivity<'a> {
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Refuses what [`Operation::new`] does.
+    /// Refuses what [`Operation::new`] does, and maps.
     ///
     /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
     pub fn new(
@@ -80,7 +80,8 @@ impl<'a> Sensitivity<'a> {
         offsets: &[f64],
         setting: &Setting<'a>,
     ) -> Result<Self, InputError> {
-        let control = control.into();
+        let reason = "with numbers that deviate, its corrections would be those of another model";
+        let control = control.into().without_map("sensitivity", reason)?;
         let operation = Operation::new(control, machine, offsets)?;
         let load = match operation.knows_tensions() {
             true => Some(Load::of(machine.robot())?),

@@ -3,8 +3,8 @@
 use super::files::Files;
 use super::point_error::PointError;
 use super::{Subjects, Sweep};
-use crate::metamodel::Experiment;
 use crate::metamodel::reachable::Requirements;
+use crate::metamodel::{Experiment, InputError};
 use crate::workspace::Bounds;
 use crate::workspace::grid::Grid;
 
@@ -56,6 +56,10 @@ impl<'a> PreparedSweep<'a> {
     pub(crate) fn experiment(&self, values: &[f64]) -> Result<Experiment, PointError> {
         let values: Vec<(usize, f64)> = values.iter().copied().enumerate().collect();
         let (study, robots) = self.files.with(&values)?.read()?;
+        if study.control.compensation.is_some() {
+            let reason = "it changes numbers of robots, and a map belongs to one robot as it is";
+            return Err(InputError::Map { question: "a sweep", reason }.into());
+        }
         Ok(Experiment::new(study, robots)?.with_tension_method(self.sweep.tension_method))
     }
 }

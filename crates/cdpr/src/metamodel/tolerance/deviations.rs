@@ -100,7 +100,7 @@ impl Experiment {
         };
         let set = (&self.setting(asked.offsets), self.offsets.as_slice());
         let nominal = (found.commanded.as_slice(), found.poses.as_slice());
-        monte_carlo((self.controller(), &self.machine), set, &found.causes, nominal, &settings).map(Some)
+        monte_carlo((self.controller()?, &self.machine), set, &found.causes, nominal, &settings).map(Some)
     }
 }
 

@@ -198,7 +198,7 @@ impl Run<'_> {
     fn one_by_one(&self, made: &Made) -> Result<Row, InputError> {
         let control = made.control.as_ref().unwrap_or(self.models.0);
         let machine = made.machine.as_ref().unwrap_or(self.models.1);
-        let control = Control { model: control, tension_method: self.tension_method };
+        let control = Control { tension_method: self.tension_method, ..Control::from(control) };
         let operation = Operation::new(control, machine, &made.offsets)?;
         let mut operation = operation.with_history(self.settings.history.as_ref(), &self.makers.setting.pose);
         let mut reason = None;

@@ -2,20 +2,15 @@
 
 use nalgebra::DMatrix;
 
-use super::compensation_error::CompensationError;
 use super::field::Field;
+use super::map_error::MapError;
 use super::pose_space::PoseSpace;
 use crate::equilibrium::State;
 use crate::geometry::Pose;
-use crate::identification::Evaluation;
-use crate::measurement::Samples;
 use crate::model::Model;
 
-/// Most samples of a map; of more, so many are taken evenly.
-const MOST: usize = 400;
-
 /// Largest share of the smooth part's variance that samples may leave unknown at a pose.
-pub(super) const UNKNOWN: f64 = 0.5;
+const UNKNOWN: f64 = 0.5;
 
 /// Difference of lengths at the centre by which another model is told (m).
 const SAME: f64 = 1e-6;
@@ -34,19 +29,11 @@ pub struct Compensation {
 }
 
 impl Compensation {
-    /// The map of a model's errors on samples, smooth as the samples ask for; `errors` are those of the model alone.
-    pub(super) fn of(model: &Model, samples: &Samples, errors: &Evaluation) -> Result<Self, CompensationError> {
-        let cables = model.cable_count();
-        let of_sample = |sample: &usize| &errors.length[sample * cables..][..cables];
-        let known = |sample: &usize| of_sample(sample).iter().all(|error| error.is_finite());
-        let all: Vec<usize> = (0..samples.len()).filter(known).collect();
-        let taken = all.len().min(MOST);
-        let used: Vec<usize> = (0..taken).map(|place| all[place * all.len() / taken]).collect();
-        let poses: Vec<Pose> = used.iter().map(|&sample| samples.poses[sample]).collect();
-        let space = PoseSpace::about(model, &poses);
+    /// The map through corrections at poses (m; pose by cable), as smooth as they ask for.
+    pub(crate) fn through(model: &Model, poses: &[Pose], corrections: &DMatrix<f64>) -> Result<Self, MapError> {
+        let space = PoseSpace::about(model, poses);
         let points = poses.iter().map(|pose| space.point(pose)).collect();
-        let values = DMatrix::from_fn(used.len(), cables, |row, cable| -errors.length[used[row] * cables + cable]);
-        let field = Field::fit(points, &values).ok_or(CompensationError::OnePose)?;
+        let field = Field::fit(points, corrections).ok_or(MapError::OnePose)?;
         Ok(Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
@@ -72,15 +59,15 @@ impl Compensation {
     }
 
     /// Corrections to add to the recorded lengths of the model at a pose, cable by cable (m); an error beyond the samples.
-    pub fn at(&self, pose: &Pose) -> Result<Vec<f64>, CompensationError> {
+    pub fn at(&self, pose: &Pose) -> Result<Vec<f64>, MapError> {
         let point = self.space.point(pose);
         if let Some(reason) = self.space.beyond(&point) {
-            return Err(CompensationError::Outside { reason });
+            return Err(MapError::Outside { reason });
         }
         let (correction, unknown) = self.field.at(&point);
         match unknown <= UNKNOWN {
             true => Ok(correction),
-            false => Err(CompensationError::Outside {
+            false => Err(MapError::Outside {
                 reason: format!(
                     "samples are so far from it that {:.0} % of the variance stay unknown",
                     100.0 * unknown
@@ -89,8 +76,18 @@ impl Compensation {
         }
     }
 
+    /// Lengths to send for a pose: those of the model, φ(x) + c(x), in the units of its encoders (m); an error beyond the samples.
+    pub fn corrected(&self, pose: &Pose, modelled: &[f64]) -> Result<Vec<f64>, MapError> {
+        Ok(modelled.iter().zip(self.at(pose)?).map(|(length, own)| length + own).collect())
+    }
+
+    /// Lengths that the model has where these are recorded at a pose, q − c(x) (m).
+    pub(crate) fn modelled(&self, pose: &Pose, recorded: &[f64]) -> Result<Vec<f64>, MapError> {
+        Ok(recorded.iter().zip(self.at(pose)?).map(|(length, own)| length - own).collect())
+    }
+
     /// Refuses a model that the map was not made for.
-    pub fn check(&self, model: &Model) -> Result<(), CompensationError> {
+    pub(crate) fn check(&self, model: &Model) -> Result<(), MapError> {
         let own = lengths_at(model, &self.space.centre)?;
         let difference = match own.len() == self.at_centre.len() {
             true => own.iter().zip(&self.at_centre).map(|(own, map)| (own - map).abs()).fold(0.0, f64::max),
@@ -104,12 +101,12 @@ impl Compensation {
             return Ok(());
         }
         let (robot, model) = (self.robot.clone(), self.model.clone());
-        Err(CompensationError::OtherModel { robot, model, difference_m: difference })
+        Err(MapError::OtherModel { robot, model, difference_m: difference })
     }
 }
 
 /// Lengths of a model's cables at a pose, whatever their tensions (m).
-fn lengths_at(model: &Model, pose: &Pose) -> Result<Vec<f64>, CompensationError> {
+fn lengths_at(model: &Model, pose: &Pose) -> Result<Vec<f64>, MapError> {
     let mut state = State::at(model, pose);
     let solution = model.inverse(pose, &vec![f64::NAN; model.cable_count()], &mut state)?;
     Ok(solution.cables.iter().map(|cable| cable.length).collect())

@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::compensation_error::CompensationError;
 use super::field::{Field, factor};
 use super::map::Compensation;
+use super::map_error::MapError;
 use super::pose_space::PoseSpace;
 use crate::geometry::Pose;
 use crate::model::Model;
@@ -156,21 +156,4 @@ fn field(
 ) -> Option<Field> {
     let factor = factor(&points, length_scale, noise_ratio)?;
     Some(Field { points, length_scale, noise_ratio, mean, weights, factor })
-}
-
-/// Map that cannot be read.
-#[derive(Debug, thiserror::Error)]
-pub enum MapError {
-    /// A file that is no map.
-    #[error(transparent)]
-    Read(#[from] Box<ReadError>),
-    /// A map of another model.
-    #[error(transparent)]
-    Map(#[from] CompensationError),
-}
-
-impl From<ReadError> for MapError {
-    fn from(error: ReadError) -> Self {
-        Self::Read(Box::new(error))
-    }
 }

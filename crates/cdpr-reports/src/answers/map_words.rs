@@ -1,0 +1,35 @@
+//! Maps that correct a control model's lengths, in words.
+
+use cdpr::metamodel::Experiment;
+use cdpr::metamodel::errors::PoseErrorStatistics;
+use cdpr::metamodel::field::Field;
+
+use super::title;
+
+/// The control model of an experiment with its map, as answers and figures name it.
+pub fn control_title(experiment: &Experiment) -> String {
+    let map = experiment.study.control.compensation.as_ref().filter(|_| experiment.compensation.is_some());
+    let corrected = map.map_or_else(String::new, |file| format!(" corrected by {file}"));
+    format!("{}{corrected}", title(&experiment.control))
+}
+
+/// Remarks on the errors of a study: poses outside the machine's reach, and beyond the samples of its map.
+pub fn study_remarks(experiment: &Experiment, found: &Field) -> Vec<String> {
+    let outside = found.summary.compensation.as_ref().map_or(0, |map| map.outside);
+    let beyond = beyond_map(outside, &format!("{} poses", found.samples.len()));
+    found.remark(&experiment.machine).into_iter().chain(beyond).collect()
+}
+
+/// Caution about places beyond the samples of a map; nothing where there are none.
+pub(crate) fn beyond_map(outside: usize, places: &str) -> Option<String> {
+    (outside > 0).then(|| format!(
+        "{outside} of {places} lie beyond the samples of [control] compensation: the control model alone drives there"
+    ))
+}
+
+/// Sentence on what a map makes of position errors.
+pub(crate) fn gain_words(with: &PoseErrorStatistics, without: &PoseErrorStatistics) -> String {
+    let both = |with: f64, without: f64| format!("{:.3} instead of {:.3} mm", 1e3 * with, 1e3 * without);
+    let (mean, most) = (both(with.mean, without.mean), both(with.max, without.max));
+    format!("\nwith its map positions are missed by {mean} in the mean, {most} at most\n")
+}

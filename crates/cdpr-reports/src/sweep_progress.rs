@@ -1,0 +1,39 @@
+//! A sweep on its way: what is planned or computed of it.
+
+use serde::Serialize;
+
+use crate::answers::Answer;
+
+/// Points of a sweep that are planned, or of a shard that are computed.
+#[derive(Serialize)]
+pub struct SweepProgress {
+    status: &'static str,
+    folder: String,
+    points: usize,
+    computed: usize,
+    already_there: usize,
+    #[serde(skip)]
+    words: String,
+}
+
+impl SweepProgress {
+    /// A sweep that is planned in a folder.
+    pub fn planned(folder: String, points: usize) -> Self {
+        let words =
+            format!("planned {points} points\nnext: cdpr sweep run {folder}; then: cdpr sweep merge {folder}\n");
+        Self { status: "planned", folder, points, computed: 0, already_there: 0, words }
+    }
+
+    /// A shard in a folder, some of whose points were there before.
+    pub fn computed(folder: String, computed: usize, already_there: usize) -> Self {
+        let points = computed + already_there;
+        let words = format!("{points} points: {computed} computed, {already_there} already there\n");
+        Self { status: "computed", folder, points, computed, already_there, words }
+    }
+}
+
+impl Answer for SweepProgress {
+    fn words(&self, _width: Option<usize>) -> String {
+        self.words.clone()
+    }
+}
