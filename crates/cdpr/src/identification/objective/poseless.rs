@@ -165,16 +165,17 @@ impl<'a> PoselessVectors<'a> {
             (0..directions.len()).for_each(|k| self.by_pose[(cable, k)] = row[k]);
         }
         orthonormalise(&mut self.by_pose, directions.len());
-        for (column, entries) in self.at.jacobian.column_iter().enumerate() {
-            let mut target = stacked.jacobian.column_mut(column);
-            let mut target = target.rows_mut(first, m);
-            target.copy_from(&entries.rows(first, m));
+        let heights = [self.at.jacobian.nrows().max(1), stacked.jacobian.nrows().max(1)];
+        let all = self.at.jacobian.as_slice().chunks_exact(heights[0]);
+        for (entries, target) in all.zip(stacked.jacobian.as_mut_slice().chunks_exact_mut(heights[1])) {
+            let target = &mut target[first..][..m];
+            target.copy_from_slice(&entries[first..][..m]);
             if self.are_changes {
-                target -= entries.rows(origin, m);
+                target.iter_mut().zip(&entries[origin..][..m]).for_each(|(entry, origin)| *entry -= origin);
             }
-            for explained in self.by_pose.column_iter().take(directions.len()) {
-                let share = explained.dot(&target);
-                target.axpy(-share, &explained, 1.0);
+            for explained in self.by_pose.as_slice().chunks_exact(m.max(1)).take(directions.len()) {
+                let share: f64 = explained.iter().zip(&*target).map(|(explained, entry)| explained * entry).sum();
+                target.iter_mut().zip(explained).for_each(|(entry, explained)| *entry -= share * explained);
             }
         }
     }
@@ -262,7 +263,7 @@ impl Search<'_> {
             let residual = self.per_length * (length.recorded - recorded);
             let (mut velocities, mut row) = ([Vector3::zeros(); N], [0.0; N]);
             for (i, twist) in directions.iter().enumerate() {
-                velocities[i] = length.velocity(twist);
+                velocities[i] = if turns[i] { length.velocity(twist) } else { twist.fixed_rows::<3>(0).into_owned() };
                 row[i] = -length.factor * length.direction.dot(&velocities[i]);
                 slope.pull[i] -= row[i] * residual;
             }

@@ -104,6 +104,8 @@ impl Stacked {
 
     /// True where every number is one.
     pub(in crate::identification) fn is_finite(&self) -> bool {
-        self.residuals.iter().chain(self.jacobian.iter()).all(|number| number.is_finite())
+        // without an early end, several numbers at once
+        let are_finite = |numbers: &[f64]| numbers.iter().fold(true, |all, number| all & number.is_finite());
+        are_finite(self.residuals.as_slice()) && are_finite(self.jacobian.as_slice())
     }
 }
