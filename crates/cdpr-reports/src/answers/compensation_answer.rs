@@ -79,7 +79,7 @@ impl Answer for CompensationAnswer {
         let blocks = [("model alone", &held_out.without), ("with the map", &held_out.with)];
         text.push_str(&error_table(self.pattern, &blocks, Source::Measurements, width));
         if let Some(path) = &self.out {
-            text.push_str(&format!("\nmap written to {path}: use it by --compensation {path}\n"));
+            text.push_str(&format!("\nmap written to {path}: use it by --compensation {path}, in studies by compensation = \"{path}\" of [control]\n"));
         }
         text
     }

@@ -84,7 +84,7 @@ pub use plan_answer::{PlanAnswer, Planned};
 pub use pose_answer::{PoseAnswer, axis_names, components, degrees_of_freedom, title};
 pub use poseless_judgement::PoselessJudgement;
 pub use rating_answer::RatingAnswer;
-pub(crate) use rating_answer::{above_least, largest};
+pub(crate) use rating_answer::{above_least, has_others, largest};
 pub use reduction_answer::ReductionAnswer;
 pub use robots_answer::RobotsAnswer;
 pub use run_answer::RunAnswer;

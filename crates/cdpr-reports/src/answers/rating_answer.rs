@@ -44,10 +44,16 @@ pub(crate) fn largest(criteria: &[Preference], kind: SelectionCriterion, candida
     Some(significant(kind.in_unit(values[candidate]), 3))
 }
 
+/// True where another criterion than the errors that decide has a value, as those of lengths alone have none.
+pub(crate) fn has_others(criteria: &[Preference]) -> bool {
+    let decides = |one: &&Preference| !["one-standard-error", "least-error"].contains(&one.name);
+    criteria.iter().filter(decides).any(|one| one.values.iter().any(|value| value.is_finite()))
+}
+
 /// The candidates by all criteria, for people; nothing where none rates them.
 pub(super) fn table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String> {
     let criteria = &answer.rating.criteria;
-    if criteria.len() < 2 || answer.candidates.len() < 2 {
+    if !has_others(criteria) || answer.candidates.len() < 2 {
         return None;
     }
     let turns = largest(criteria, SelectionCriterion::Rotation, 0).is_some();

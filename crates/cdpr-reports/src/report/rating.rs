@@ -5,7 +5,7 @@ use minijinja::{Value, context};
 
 use super::table::{Cell, Table};
 use super::{Purpose, Report, criterion};
-use crate::answers::{above_least, largest};
+use crate::answers::{above_least, has_others, largest};
 use crate::html_page::prose;
 use crate::number_format::{self as number, NONE};
 
@@ -16,7 +16,7 @@ pub(super) fn rating(report: &Report<'_>) -> Option<Value> {
         return None;
     }
     let words = prose(&format!("{}.", capital(&rating.words)));
-    Some(context! { words, table => table(report) })
+    Some(context! { words, table => has_others(&rating.criteria).then(|| table(report)) })
 }
 
 fn capital(words: &str) -> String {
