@@ -112,6 +112,14 @@ impl Search<'_> {
         told.ranges = drawing.words(self.parts);
         self.add_joined(landscape, &mut found, best);
         found.sort_by(|a, b| a.told.cost.total_cmp(&b.told.cost));
+        // among ends of the same cost, as mirror images are, the one that is taken stands first
+        let is_taken = |one: &Found<L::End>| self.distance(&one.ends, best) <= SAME_PLACE;
+        if let Some(place) = found.iter().position(is_taken) {
+            let (own, least) = (found[place].told.cost, found[0].told.cost);
+            if own - least <= same_cost(least, self.samples) {
+                found[..=place].rotate_right(1);
+            }
+        }
         let distance = |found: &Found<L::End>| self.distance(&found.ends, best);
         let tell = |found: &Found<L::End>| StartOptimum { distance_m: distance(found), ..found.told.clone() };
         told.optima = found.iter().map(tell).collect();

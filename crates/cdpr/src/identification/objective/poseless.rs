@@ -44,6 +44,8 @@ pub(in crate::identification) struct PoselessVectors<'a> {
     at: Stacked,
     /// Memory for the derivatives of a sample's lengths by its pose.
     by_pose: DMatrix<f64>,
+    /// Memory for the projector on what the pose of a sample does not explain, I − E Eᵀ.
+    left: DMatrix<f64>,
     /// Poses where searches begin, the common pose last.
     guesses: Vec<Pose>,
     /// Poses found last.
@@ -81,6 +83,7 @@ impl<'a> PoselessVectors<'a> {
         Self {
             at: Stacked::new(&lengths, parameters.len()),
             by_pose: DMatrix::zeros(model.cable_count(), DOF),
+            left: DMatrix::zeros(model.cable_count(), model.cable_count()),
             directions: internal.known.iter().map(free).collect(),
             are_changes: internal.are_changes,
             per_length: sigma.recip(),
@@ -165,18 +168,18 @@ impl<'a> PoselessVectors<'a> {
             (0..directions.len()).for_each(|k| self.by_pose[(cable, k)] = row[k]);
         }
         orthonormalise(&mut self.by_pose, directions.len());
-        let heights = [self.at.jacobian.nrows().max(1), stacked.jacobian.nrows().max(1)];
-        let all = self.at.jacobian.as_slice().chunks_exact(heights[0]);
-        for (entries, target) in all.zip(stacked.jacobian.as_mut_slice().chunks_exact_mut(heights[1])) {
-            let target = &mut target[first..][..m];
-            target.copy_from_slice(&entries[first..][..m]);
-            if self.are_changes {
-                target.iter_mut().zip(&entries[origin..][..m]).for_each(|(entry, origin)| *entry -= origin);
-            }
-            for explained in self.by_pose.as_slice().chunks_exact(m.max(1)).take(directions.len()) {
-                let share: f64 = explained.iter().zip(&*target).map(|(explained, entry)| explained * entry).sum();
-                target.iter_mut().zip(explained).for_each(|(entry, explained)| *entry -= share * explained);
-            }
+        self.left.fill_with_identity();
+        for explained in self.by_pose.column_iter().take(directions.len()) {
+            self.left.ger(-1.0, &explained, &explained, 1.0);
+        }
+        for (column, parameter) in self.parameters.iter().enumerate() {
+            // a parameter changes the length of its own cable
+            let entries = self.at.jacobian.column(column);
+            let origin = if self.are_changes { entries[origin + parameter.cable] } else { 0.0 };
+            let entry = entries[first + parameter.cable] - origin;
+            let mut target = stacked.jacobian.column_mut(column);
+            let left = self.left.column(parameter.cable);
+            target.as_mut_slice()[first..][..m].iter_mut().zip(&left).for_each(|(row, left)| *row = entry * left);
         }
     }
 }
