@@ -119,15 +119,10 @@ impl PoseSquares {
             return false;
         }
         self.values = Some(values.to_vec());
+        self.products.write(equations, with_hessian);
         match self.summed_at.as_ref().filter(|_| !with_hessian) {
-            Some((_, hessian)) => {
-                self.products.write_gradient(equations);
-                equations.hessian.copy_from(hessian);
-            }
-            None => {
-                self.products.write(equations);
-                self.summed_at = Some((values.to_vec(), equations.hessian.clone()));
-            }
+            Some((_, hessian)) => equations.hessian.copy_from(hessian),
+            None => self.summed_at = Some((values.to_vec(), equations.hessian.clone())),
         }
         equations.cost.is_finite()
     }

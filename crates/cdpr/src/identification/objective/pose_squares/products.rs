@@ -70,15 +70,9 @@ impl Products {
         }
     }
 
-    /// Writes the sums over the lanes.
-    pub(super) fn write(&self, equations: &mut DenseEquations) {
-        self.write_gradient(equations);
-        dispatch(Total { products: self, equations });
-    }
-
-    /// Writes Σ rᵀr and Jᵀr over the lanes.
-    pub(super) fn write_gradient(&self, equations: &mut DenseEquations) {
-        dispatch(GradientTotal { products: self, equations });
+    /// Writes the sums over the lanes, that of JᵀJ where it was asked for.
+    pub(super) fn write(&self, equations: &mut DenseEquations, with_hessian: bool) {
+        dispatch(Total { products: self, equations, with_hessian });
     }
 }
 
@@ -109,27 +103,10 @@ fn add_tile<L: Lanes>(l: L, first: &[Column; TILE], second: &[Column; TILE], sum
     }
 }
 
-struct GradientTotal<'a> {
-    products: &'a Products,
-    equations: &'a mut DenseEquations,
-}
-
-impl Kernel for GradientTotal<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self, l: L) {
-        let Self { products, equations } = self;
-        equations.cost = l.load(&products.cost.0).sum();
-        for k in 0..products.parameters {
-            equations.gradient[k] = l.load(&products.gradient[k].0).sum();
-        }
-    }
-}
-
 struct Total<'a> {
     products: &'a Products,
     equations: &'a mut DenseEquations,
+    with_hessian: bool,
 }
 
 impl Kernel for Total<'_> {
@@ -137,7 +114,14 @@ impl Kernel for Total<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self, l: L) {
-        let Self { products, equations } = self;
+        let Self { products, equations, with_hessian } = self;
+        equations.cost = l.load(&products.cost.0).sum();
+        for k in 0..products.parameters {
+            equations.gradient[k] = l.load(&products.gradient[k].0).sum();
+        }
+        if !with_hessian {
+            return;
+        }
         let (tiles, count) = (products.gradient.len() / TILE, products.parameters);
         let entries = equations.hessian.as_mut_slice();
         let mut sums = products.hessian.iter();
