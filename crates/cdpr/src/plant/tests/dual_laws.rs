@@ -5,13 +5,40 @@ use cdpr_core::cable::outlet::bent;
 use nalgebra::{Const, Matrix4, SVector};
 use num_dual::{DualNum, DualVec};
 
-use super::dual_numbers::Dual;
+use super::super::cable_motion::CableMotion;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{CableLaw, Kind};
 use crate::cable::outlet::Outlet;
 use crate::cable::span;
 use crate::cable::stretch::Stretch;
+use crate::model::Model;
 use crate::scalar::{Select, Smooth, add, dot, scale, sub};
+
+/// Variables of a motion.
+pub(super) const COUNT: usize = 50;
+
+/// Number with the derivatives by all of them.
+pub(super) type Dual = DualVec<f64, Const<COUNT>>;
+
+/// Tension of a cable on the platform by its law, its direction there, and how much more it has at the outlet.
+pub(super) fn law_of(
+    model: &Model,
+    (cable, motion): (usize, &CableMotion),
+    anchor: [Dual; 3],
+    unstrained: Dual,
+) -> (Dual, [Dual; 3], Dual) {
+    let own = model.law(cable);
+    let law = motion.memory.map_or_else(|| own.clone(), |memory| own.with_memory(&memory));
+    let coefficients = model.robot().cables[cable].tension_of_strain.clone().unwrap_or_default();
+    if let (Kind::Sagging(_), Some(near)) = (law.kind, &motion.span) {
+        let (pull, outside) = sagging(&law, &coefficients, anchor, unstrained, near);
+        let tension = dot(pull, pull).sqrt();
+        return (tension, scale(Dual::from(1.0) / tension, pull), outside - tension);
+    }
+    let outlet: Outlet<Dual> = law.outlet.map(|number| Dual::from(*number));
+    let path = outlet.path(anchor);
+    (straight(&law, &coefficients, path.length, unstrained), path.direction, Dual::from(0.0))
+}
 
 /// T(ε) and its slope: the polynomial of the file, or the branch of a memory.
 fn stretch(law: &CableLaw, coefficients: &[f64], strain: Dual) -> (Dual, Dual) {
@@ -26,7 +53,7 @@ fn stretch(law: &CableLaw, coefficients: &[f64], strain: Dual) -> (Dual, Dual) {
 }
 
 /// Tension of a straight cable by its law, below zero too.
-pub(super) fn straight(law: &CableLaw, coefficients: &[f64], length: Dual, unstrained: Dual) -> Dual {
+fn straight(law: &CableLaw, coefficients: &[f64], length: Dual, unstrained: Dual) -> Dual {
     let Kind::Linear(linear, _) = law.kind else {
         // c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h: Newton's steps in dual numbers end at value and derivatives
         let (strained, unstrained) = (length + law.hidden_length, unstrained + law.hidden_length);
@@ -44,7 +71,7 @@ pub(super) fn straight(law: &CableLaw, coefficients: &[f64], length: Dual, unstr
 }
 
 /// The pull of a cable with weight on the platform and its tension at the outlet, from a state nearby.
-pub(super) fn sagging(
+fn sagging(
     law: &CableLaw,
     coefficients: &[f64],
     anchor: [Dual; 3],

@@ -2,20 +2,16 @@
 //! centre of mass instead of the platform origin, drums by the radius that a spool loses with every turn.
 
 use nalgebra::{Const, DMatrix, SVector};
-use num_dual::DualVec;
 
 use super::super::Happening;
 use super::super::plant::Drum;
-use super::dual_laws::{sagging, straight};
+use super::dual_laws::{COUNT, Dual, law_of};
 use super::*;
-use crate::cable::law::Kind;
-use crate::cable::outlet::Outlet;
 use crate::cable::stretch::hysteresis::{Memory, TRANSITION_LIMIT};
 use crate::model::place_pulleys;
 use crate::scalar::{Real, add, cross, dot, rotate, rotate_back, scale, sub};
 
-/// Derivatives by displacement and twist (six each), angles and speeds of drums, wrench, controlled lengths or torques, and their rates.
-pub(super) type Dual = DualVec<f64, Const<COUNT>>;
+/// Places of the variables: displacement and twist (six each), angles and speeds of drums, wrench, controlled lengths or torques, and their rates.
 const POSE: usize = 0;
 const TWIST: usize = 6;
 const ANGLE: usize = 12;
@@ -23,7 +19,6 @@ const SPEED: usize = 20;
 const WRENCH: usize = 28;
 const INPUT: usize = 34;
 const RATE: usize = 42;
-const COUNT: usize = 50;
 
 fn variable(value: f64, index: usize) -> Dual {
     Dual::new(value, num_dual::Derivative::some(SVector::<f64, COUNT>::ith(index, 1.0)))
@@ -92,29 +87,13 @@ impl Twin<'_> {
         let arm = turned(&self.state.pose, constants(rate, model.robot().cables[cable].platform_anchor));
         let (velocity, omega) = self.twist();
         let anchor = add(vector(self.state.pose.position.into(), POSE), arm);
-        let (law, direction, weight) = self.law(cable, anchor, length + motion.slip);
+        let (law, direction, weight) = law_of(model, (cable, motion), anchor, length + motion.slip);
         let grows = -dot(direction, add(velocity, cross(omega, arm))) - rate;
         let sum = law + grows * self.damping(cable);
         let pulls = !motion.is_broken && sum.re > 0.0;
         let zero = Dual::from(0.0);
         let (tension, at_drum) = if pulls { (sum, sum + weight) } else { (zero, zero) };
         (scale(tension, direction), arm, at_drum, radius)
-    }
-
-    /// Tension of a cable on the platform by its law, its direction there, and how much more it has at the outlet.
-    fn law(&self, cable: usize, anchor: [Dual; 3], unstrained: Dual) -> (Dual, [Dual; 3], Dual) {
-        let (model, motion) = (self.plant.model(), &self.state.cables[cable]);
-        let own = model.law(cable);
-        let law = motion.memory.map_or_else(|| own.clone(), |memory| own.with_memory(&memory));
-        let coefficients = model.robot().cables[cable].tension_of_strain.clone().unwrap_or_default();
-        if let (Kind::Sagging(_), Some(near)) = (law.kind, &motion.span) {
-            let (pull, outside) = sagging(&law, &coefficients, anchor, unstrained, near);
-            let tension = dot(pull, pull).sqrt();
-            return (tension, scale(Dual::from(1.0) / tension, pull), outside - tension);
-        }
-        let outlet: Outlet<Dual> = law.outlet.map(|number| Dual::from(*number));
-        let path = outlet.path(anchor);
-        (straight(&law, &coefficients, path.length, unstrained), path.direction, Dual::from(0.0))
     }
 
     /// d at the state, of which the rate of a resting cable leaves nothing to differentiate. Of ropes the plant's own: where a motion turns, their
@@ -363,7 +342,7 @@ fn forward_dynamics_agree_with_equations_about_the_centre_of_mass() {
 /// The wrench of an acceleration is the rate of the momentum by a dual number of time, and the mass matrix the momentum's derivative by the twist.
 #[test]
 fn inverse_dynamics_are_the_derivative_of_the_momentum_by_dual_numbers() {
-    type Time = DualVec<f64, Const<7>>;
+    type Time = num_dual::DualVec<f64, Const<7>>;
     let plant = plant(simulator(), Composition::ELASTIC, 0.0);
     let state = displaced(&plant, &at_home(&plant, 3000.0), &[0.01, 0.02, -0.03, 0.1, -0.2, 0.3]);
     let twist = Twist::new(0.5, -0.4, 0.3, 0.8, -0.7, 0.6);
