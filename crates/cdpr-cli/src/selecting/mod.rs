@@ -8,7 +8,7 @@ use std::time::Instant;
 use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
 use cdpr::identification::fit::{self, Prior};
 use cdpr::identification::selection::{
-    Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
+    JudgedCandidate, Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
 };
 use cdpr::identification::{Loss, Objective};
 use cdpr::measurement::{Samples, Split};
@@ -199,8 +199,23 @@ impl SelectionArguments {
         };
         let (selection, samples) = selection.map_err(|error| Failure::refused(data_name, &error))?;
         let seconds = start.elapsed().as_secs_f64();
+        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, &samples)).collect();
         data.samples = samples;
         drop(progress);
-        Ok(Comparison::new(data, (candidates, settings), selection, seconds))
+        Ok(Comparison { data, candidates, settings, selection, seconds, inverse_seconds })
     }
+}
+
+/// Mean wall time of one pose's cable lengths (s).
+fn time_inverse(judged: &JudgedCandidate, samples: &Samples) -> Option<f64> {
+    let model = &judged.outcome.as_ref().ok()?.fit.model;
+    let poses = &samples.poses[..samples.len().min(200)];
+    let start = Instant::now();
+    let mut lengths = 0.0;
+    for pose in poses {
+        lengths += model.cable_lengths(pose).map_or(0.0, |lengths| lengths.iter().sum::<f64>());
+    }
+    // the sum keeps the work from being left out
+    std::hint::black_box(lengths);
+    Some(start.elapsed().as_secs_f64() / poses.len() as f64)
 }

@@ -4,10 +4,8 @@ mod division;
 mod figure_tables;
 mod files;
 
-use std::time::Instant;
-
 use cdpr::identification::candidate::Candidate;
-use cdpr::identification::selection::{JudgedCandidate, Selection, Settings, Warnings};
+use cdpr::identification::selection::{Selection, Settings, Warnings};
 use cdpr::measurement::{Fold, InternalSamples, Samples};
 use cdpr::robot::Robot;
 
@@ -58,17 +56,6 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// A comparison that took so long (s), with the time of an inverse problem of every candidate.
-    pub fn new(
-        data: ComparisonData,
-        (candidates, settings): (Vec<Candidate>, Settings),
-        selection: Selection,
-        seconds: f64,
-    ) -> Self {
-        let inverse_seconds = selection.candidates.iter().map(|judged| time_inverse(judged, &data.samples)).collect();
-        Self { data, candidates, settings, selection, seconds, inverse_seconds }
-    }
-
     /// The answer with wall times.
     pub fn answer(&self) -> SelectionAnswer {
         SelectionAnswer::new(&self.report()).with_timing(self.seconds, &self.inverse_seconds)
@@ -95,18 +82,4 @@ impl Comparison {
             additions: &[],
         }
     }
-}
-
-/// Mean wall time of one pose's cable lengths (s).
-fn time_inverse(judged: &JudgedCandidate, samples: &Samples) -> Option<f64> {
-    let model = &judged.outcome.as_ref().ok()?.fit.model;
-    let poses = &samples.poses[..samples.len().min(200)];
-    let start = Instant::now();
-    let mut lengths = 0.0;
-    for pose in poses {
-        lengths += model.cable_lengths(pose).map_or(0.0, |lengths| lengths.iter().sum::<f64>());
-    }
-    // the sum keeps the work from being left out
-    std::hint::black_box(lengths);
-    Some(start.elapsed().as_secs_f64() / poses.len() as f64)
 }
