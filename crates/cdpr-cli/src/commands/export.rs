@@ -56,9 +56,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "POSES.csv", required_if_eq("kind", "lengths"))]
     poses: Option<PathBuf>,
 
-    /// Lengths: effects of the control model.
-    #[arg(long, default_value_t = Composition::STANDARD, value_name = "MODEL")]
-    model: Composition,
+    /// Lengths: effects of the control model, `standard` when left out.
+    #[arg(long, value_name = "MODEL")]
+    model: Option<Composition>,
 
     #[command(flatten)]
     compensation: CompensationOption,
@@ -75,11 +75,17 @@ enum Kind {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    if let (Kind::Svg | Kind::Csv | Kind::RepRapFirmware | Kind::Klipper, true) =
-        (arguments.kind, arguments.compensation.is_asked())
-    {
-        let message = "--compensation: figures have no lengths to correct, and firmware computes its own along straight lines from anchors, with no place for a map";
-        return Err(Failure::usage("usage::value", message)
+    let is_table = matches!(arguments.kind, Kind::Lengths);
+    let asked = [
+        ("--compensation", arguments.compensation.is_asked()),
+        ("--poses", arguments.poses.is_some()),
+        ("--model", arguments.model.is_some()),
+    ];
+    if let Some((option, _)) = asked.into_iter().find(|(_, is_asked)| *is_asked && !is_table) {
+        let message = format!(
+            "{option} belongs to tables of lengths: figures have none, and firmware computes its own along straight lines from anchors, with no place for a map"
+        );
+        return Err(Failure::usage("usage::value", &message)
             .with_help("`cdpr export lengths` writes a table of corrected lengths"));
     }
     match arguments.kind {
@@ -95,7 +101,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let name = arguments.result.to_string_lossy();
     let refused = |error: &dyn ErrorCode| Failure::refused(&name, error);
-    let model = Model::new(read_robot(&name)?, arguments.model).map_err(|error| refused(&error))?;
+    let model = Model::new(read_robot(&name)?, arguments.model.unwrap_or(Composition::STANDARD))
+        .map_err(|error| refused(&error))?;
     let map = arguments.compensation.read(&model)?;
     let path = arguments.poses.clone().unwrap_or_default();
     let poses = poses_from_csv(&files::read(&path, Size::Table)?, &shown_path(&path), model.robot())?;

@@ -174,6 +174,8 @@ fn tables_of_lengths_have_the_map_and_lead_back() {
         ),
         ("klipper planar-example --compensation map.toml", "usage::value"),
         ("svg result --compensation map.toml", "usage::value"),
+        ("csv result --poses poses.csv", "usage::value"),
+        ("reprapfirmware planar-example --model pulley", "usage::value"),
     ] {
         let refused = run(&format!("export {arguments}"));
         assert_eq!(
