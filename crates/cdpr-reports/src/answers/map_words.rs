@@ -27,9 +27,25 @@ pub(crate) fn beyond_map(outside: usize, places: &str) -> Option<String> {
     ))
 }
 
-/// Sentence on what a map makes of position errors.
+/// Sentence on what a map makes of position errors; empty where the machine came to no pose with it or without.
 pub(crate) fn gain_words(with: &PoseErrorStatistics, without: &PoseErrorStatistics) -> String {
+    if !with.mean.is_finite() || !without.mean.is_finite() {
+        return String::new();
+    }
     let both = |with: f64, without: f64| format!("{:.3} instead of {:.3} mm", 1e3 * with, 1e3 * without);
     let (mean, most) = (both(with.mean, without.mean), both(with.max, without.max));
     format!("\nwith its map positions are missed by {mean} in the mean, {most} at most\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_machine_that_came_to_no_pose_has_no_sentence_on_its_map() {
+        let all = |value: f64| PoseErrorStatistics { mean: value, rms: value, median: value, p95: value, max: value };
+        let [some, none] = [1e-3, f64::NAN].map(all);
+        assert!(gain_words(&some, &none).is_empty() && gain_words(&none, &some).is_empty());
+        assert!(gain_words(&some, &some).contains("1.000 instead of 1.000 mm in the mean"));
+    }
 }

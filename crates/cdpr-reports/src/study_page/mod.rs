@@ -110,6 +110,7 @@ fn comparison(summary: &Summary) -> String {
     });
     let linear = significant(1e3 * summary.linear_position_error_m.mean, 4);
     let alone = summary.compensation.as_ref().map(|map| 1e3 * map.without.position_error_m.mean);
+    let alone = alone.filter(|mean| mean.is_finite());
     let alone = alone.map(|mean| format!(" Without its map the control model misses by {} mm.", significant(mean, 4)));
     let (relative, alone) = (relative.unwrap_or_default(), alone.unwrap_or_default());
     format!("Over {poses}{relative}. One linear step says {linear} mm.{alone}")
