@@ -40,6 +40,12 @@ pub trait Problem {
     /// Moves on to the trial where the mask holds; the step was this much smaller than the one before it.
     fn accept(&mut self, helps: Mask<Self>, contraction: Self::Number);
 
+    /// Whether the last step is taken though nobody tries it: the search may then end a step earlier.
+    #[inline(always)]
+    fn takes_last_step(&self) -> bool {
+        false
+    }
+
     /// Whether a trial that does not help, after a step of this size, leaves nothing but rounding to gain.
     #[inline(always)]
     fn rests(&mut self, size: Self::Number, tolerance: Self::Number) -> Mask<Self> {

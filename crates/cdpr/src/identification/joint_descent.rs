@@ -33,6 +33,8 @@ pub(super) struct Around<'a> {
     pub(super) minimizer: Minimizer,
     /// Whether the places on the way are kept.
     pub(super) keeps_course: bool,
+    /// Whether the search ends before a step behind which only rounding is left: it is taken untried.
+    pub(super) ends_ahead: bool,
 }
 
 /// End of a descent.
@@ -76,26 +78,31 @@ pub(super) fn descend<S: System>(
     let trial = Place { values: from.to_vec(), equations };
     let trail = Trail::new(around.keeps_course, 0);
     let here = trial.clone();
-    let mut descent = Descent { system, around, here, here_cost: f64::INFINITY, trial, is_untried: false, trail };
+    let mut descent = Descent { system, around, here, here_cost: f64::INFINITY, trial, untried: None, trail };
     let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
     let end = solve::descend(&mut descent, &rules);
     let mut iterations = end.iterations as u32;
     let is_fixed = from.is_empty() && end.stop() != Stop::Degenerate;
     let stopped = if is_fixed { StoppedBy::at_start(rules.tolerance) } else { StoppedBy::of(&end, &rules) };
-    let Place { mut values, equations } = descent.here;
+    let Descent { here: Place { mut values, equations }, trial, untried, mut trail, .. } = descent;
+    let mut cost = equations.cost();
     if end.stop() == Stop::Degenerate {
         return End { values, cost: f64::NAN, iterations, trail: Trail::default(), stopped };
     }
     if end.stop() == Stop::Stationary && end.damping == 0.0 {
         iterations += 1;
         // the gradient still knows the way to more digits, and the step costs no evaluation
-        if descent.is_untried && rules.rule == StepRule::Damping {
-            values = descent.trial.values;
+        if let Some(gain) = untried.filter(|_| rules.rule == StepRule::Damping) {
+            values = trial.values;
+            if around.ends_ahead {
+                cost *= 1.0 - gain;
+                trail.push(cost, || values.clone());
+            }
         } else if let Some((step, _)) = around.step(&values, &equations, &Control::none()) {
             values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
         }
     }
-    End { values, cost: equations.cost(), iterations, trail: descent.trail, stopped }
+    End { values, cost, iterations, trail, stopped }
 }
 
 impl Around<'_> {
@@ -128,8 +135,8 @@ struct Descent<'a, 'p, S: System> {
     /// Infinite before the start.
     here_cost: f64,
     trial: Place<S::Equations>,
-    /// True where the trial is the end of the last step, which nobody evaluated.
-    is_untried: bool,
+    /// Share of the cost that the last step promises, where nobody has evaluated its end, the trial.
+    untried: Option<f64>,
     trail: Trail,
 }
 
@@ -137,7 +144,7 @@ impl<S: System> solve::Problem for Descent<'_, '_, S> {
     type Number = f64;
 
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
-        self.is_untried = false;
+        self.untried = None;
         let Place { values, equations } = &self.here;
         let Some((step, is_cut)) = self.around.step(values, equations, control) else {
             return Step::whole(0.0, false);
@@ -145,17 +152,21 @@ impl<S: System> solve::Problem for Descent<'_, '_, S> {
         for (trial, (value, step)) in self.trial.values.iter_mut().zip(values.iter().zip(&step)) {
             *trial = value + step;
         }
-        self.is_untried = true;
         let size = minimizer::size(&step, self.around.scale);
         let gain = self.around.minimizer.gain(equations, &step, equations.cost());
+        self.untried = Some(gain);
         Step { size, gain, is_cut, is_regular: true }
     }
 
     fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
-        self.is_untried = false;
+        self.untried = None;
         let is_finite = self.system.write(&self.trial.values, &mut self.trial.equations);
         let cost = self.trial.equations.cost();
         Trial { helps: is_finite && cost <= self.here_cost * (1.0 + 1e-12), gain: 1.0 - cost / self.here_cost }
+    }
+
+    fn takes_last_step(&self) -> bool {
+        self.around.ends_ahead && self.around.minimizer.rule() == StepRule::Damping
     }
 
     /// Steps along a descent that do not help however short leave rounding, as damped steps do once they are within the tolerance.

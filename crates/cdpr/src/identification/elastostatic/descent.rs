@@ -153,7 +153,8 @@ impl<'a> Problem<'a> {
             rule: self.settings.minimizer.rule(),
         };
         let Settings { minimizer, keeps_course, .. } = *self.settings;
-        let around = Around { parameters: self.parameters, scale: &self.scale, minimizer, keeps_course };
+        let around =
+            Around { parameters: self.parameters, scale: &self.scale, minimizer, keeps_course, ends_ahead: false };
         descend(&mut Squares { problem: self, at, rows }, &around, from, equations, &rules)
     }
 }

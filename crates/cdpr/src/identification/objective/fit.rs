@@ -273,7 +273,13 @@ impl Search<'_> {
         vectors.restart();
         let mut cost = Cost { vectors, stacked: None, smoothing, ridges: &ridges };
         let Settings { minimizer, keeps_course, .. } = *self.settings;
-        let around = Around { parameters: self.parameters, scale: self.scale, minimizer, keeps_course };
+        let around = Around {
+            parameters: self.parameters,
+            scale: self.scale,
+            minimizer,
+            keeps_course,
+            ends_ahead: smoothing.is_none(),
+        };
         let rules = Rules {
             tolerance: self.settings.tolerance,
             max_iterations: patience.unwrap_or(u32::MAX).min(self.settings.max_iterations),

@@ -7,6 +7,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::dense::DenseEquations;
 use super::minimax;
 use super::problem::ObjectiveVectors;
 use super::vectors::{Stacked, Vectors};
@@ -18,6 +19,7 @@ use crate::identification::stopping::StoppingRule;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model, place_pulleys};
 use crate::robot::{ExternalWrench, Parameter, Robot};
+use crate::solve::{NormalSystem, ROUNDING_GAIN};
 use crate::statics::{Load, controlled_lengths};
 
 /// Eleven turned poses; lengths of the model under its load plus two millimetres up and down, tensions plus ten newtons.
@@ -115,6 +117,29 @@ fn every_minimizer_ends_at_the_same_cost() {
             assert!((other / costs[0] - 1.0).abs() < 1e-10, "{objective:?} {minimize:?}: {costs:?}");
         }
     }
+}
+
+/// The last step is taken untried; what it promises is the cost where it leads, and there is nothing to gain from there.
+#[test]
+fn the_cost_that_the_last_step_promises_is_that_of_its_end() {
+    let model = crane(Composition::PULLEY);
+    let samples = samples(&model);
+    let free: FreeParameters = "frame-anchor".parse().unwrap();
+    let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
+    let settings = Settings { objective: Objective::Pose, keeps_course: true, ..Settings::default() };
+    let found = fit(&model, &samples, &free, &settings).unwrap();
+    let (mut vectors, _) = ObjectiveVectors::of(&model, &samples, &parameters, &settings).unwrap();
+    let values: Vec<f64> = found.parameters.iter().map(|parameter| parameter.value).collect();
+    let promised = found.history.last().unwrap();
+    let mut equations = DenseEquations::new(values.len());
+    assert!(vectors.write_squares(&values, &mut equations));
+    // the promise is that of a quadratic model, whose gain of 1e-10 errs by the rate of the steps
+    assert!((equations.cost / promised - 1.0).abs() < 1e-12, "{promised}");
+    let squares = DMatrix::from_fn(values.len(), values.len(), |row, column| equations.entry(row, column));
+    let gradient = DVector::from_fn(values.len(), |row, _| equations.gradient(row));
+    let gain = gradient.dot(&squares.cholesky().unwrap().solve(&gradient)) / promised;
+    // another step promises less than rounding hides
+    assert!(gain < ROUNDING_GAIN, "{gain:.1e}");
 }
 
 /// The problem linearised at the least largest norm, as a second-order cone programme of another solver, has that norm as its least value.
