@@ -71,7 +71,7 @@ fn poses_are_unknowns_where_accuracies_are_known() {
 fn costs_that_exclude_each_other_are_refused_in_words() {
     let (folder, _) = recorded();
     for options in
-        ["--minimize max --loss huber", "--minimize max --prior frame-anchor=0.1", "--objective pose --loss cauchy"]
+        ["--minimize max --loss huber", "--minimize max --prior frame-anchor=0.1", "--minimize mean --loss cauchy"]
     {
         let run = identify(&folder, options);
         assert_eq!(run.exit_code, 2, "{options}: {}", run.stdout);

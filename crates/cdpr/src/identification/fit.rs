@@ -16,8 +16,9 @@ mod tests;
 pub(super) mod warnings;
 
 pub use answer::{Estimate, Fit, Status};
+use checks::is_at_bound;
+pub(super) use checks::length_residuals;
 pub(super) use checks::{check_motor_angles, check_question, checked_parameters, explains_tensions};
-use checks::{is_at_bound, length_residuals};
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
 pub(super) use frames::{RowBlock, Wrenches, frames_that_fit};
 pub(super) use frozen::FrozenLengths;

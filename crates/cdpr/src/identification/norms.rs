@@ -5,6 +5,11 @@ use super::loss::{Loss, RobustLoss, Tail, median_norm};
 /// Robust standard deviations beyond which a sample is named.
 pub(super) const OUTLIER_DEVIATIONS: f64 = 8.0;
 
+/// Most descents with the scale that the residuals tell between them.
+pub(super) const RESCALINGS: usize = 10;
+/// The scale is found when it changes by less than this share: no parameter moves by a hundredth of its deviation then.
+pub(super) const SAME_SCALE: f64 = 1e-3;
+
 /// Standard deviation of normal values per median distance from their median.
 const PER_MEDIAN_DISTANCE: f64 = 1.4826;
 
@@ -36,6 +41,8 @@ pub(super) struct Norms {
     pub(super) own_deviation: f64,
     /// Norm beyond which a sample is an outlier.
     limit: f64,
+    /// Norms at the optimum of least squares where an outlier lies beyond their limit as well; `None` where these say enough.
+    witness: Option<Box<Self>>,
 }
 
 impl Norms {
@@ -50,6 +57,11 @@ impl Norms {
         norms
     }
 
+    /// The same, whose outliers lie beyond the limit of these norms, too.
+    pub(super) fn with_witness(self, witness: Self) -> Self {
+        Self { witness: Some(Box::new(witness)), ..self }
+    }
+
     /// The robust loss to ask after a fit of least squares with these norms; `None` where its answer stands.
     ///
     /// Least squares smear an outlier over all samples, which hides it and others: the automatic choice asks from half the limit on. A fit
@@ -62,6 +74,12 @@ impl Norms {
             Loss::Huber => Some(Tail::Huber),
             Loss::Cauchy => Some(Tail::Cauchy),
         }
+    }
+
+    /// Whether these norms, of an optimum under a robust loss, are the answer to the loss that was asked for: the automatic choice
+    /// leaves least squares only for samples beyond the limit.
+    pub(super) fn answer(&self, loss: Loss) -> bool {
+        loss != Loss::Auto || self.any_beyond(1.0)
     }
 
     /// Takes deviation and limit from the squares anew.
@@ -95,14 +113,19 @@ impl Norms {
 
     /// True where a sample lies beyond this share of the limit.
     pub(super) fn any_beyond(&self, share: f64) -> bool {
+        (0..self.squares.len()).any(|sample| self.is_beyond(sample, share))
+    }
+
+    /// True where a sample lies beyond this share of the limit.
+    fn is_beyond(&self, sample: usize, share: f64) -> bool {
         let limit = share * self.limit;
-        self.squares.iter().any(|&square| square > limit * limit)
+        let is_beyond = self.squares[sample] > limit * limit;
+        is_beyond && self.witness.as_ref().is_none_or(|witness| witness.is_beyond(sample, share))
     }
 
     /// Samples beyond the limit, from 0.
     pub(super) fn outliers(&self) -> impl Iterator<Item = usize> {
-        let limit = self.limit * self.limit;
-        self.squares.iter().enumerate().filter(move |(_, square)| **square > limit).map(|(sample, _)| sample)
+        (0..self.squares.len()).filter(|sample| self.is_beyond(*sample, 1.0))
     }
 
     /// Norm of a sample in robust standard deviations, of which the limit is 8.

@@ -41,6 +41,7 @@ mod no_allocation;
 mod no_panic;
 mod objectives;
 mod outliers;
+mod outliers_of_objectives;
 mod planar_pulleys;
 mod random_workspaces;
 mod reader_properties;

@@ -10,10 +10,10 @@ use cdpr::robot::ParameterKind;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-const ANCHORS: &str = "frame-anchor,length-offset";
+pub(super) const ANCHORS: &str = "frame-anchor,length-offset";
 
 /// Displaces 3 % of the rows by 0.1 to 0.3 m in random directions; the rows, in order.
-fn displace(samples: &mut Samples, seed: u64) -> Vec<usize> {
+pub(super) fn displace(samples: &mut Samples, seed: u64) -> Vec<usize> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut rows = rand::seq::index::sample(&mut rng, samples.len(), samples.len() * 3 / 100).into_vec();
     rows.sort_unstable();
@@ -32,7 +32,7 @@ fn identified(samples: &Samples, loss: Loss) -> Fit {
 }
 
 /// Eight cables whose frame anchors and offsets are elsewhere, 200 poses.
-fn record(seed: u64) -> Samples {
+pub(super) fn record(seed: u64) -> Samples {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut machine = simulator();
     for cable in &mut machine.cables {

@@ -48,7 +48,8 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         absolute: optimum.absolute,
         with_wrenches: true,
     };
-    let outliers = outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum, samples, sample));
+    let outliers =
+        outliers::named(&optimum.norms, samples, |sample| length_residuals(&optimum.calibrated, samples, sample));
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::suspicious_units(model, samples));
     if settings.row_weights.is_none() {
@@ -95,11 +96,11 @@ fn row_weights(optimum: &Optimum, samples: &Samples, rows: usize) -> Vec<Vec<f64
 }
 
 /// Modelled minus recorded lengths of a sample (from 0) at its measured pose and tensions (m).
-fn length_residuals(optimum: &Optimum, samples: &Samples, sample: usize) -> Vec<f64> {
-    let Ok(load) = Load::of(optimum.calibrated.robot()) else { return Vec::new() };
-    let (model, m) = (&optimum.calibrated, samples.cable_count);
+pub(in crate::identification) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+    let (Ok(load), Some(tensions)) = (Load::of(model.robot()), &samples.tensions) else { return Vec::new() };
+    let m = samples.cable_count;
     let mut rows = SampleRows::new(model, 0);
-    let tensions = &optimum.tensions[sample * m..][..m];
+    let tensions = &tensions[sample * m..][..m];
     RowModel::new(model, load, &[]).write(&samples.poses[sample], tensions, Recorded::of(samples, sample), &mut rows);
     (0..m).map(|cable| rows.residual(rows.count - m + cable)).collect()
 }

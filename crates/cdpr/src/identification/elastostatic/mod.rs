@@ -22,7 +22,7 @@ mod rows;
 #[cfg(test)]
 mod tests;
 
-pub(super) use analysis::report;
+pub(super) use analysis::{length_residuals, report};
 pub(super) use balance::{Balance, checked_start};
 pub(super) use frozen::FrozenBalance;
 pub(super) use noise::Noise;

@@ -8,7 +8,6 @@ use super::robust;
 use super::rows::recorded_state;
 use crate::geometry::Wrench;
 use crate::identification::fit::{InputError, Settings};
-use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
 use crate::identification::norms::Norms;
 use crate::identification::starts::{self, Landscape, Part, Starts};
@@ -96,7 +95,7 @@ pub(crate) fn find(
         norms = adjust.norms(&end, &linearization, absolute)?;
         if let Some(tail) = norms.to_ask(settings.loss, end.converged()) {
             let found = robust::minimise(tail, &adjust, (&end, &linearization, &norms))?;
-            if settings.loss != Loss::Auto || found.norms.any_beyond(1.0) {
+            if found.norms.answer(settings.loss) {
                 misfit = found.misfit;
                 (end, linearization, norms, adjust.noise) = (found.end, found.linearization, found.norms, found.noise);
             }

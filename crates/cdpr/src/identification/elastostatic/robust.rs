@@ -6,12 +6,7 @@ use super::linearization::Linearization;
 use crate::identification::fit::InputError;
 use crate::identification::loss::Tail;
 use crate::identification::misfit::Misfit;
-use crate::identification::norms::Norms;
-
-/// Most descents with the scale that the residuals tell between them.
-const RESCALINGS: usize = 10;
-/// The scale is found when it changes by less than this share.
-const SAME_SCALE: f64 = 1e-3;
+use crate::identification::norms::{Norms, RESCALINGS, SAME_SCALE};
 
 /// An optimum and what belongs to it.
 pub(super) struct Found {

@@ -2,6 +2,7 @@
 
 use super::input_error::InputError;
 use super::settings::{Settings, prior_sigma};
+use crate::identification::elastostatic;
 use crate::measurement::Samples;
 use crate::model::{FreeParameters, Model};
 use crate::robot::Parameter;
@@ -89,8 +90,11 @@ fn check_rows(
     Ok(())
 }
 
-/// Modelled minus recorded lengths of a sample (from 0) at its measured pose (m).
-pub(super) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+/// Modelled minus recorded lengths of a sample (from 0) at its measured pose, of elastic models at its measured tensions (m).
+pub(in crate::identification) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+    if explains_tensions(model) {
+        return elastostatic::length_residuals(model, samples, sample);
+    }
     let modelled = |cable: usize| {
         let path = model.path(cable, &samples.poses[sample]);
         path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))

@@ -200,15 +200,15 @@ pub enum InputError {
     NoPoses,
     /// A robust loss of what has no square.
     #[error(
-        "the loss `{}` and {cost} cannot be combined: its scale and its limit of outliers come from residuals of lengths in their accuracies. Errors of poses have \
-         lost what tells a displaced pose from lengths that lie; single outliers hardly move a sum of norms: `--minimize mean`",
+        "the loss `{}` says what squares count, and the {minimize} of norms has none: minimise squares, or leave the loss out (single outliers hardly move the \
+         mean of norms)",
         .loss.name()
     )]
     RobustCost {
         /// The loss.
         loss: Loss,
-        /// Residuals or cost in words.
-        cost: String,
+        /// The cost.
+        minimize: Minimize,
     },
     /// Priors beside a cost that is no sum of squares.
     #[error(

@@ -7,18 +7,14 @@ use super::descent::{End, advance, run};
 use super::optimum::{Given, Optimum, Rounds};
 use super::{InputError, Settings};
 use crate::identification::blocks::Block;
-use crate::identification::loss::{Loss, RobustLoss, Tail};
-use crate::identification::norms::{Extent, Norms};
+use crate::identification::loss::{RobustLoss, Tail};
+use crate::identification::norms::{Extent, Norms, RESCALINGS, SAME_SCALE};
 use crate::identification::pose_lanes::CableValues;
 use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::trail::Trail;
 use crate::identification::weights::Weights;
 use crate::solve::ROUNDING_GAIN;
 
-/// Most descents with the scale that the residuals tell between them.
-const RESCALINGS: usize = 10;
-/// The scale is found when it changes by less than this share: no parameter moves by a hundredth of its deviation then.
-const SAME_SCALE: f64 = 1e-3;
 /// Most steps of a damped descent between reweightings.
 const MOST_DAMPED_STEPS: u32 = 10;
 /// Rise of the loss that is rounding.
@@ -38,7 +34,7 @@ impl Optimum {
         let Some(tail) = self.norms.to_ask(settings.loss, self.stopped().converged()) else { return Ok(()) };
         let squared = (self.ends.clone(), self.norms.clone(), weights.clone());
         self.minimise(tail, given, weights)?;
-        if settings.loss == Loss::Auto && !self.norms.any_beyond(1.0) {
+        if !self.norms.answer(settings.loss) {
             (self.ends, self.norms, *weights) = squared;
             self.rounds = Rounds::default();
         }

@@ -1,10 +1,11 @@
-//! Sum of squares and sum of norms of residual vectors, with priors.
+//! Sums of squares, norms and robust losses of residual vectors, with priors.
 
 use nalgebra::DMatrix;
 
 use super::dense::DenseEquations;
 use super::vectors::{Stacked, Vectors};
 use crate::identification::joint_descent::System;
+use crate::identification::loss::RobustLoss;
 
 /// Vectors shorter than this have no direction.
 const LEAST_NORM: f64 = 1e-12;
@@ -18,13 +19,23 @@ pub(super) struct Ridge {
     pub(super) weight: f64,
 }
 
-/// Σ ‖r‖² or Σ ‖r‖ of residual vectors, with ridges.
+/// Cost of the norm of a sample's vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// ‖r‖².
+    Square,
+    /// ‖r‖, rounded at zero by so much.
+    Norm(f64),
+    /// C² ρ(‖r‖²/C²).
+    Robust(RobustLoss),
+}
+
+/// Costs of all residual vectors and ridges together.
 pub(super) struct Cost<'a, V> {
     pub(super) vectors: &'a mut V,
     /// Memory for the vectors.
     pub(super) stacked: Option<Stacked>,
-    /// Rounding of norms at zero; `None` for squares.
-    pub(super) smoothing: Option<f64>,
+    pub(super) shape: Shape,
     pub(super) ridges: &'a [Ridge],
 }
 
@@ -32,14 +43,15 @@ impl<V: Vectors> System for Cost<'_, V> {
     type Equations = DenseEquations;
 
     fn write(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
-        if self.smoothing.is_some() || !self.vectors.write_squares(values, equations) {
+        if self.shape != Shape::Square || !self.vectors.write_squares(values, equations) {
             let stacked = self.stacked.get_or_insert_with(|| Stacked::new(self.vectors, values.len()));
             if !self.vectors.write(values, stacked) {
                 return false;
             }
-            match self.smoothing {
-                Some(smoothing) => write_norms(stacked, smoothing, equations),
-                None => write_squares(stacked, equations),
+            match self.shape {
+                Shape::Square => write_squares(stacked, equations),
+                Shape::Norm(smoothing) => write_norms(stacked, smoothing, equations),
+                Shape::Robust(loss) => write_losses(stacked, &loss, equations),
             }
         }
         for ridge in self.ridges {
@@ -62,6 +74,20 @@ pub(super) fn write_squares(stacked: &Stacked, equations: &mut DenseEquations) {
             (equations.hessian[(i, j)], equations.hessian[(j, i)]) = (product, product);
         }
     }
+}
+
+/// Σ C² ρ(‖r‖²/C²) and half its derivatives, without the second ones of ρ: those of squares with the weights of the place.
+///
+/// Weighted squares lie above a loss that is concave in ‖r‖² and touch it there (Huber 1981, section 7.8).
+fn write_losses(stacked: &mut Stacked, loss: &RobustLoss, equations: &mut DenseEquations) {
+    let mut cost = 0.0;
+    for sample in 0..stacked.samples() {
+        let square = stacked.square(sample);
+        cost += loss.cost(square);
+        stacked.scale(sample, loss.weight(square).sqrt());
+    }
+    write_squares(stacked, equations);
+    equations.cost = cost;
 }
 
 /// Σ (t − μ ln(2 μ t)) with t = μ + √(μ² + ‖r‖²) and half its derivatives, those by r exact.

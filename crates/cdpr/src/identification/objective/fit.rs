@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::cost::{Cost, Ridge};
+use super::cost::{Cost, Ridge, Shape};
 use super::dense::DenseEquations;
 use super::minimax::{self, Certificate};
 use super::problem::ObjectiveVectors;
@@ -12,6 +12,7 @@ use crate::identification::elastostatic::checked_start;
 use crate::identification::fit::{InputError, Settings, prior_sigma};
 use crate::identification::joint_descent::{Around, End, descend};
 use crate::identification::loss::Loss;
+use crate::identification::norms::Norms;
 use crate::identification::starts::{self, Landscape, Part, Starts};
 use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::trail::Trail;
@@ -32,6 +33,8 @@ pub(crate) struct Optimum {
     /// Metres that are one unit of the vectors; `None` where these are standard deviations of several quantities.
     pub(super) unit: Option<f64>,
     pub(super) absolute: bool,
+    /// Norms of the samples' vectors, with the loss.
+    pub(super) norms: Norms,
     pub(super) certificate: Option<Certificate>,
 }
 
@@ -57,13 +60,8 @@ impl Optimum {
 
 /// Refuses what cannot be combined.
 fn check(settings: &Settings) -> Result<(), InputError> {
-    if !matches!(settings.loss, Loss::Auto | Loss::Squared) {
-        let cost = match settings.objective {
-            Objective::Pose => "errors of predicted poses".to_owned(),
-            Objective::Both => "lengths with poses as unknowns".to_owned(),
-            Objective::Length => format!("the {} of norms", settings.minimize),
-        };
-        return Err(InputError::RobustCost { loss: settings.loss, cost });
+    if settings.minimize != Minimize::Squares && !matches!(settings.loss, Loss::Auto | Loss::Squared) {
+        return Err(InputError::RobustCost { loss: settings.loss, minimize: settings.minimize });
     }
     if settings.minimize != Minimize::Squares && !settings.priors.is_empty() {
         return Err(InputError::PriorCost { minimize: settings.minimize });
@@ -150,12 +148,14 @@ pub(in crate::identification) fn search(
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let search = Search { parameters, scale: &scale, start: &start, settings };
     let (end, starts) = search.run(vectors, mean_tension, progress)?;
-    let (end, certificate) = match settings.minimize {
-        Minimize::Max => search.minimax(vectors, &end)?,
-        _ => (end, None),
-    };
+    let (mut end, mut norms, mut certificate) = (end, Norms::default(), None);
+    match settings.minimize {
+        Minimize::Squares => (end, norms) = search.under_loss(vectors, end, absolute)?,
+        Minimize::Mean => {}
+        Minimize::Max => (end, certificate) = search.minimax(vectors, &end)?,
+    }
     let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
-    Ok(Optimum { start, calibrated, end, starts, scale, unit, absolute, certificate })
+    Ok(Optimum { start, calibrated, end, starts, scale, unit, absolute, norms, certificate })
 }
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
@@ -191,11 +191,11 @@ impl<V: Vectors> Landscape for Together<'_, '_, V> {
 }
 
 /// Unknowns and start of a search.
-struct Search<'a> {
+pub(super) struct Search<'a> {
     parameters: &'a [Parameter],
-    scale: &'a [f64],
+    pub(super) scale: &'a [f64],
     start: &'a [f64],
-    settings: &'a Settings,
+    pub(super) settings: &'a Settings,
 }
 
 impl Search<'_> {
@@ -228,7 +228,7 @@ impl Search<'_> {
     }
 
     fn descend(&self, vectors: &mut impl Vectors, from: &[f64], patience: Option<u32>) -> End {
-        let squares = self.descend_under(None, vectors, (from, patience));
+        let squares = self.descend_under(Shape::Square, vectors, (from, patience));
         match self.settings.minimize {
             Minimize::Mean => self.follow_norms(vectors, squares),
             _ => squares,
@@ -246,7 +246,7 @@ impl Search<'_> {
                 break;
             }
             smoothing *= 0.1;
-            let next = self.descend_under(Some(smoothing), vectors, (&end.values, None));
+            let next = self.descend_under(Shape::Norm(smoothing), vectors, (&end.values, None));
             let cost = sum_of_norms(vectors, &next.values);
             let trail = end.trail.joined(Trail { costs: vec![cost], ..next.trail });
             end = End { cost, iterations: end.iterations + next.iterations, trail, ..next };
@@ -262,23 +262,23 @@ impl Search<'_> {
         self.parameters.iter().enumerate().filter_map(ridge).collect()
     }
 
-    /// Descends by squares, or by norms with this smoothing, by so many steps at most.
-    fn descend_under(
+    /// Descends by a cost of the norms, by so many steps at most.
+    pub(super) fn descend_under(
         &self,
-        smoothing: Option<f64>,
+        shape: Shape,
         vectors: &mut impl Vectors,
         (from, patience): (&[f64], Option<u32>),
     ) -> End {
         let ridges = self.ridges();
         vectors.restart();
-        let mut cost = Cost { vectors, stacked: None, smoothing, ridges: &ridges };
+        let mut cost = Cost { vectors, stacked: None, shape, ridges: &ridges };
         let Settings { minimizer, keeps_course, .. } = *self.settings;
         let around = Around {
             parameters: self.parameters,
             scale: self.scale,
             minimizer,
             keeps_course,
-            ends_ahead: smoothing.is_none(),
+            ends_ahead: shape == Shape::Square,
         };
         let rules = Rules {
             tolerance: self.settings.tolerance,

@@ -14,6 +14,7 @@ mod poseless;
 mod poses;
 mod problem;
 mod report;
+mod robust;
 mod sensors;
 #[cfg(test)]
 mod tests;

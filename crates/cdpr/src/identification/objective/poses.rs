@@ -111,6 +111,10 @@ impl Vectors for PoseVectors<'_> {
         }
     }
 
+    fn squares(&self) -> Option<(&[f64], Vec<f64>)> {
+        self.squares.as_ref()?.of_samples()
+    }
+
     fn write_squares(&mut self, values: &[f64], equations: &mut DenseEquations) -> bool {
         self.squares.as_mut().is_some_and(|squares| squares.write(values, equations))
     }

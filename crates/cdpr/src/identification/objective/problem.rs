@@ -7,7 +7,7 @@ use super::lengths::LengthVectors;
 use super::metric::{Metric, position_sigma};
 use super::poses::PoseVectors;
 use super::unknown_poses::UnknownPoses;
-use super::vectors::{Stacked, Vectors};
+use super::vectors::{Outliers, Stacked, Vectors};
 use crate::identification::elastostatic::Balance;
 use crate::identification::fit::{ASSUMED_NOISE, InputError, Settings};
 use crate::measurement::Samples;
@@ -100,6 +100,17 @@ impl Vectors for ObjectiveVectors<'_> {
     fn restart(&mut self) {
         if let Self::Poses(vectors) = self {
             vectors.restart();
+        }
+    }
+
+    fn outliers(&self) -> Option<Outliers> {
+        Some(if let Self::Poses(_) = self { Outliers::Witnessed } else { Outliers::Own })
+    }
+
+    fn squares(&self) -> Option<(&[f64], Vec<f64>)> {
+        match self {
+            Self::Poses(vectors) => vectors.squares(),
+            _ => None,
         }
     }
 

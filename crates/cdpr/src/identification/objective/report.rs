@@ -4,11 +4,13 @@ use super::Minimize;
 use super::cost::deviations_of_norms;
 use super::fit::{Optimum, find};
 use super::vectors::Stacked;
-use crate::identification::fit::{Estimate, Fit, InputError, Settings, estimate, inflation, verdict, warnings};
+use crate::identification::fit::{
+    Estimate, Fit, InputError, Noise, Settings, estimate, length_residuals, threshold, used, verdict, warnings,
+};
 use crate::identification::identifiability::Analysis;
 use crate::identification::joint_analysis::{JointRows, analyse_together};
-use crate::identification::loss::Loss;
 use crate::identification::misfit::Misfit;
+use crate::identification::outliers;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::Parameter;
@@ -37,7 +39,7 @@ pub(in crate::identification) fn report(
     settings: &Settings,
 ) -> Fit {
     let analysis = analyse((&optimum, stacked), samples, parameters, settings);
-    let Optimum { start, calibrated, end, starts, certificate, unit, .. } = optimum;
+    let Optimum { start, calibrated, end, starts, certificate, unit, absolute, norms, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&start)
@@ -45,7 +47,9 @@ pub(in crate::identification) fn report(
         .map(|((parameter, &start), &sigma)| estimate(*parameter, (start, &calibrated), sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
-    let noise_factor = misfit(stacked, &estimates).factor();
+    let noise_factor = Noise::of(&misfit(stacked, &estimates), &norms, absolute).factor;
+    let outliers = outliers::named(&norms, samples, |sample| length_residuals(&calibrated, samples, sample));
+    let loss = used(norms.loss);
     let mut all_warnings = analysis.warnings.clone();
     all_warnings.extend(warnings::of_bounds(&estimates));
     all_warnings.extend(caution(settings));
@@ -60,15 +64,15 @@ pub(in crate::identification) fn report(
         parameters: estimates,
         analysis,
         noise_factor,
-        loss: Loss::Squared,
-        loss_threshold: f64::INFINITY,
-        outliers: Vec::new(),
+        loss,
+        loss_threshold: threshold(norms.loss),
         starts,
         clock_offset: None,
         frames: None,
         certificate: certificate.map(|certificate| certificate.in_metres(unit)),
         samples: samples.len(),
-        outlier_warning: None,
+        outlier_warning: outliers::warning(&outliers, samples.len(), loss),
+        outliers,
         warnings: all_warnings,
         rows: None,
     }
@@ -104,13 +108,13 @@ fn analyse(
     parameters: &[Parameter],
     settings: &Settings,
 ) -> Analysis {
-    let Optimum { scale, calibrated, unit, absolute, .. } = optimum;
+    let Optimum { scale, calibrated, unit, absolute, norms, .. } = optimum;
     let misfit = Misfit {
         cost: stacked.residuals.norm_squared(),
         prior_cost: 0.0,
         freedom: stacked.free_rows().saturating_sub(parameters.len()),
     };
-    let inflation = inflation(misfit.factor(), *absolute);
+    let inflation = Noise::of(&misfit, norms, *absolute).inflation;
     let rows = JointRows {
         model: calibrated,
         samples,

@@ -16,6 +16,16 @@ pub(in crate::identification) struct Stacked {
     pub(in crate::identification) jacobian: DMatrix<f64>,
 }
 
+/// Samples whose vectors are told as outliers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::identification) enum Outliers {
+    /// Those beyond the limit at the optimum.
+    Own,
+    /// Those beyond it at the optimum of least squares, too: errors of predicted poses are large where the model lacks something or cables hold the
+    /// platform weakly, and a robust loss drives such errors into few samples, of which no row is wrong.
+    Witnessed,
+}
+
 /// Residual vectors as functions of the free parameters.
 pub(in crate::identification) trait Vectors {
     /// Steps after which a descent from another start than the file's values is given up; nothing where it has as many as any.
@@ -40,6 +50,16 @@ pub(in crate::identification) trait Vectors {
     /// Writes Σ rᵀr, Jᵀr and JᵀJ at parameter values in a shorter way than by the vectors; false where there is none.
     fn write_squares(&mut self, _values: &[f64], _equations: &mut DenseEquations) -> bool {
         false
+    }
+
+    /// Outliers among the samples; nothing where none is looked for.
+    fn outliers(&self) -> Option<Outliers> {
+        None
+    }
+
+    /// ‖r‖² of every sample with the values at which squares were written last; nothing where only the vectors tell.
+    fn squares(&self) -> Option<(&[f64], Vec<f64>)> {
+        None
     }
 
     /// Writes vectors and derivatives at parameter values; false where a sample has none.

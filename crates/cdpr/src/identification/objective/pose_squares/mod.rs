@@ -35,6 +35,8 @@ pub(super) struct PoseSquares {
     cables: Vec<Cable>,
     /// Measured poses; the last group is filled with copies of the last one.
     measured: Vec<PoseLines>,
+    /// ‖r‖² of the samples at the values that were asked for last.
+    norms: Vec<Line>,
     /// Samples in the last group.
     in_last: usize,
     /// Units of the six errors: standard deviations.
@@ -84,6 +86,7 @@ impl PoseSquares {
             cables,
             predicted: measured.clone(),
             measured,
+            norms: vec![Line::default(); groups],
             in_last: (samples.len() - 1) % LANES + 1,
             units,
             plausible,
@@ -98,6 +101,17 @@ impl PoseSquares {
     /// Predictions begin at the measured poses again.
     pub(super) fn forget(&mut self) {
         (self.values, self.summed_at) = (None, None);
+    }
+
+    /// Number of samples.
+    fn count(&self) -> usize {
+        (self.measured.len() - 1) * LANES + self.in_last
+    }
+
+    /// ‖r‖² of every sample, with the values at which the squares were written last.
+    pub(super) fn of_samples(&self) -> Option<(&[f64], Vec<f64>)> {
+        let norms = self.norms.iter().flat_map(|line| line.0).take(self.count()).collect();
+        self.values.as_ref().map(|values| (values.as_slice(), norms))
     }
 
     /// Writes Σ‖r‖² with half its derivatives; false where the vectors must be asked.
@@ -130,7 +144,7 @@ impl PoseSquares {
     /// True where JᵀJ was summed at values that predict the same poses but for [`SAME`], rms: it only tells the way to the optimum, which Jᵀr decides.
     fn is_summed_near(&self, values: &[f64]) -> bool {
         let Some((at, hessian)) = &self.summed_at else { return false };
-        let samples = ((self.measured.len() - 1) * LANES + self.in_last) as f64;
+        let samples = self.count() as f64;
         let most = SAME * self.mean_length * self.units[0];
         let change = DVector::from_iterator(at.len(), values.iter().zip(at).map(|(to, from)| to - from));
         change.dot(&(hessian * &change)) <= samples * most * most
@@ -190,6 +204,7 @@ impl Kernel for Write<'_> {
             let measured = (&squares.measured[group], &squares.units, count);
             let Some(rows) = Rows::of(l, &eight, measured) else { return false };
             squares.products.add(l, &rows.residuals);
+            rows.square().store(&mut squares.norms[group].0);
             rows.add_to_gradient(l, &eight, &squares.cables, &mut squares.products);
             if with_hessian {
                 rows.write(&eight, &squares.cables, derivatives);
@@ -222,6 +237,16 @@ impl<L: Lanes> Rows<L> {
             residuals[row] = weights[row] * error.vector[row];
         }
         Some(Self { residuals, weights, by_turn: error.by_turn() })
+    }
+
+    /// ‖r‖².
+    #[inline(always)]
+    fn square(&self) -> L {
+        let mut square = self.residuals[0] * self.residuals[0];
+        for row in 1..6 {
+            square = square + self.residuals[row] * self.residuals[row];
+        }
+        square
     }
 
     /// Adds Jᵀr: one wrench for all residuals, whatever the number of parameters.
