@@ -16,6 +16,7 @@ use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::{Study, winch_offsets};
 use cdpr::model::{Composition, FreeParameters, Model};
+use cdpr::reading::Keyword;
 use cdpr::robot::{ParameterKind, Robot};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion};
@@ -64,7 +65,7 @@ fn robust(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &Fre
     let mut dirty = clean.clone();
     [17, 44, 80].into_iter().for_each(|row| dirty.poses[row].position.x += 0.2);
     for (data, samples) in [("clean", clean), ("displaced rows", &dirty)] {
-        for loss in Loss::ALL {
+        for &loss in Loss::ALL {
             let settings = Settings { loss, ..Settings::default() };
             group.bench_function(format!("optimum, accuracies, {data}, {}", loss.name()), |bencher| {
                 bencher.iter(|| {
@@ -82,7 +83,7 @@ fn path(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &FreeP
     group.bench_function("with uncertainty analysis, accuracies", |bencher| {
         bencher.iter(|| fit(model, black_box(samples), free, &settings).map(|found| found.iterations));
     });
-    for penalty in Penalty::ALL {
+    for &penalty in Penalty::ALL {
         let question = PathSettings { penalty, ..PathSettings::default() };
         group.bench_function(format!("path of 50 penalties, {penalty}"), |bencher| {
             bencher.iter(|| {

@@ -16,6 +16,7 @@ use std::hint::black_box;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DVector, Vector3};
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::tension::quadratic::{Solver, Status, solve};
 use cdpr::tension::{self, Limits, Method, Options, closed_form};
@@ -136,7 +137,7 @@ fn compare(feasible: &[Problem], infeasible: &[Problem]) {
 fn methods(feasible: &[Problem], infeasible: &[Problem]) {
     println!("\n| method | feasible | best | infeasible | best | steps, feasible | steps, infeasible |");
     println!("|---|---|---|---|---|---|---|");
-    for method in Method::ALL {
+    for &method in Method::ALL {
         let pass = |problems: &[Problem], solver: &mut tension::Solver, steps: &mut dyn FnMut(u32)| {
             for Problem { matrix, wrench, limits } in problems {
                 solver.forget();

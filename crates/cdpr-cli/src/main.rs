@@ -10,6 +10,7 @@ mod failure;
 mod files;
 mod inputs;
 mod interruption;
+mod keyword;
 mod measurements;
 mod meshes;
 mod numbers;

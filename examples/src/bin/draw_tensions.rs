@@ -9,6 +9,7 @@ use std::fmt::Write;
 use cdpr::geometry::Pose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, Vector3};
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::tension::{Limits, Method, Options, Status, solve};
 
@@ -187,7 +188,7 @@ fn cut(corners: &[[f64; 2]], inside: impl Fn([f64; 2]) -> f64) -> Vec<[f64; 2]> 
 /// What each method chooses; methods that choose the same share a mark.
 fn marks(question: &Question, axes: [usize; 2]) -> Result<Vec<Mark>, Box<dyn Error>> {
     let mut marks: Vec<Mark> = Vec::new();
-    for method in Method::ALL.into_iter().filter(|method| *method != Method::NearestWrench) {
+    for method in Method::ALL.iter().copied().filter(|method| *method != Method::NearestWrench) {
         let answer = solve(method, &question.matrix, &question.wrench, &question.limits, &Options::default())?;
         let at = axes.map(|cable| answer.tensions[cable] / 1000.0);
         match marks.iter_mut().find(|mark| (mark.at[0] - at[0]).hypot(mark.at[1] - at[1]) < 1e-4) {

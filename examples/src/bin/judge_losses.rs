@@ -8,6 +8,7 @@ use cdpr::identification::fit::{Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -16,16 +16,17 @@ use cdpr::identification::Loss;
 use cdpr::identification::fit::{self, Minimizer, Prior};
 use cdpr::measurement::Split;
 use cdpr::model::FreeParameters;
+use cdpr::reading::Keyword;
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
+use crate::keyword::{keyword, keyword_or_short};
 use crate::measurements::DataArguments;
 use crate::progress::Progress;
-use crate::selecting::{ObjectiveArguments, losses};
+use crate::selecting::ObjectiveArguments;
 use driving::DriveArguments;
 use task::Task;
 
@@ -88,11 +89,11 @@ pub(crate) struct Arguments {
     starts: u32,
 
     /// Way to the optimum; all lead to the same one.
-    #[arg(long, value_name = "METHOD", default_value = Minimizer::default().name(), value_parser = minimizers())]
+    #[arg(long, value_name = "METHOD", default_value = Minimizer::default().name(), value_parser = keyword_or_short(SHORT))]
     minimizer: Minimizer,
 
     /// Loss of a sample's residuals. Auto: squared, unless samples lie beyond 8 robust standard deviations; Huber then.
-    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
+    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = keyword::<Loss>())]
     loss: Loss,
 
     #[command(flatten)]
@@ -154,20 +155,8 @@ impl Arguments {
     }
 }
 
-/// Minimizers by their names, short ones too.
-fn minimizers() -> impl TypedValueParser<Value = Minimizer> {
-    let short = |name: &str| match name {
-        "levenberg-marquardt" => Some("lm"),
-        "trust-region" => Some("trf"),
-        _ => None,
-    };
-    let possible =
-        Minimizer::ALL.map(|minimizer| PossibleValue::new(minimizer.name()).aliases(short(minimizer.name())));
-    let is_named =
-        move |minimizer: &Minimizer, name: &str| minimizer.name() == name || short(minimizer.name()) == Some(name);
-    let named = move |name: String| Minimizer::ALL.into_iter().find(|minimizer| is_named(minimizer, &name));
-    PossibleValuesParser::new(possible).map(move |name| named(name).unwrap_or_default())
-}
+/// Minimizers by the names that other programs have for them.
+const SHORT: &[(&str, Minimizer)] = &[("lm", Minimizer::LevenbergMarquardt), ("trf", Minimizer::TrustRegion)];
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;

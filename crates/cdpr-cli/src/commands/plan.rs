@@ -7,14 +7,15 @@ use cdpr::identification::fit::{Prior, Settings};
 use cdpr::identification::{Candidates, DesignCriterion, PlanSettings, Predicted, plan};
 use cdpr::measurement::{Samples, SensorSigmas, poses_from_csv};
 use cdpr::model::{FreeParameters, Model};
+use cdpr::reading::Keyword;
 use cdpr::reading::Size;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
+use crate::keyword::keyword;
 use crate::measurements::{SigmaOption, read_measured};
 use crate::numbers::number_from_zero;
 use crate::progress::Progress;
@@ -61,7 +62,7 @@ pub(crate) struct Arguments {
 
     /// Measure of a set of poses: the determinant of the information (d), the mean variance of parameters (a), the direction known least (e), the
     /// mean variance of lengths over the candidates (i), the condition of the Jacobian, or a plain grid whatever it tells (factorial).
-    #[arg(long, value_name = "NAME", default_value = DesignCriterion::default().name(), value_parser = criteria())]
+    #[arg(long, value_name = "NAME", default_value = DesignCriterion::default().name(), value_parser = keyword::<DesignCriterion>())]
     criterion: DesignCriterion,
 
     /// Poses to choose among, as they are (CSV with the pose columns of measurements).
@@ -103,13 +104,6 @@ pub(crate) struct Arguments {
     /// Poses to write, for the controller and for a study (CSV).
     #[arg(long, value_name = "POSES.csv")]
     out: PathBuf,
-}
-
-/// Criteria by their names.
-fn criteria() -> impl TypedValueParser<Value = DesignCriterion> {
-    let named = |name: String| DesignCriterion::ALL.into_iter().find(|criterion| criterion.name() == name);
-    PossibleValuesParser::new(DesignCriterion::ALL.map(DesignCriterion::name))
-        .map(move |name| named(name).unwrap_or_default())
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

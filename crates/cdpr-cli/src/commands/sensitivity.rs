@@ -5,12 +5,14 @@ use std::process::ExitCode;
 
 use cdpr::metamodel::sensitivity::Offsets;
 use cdpr::metamodel::tolerance::{DeviationSettings, Engine};
+use cdpr::reading::Keyword;
 use cdpr_reports::sensitivity::{SensitivityAnswer, tables};
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
+use crate::keyword::keyword;
 use crate::numbers::positive_length;
 use crate::progress::Progress;
 use crate::sensitivities;
@@ -41,13 +43,14 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     choice: TensionMethodArgument,
 
-    /// What deviations do to the winch offsets [default: that of the study, else kept].
-    #[arg(long, value_name = "RULE")]
-    offsets: Option<OffsetRule>,
+    /// What deviations do to the winch offsets: they stay as they were set, or the winches are set anew after everything has deviated
+    /// [default: that of the study, else kept].
+    #[arg(long, value_name = "RULE", value_parser = keyword::<Offsets>())]
+    offsets: Option<Offsets>,
 
-    /// How the drawn robots answer.
-    #[arg(long, value_name = "ENGINE", default_value = "exact")]
-    engine: EngineName,
+    /// How the drawn robots answer: by the exact forward problem, or at once, by the derivatives.
+    #[arg(long, value_name = "ENGINE", default_value = Engine::default().name(), value_parser = keyword::<Engine>())]
+    engine: Engine,
 
     /// Robots drawn; 0 draws none [default: those of the study, else 10000].
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
@@ -82,40 +85,14 @@ pub(crate) struct Arguments {
     seed: u64,
 }
 
-/// What deviations do to the winch offsets.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum OffsetRule {
-    /// They stay as they were set.
-    Kept,
-    /// The winches are set again after everything has deviated.
-    SetAnew,
-}
-
-/// How drawn robots answer.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum EngineName {
-    /// By the exact forward problem.
-    Exact,
-    /// By the derivatives: at once.
-    Linear,
-}
-
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let study_file = StudyFile::read(&arguments.study)?.with_tension_method(arguments.choice.tension_method);
     study_file.introduce(output);
     let tolerances = study_file.study.tolerances.clone().unwrap_or_default();
-    let offsets = match arguments.offsets {
-        None => tolerances.offsets,
-        Some(OffsetRule::Kept) => Offsets::Kept,
-        Some(OffsetRule::SetAnew) => Offsets::SetAnew,
-    };
     let limit = study_file.study.limits.as_ref().and_then(|limits| limits.position_error_max_m);
     let settings = DeviationSettings {
-        offsets,
-        engine: match arguments.engine {
-            EngineName::Exact => Engine::Exact,
-            EngineName::Linear => Engine::Linear,
-        },
+        offsets: arguments.offsets.unwrap_or(tolerances.offsets),
+        engine: arguments.engine,
         robots: arguments.robots.map_or(tolerances.robots, |robots| robots as usize),
         accuracy: arguments.accuracy.or(tolerances.accuracy_m).or(limit),
         seed: arguments.seed,

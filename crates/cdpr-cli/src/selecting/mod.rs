@@ -13,15 +13,17 @@ use cdpr::identification::selection::{
 use cdpr::identification::{Loss, Objective};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::FreeParameters;
+use cdpr::reading::Keyword;
 use cdpr::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::TypedValueParser;
 
 pub(crate) use folder::write_folder;
 pub(crate) use objectives::ObjectiveArguments;
 
 use crate::failure::Failure;
+use crate::keyword::keyword;
 use crate::measurements::{BY_REGIONS, NO_OUTLIER, NO_POSE, refuse_without_poses};
 use crate::progress::Progress;
 
@@ -32,9 +34,10 @@ pub(crate) struct SelectionArguments {
     #[arg(long, value_name = "LIST", value_parser = candidate_list)]
     candidates: Option<CandidateList>,
 
-    /// The error that decides, on validation data. Default: position, without measured poses length.
-    #[arg(long, value_enum, value_name = "NAME")]
-    criterion: Option<CriterionName>,
+    /// The error that decides, its mean on validation data: of predicted positions or orientations, of modelled cable lengths, or of predicted
+    /// tensions (2-norm). Default: position, without measured poses length.
+    #[arg(long, value_name = "NAME", value_parser = keyword::<SelectionCriterion>())]
+    criterion: Option<SelectionCriterion>,
 
     /// Limits that the recommended model must keep on validation data, e.g. position_mean_m=0.005,length_max_m=0.01.
     #[arg(long, value_name = "NAME=LIMIT,…", value_delimiter = ',')]
@@ -49,7 +52,7 @@ pub(crate) struct SelectionArguments {
     pub(crate) prior: Vec<Prior>,
 
     /// Loss of a sample's residuals in every fit. Auto: squared, unless samples lie beyond 8 robust standard deviations; Huber then.
-    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = losses())]
+    #[arg(long, value_name = "LOSS", default_value = Loss::default().name(), value_parser = keyword::<Loss>())]
     loss: Loss,
 
     /// Leave K regions of the workspace out in turn besides: tells for every candidate how it extrapolates, beside the other criteria.
@@ -72,36 +75,6 @@ fn candidate_list(text: &str) -> Result<CandidateList, CandidateError> {
     candidate::parse_list(text).map(CandidateList)
 }
 
-/// Losses by their names.
-pub(crate) fn losses() -> impl TypedValueParser<Value = Loss> {
-    let named = |name: String| Loss::ALL.into_iter().find(|loss| loss.name() == name);
-    PossibleValuesParser::new(Loss::ALL.map(Loss::name)).map(move |name| named(name).unwrap_or_default())
-}
-
-/// `--criterion`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum CriterionName {
-    /// Mean distance between predicted and measured position.
-    Position,
-    /// Mean angle between predicted and measured orientation.
-    Rotation,
-    /// Mean difference between modelled and recorded cable lengths.
-    Length,
-    /// Mean 2-norm of the differences between predicted and recorded tensions.
-    Tension,
-}
-
-impl From<CriterionName> for SelectionCriterion {
-    fn from(name: CriterionName) -> Self {
-        match name {
-            CriterionName::Position => Self::Position,
-            CriterionName::Rotation => Self::Rotation,
-            CriterionName::Length => Self::Length,
-            CriterionName::Tension => Self::Tension,
-        }
-    }
-}
-
 impl SelectionArguments {
     /// The options as they are written on the command line, those left at their default left out.
     pub(crate) fn written(&self) -> String {
@@ -110,12 +83,7 @@ impl SelectionArguments {
             self.candidates.iter().map(|list| joined(list.0.iter().map(ToString::to_string).collect(), ";"));
         let all = [
             ("candidates", candidates.map(|list| format!("'{list}'")).collect()),
-            (
-                "criterion",
-                self.criterion
-                    .and_then(|name| Some(name.to_possible_value()?.get_name().to_owned()))
-                    .unwrap_or_default(),
-            ),
+            ("criterion", self.criterion.map(|criterion| criterion.name().to_owned()).unwrap_or_default()),
             ("require", joined(self.require.iter().map(ToString::to_string).collect(), ",")),
             ("hold", self.hold.to_string()),
             ("prior", joined(self.prior.iter().map(|prior| format!("{}={}", prior.kind, prior.sigma)).collect(), ",")),
@@ -136,7 +104,7 @@ impl SelectionArguments {
 
     /// Refuses what compares with measured poses, or parts samples by them.
     pub(crate) fn refuse_without_poses(&self, data: &str, split: Option<Split>) -> Result<(), Failure> {
-        let of_poses = matches!(self.criterion, Some(CriterionName::Position | CriterionName::Rotation));
+        let of_poses = matches!(self.criterion, Some(SelectionCriterion::Position | SelectionCriterion::Rotation));
         let by_regions = self.regions.is_some() || matches!(split, Some(Split::Region(_)));
         let other = self.objective.of(fit::Settings::default()).objective != Objective::Length;
         refuse_without_poses(
@@ -162,8 +130,8 @@ impl SelectionArguments {
             Some(list) => list.0.clone(),
             None => candidate::defaults(&data.robot, self.ladder(&data.samples)),
         };
-        let without = data.internal.as_ref().map_or(CriterionName::Position, |_| CriterionName::Length);
-        let criterion = SelectionCriterion::from(self.criterion.unwrap_or(without));
+        let without = data.internal.as_ref().map_or(SelectionCriterion::Position, |_| SelectionCriterion::Length);
+        let criterion = self.criterion.unwrap_or(without);
         if criterion == SelectionCriterion::Rotation && !data.robot.motion_pattern.has_rotation() {
             let message = "--criterion rotation: the platform of this robot does not turn";
             return Err(Failure::input("criterion::not-in-data", message, "use --criterion position or length"));

@@ -1,9 +1,10 @@
 //! Options that say what a fit makes small.
 
 use cdpr::identification::{Minimize, Objective, fit};
+use cdpr::reading::Keyword;
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
+use crate::keyword::keyword;
 use crate::numbers::positive_length;
 
 /// Residuals and cost of a fit.
@@ -11,11 +12,11 @@ use crate::numbers::positive_length;
 pub(crate) struct ObjectiveArguments {
     /// Residuals that are made small: of the lengths at the measured poses, of the poses that the model predicts from the recorded lengths (of
     /// elastic models with the tensions), or of both in their stated accuracies, the poses unknown (rigid models).
-    #[arg(long, value_name = "OBJECTIVE", default_value = Objective::default().name(), value_parser = objectives())]
+    #[arg(long, value_name = "OBJECTIVE", default_value = Objective::default().name(), value_parser = keyword::<Objective>())]
     objective: Objective,
 
     /// Cost of all samples: the sum of squares, the mean of the norms, or the largest norm.
-    #[arg(long, value_name = "COST", default_value = Minimize::default().name(), value_parser = costs())]
+    #[arg(long, value_name = "COST", default_value = Minimize::default().name(), value_parser = keyword::<Minimize>())]
     minimize: Minimize,
 
     /// Length by which rotations count beside positions with `--objective pose` (m). Default: the ratio of the stated accuracies of position and
@@ -40,14 +41,4 @@ impl ObjectiveArguments {
             ("rotation-length", self.rotation_length.map(|length| length.to_string()).unwrap_or_default()),
         ]
     }
-}
-
-fn objectives() -> impl TypedValueParser<Value = Objective> {
-    let named = |name: String| Objective::ALL.into_iter().find(|objective| objective.name() == name);
-    PossibleValuesParser::new(Objective::ALL.map(Objective::name)).map(move |name| named(name).unwrap_or_default())
-}
-
-fn costs() -> impl TypedValueParser<Value = Minimize> {
-    let named = |name: String| Minimize::ALL.into_iter().find(|minimize| minimize.name() == name);
-    PossibleValuesParser::new(Minimize::ALL.map(Minimize::name)).map(move |name| named(name).unwrap_or_default())
 }

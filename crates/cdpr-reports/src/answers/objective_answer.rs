@@ -3,6 +3,7 @@
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::{Certificate, ErrorBlocks, JudgedOptimum, Minimize, Objective, ObjectiveValues};
 use cdpr::metamodel::accuracy::Accuracy;
+use cdpr::reading::Keyword;
 use serde::Serialize;
 
 use crate::figures::{ErrorPanel, ErrorRows};

@@ -4,6 +4,7 @@ use cdpr::geometry::MotionPattern;
 use cdpr::identification::{Candidates, DesignCriterion, Plan, Predicted};
 use cdpr::metamodel::study::Shortening;
 use cdpr::model::{Model, StretchEffect};
+use cdpr::reading::Keyword;
 use serde::Serialize;
 
 use super::Answer;

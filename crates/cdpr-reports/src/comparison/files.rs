@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use cdpr::identification::selection::{JudgedCandidate, Judgement};
+use cdpr::reading::Keyword;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use thiserror::Error;

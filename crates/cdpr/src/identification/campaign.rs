@@ -16,6 +16,7 @@ use crate::metamodel::reachable::Requirements;
 use crate::metamodel::study::{CampaignTable, CommandedPose};
 use crate::metamodel::{Experiment, InputError, Outcome, Status as Rest};
 use crate::model::{FreeParameters, Model, ParameterError};
+use crate::reading::Keyword;
 
 /// Parts of the record that are held out in turn.
 const PARTS: usize = 5;
@@ -139,7 +140,7 @@ struct Wishes {
 impl Wishes {
     fn of(table: &CampaignTable) -> Result<Self, CampaignError> {
         let name = table.criterion.as_deref().unwrap_or(DesignCriterion::default().name());
-        let criterion = DesignCriterion::ALL.into_iter().find(|criterion| criterion.name() == name);
+        let criterion = DesignCriterion::named(name);
         let criterion = criterion.ok_or_else(|| CampaignError::Criterion { name: name.to_owned() })?;
         let priors = table.prior.iter().map(|text| text.parse()).collect::<Result<Vec<Prior>, _>>()?;
         let fit = fit::Settings { hold: table.hold.parse()?, priors, ..fit::Settings::default() };

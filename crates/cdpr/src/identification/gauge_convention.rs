@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::reading::keywords;
+
 /// Convention that fixes motions which no measurement sees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -16,16 +18,4 @@ pub enum GaugeConvention {
     Known,
 }
 
-impl GaugeConvention {
-    /// All of them, the default first.
-    pub const ALL: [Self; 3] = [Self::Anchors, Self::LeastChange, Self::Known];
-
-    /// Name in options and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Anchors => "anchors",
-            Self::LeastChange => "least-change",
-            Self::Known => "known",
-        }
-    }
-}
+keywords!(GaugeConvention: Anchors = "anchors", LeastChange = "least-change", Known = "known");

@@ -6,6 +6,8 @@
 
 use serde::Serialize;
 
+use crate::reading::keywords;
+
 /// Loss of a fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -22,20 +24,7 @@ pub enum Loss {
     Cauchy,
 }
 
-impl Loss {
-    /// All of them, the default first.
-    pub const ALL: [Self; 4] = [Self::Auto, Self::Squared, Self::Huber, Self::Cauchy];
-
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Squared => "squared",
-            Self::Huber => "huber",
-            Self::Cauchy => "cauchy",
-        }
-    }
-}
+keywords!(Loss: Auto = "auto", Squared = "squared", Huber = "huber", Cauchy = "cauchy");
 
 /// Course of a robust loss beyond noise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::loss::Loss;
 use super::norms::{Extent, Norms, OUTLIER_DEVIATIONS};
 use crate::measurement::Samples;
+use crate::reading::Keyword;
 
 /// Share of a sample's squared length residuals above which one cable is blamed alone.
 const ALONE: f64 = 0.9;

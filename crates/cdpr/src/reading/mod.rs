@@ -3,6 +3,7 @@
 //! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
 
 mod file;
+mod keyword;
 #[cfg(feature = "files")]
 mod table_text;
 #[cfg(feature = "files")]
@@ -11,6 +12,8 @@ mod toml_document;
 mod xml_document;
 
 pub use file::{FileError, bytes_of};
+pub use keyword::Keyword;
+pub(crate) use keyword::keywords;
 #[cfg(feature = "files")]
 pub(crate) use table_text::table_text;
 #[cfg(feature = "files")]

@@ -5,6 +5,8 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::{Control, OF_SINGULAR, StepRule};
 
+use crate::reading::keywords;
+
 /// Method that finds the least squares of parameters. All end at the same optimum; they differ in the way there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -47,20 +49,9 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) scale: &'a [f64],
 }
 
+keywords!(Minimizer: LevenbergMarquardt = "levenberg-marquardt", GaussNewton = "gauss-newton", Dogleg = "dogleg", TrustRegion = "trust-region");
+
 impl Minimizer {
-    /// All of them, the default first.
-    pub const ALL: [Self; 4] = [Self::LevenbergMarquardt, Self::GaussNewton, Self::Dogleg, Self::TrustRegion];
-
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::LevenbergMarquardt => "levenberg-marquardt",
-            Self::GaussNewton => "gauss-newton",
-            Self::Dogleg => "dogleg",
-            Self::TrustRegion => "trust-region",
-        }
-    }
-
     /// Rule by which the loop shortens its steps.
     pub(crate) fn rule(self) -> StepRule {
         match self {

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::reading::did_you_mean;
+use crate::reading::{Keyword, did_you_mean, keywords};
 
 /// How tensions are chosen among those that balance the load. Each has a module of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default, Serialize, Deserialize, schemars::JsonSchema)]
@@ -39,37 +39,9 @@ pub enum Method {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownMethod(String);
 
+keywords!(Method: Qp = "qp", ClosedForm = "closed-form", ImprovedClosedForm = "improved-closed-form", Puncture = "puncture", Dykstra = "dykstra", Centroid = "centroid", Minimum = "minimum", Maximum = "maximum", Barrier = "barrier", NearestWrench = "nearest-wrench");
+
 impl Method {
-    /// All methods.
-    pub const ALL: [Self; 10] = [
-        Self::Qp,
-        Self::ClosedForm,
-        Self::ImprovedClosedForm,
-        Self::Puncture,
-        Self::Dykstra,
-        Self::Centroid,
-        Self::Minimum,
-        Self::Maximum,
-        Self::Barrier,
-        Self::NearestWrench,
-    ];
-
-    /// The name in files and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Qp => "qp",
-            Self::ClosedForm => "closed-form",
-            Self::ImprovedClosedForm => "improved-closed-form",
-            Self::Puncture => "puncture",
-            Self::Dykstra => "dykstra",
-            Self::Centroid => "centroid",
-            Self::Minimum => "minimum",
-            Self::Maximum => "maximum",
-            Self::Barrier => "barrier",
-            Self::NearestWrench => "nearest-wrench",
-        }
-    }
-
     /// True when the method finds tensions wherever there are any. The others may miss them, and then say so
     /// ([`super::Status::NotFound`]).
     pub(crate) fn is_exact(self) -> bool {
@@ -87,15 +59,15 @@ impl FromStr for Method {
     type Err = UnknownMethod;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        Self::ALL.into_iter().find(|method| method.name() == text).ok_or_else(|| UnknownMethod(text.to_owned()))
+        Self::named(text).ok_or_else(|| UnknownMethod(text.to_owned()))
     }
 }
 
 impl fmt::Display for UnknownMethod {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "there is no method `{}`; ", self.0)?;
-        let names = Method::ALL.map(Method::name);
-        if let Some(meant) = did_you_mean(&self.0, names) {
+        let names: Vec<_> = Method::ALL.iter().map(|method| method.name()).collect();
+        if let Some(meant) = did_you_mean(&self.0, names.iter().copied()) {
             write!(f, "did you mean `{meant}`? ")?;
         }
         write!(f, "there are {}", names.join(", "))

@@ -10,6 +10,7 @@ use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::plant::{Command, Happening, Plant, Winches};
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
 use cdpr::statics::Load;
@@ -176,7 +177,7 @@ fn a_reused_solver_of_any_method_allocates_nothing() {
     let limits = Limits::uniform(8, 1000.0, 9000.0).unwrap();
     let matrices: Vec<_> = samples.poses.iter().map(|pose| model.structure_matrix(pose).unwrap()).collect();
     let lengths = [1.0, 1.0, 1.0, 0.8, 0.8, 0.8];
-    for method in Method::ALL {
+    for &method in Method::ALL {
         for p in [1.0, 2.0, 3.0] {
             let mut solver = tension::Solver::new(method, 8, 6);
             let mut previous = [4000.0; 8];

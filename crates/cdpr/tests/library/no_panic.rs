@@ -15,6 +15,7 @@ use cdpr::metamodel::simulate::simulate;
 use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
+use cdpr::reading::Keyword;
 use cdpr::robot::{CableStiffness, ParameterKind, Robot};
 use cdpr::statics::{Load, Stiffness, balanced_wrench, controlled_lengths, section_wrench, split, wrench_residual};
 use cdpr::tension::{Limits, Method, Options, Reference, closed_form, quadratic, solve};
@@ -205,7 +206,7 @@ fn exercise(robot: &Robot, input: &Input) {
                         p: 1.0 + (lists[2].len() % 3) as f64,
                         ..Options::default()
                     };
-                    for method in Method::ALL {
+                    for &method in Method::ALL {
                         let found = solve(method, matrix, rows.as_slice(), &limits, &options);
                         let _ = found.map(|found| found.reason());
                     }

@@ -7,6 +7,7 @@ use cdpr::metamodel::study::{CommandedPose, History, Initial, Reach, TensionMeth
 use cdpr::metamodel::{Control, Operation, Outcome, Status, initial_tensions, winch_offsets};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DVector, Vector3};
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 
 mod remembering;
@@ -209,7 +210,7 @@ fn force_control_of_the_planar_example() {
 
 #[test]
 fn winches_that_are_set_anew_by_any_method() {
-    for method in TensionMethod::ALL {
+    for &method in TensionMethod::ALL {
         let mut case = planar("standard", "elastic", method);
         case.poses.truncate(2);
         case.check(Offsets::SetAnew);
@@ -218,7 +219,7 @@ fn winches_that_are_set_anew_by_any_method() {
 
 #[test]
 fn force_control_by_any_method() {
-    for method in TensionMethod::ALL {
+    for &method in TensionMethod::ALL {
         let mut case = planar("elastic", "elastic", TensionMethod::ClosedForm);
         case.method = method;
         // far out the middle of the limits is out of reach, and closed forms end beyond a limit

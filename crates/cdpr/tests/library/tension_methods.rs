@@ -6,6 +6,7 @@ use super::distribution::Problem;
 use super::problems::{models, random_problem, random_problem_within};
 use super::support::property;
 use cdpr::model::{Composition, Model};
+use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::tension::{Answer, Limits, Method, Options, Reference, Solver, Status, solve};
 use rand::{RngExt, SeedableRng};
@@ -16,7 +17,7 @@ const PROBLEMS: usize = 4_000;
 
 /// One solver per method for one robot, used again and again.
 fn solvers(model: &Model) -> Vec<Solver> {
-    Method::ALL.map(|method| Solver::new(method, model.cable_count(), model.dof())).to_vec()
+    Method::ALL.iter().map(|method| Solver::new(*method, model.cable_count(), model.dof())).collect()
 }
 
 /// The centroid of six-dimensional sets takes a tenth of a second.
@@ -56,7 +57,7 @@ fn norm(p: f64, parts: impl Iterator<Item = f64>) -> f64 {
 /// Answers of all methods; all verdicts agree but those of methods that may miss tensions.
 fn answers(solvers: &mut [Solver], problem: &Problem, options: &Options<'_>, context: &str) -> Vec<Answer> {
     let mut answers: Vec<Answer> = Vec::new();
-    for (solver, method) in solvers.iter_mut().zip(Method::ALL) {
+    for (solver, method) in solvers.iter_mut().zip(Method::ALL.iter().copied()) {
         if !is_affordable(method, problem) {
             continue;
         }
@@ -171,7 +172,7 @@ fn scaling_load_and_limits_scales_the_answer() {
         let factor = 10_f64.powf(rng.random_range(-3.0..3.0));
         let times = |list: &[f64]| -> Vec<f64> { list.iter().map(|number| factor * number).collect() };
         let limits = Limits::new(times(problem.limits.minimum()), times(problem.limits.maximum())).expect("in order");
-        for method in Method::ALL.into_iter().filter(|method| is_affordable(*method, &problem)) {
+        for method in Method::ALL.iter().copied().filter(|method| is_affordable(*method, &problem)) {
             let options = Options::default();
             let one = solve(method, &problem.matrix, &problem.wrench, &problem.limits, &options).expect("fits");
             let other = solve(method, &problem.matrix, &times(&problem.wrench), &limits, &options).expect("fits");
@@ -235,7 +236,7 @@ fn rates_keep_tensions_near_the_previous_ones_or_are_the_reason() {
         };
         solve(method, &matrix, &[wrench], &limits, &options).expect("fits")
     };
-    for method in Method::ALL {
+    for &method in Method::ALL {
         // 500 N ± 20 N: f₁ − f₂ = 30 N is possible, 50 N is not, and 40 N just so
         let near = solved(method, -30.0, &[500.0, 500.0], 200.0);
         assert_eq!(near.status, Status::Feasible, "{method}");

@@ -6,12 +6,13 @@ use cdpr::identification::fit::Fit;
 use cdpr::identification::{PathSettings, Penalty, PenaltyPath, Towards, penalty_path, propose_reduction};
 use cdpr::measurement::{Samples, Split};
 use cdpr::model::FreeParameters;
+use cdpr::reading::Keyword;
 use cdpr_reports::answers::{PathAnswer, ReductionAnswer};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::task::Task;
 use crate::failure::Failure;
+use crate::keyword::keyword;
 use cdpr_reports::comparison::DataDivision;
 
 /// Parts that take turns where neither a split nor other data are named.
@@ -22,11 +23,11 @@ const PARTS: usize = 5;
 pub(super) struct PathArguments {
     /// Follow a penalty on the free parameters from one that holds them all down to none: ridge, lasso (parameters leave one by one) or group-lasso
     /// (whole anchors leave). λ is chosen by cross-validation with the rule of one standard error, on --split, --validation or five blocks.
-    #[arg(long, value_name = "PENALTY", value_parser = penalties())]
+    #[arg(long, value_name = "PENALTY", value_parser = keyword::<Penalty>())]
     path: Option<Penalty>,
 
     /// Values from which changes are penalised: those of the file, or zero (ratios: one).
-    #[arg(long, value_name = "CENTRE", default_value = Towards::default().name(), value_parser = centres(), requires = "path")]
+    #[arg(long, value_name = "CENTRE", default_value = Towards::default().name(), value_parser = keyword::<Towards>(), requires = "path")]
     towards: Towards,
 
     /// Free parameters that the penalty acts on, e.g. platform-anchor. Default: all.
@@ -44,16 +45,6 @@ pub(super) struct PathArguments {
     /// Robot file of the smaller model to write that the rank, the noise of orientations or the path show.
     #[arg(long, value_name = "FILE")]
     out_reduced: Option<PathBuf>,
-}
-
-fn penalties() -> impl TypedValueParser<Value = Penalty> {
-    let named = |name: String| Penalty::ALL.into_iter().find(|penalty| penalty.name() == name);
-    PossibleValuesParser::new(Penalty::ALL.map(Penalty::name)).map(move |name| named(name).unwrap_or_default())
-}
-
-fn centres() -> impl TypedValueParser<Value = Towards> {
-    let named = |name: String| Towards::ALL.into_iter().find(|centre| centre.name() == name);
-    PossibleValuesParser::new(Towards::ALL.map(Towards::name)).map(move |name| named(name).unwrap_or_default())
 }
 
 /// What the options ask for, with the files to write.

@@ -8,9 +8,9 @@ use cdpr::identification::{
 };
 use cdpr::measurement::{Fold, InternalSamples, Known, Split};
 use cdpr::model::Model;
+use cdpr::reading::Keyword;
 use cdpr_reports::answers::{PoselessJudgement, SelfCalibrationAnswer};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::task::Task;
 use super::{Arguments, report};
@@ -18,6 +18,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
+use crate::keyword::keyword;
 use crate::measurements::{BY_REGIONS, NO_OUTLIER, NO_POSE, refuse_without_poses};
 use crate::progress::Progress;
 
@@ -26,7 +27,7 @@ use crate::progress::Progress;
 pub(super) struct FrameArguments {
     /// Convention that fixes what data without poses leave free: anchors holds coordinates at the file's values, least-change keeps all anchors as near to the
     /// file's as the data let them be, known refuses data that leave a motion free.
-    #[arg(long, value_name = "GAUGE", default_value = GaugeConvention::default().name(), value_parser = gauges())]
+    #[arg(long, value_name = "GAUGE", default_value = GaugeConvention::default().name(), value_parser = keyword::<GaugeConvention>())]
     pub(super) gauge: GaugeConvention,
 
     /// Fact known besides samples without poses: distance[1,2]=2.412, length[1]=1.597 (where changes count from), plane[1,2,3,4], wall-x[1,2], wall-y[1,2],
@@ -37,13 +38,6 @@ pub(super) struct FrameArguments {
     /// Robot whose frame anchors the calibrated ones are compared with, after the motion that brings them together best (Procrustes).
     #[arg(long, value_name = "ROBOT")]
     compare: Option<String>,
-}
-
-/// Conventions by their names.
-fn gauges() -> impl TypedValueParser<Value = GaugeConvention> {
-    let named = |name: String| GaugeConvention::ALL.into_iter().find(|gauge| gauge.name() == name);
-    PossibleValuesParser::new(GaugeConvention::ALL.map(GaugeConvention::name))
-        .map(move |name| named(name).unwrap_or_default())
 }
 
 impl FrameArguments {

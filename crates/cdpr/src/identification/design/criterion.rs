@@ -2,6 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix};
 
+use crate::reading::keywords;
 use crate::scalar::decomposition::symmetric_eigen;
 
 /// Measure of a design.
@@ -22,22 +23,9 @@ pub enum DesignCriterion {
     Factorial,
 }
 
+keywords!(DesignCriterion: D = "d", A = "a", E = "e", I = "i", Condition = "condition", Factorial = "factorial");
+
 impl DesignCriterion {
-    /// All, in the order in which they are listed.
-    pub const ALL: [Self; 6] = [Self::D, Self::A, Self::E, Self::I, Self::Condition, Self::Factorial];
-
-    /// Name in commands and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::D => "d",
-            Self::A => "a",
-            Self::E => "e",
-            Self::I => "i",
-            Self::Condition => "condition",
-            Self::Factorial => "factorial",
-        }
-    }
-
     /// Score of a block of M, in the unit of its `worths` (m); smaller is better. Blocks join by [`DesignCriterion::joined`].
     pub(super) fn of_block(self, block: &DMatrix<f64>, (region, worths): (&DMatrix<f64>, &[f64])) -> BlockScore {
         match self {

@@ -6,6 +6,7 @@ use crate::identification::fit::Settings;
 use crate::identification::fit::fit;
 use crate::measurement::SensorSigmas;
 use crate::model::Composition;
+use crate::reading::Keyword;
 use crate::robot::Robot;
 use nalgebra::Vector3;
 use rand::SeedableRng;
@@ -74,7 +75,7 @@ fn sixteen_best_poses_are_as_good_as_known() {
 /// Every criterion is best by its own measure.
 #[test]
 fn each_criterion_is_best_by_its_own_measure() {
-    let all: Vec<Plan> = DesignCriterion::ALL.into_iter().map(|criterion| of_grid(12, criterion).0).collect();
+    let all: Vec<Plan> = DesignCriterion::ALL.iter().copied().map(|criterion| of_grid(12, criterion).0).collect();
     // rounding of the held directions
     let tolerance = 1e-7;
     for other in &all {

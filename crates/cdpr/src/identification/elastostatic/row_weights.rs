@@ -14,6 +14,7 @@ use crate::identification::loss::Loss;
 use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
 use crate::model::Model;
+use crate::reading::Keyword;
 use crate::robot::Parameter;
 use crate::statics::Load;
 

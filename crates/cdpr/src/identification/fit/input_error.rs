@@ -7,6 +7,7 @@ use crate::identification::loss::Loss;
 use crate::identification::objective::Minimize;
 use crate::measurement::KnownError;
 use crate::model::{ModelError, ParameterError, WinchError};
+use crate::reading::Keyword;
 use crate::robot::ParameterKind;
 use crate::statics::LoadError;
 

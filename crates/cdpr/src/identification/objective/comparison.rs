@@ -11,6 +11,7 @@ use crate::measurement::Samples;
 use crate::metamodel::accuracy::Accuracy;
 use crate::metamodel::errors::PoseErrorStatistics;
 use crate::model::{FreeParameters, Model};
+use crate::reading::Keyword;
 
 /// Norms of the residual vectors of samples: their rms, mean and maximum are what the costs of both objectives minimise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -107,13 +108,13 @@ pub fn compare_objectives(
         })
     };
     let mut all: Vec<JudgedOptimum> = judged(model, None, true).into_iter().collect();
-    for objective in Objective::ALL {
+    for &objective in Objective::ALL {
         if objective == Objective::Both
             && ObjectiveVectors::of(model, samples, &[], &Settings { objective, ..settings.clone() }).is_err()
         {
             continue;
         }
-        for minimize in Minimize::ALL {
+        for &minimize in Minimize::ALL {
             let settings = Settings { objective, minimize, ..settings.clone() };
             let found = fit(model, samples, free, &settings)?;
             let converged = found.status != Status::NotConverged;

@@ -28,6 +28,9 @@ pub(super) use poseless::PoselessVectors;
 pub(super) use report::{fit, report};
 pub(super) use sensors::{Layout, Sensor, SensorVectors, Swivel, Weights};
 use serde::Serialize;
+
+use crate::reading::{Keyword, keywords};
+
 pub(super) use vectors::{Stacked, Vectors};
 
 /// Residuals that an identification makes small.
@@ -58,33 +61,9 @@ pub enum Minimize {
     Max,
 }
 
-impl Objective {
-    /// All of them, the default first.
-    pub const ALL: [Self; 3] = [Self::Length, Self::Pose, Self::Both];
+keywords!(Objective: Length = "length", Pose = "pose", Both = "both");
 
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Length => "length",
-            Self::Pose => "pose",
-            Self::Both => "both",
-        }
-    }
-}
-
-impl Minimize {
-    /// All of them, the default first.
-    pub const ALL: [Self; 3] = [Self::Squares, Self::Mean, Self::Max];
-
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Squares => "squares",
-            Self::Mean => "mean",
-            Self::Max => "max",
-        }
-    }
-}
+keywords!(Minimize: Squares = "squares", Mean = "mean", Max = "max");
 
 impl std::fmt::Display for Minimize {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

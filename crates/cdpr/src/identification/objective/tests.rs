@@ -19,6 +19,7 @@ use crate::identification::recorded_curves::{curve, noisy, points};
 use crate::identification::stopping::StoppingRule;
 use crate::measurement::{Samples, SensorSigmas};
 use crate::model::{Composition, FreeParameters, Model, place_pulleys};
+use crate::reading::Keyword;
 use crate::robot::{ExternalWrench, Parameter, Robot};
 use crate::solve::{NormalSystem, ROUNDING_GAIN};
 use crate::statics::{Load, controlled_lengths};
@@ -113,7 +114,7 @@ fn every_minimizer_ends_at_the_same_cost() {
             assert!(stopped.rule < StoppingRule::IterationLimit && stopped.value <= stopped.limit, "{stopped:?}");
             *found.history.last().unwrap()
         };
-        let costs = Minimizer::ALL.map(cost);
+        let costs = Minimizer::ALL.iter().copied().map(cost).collect::<Vec<_>>();
         for other in &costs[1..] {
             assert!((other / costs[0] - 1.0).abs() < 1e-10, "{objective:?} {minimize:?}: {costs:?}");
         }

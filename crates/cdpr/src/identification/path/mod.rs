@@ -20,6 +20,7 @@ use super::objective;
 use super::selection::reported_part;
 use crate::measurement::{Fold, Samples};
 use crate::model::{FreeParameters, Model};
+use crate::reading::Keyword;
 use crate::robot::Parameter;
 use course::{Place, Question};
 pub use settings::{PathSettings, Penalty, Towards};

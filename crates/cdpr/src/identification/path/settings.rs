@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::identification::selection::SelectionCriterion;
 use crate::model::FreeParameters;
+use crate::reading::{Keyword, keywords};
 
 /// Penalty on changes u of parameters in metres of cable, beside ½χ².
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -33,32 +34,9 @@ pub enum Towards {
     Zero,
 }
 
-impl Penalty {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Ridge, Self::Lasso, Self::GroupLasso];
+keywords!(Penalty: Ridge = "ridge", Lasso = "lasso", GroupLasso = "group-lasso");
 
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Ridge => "ridge",
-            Self::Lasso => "lasso",
-            Self::GroupLasso => "group-lasso",
-        }
-    }
-}
-
-impl Towards {
-    /// All of them, the default first.
-    pub const ALL: [Self; 2] = [Self::File, Self::Zero];
-
-    /// Name in options and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::File => "file",
-            Self::Zero => "zero",
-        }
-    }
-}
+keywords!(Towards: File = "file", Zero = "zero");
 
 impl fmt::Display for Penalty {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

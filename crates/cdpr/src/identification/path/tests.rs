@@ -11,6 +11,7 @@ use crate::identification::loss::Loss;
 use crate::identification::quadratic::Quadratic;
 use crate::measurement::{Fold, Samples, SensorSigmas, Split};
 use crate::model::{Composition, FreeParameters, Model};
+use crate::reading::Keyword;
 use crate::robot::{ParameterKind, Robot};
 use crate::statics::{Load, controlled_lengths};
 
@@ -127,7 +128,7 @@ fn a_path_begins_at_the_file_and_ends_at_least_squares() {
         let (model, list) = (model(composition), free.parse::<FreeParameters>().unwrap());
         let settings = Settings { loss: Loss::Squared, ..Settings::default() };
         let best = fit(&model, &data, &list, &settings).unwrap();
-        for penalty in Penalty::ALL {
+        for &penalty in Penalty::ALL {
             let places = followed(composition, &data, free, &points(penalty));
             let first = &places[0];
             for (k, estimate) in best.parameters.iter().enumerate() {

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::identification::evaluation::{ErrorBlocks, Evaluation};
 use crate::measurement::decimals;
+use crate::reading::keywords;
 
 /// Which error decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
@@ -22,6 +23,8 @@ pub enum SelectionCriterion {
     /// Mean over samples of the 2-norm of the tension errors (N); only models that know tensions have it.
     Tension,
 }
+
+keywords!(SelectionCriterion: Position = "position", Rotation = "rotation", Length = "length", Tension = "tension");
 
 impl fmt::Display for SelectionCriterion {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -9,6 +9,7 @@ use crate::identification::gauge_convention::GaugeConvention;
 use crate::identification::objective::Stacked;
 use crate::measurement::InternalSamples;
 use crate::model::Model;
+use crate::reading::Keyword;
 use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::decomposition::svd;
 

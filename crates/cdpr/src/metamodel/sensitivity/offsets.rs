@@ -2,6 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::reading::keywords;
+
+keywords!(Offsets: Kept = "kept", SetAnew = "set-anew");
+
 /// Effect of deviations on the winch offsets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]

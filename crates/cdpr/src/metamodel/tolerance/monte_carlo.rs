@@ -13,6 +13,7 @@ use crate::metamodel::sensitivity::{ParameterDeviation, PoseSensitivity, Setting
 use crate::metamodel::status::Status;
 use crate::metamodel::study::{CommandedPose, Distribution, History, TensionMethod};
 use crate::model::Model;
+use crate::reading::keywords;
 
 /// Most answers kept at a time.
 const ANSWER_LIMIT: usize = 50_000_000;
@@ -27,6 +28,8 @@ pub enum Engine {
     /// By the derivatives.
     Linear,
 }
+
+keywords!(Engine: Exact = "exact", Linear = "linear");
 
 /// Settings of a draw of robots.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,6 +6,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::property;
+use crate::reading::Keyword;
 use crate::scalar::{LANES, Unit, dispatch_on};
 use crate::tension::{self, LimitsError, Method, Options, Reference};
 
@@ -258,7 +259,7 @@ fn extreme_numbers_are_refused_or_end_in_a_status_that_is_true() {
         let Ok(limits) = limits else { continue };
         let reference: Vec<f64> = (0..m).map(|_| extreme(&mut rng)).collect();
         let options = Options { reference: Reference::Given(&reference), ..Options::default() };
-        for method in Method::ALL {
+        for &method in Method::ALL {
             for options in [&options, &Options::default()] {
                 let Ok(found) = tension::solve(method, &matrix, &wrench, &limits, options) else { continue };
                 let words = found.reason();

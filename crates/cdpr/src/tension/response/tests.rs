@@ -5,6 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
+use crate::reading::Keyword;
 use crate::tension::Status;
 
 /// A spatial or planar problem with a given redundancy whose tensions lie well within reach.
@@ -74,7 +75,7 @@ fn compare(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limit
 
 #[test]
 fn every_method_follows_matrix_and_load_as_its_solve_does() {
-    for method in Method::ALL {
+    for &method in Method::ALL {
         let mut rng = ChaCha8Rng::seed_from_u64(7);
         let mut compared = 0;
         for (n, redundancy) in [(1, 1), (2, 2), (3, 1), (3, 3), (6, 2), (2, 0)] {
