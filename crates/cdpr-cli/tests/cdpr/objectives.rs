@@ -78,3 +78,27 @@ fn costs_that_exclude_each_other_are_refused_in_words() {
         assert!(run.stderr.contains("setting::cost"), "{}", run.stderr);
     }
 }
+
+/// A row that is displaced is named and counts less whatever is made small, and the answer says by which loss.
+#[test]
+fn a_displaced_row_is_named_beside_every_objective() {
+    let (folder, _) = recorded();
+    let text = std::fs::read_to_string(folder.path().join("wide.csv")).unwrap();
+    let column = text.lines().find(|line| line.contains("x_m")).unwrap().split(',').position(|name| name == "x_m");
+    let line = 8;
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let mut cells: Vec<String> = lines[line - 1].split(',').map(str::to_owned).collect();
+    let x = &mut cells[column.unwrap()];
+    *x = (x.parse::<f64>().unwrap() + 1.0).to_string();
+    lines[line - 1] = cells.join(",");
+    std::fs::write(folder.path().join("wide.csv"), lines.join("\n")).unwrap();
+    for objective in ["--objective pose", "--objective both --sigma length_m=0.03,position_m=0.03"] {
+        let run = identify(&folder, objective);
+        assert!(run.stdout.contains("sum over samples of the huber loss of"), "{}", run.stdout);
+        let answer: serde_json::Value =
+            serde_json::from_str(&identify(&folder, &format!("{objective} --format json")).stdout).unwrap();
+        assert_eq!((&answer["loss"], &answer["outliers"][0]["line"]), (&"huber".into(), &line.into()), "{objective}");
+        assert_eq!(answer["outliers"].as_array().unwrap().len(), 1, "{objective}");
+        assert!(answer["warnings"][0].as_str().unwrap().starts_with("outliers: 1 of "), "{}", answer["warnings"]);
+    }
+}

@@ -1,7 +1,7 @@
 //! Objective of a fit, the errors that it does not look at, and the optima of other objectives.
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::{Certificate, ErrorBlocks, JudgedOptimum, Minimize, Objective, ObjectiveValues};
+use cdpr::identification::{Certificate, ErrorBlocks, JudgedOptimum, Loss, Minimize, Objective, ObjectiveValues};
 use cdpr::metamodel::accuracy::Accuracy;
 use cdpr::reading::Keyword;
 use serde::Serialize;
@@ -18,6 +18,9 @@ pub struct ObjectiveAnswer {
     pub objective: Objective,
     /// Cost of all samples.
     pub minimize: Minimize,
+    /// Loss of the fit, which its answer tells elsewhere.
+    #[serde(skip)]
+    pub loss: Loss,
     /// Values of every objective on the samples of the fit, after and before.
     pub objective_values: ObjectiveValues,
     /// The same of the model as given.
@@ -93,11 +96,12 @@ impl ObjectiveAnswer {
         })
     }
 
-    fn cost(&self) -> &'static str {
-        match self.minimize {
-            Minimize::Mean => "mean of the norms",
-            Minimize::Max => "largest norm",
-            _ => "sum of squares",
+    fn cost(&self) -> String {
+        match (self.minimize, self.loss) {
+            (Minimize::Mean, _) => "mean of the norms".to_owned(),
+            (Minimize::Max, _) => "largest norm".to_owned(),
+            (_, Loss::Huber | Loss::Cauchy) => format!("sum over samples of the {} loss", self.loss.name()),
+            _ => "sum of squares".to_owned(),
         }
     }
 

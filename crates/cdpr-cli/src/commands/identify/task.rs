@@ -182,6 +182,7 @@ impl Task<'_> {
         Ok(ObjectiveAnswer {
             objective: settings.objective,
             minimize: settings.minimize,
+            loss: fit.loss,
             objective_values: values(train[0]),
             objective_values_before: values(train[1]),
             certificate: fit.certificate.clone(),
