@@ -47,6 +47,7 @@ impl Model {
         for (parameter, &value) in parameters.iter().zip(values) {
             parameter.set(&mut robot, value);
         }
+        robot.forget_assumptions(parameters.iter().copied());
         Self::new(robot, self.composition()).ok()
     }
 

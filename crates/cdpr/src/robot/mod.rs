@@ -19,6 +19,7 @@ mod description;
 mod file;
 #[cfg(feature = "files")]
 mod home_reading;
+mod identified;
 mod parameter;
 mod parts;
 #[cfg(feature = "files")]

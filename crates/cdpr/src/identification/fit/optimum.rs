@@ -225,6 +225,7 @@ impl Optimum {
                 parameter.set(&mut robot, value);
             }
         }
+        robot.forget_assumptions(self.blocks.iter().flat_map(|block| block.parameters.iter().copied()));
         Model::new(robot, model.composition())
     }
 
