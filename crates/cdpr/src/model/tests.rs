@@ -8,7 +8,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::{CableInput, CablePath, outlet};
 use crate::geometry::{MotionPattern, Plane, Pose, Twist};
-use crate::robot::{Cable, ParameterKind, Platform, Pulley, Robot, WrapSide};
+use crate::robot::{Assumption, Cable, Parameter, ParameterKind, Platform, Pulley, Robot, WrapSide};
 use crate::scalar::{add, rotate};
 use wrap_side::{planar_poses, planar_robot};
 
@@ -348,4 +348,18 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
         };
         assert!((slope - analytic).abs() < 1e-8, "{}: {slope} {analytic}", parameter.name(&robot));
     }
+}
+
+/// A compliance takes the place of a stiffness, which the file then states no more: nothing may say that it is assumed.
+#[cfg(feature = "files")]
+#[test]
+fn a_robot_with_identified_compliances_can_be_read_again() {
+    let mut robot = Robot::builtin("planar-example").unwrap();
+    let key = "cable.axial_stiffness_EA_N".to_owned();
+    robot.assumptions = vec![Assumption { key, reason: "a guess".to_owned() }];
+    let model = Model::new(robot, Composition::ELASTIC).unwrap();
+    let parameters = Parameter::named("compliance", model.robot()).unwrap();
+    let calibrated = model.with_parameters(&parameters[..3], &[1e-5; 3]).unwrap();
+    let read = Robot::from_toml(&calibrated.robot().to_toml(), "calibrated").unwrap();
+    assert_eq!(read.assumptions[0].key, "cable[4].axial_stiffness_EA_N");
 }

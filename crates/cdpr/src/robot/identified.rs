@@ -77,20 +77,6 @@ mod tests {
         assert_eq!(assumed(&["platform.mass_kg", "gravity_m_s2"], "mass"), ["gravity_m_s2"]);
     }
 
-    /// A compliance takes the place of a stiffness, which the file then states no more: nothing may say that it is assumed.
-    #[cfg(feature = "files")]
-    #[test]
-    fn a_robot_with_identified_compliances_can_be_read_again() {
-        let mut robot = Robot::builtin("planar-example").unwrap();
-        let key = "cable.axial_stiffness_EA_N".to_owned();
-        robot.assumptions = vec![Assumption { key, reason: "a guess".to_owned() }];
-        let model = crate::model::Model::new(robot, crate::model::Composition::ELASTIC).unwrap();
-        let parameters = Parameter::named("compliance", model.robot()).unwrap();
-        let calibrated = model.with_parameters(&parameters[..3], &[1e-5; 3]).unwrap();
-        let read = Robot::from_toml(&calibrated.robot().to_toml(), "calibrated").unwrap();
-        assert_eq!(read.assumptions[0].key, "cable[4].axial_stiffness_EA_N");
-    }
-
     /// One coordinate of an anchor leaves the other assumed.
     #[test]
     fn a_list_is_assumed_until_all_of_it_is_identified() {
