@@ -241,3 +241,30 @@ fn campaigns_go_from_round_to_round() {
     );
     assert_eq!((none.exit_code, none.json()["code"].as_str()), (2, Some("campaign::no-table")));
 }
+
+/// A study's map moves the lengths that its machine is told, and with them tensions: other poses are within the limits than without it.
+#[test]
+fn reach_is_that_of_a_controller_with_its_map() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = root().join("studies/twin-compensated.toml");
+    let text = std::fs::read_to_string(&study).unwrap();
+    std::fs::write(folder.path().join("without.toml"), text.replace("\ncompensation = ", "\n# compensation = "))
+        .unwrap();
+    std::fs::write(folder.path().join("nowhere.toml"), text.replace("maps/", "nowhere/")).unwrap();
+    let plan = |study: &str| {
+        let robot = "cablerobot-simulator-helicopter-kinematic-calibrated";
+        let options = "--free frame-anchor --count 12 --starts 1 --out poses.csv --format json";
+        cdpr_in(folder.path(), &format!("plan {robot} --study {study} {options}"))
+    };
+    let reached = |study: &str| {
+        let answer = plan(study).json();
+        let left_out = answer["left_out"].as_array().unwrap().len() as u64;
+        let reached = answer["candidates"].as_u64().unwrap();
+        assert_eq!(reached + left_out, 80, "64 of a grid and 16 at random");
+        reached
+    };
+    let (with, without) = (reached(&study.display().to_string()), reached("without.toml"));
+    assert!(with != without && with.min(without) >= 40, "{with} {without}");
+    let refused = plan("nowhere.toml");
+    assert!(refused.exit_code != 0 && refused.stderr.contains("twin-kinematic.toml"), "{}", refused.stderr);
+}
