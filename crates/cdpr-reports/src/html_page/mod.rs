@@ -3,6 +3,7 @@
 //!
 //! Program and style are made from `viewer/` and committed in `html_page/generated`.
 
+mod cable;
 mod nodes;
 mod plane;
 #[cfg(test)]
@@ -14,6 +15,7 @@ mod text;
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 use thiserror::Error as ThisError;
 
+pub(crate) use cable::{CableData, vector};
 pub(crate) use nodes::{Nodes, nodes};
 pub(crate) use plane::PlaneData;
 pub(crate) use text::{breakable, plain, prose};

@@ -6,13 +6,12 @@
 use cdpr::cable::winch::Winch;
 use cdpr::geometry::Pose;
 use cdpr::identification::Evaluation;
-use cdpr::nalgebra::Vector3;
 use cdpr::robot::Cable;
 use serde::Serialize;
 
 use super::{Purpose, Report, Shown};
 use crate::answers::SelectionAnswer;
-use crate::html_page::{PlaneData, digits, inside_script, plain};
+use crate::html_page::{PlaneData, digits, inside_script, plain, vector};
 
 /// Numbers that a page may hold for its samples (about 8 bytes each): more samples are thinned out.
 const MOST_NUMBERS: usize = 90_000;
@@ -84,9 +83,9 @@ impl DrumData {
         let first_pulley = winch.first_pulley.unwrap_or(cable.frame_anchor);
         Some(Self {
             radius_m: digits(radius, 6),
-            from_m: vector(&position),
-            to_m: vector(&(position + axis * length)),
-            way_m: leaves.map(|leaves| [vector(&leaves.contact), vector(&first_pulley)]),
+            from_m: vector(&position, 6),
+            to_m: vector(&(position + axis * length), 6),
+            way_m: leaves.map(|leaves| [vector(&leaves.contact, 6), vector(&first_pulley, 6)]),
         })
     }
 }
@@ -166,14 +165,14 @@ fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
     let calibrated = &shown.judgement.fit.model.robot().cables;
     let cables = nominal.cables.iter().zip(calibrated).enumerate().map(|(index, (before, after))| CableData {
         name: cable_name(index + 1, &before.name),
-        frame_anchor_nominal_m: vector(&before.frame_anchor),
-        frame_anchor_m: vector(&after.frame_anchor),
-        platform_anchor_nominal_m: vector(&before.platform_anchor),
-        platform_anchor_m: vector(&after.platform_anchor),
+        frame_anchor_nominal_m: vector(&before.frame_anchor, 6),
+        frame_anchor_m: vector(&after.frame_anchor, 6),
+        platform_anchor_nominal_m: vector(&before.platform_anchor, 6),
+        platform_anchor_m: vector(&after.platform_anchor, 6),
         pulley: after
             .pulley_radius()
             .zip(after.pulley_swivel_axis())
-            .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis) }),
+            .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis, 6) }),
         drum: DrumData::of(after),
     });
     RobotData { plane: PlaneData::of(nominal), turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
@@ -232,7 +231,7 @@ fn samples(report: &Report<'_>, shown: &Shown<'_>) -> SampleData {
         total: shown.judgement.validation_samples.len(),
         number: rows.iter().map(|row| row.sample + 1).collect(),
         time_s: data.time.as_ref().map(|time| rows.iter().map(|row| time[row.sample]).collect()),
-        position_m: rows.iter().map(|row| vector(&pose(row).position)).collect(),
+        position_m: rows.iter().map(|row| vector(&pose(row).position, 6)).collect(),
         quaternion_xyzw: rows.iter().map(quaternion).collect(),
         recorded_length_m: rows.iter().map(lengths).collect(),
         length_change_m: rows.iter().map(change).collect(),
@@ -274,7 +273,7 @@ fn fit_positions(report: &Report<'_>) -> Vec<[f64; 3]> {
         all.iter().copied().max_by(|a, b| at(a).total_cmp(&at(b)))
     };
     let corners = (0..3).flat_map(|axis| [extreme(axis, 1.0), extreme(axis, -1.0)]).flatten();
-    all.iter().copied().step_by(step).chain(corners).map(|sample| vector(&position(sample))).collect()
+    all.iter().copied().step_by(step).chain(corners).map(|sample| vector(&position(sample), 6)).collect()
 }
 
 fn correlation(report: &Report<'_>, shown: &Shown<'_>) -> Option<CorrelationData> {
@@ -283,8 +282,4 @@ fn correlation(report: &Report<'_>, shown: &Shown<'_>) -> Option<CorrelationData
     let lower = fit.analysis.correlation_rows.iter().map(|row| row.iter().map(|value| digits(*value, 3)).collect());
     let lower: Vec<Vec<f64>> = lower.collect();
     (!names.is_empty() && lower.len() == names.len()).then_some(CorrelationData { names, lower })
-}
-
-fn vector(point: &Vector3<f64>) -> [f64; 3] {
-    [point.x, point.y, point.z].map(|value| digits(value, 6))
 }

@@ -1,9 +1,8 @@
 //! The data that the program of the page plays back: one JSON block. `viewer/src/run/data.ts` is its reader.
 
-use cdpr::nalgebra::Vector3;
 use serde::Serialize;
 
-use crate::html_page::{PlaneData, digits, inside_script, plain};
+use crate::html_page::{CableData, PlaneData, digits, inside_script, plain, vector};
 use crate::recording::{Recording, Violation};
 
 /// Numbers that a page may hold for its moments (about 9 bytes each).
@@ -23,16 +22,6 @@ struct RobotData {
     name: String,
     plane: Option<PlaneData>,
     cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-#[expect(non_snake_case, reason = "the fields are the keys of the page, units included")]
-struct CableData {
-    name: String,
-    frame_anchor_m: [f64; 3],
-    platform_anchor_m: [f64; 3],
-    tension_min_N: Option<f64>,
-    tension_max_N: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -62,13 +51,7 @@ struct ViolationData {
 /// The block as text that may stand inside a `script` element; moments evenly thinned out to what a page may hold, the last one stays.
 pub(super) fn json(recording: &Recording<'_>, violations: &[Violation]) -> String {
     let robot = recording.robot;
-    let cable = |(index, cable): (usize, &cdpr::robot::Cable)| CableData {
-        name: plain(&cable.name),
-        frame_anchor_m: short(&cable.frame_anchor),
-        platform_anchor_m: short(&cable.platform_anchor),
-        tension_min_N: recording.limits.get(index).map(|limits| limits.0),
-        tension_max_N: recording.limits.get(index).map(|limits| limits.1),
-    };
+    let cable = |(index, cable)| CableData::of(cable, recording.limits.get(index).copied());
     let data = PageData {
         page: "run",
         robot: RobotData {
@@ -103,7 +86,7 @@ fn moments(recording: &Recording<'_>) -> MomentData {
         all.iter().enumerate().filter(|(index, _)| index % step == 0 || *index == last).map(|(_, one)| one).collect();
     MomentData {
         time_s: kept.iter().map(|moment| digits(moment.time, 9)).collect(),
-        position_m: kept.iter().map(|moment| short(&moment.pose.position)).collect(),
+        position_m: kept.iter().map(|moment| vector(&moment.pose.position, 6)).collect(),
         quaternion_xyzw: kept
             .iter()
             .map(|moment| <[f64; 4]>::from(moment.pose.rotation.coords).map(|part| digits(part, 6)))
@@ -113,8 +96,4 @@ fn moments(recording: &Recording<'_>) -> MomentData {
             .map(|moment| moment.tensions.iter().map(|tension| digits(*tension, 5)).collect())
             .collect(),
     }
-}
-
-fn short(point: &Vector3<f64>) -> [f64; 3] {
-    <[f64; 3]>::from(*point).map(|component| digits(component, 6))
 }

@@ -2,14 +2,13 @@
 //!
 //! SI units, named in the keys. No physics is left to the program.
 
-use cdpr::nalgebra::Vector3;
 use cdpr::workspace::mesh::{Field, Mesh};
 use serde::{Deserialize, Serialize};
 
 use super::grid::Grid;
 use super::sentences::Sentences;
 use super::{Finding, Shape, WorkspacePage};
-use crate::html_page::{Nodes, digits, inside_script, plain};
+use crate::html_page::{CableData, Nodes, digits, inside_script, plain, vector};
 
 /// The whole block.
 #[derive(Serialize)]
@@ -28,17 +27,6 @@ struct RobotData {
     name: String,
     planar: bool,
     cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-struct CableData {
-    name: String,
-    frame_anchor_m: [f64; 3],
-    platform_anchor_m: [f64; 3],
-    #[serde(rename = "tension_min_N")]
-    tension_min: Option<f64>,
-    #[serde(rename = "tension_max_N")]
-    tension_max: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -134,7 +122,7 @@ pub(super) fn json(page: &WorkspacePage<'_>, grid: &Grid) -> String {
             unit: if unit == "1" { String::new() } else { plain(unit) },
         },
         start: StartData {
-            position_m: vector(&page.start.position),
+            position_m: vector(&page.start.position, 7),
             quaternion_xyzw: [x, y, z, w].map(|value| digits(value, 9)),
         },
         grid: grid_data(grid),
@@ -146,15 +134,8 @@ pub(super) fn json(page: &WorkspacePage<'_>, grid: &Grid) -> String {
 
 fn cables(page: &WorkspacePage<'_>) -> Vec<CableData> {
     let limits = page.statics.map(|(_, limits)| limits);
-    let cables = page.model.robot().cables.iter().enumerate();
-    let data = cables.map(|(index, cable)| CableData {
-        name: plain(&cable.name),
-        frame_anchor_m: vector(&cable.frame_anchor),
-        platform_anchor_m: vector(&cable.platform_anchor),
-        tension_min: limits.map(|limits| limits.minimum()[index]),
-        tension_max: limits.map(|limits| limits.maximum()[index]),
-    });
-    data.collect()
+    let limits = |cable: usize| limits.map(|limits| (limits.minimum()[cable], limits.maximum()[cable]));
+    page.model.robot().cables.iter().enumerate().map(|(index, cable)| CableData::of(cable, limits(index))).collect()
 }
 
 fn grid_data(grid: &Grid) -> GridData {
@@ -170,7 +151,7 @@ fn grid_data(grid: &Grid) -> GridData {
     let rounded = |tensions: &Vec<f64>| tensions.iter().map(|tension| digits(*tension, 4)).collect();
     GridData {
         axes: grid.axes.iter().map(axis_data).collect(),
-        base_m: vector(&grid.base),
+        base_m: vector(&grid.base, 7),
         margin: grid.nodes.iter().map(|node| margin(node.verdict.margin)).collect(),
         cable: grid.nodes.iter().map(|node| node.verdict.cable.map_or(-1, |cable| cable as i64)).collect(),
         reason,
@@ -192,10 +173,6 @@ fn axis_data(axis: &super::grid::Axis) -> AxisData {
 /// Four digits; a margin that holds by less than they show still holds.
 fn margin(value: f64) -> Option<f64> {
     value.is_finite().then(|| digits(value, 4))
-}
-
-fn vector(point: &Vector3<f64>) -> [f64; 3] {
-    [point.x, point.y, point.z].map(|value| digits(value, 7))
 }
 
 impl RegionData {
