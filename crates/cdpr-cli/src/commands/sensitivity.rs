@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     choice: TensionMethodArgument,
 
-    /// What deviations do to the winch offsets: they stay as they were set, or the winches are set anew after everything has deviated
+    /// Effect of deviations on the winch offsets: they stay as they were set, or the winches are set anew after everything has deviated
     /// [default: that of the study, else kept].
     #[arg(long, value_name = "RULE", value_parser = keyword::<Offsets>())]
     offsets: Option<Offsets>,

@@ -121,6 +121,27 @@ fn every_minimizer_ends_at_the_same_cost() {
     }
 }
 
+/// Data that the file's values explain to the last digit cost nothing, of which no share can be promised.
+#[test]
+fn exact_data_leave_parameters_where_they_are() {
+    let model = points();
+    let poses = curve(&model, 11, 1.0);
+    let lengths: Vec<f64> = poses.iter().flat_map(|pose| model.cable_lengths(pose).unwrap()).collect();
+    let sigmas = SensorSigmas { length: Some(1e-3), position: Some(1e-3), ..SensorSigmas::default() };
+    let samples = Samples { poses, lengths, cable_count: model.cable_count(), sigmas, ..Samples::default() };
+    for objective in Objective::ALL.iter().copied() {
+        for loss in [Loss::Auto, Loss::Huber] {
+            let settings = Settings { objective, loss, ..Settings::default() };
+            let found = fit(&model, &samples, &"frame-anchor".parse().unwrap(), &settings).unwrap();
+            assert!(found.history.iter().all(|cost| cost.is_finite()), "{objective:?} {loss:?}: {:?}", found.history);
+            assert!(found.outliers.is_empty(), "{objective:?} {loss:?}");
+            let largest = found.parameters.iter().map(|one| one.change.abs()).fold(0.0, f64::max);
+            // rounding of lengths of ten metres
+            assert!(largest < 1e-9, "{objective:?} {loss:?}: {largest:.1e}");
+        }
+    }
+}
+
 /// The last step is taken untried; what it promises is the cost where it leads, and there is nothing to gain from there.
 #[test]
 fn the_cost_that_the_last_step_promises_is_that_of_its_end() {
