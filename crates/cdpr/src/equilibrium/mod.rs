@@ -20,6 +20,7 @@ mod state;
 pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings};
 pub use inverse_solution::{CableCommand, InverseSolution};
 pub(crate) use pose_step::turned;
+pub(crate) use restarts::restart_poses;
 use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
 pub use solution::{NoSolution, Solution, Solutions, Status};
 pub use start::Start;

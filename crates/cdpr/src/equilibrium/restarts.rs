@@ -12,7 +12,7 @@ const FLAT: f64 = 1e-6;
 /// Starts to try after the guess: the home pose, then positions spread over the frame with turned platforms.
 ///
 /// Always the same for the same robot.
-pub(super) fn restart_poses(model: &Model, guess: &Pose) -> impl Iterator<Item = Pose> + use<> {
+pub(crate) fn restart_poses(model: &Model, guess: &Pose) -> impl Iterator<Item = Pose> + use<> {
     let home = model.robot().home_or_middle();
     let (min, max) = room_of(model, &home);
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);

@@ -23,8 +23,10 @@ pub(super) struct JointRows<'a> {
     pub(super) scale: &'a [f64],
     /// Number of rows.
     pub(super) count: usize,
-    /// Jacobian in SI units.
+    /// Jacobian of the data in SI units.
     pub(super) plain: TriangularFactor,
+    /// Directions that no data tell and a convention fixes: they are no part of condition and rank.
+    pub(super) conventions: usize,
     /// Jacobian in units of the rows' noise.
     pub(super) weighted: TriangularFactor,
     /// Residuals in these units, one series over the samples for each row of a sample.
@@ -35,17 +37,22 @@ pub(super) struct JointRows<'a> {
 
 /// Analyses parameters that are identified together. The typical correlation time of the series enlarges deviations.
 pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Analysis {
-    let JointRows { model, samples, parameters, scale, count, plain, mut weighted, series, inflation } = rows;
+    let JointRows { model, samples, parameters, scale, count, plain, conventions, mut weighted, series, inflation } =
+        rows;
     let mut analysis = Analysis { inflation, ..Analysis::default() };
     if parameters.is_empty() {
         (analysis.condition, analysis.condition_scaled) = (1.0, 1.0);
         return analysis;
     }
     let plain = plain.into_matrix();
-    let plain_values = singular_values(plain.clone());
-    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, count);
-    let scaled_values = singular_values(with_unit_columns(plain));
-    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
+    let told = parameters.len().saturating_sub(conventions);
+    let mut plain_values = singular_values(plain.clone());
+    plain_values.truncate(told);
+    (_, analysis.condition) = rank_and_condition(&plain_values, count);
+    let mut scaled_values = singular_values(with_unit_columns(plain));
+    scaled_values.truncate(told);
+    // compliances in 1/N beside anchors in m are twelve decades apart whatever the data tell: columns of length one tell the rank
+    (analysis.rank, analysis.condition_scaled) = rank_and_condition(&scaled_values, count);
     analysis.singular_values = plain_values;
 
     let mut times: Vec<f64> = series.iter().map(|series| correlation_time(series)).collect();

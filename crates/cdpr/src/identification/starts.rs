@@ -62,8 +62,8 @@ pub(super) trait Landscape {
     /// Descends from this change of the file's values.
     fn descend(&mut self, part: usize, change: &[f64]) -> Self::End;
 
-    /// Cost at a place that lies between two ends.
-    fn cost(&mut self, part: usize, place: &[f64]) -> f64;
+    /// Cost at a place that lies between two ends, of which this is one.
+    fn cost(&mut self, part: usize, place: &[f64], near: &Self::End) -> f64;
 }
 
 /// Descents from many starts.
@@ -169,7 +169,7 @@ impl Search<'_> {
         }
         let mut middle = |part: usize| {
             let pairs = known[part].place().iter().zip(ends[part].place());
-            landscape.cost(part, &pairs.map(|(a, b)| 0.5 * (a + b)).collect::<Vec<_>>())
+            landscape.cost(part, &pairs.map(|(a, b)| 0.5 * (a + b)).collect::<Vec<_>>(), &known[part])
         };
         self.distance(known, ends) <= SAME_PLACE || (0..ends.len()).map(&mut middle).sum::<f64>() <= first + same
     }

@@ -50,6 +50,7 @@ mod selection_truth;
 mod self_calibration;
 mod self_calibration_by_sensors;
 mod self_calibration_held_out;
+mod self_calibration_turned;
 mod sensitivity;
 mod starts;
 mod statics_properties;

@@ -165,7 +165,18 @@ fn analyse(
     weighed.iter_mut().for_each(|row| optimum.norms.weigh(row));
     let scale = problem.scale();
     let count = samples.len() * series.len();
-    let rows = JointRows { model, samples, parameters, scale, count, plain, weighted, series: weighed, inflation };
+    let rows = JointRows {
+        model,
+        samples,
+        parameters,
+        scale,
+        count,
+        plain,
+        conventions: 0,
+        weighted,
+        series: weighed,
+        inflation,
+    };
     let mut analysis = analyse_together(rows, settings);
     analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
     analysis.weak_directions.extend(analysis.unknown_stiffness.clone());

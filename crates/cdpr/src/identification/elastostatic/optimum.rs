@@ -136,7 +136,7 @@ impl Landscape for Together<'_> {
         self.problem.descend(&from, self.linearization, self.stop)
     }
 
-    fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
+    fn cost(&mut self, _: usize, place: &[f64], _: &End) -> f64 {
         self.problem.cost(place, self.linearization)
     }
 }

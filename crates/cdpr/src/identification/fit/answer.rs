@@ -128,6 +128,16 @@ impl Fit {
         self.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));
     }
 
+    /// Takes the optimum back: so many samples have no pose at which their measurements agree best, so that the cost says nothing of the least one.
+    pub(in crate::identification) fn tell_unsettled(&mut self, samples: usize) {
+        self.status = Status::NotConverged;
+        self.reason = format!(
+            "the search for the poses of {samples} of {} samples ended before their measurements agreed best: the geometry is far off, or lengths do not count \
+             from where the file says (free length-offset, give start lengths); {}",
+            self.samples, self.reason
+        );
+    }
+
     /// Correlations above the limit, for reports.
     pub fn correlations(&self) -> &[Correlation] {
         &self.analysis.correlations

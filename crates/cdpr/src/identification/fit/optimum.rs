@@ -98,7 +98,7 @@ impl Landscape for Cables<'_> {
         descent::run(&self.blocks[part], self.poses, self.settings, Some(change))
     }
 
-    fn cost(&mut self, part: usize, place: &[f64]) -> f64 {
+    fn cost(&mut self, part: usize, place: &[f64], _: &descent::End) -> f64 {
         descent::cost(&self.blocks[part], self.poses, self.settings, place)
     }
 }

@@ -6,14 +6,14 @@ use super::cost::{Cost, Ridge, Shape};
 use super::dense::DenseEquations;
 use super::minimax::{self, Certificate};
 use super::problem::ObjectiveVectors;
-use super::vectors::{Stacked, Vectors};
+use super::vectors::{Latent, Stacked, Vectors};
 use super::{Minimize, Objective};
 use crate::identification::elastostatic::checked_start;
 use crate::identification::fit::{InputError, Settings, prior_sigma};
 use crate::identification::joint_descent::{Around, End, descend};
 use crate::identification::loss::Loss;
 use crate::identification::norms::Norms;
-use crate::identification::starts::{self, Landscape, Part, Starts};
+use crate::identification::starts::{self, Ending, Landscape, Part, Starts};
 use crate::identification::stopping::{StoppedBy, StoppingRule};
 use crate::identification::trail::Trail;
 use crate::identification::worth::joint_worths;
@@ -113,10 +113,11 @@ pub(super) fn find<T>(
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
     let absolute = unit.is_none() && samples.sigmas.position.is_some();
     let units = Units { scale, unit, absolute, mean_tension };
-    let found = search(&mut vectors, (&start_model, parameters), units, settings, progress).and_then(|optimum| {
-        let answer = of_optimum(&optimum, &mut vectors)?;
-        Ok((optimum, answer))
-    });
+    let found =
+        search(&mut vectors, (&start_model, parameters), units, (settings, progress), None).and_then(|optimum| {
+            let answer = of_optimum(&optimum, &mut vectors)?;
+            Ok((optimum, answer))
+        });
     found.map_err(|error| match vectors.unpredicted() {
         Some((sample, reason)) if error == InputError::NotFinite => {
             InputError::NoPrediction { sample: sample + 1, reason }
@@ -137,17 +138,17 @@ pub(in crate::identification) struct Units {
     pub(in crate::identification) mean_tension: f64,
 }
 
-/// Finds the optimum of vectors from a model's values.
+/// Finds the optimum of vectors from a model's values, with a first descent `from` others where these are known to lead there.
 pub(in crate::identification) fn search(
     vectors: &mut impl Vectors,
     (start_model, parameters): (&Model, &[Parameter]),
     Units { scale, unit, absolute, mean_tension }: Units,
-    settings: &Settings,
-    progress: &dyn Fn(),
+    (settings, progress): (&Settings, &dyn Fn()),
+    from: Option<&[f64]>,
 ) -> Result<Optimum, InputError> {
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
     let search = Search { parameters, scale: &scale, start: &start, settings };
-    let (end, starts) = search.run(vectors, mean_tension, progress)?;
+    let (end, starts) = search.run(vectors, from.unwrap_or(&start), mean_tension, progress)?;
     let (mut end, mut norms, mut certificate) = (end, Norms::default(), None);
     match settings.minimize {
         Minimize::Squares => (end, norms) = search.under_loss(vectors, end, absolute)?,
@@ -157,6 +158,9 @@ pub(in crate::identification) fn search(
     let calibrated = start_model.with_parameters(parameters, &end.values).ok_or(InputError::NotFinite)?;
     Ok(Optimum { start, calibrated, end, starts, scale, unit, absolute, norms, certificate })
 }
+
+/// Searches for better places of what is eliminated from the vectors, at most.
+const SEARCHES: u32 = 10;
 
 /// Times that norms are smoothed less: the last sum of norms is the least to a billionth.
 const SMOOTHINGS: u32 = 9;
@@ -170,6 +174,27 @@ fn sum_of_norms(vectors: &mut impl Vectors, values: &[f64]) -> f64 {
     }
 }
 
+/// End of a descent, with what was eliminated from the samples' vectors there.
+#[derive(Clone)]
+struct Settled {
+    end: End,
+    latents: Vec<Latent>,
+}
+
+impl Ending for Settled {
+    fn cost(&self) -> f64 {
+        self.end.cost
+    }
+
+    fn converged(&self) -> bool {
+        self.end.converged()
+    }
+
+    fn place(&self) -> &[f64] {
+        &self.end.values
+    }
+}
+
 /// All parameters under an objective.
 struct Together<'a, 's, V> {
     search: &'a Search<'s>,
@@ -177,15 +202,16 @@ struct Together<'a, 's, V> {
 }
 
 impl<V: Vectors> Landscape for Together<'_, '_, V> {
-    type End = End;
+    type End = Settled;
 
-    fn descend(&mut self, _: usize, change: &[f64]) -> End {
+    fn descend(&mut self, _: usize, change: &[f64]) -> Settled {
         let from: Vec<f64> = self.search.start.iter().zip(change).map(|(start, change)| start + change).collect();
         let patience = self.vectors.patience();
-        self.search.descend(self.vectors, &from, patience)
+        self.search.settle(self.vectors, &from, patience)
     }
 
-    fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
+    fn cost(&mut self, _: usize, place: &[f64], near: &Settled) -> f64 {
+        self.vectors.go_on_from(&near.latents);
         self.search.cost(self.vectors, place)
     }
 }
@@ -200,18 +226,26 @@ pub(super) struct Search<'a> {
 
 impl Search<'_> {
     /// Descends from the file's values and from other starts; the lowest end wins. The largest norm starts from least squares.
-    fn run(&self, vectors: &mut impl Vectors, tension: f64, progress: &dyn Fn()) -> Result<(End, Starts), InputError> {
+    fn run(
+        &self,
+        vectors: &mut impl Vectors,
+        from: &[f64],
+        tension: f64,
+        progress: &dyn Fn(),
+    ) -> Result<(End, Starts), InputError> {
         let part =
             Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
         let samples = vectors.samples();
-        let mut best = [self.descend(vectors, self.start, None)];
-        if !best[0].cost.is_finite() {
+        let mut best = [self.settle(vectors, from, None)];
+        if !best[0].cost().is_finite() {
             return Err(InputError::NotFinite);
         }
         let search = starts::Search { parts: &[part], settings: self.settings, samples, tension };
         let starts = search.run(&mut Together { search: self, vectors }, &mut best, progress);
         let [best] = best;
-        Ok((best, starts))
+        // the answer is told where it was found, whatever other starts led to
+        vectors.go_on_from(&best.latents);
+        Ok((best.end, starts))
     }
 
     /// Cost that descents make small; not a number where there are no vectors.
@@ -225,6 +259,11 @@ impl Search<'_> {
             true => stacked.residuals.norm_squared() + self.ridges().into_iter().map(of_ridge).sum::<f64>(),
             false => f64::NAN,
         }
+    }
+
+    fn settle(&self, vectors: &mut impl Vectors, from: &[f64], patience: Option<u32>) -> Settled {
+        let end = self.descend(vectors, from, patience);
+        Settled { end, latents: vectors.latents() }
     }
 
     fn descend(&self, vectors: &mut impl Vectors, from: &[f64], patience: Option<u32>) -> End {
@@ -262,7 +301,7 @@ impl Search<'_> {
         self.parameters.iter().enumerate().filter_map(ridge).collect()
     }
 
-    /// Descends by a cost of the norms, by so many steps at most.
+    /// Descends by a cost of the norms, by so many steps at most, and on from better places of what is eliminated.
     pub(super) fn descend_under(
         &self,
         shape: Shape,
@@ -286,7 +325,16 @@ impl Search<'_> {
             least_gain: ROUNDING_GAIN,
             rule: self.settings.minimizer.rule(),
         };
-        descend(&mut cost, &around, from, DenseEquations::new(from.len()), &rules)
+        let mut end = descend(&mut cost, &around, from, DenseEquations::new(from.len()), &rules);
+        for _ in 0..SEARCHES {
+            if !end.cost.is_finite() || !cost.vectors.seek_again(&end.values) {
+                break;
+            }
+            let next = descend(&mut cost, &around, &end.values, DenseEquations::new(from.len()), &rules);
+            let trail = end.trail.then(next.trail);
+            end = End { iterations: end.iterations + next.iterations, trail, ..next };
+        }
+        end
     }
 
     /// The least largest norm, from an optimum of least squares.

@@ -31,7 +31,7 @@ use serde::Serialize;
 
 use crate::reading::{Keyword, keywords};
 
-pub(super) use vectors::{Stacked, Vectors};
+pub(super) use vectors::{Latent, Stacked, Vectors};
 
 /// Residuals that an identification makes small.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

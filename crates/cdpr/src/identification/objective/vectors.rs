@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::dense::DenseEquations;
+use crate::geometry::Pose;
 
 /// Residual vectors of all samples, one after the other, and their derivatives by the free parameters.
 #[derive(Debug)]
@@ -11,6 +12,8 @@ pub(in crate::identification) struct Stacked {
     pub(super) size: usize,
     /// Unknowns of all samples that are eliminated from their vectors.
     pub(super) unknowns: usize,
+    /// Rows of data, and rows behind them that fix by convention what no data tell.
+    pub(super) rows: (usize, usize),
     pub(in crate::identification) residuals: DVector<f64>,
     /// A row for each residual, a column for each parameter.
     pub(in crate::identification) jacobian: DMatrix<f64>,
@@ -24,6 +27,14 @@ pub(in crate::identification) enum Outliers {
     /// Those beyond it at the optimum of least squares, too: errors of predicted poses are large where the model lacks something or cables hold the
     /// platform weakly, and a robust loss drives such errors into few samples, of which no row is wrong.
     Witnessed,
+}
+
+/// Pose and tensions of the platform in one sample, where they are eliminated from its vector.
+#[derive(Clone, Debug)]
+pub(in crate::identification) struct Latent {
+    pub(in crate::identification) pose: Pose,
+    /// As they would be recorded (N); none where tensions are no unknowns.
+    pub(in crate::identification) tensions: Vec<f64>,
 }
 
 /// Residual vectors as functions of the free parameters.
@@ -44,8 +55,26 @@ pub(in crate::identification) trait Vectors {
     /// Number of samples.
     fn samples(&self) -> usize;
 
+    /// Rows of data, and rows behind them that fix by convention what no data tell: as many directions of the parameters.
+    fn rows(&self) -> (usize, usize) {
+        (self.size() * self.samples(), 0)
+    }
+
     /// A descent begins: it shall not depend on those before.
     fn restart(&mut self) {}
+
+    /// A descent has ended at these values: seeks what is eliminated from the vectors from other places, too; true where a vector is shorter there, which is taken.
+    fn seek_again(&mut self, _values: &[f64]) -> bool {
+        false
+    }
+
+    /// Pose and tensions that are eliminated from each sample's vector, as found last; nothing where no unknown is.
+    fn latents(&self) -> Vec<Latent> {
+        Vec::new()
+    }
+
+    /// Goes on from what another descent has found.
+    fn go_on_from(&mut self, _latents: &[Latent]) {}
 
     /// Writes Σ rᵀr, Jᵀr and JᵀJ at parameter values in a shorter way than by the vectors; false where there is none.
     fn write_squares(&mut self, _values: &[f64], _equations: &mut DenseEquations) -> bool {
@@ -72,7 +101,7 @@ impl Clone for Stacked {
     }
 
     fn clone_from(&mut self, other: &Self) {
-        (self.size, self.unknowns) = (other.size, other.unknowns);
+        (self.size, self.unknowns, self.rows) = (other.size, other.unknowns, other.rows);
         self.residuals.copy_from(&other.residuals);
         self.jacobian.copy_from(&other.jacobian);
     }
@@ -85,6 +114,7 @@ impl Stacked {
         Self {
             size: vectors.size(),
             unknowns: vectors.unknowns(),
+            rows: vectors.rows(),
             residuals: DVector::zeros(rows),
             jacobian: DMatrix::zeros(rows, parameters),
         }

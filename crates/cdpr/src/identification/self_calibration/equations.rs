@@ -29,6 +29,11 @@ pub(super) struct Row {
 }
 
 impl Equation {
+    /// True for one that fixes a gauge and says nothing of the robot; such equations stand behind the others.
+    pub(super) fn is_convention(&self) -> bool {
+        matches!(self, Self::Still { .. })
+    }
+
     /// Number of its rows.
     pub(super) fn count(&self) -> usize {
         match self {

@@ -21,6 +21,8 @@ const HAIR: f64 = 0.02;
 const SIZE: &str = "size";
 /// Name of the change of all forces by one factor.
 const FORCES: &str = "size of all forces";
+/// Share of the largest motion of an anchor that tells motions apart.
+const APART: f64 = 1e-3;
 /// Share of a motion that is another one.
 const SAME: f64 = 1e-6;
 
@@ -47,7 +49,7 @@ pub(super) struct Gauge {
     /// Places of the parameters that fix them.
     pub(super) held: Vec<usize>,
     /// Changes of the parameters by the motions, a column each.
-    moves: DMatrix<f64>,
+    pub(super) moves: DMatrix<f64>,
     /// Change of the rows with the size, beside the changes that add up to it; nothing where no free parameter changes it, or it is not seen at all.
     size: Option<f64>,
 }
@@ -252,13 +254,19 @@ fn axis_name(axis: &Vector3<f64>) -> &'static str {
     ["x", "y", "z"][axis.iamax()]
 }
 
-/// Parameters that the motions move most, one for each: at equal sizes one whose value is zero, then the first.
+/// Parameters that the motions move most, one for each: anchors while these tell the motions apart, since a newton is no metre; at equal sizes one whose value is zero, then the first.
 fn held(mut moved: DMatrix<f64>, model: &Model, parameters: &[Parameter]) -> Vec<usize> {
     let mut held = Vec::new();
+    let largest_of = |moved: &DMatrix<f64>, anchors: bool| {
+        let own = (0..parameters.len()).filter(|&k| !anchors || parameters[k].kind.is_anchor());
+        own.map(|k| moved.row(k).norm()).fold(0.0, f64::max)
+    };
+    let whole = largest_of(&moved, true);
     for _ in 0..moved.ncols() {
         let size = |k: usize| moved.row(k).norm();
-        let largest = (0..parameters.len()).map(size).fold(0.0, f64::max);
-        let near = |k: &usize| size(*k) > (1.0 - SAME) * largest;
+        let anchors = largest_of(&moved, true) > APART * whole;
+        let largest = largest_of(&moved, anchors);
+        let near = |k: &usize| (!anchors || parameters[*k].kind.is_anchor()) && size(*k) > (1.0 - SAME) * largest;
         let is_zero = |k: &usize| parameters[*k].value(model.robot()) == 0.0;
         let first = |mut places: Box<dyn Iterator<Item = usize> + '_>| places.next();
         let all = || (0..parameters.len()).filter(near);

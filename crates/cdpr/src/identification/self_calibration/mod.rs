@@ -15,6 +15,7 @@ mod question;
 mod sensor_fit;
 mod validation;
 mod vectors;
+mod way_around;
 mod written;
 
 use super::course::CourseStep;
@@ -86,20 +87,24 @@ pub fn self_calibrate(
     let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
     let worths = question.scale(&kept, &vectors.poses())?;
     let optimum_of = (start_model, &kept[..]);
-    let optimum = search(&mut vectors, optimum_of, question.units(worths.clone()), settings, progress)?;
+    let from = question.way_around(&gauge, (&kept, &worths), &start.poses)?;
+    let units = question.units(worths.clone());
+    let optimum = search(&mut vectors, optimum_of, units, (settings, progress), from.as_deref())?;
     let stacked = optimum.stacked(&mut vectors)?;
+    let unsettled = vectors.unsettled();
     let calibrated = optimum.calibrated().clone();
-    let end = question.rows(&calibrated, &question.parameters, Some(&start.poses))?;
+    let end = question.rows(&calibrated, &question.parameters, Some(&vectors.poses()))?;
     let sensors = question.sensor_fits(&end);
     let sigma = question.sensing.length_sigma();
     let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, data, &end.poses)?;
     let mut fit = report((optimum, &stacked), &found, &kept, settings);
     let course = question.course(&mut vectors, (&fit, &kept, &worths))?;
-    // the convention adds what the data do not tell
-    fit.analysis.rank -= (kept.len() - parameters).min(fit.analysis.rank);
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
+    if unsettled > 0 {
+        fit.tell_unsettled(unsettled);
+    }
     fit.tell_nominal_values(model);
     fit.warnings.extend(sensor_fit::warnings(&sensors));
     fit.warnings.extend(cells::warning(&fit, settings));

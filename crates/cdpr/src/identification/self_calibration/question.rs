@@ -15,10 +15,11 @@ use crate::model::{FreeParameters, Model};
 use crate::robot::{Parameter, ParameterKind};
 use crate::statics::Load;
 
-/// Standard deviations of a length that are one of what fixes a gauge: none of it reaches the deviations of parameters.
-const STILL: f64 = 1e4;
+/// Weight of what fixes a gauge, beside the rows of all samples together: none of it reaches the deviations of parameters, and equations keep their digits.
+const STILL: f64 = 100.0;
 
 /// A calibration to be done.
+#[derive(Clone)]
 pub(super) struct Question<'a> {
     /// The model that searches start from: it states a constant wrench where that is free.
     pub(super) model: Model,
@@ -142,8 +143,7 @@ impl<'a> Question<'a> {
             GaugeConvention::Known if !gauge.held.is_empty() => Err(InputError::GaugeOpen { motions: gauge.words() }),
             GaugeConvention::Known => Ok(all),
             GaugeConvention::LeastChange => {
-                let weight = STILL / self.sensing.length_sigma();
-                self.equations.extend(gauge.stillness(&self.model, &all, weight));
+                self.hold_still(gauge);
                 Ok(all)
             }
             GaugeConvention::Anchors => {
@@ -151,6 +151,12 @@ impl<'a> Question<'a> {
                 Ok(all.into_iter().enumerate().filter(is_kept).map(|(_, parameter)| parameter).collect())
             }
         }
+    }
+
+    /// Keeps anchors as near to the file's as the motions of the gauge let them be.
+    pub(super) fn hold_still(&mut self, gauge: &Gauge) {
+        let weight = STILL * (self.internal.samples.len() as f64).sqrt() / self.sensing.length_sigma();
+        self.equations.extend(gauge.stillness(&self.model, &self.parameters, weight));
     }
 
     /// Gives the model the constant wrench that is free, and refuses one without load.

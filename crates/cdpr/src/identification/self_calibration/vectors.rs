@@ -2,7 +2,7 @@
 
 use super::equations::Equation;
 use crate::geometry::Pose;
-use crate::identification::objective::{Layout, PoselessVectors, SensorVectors, Stacked, Vectors, Weights};
+use crate::identification::objective::{Latent, Layout, PoselessVectors, SensorVectors, Stacked, Vectors, Weights};
 use crate::measurement::InternalSamples;
 use crate::model::Model;
 use crate::robot::Parameter;
@@ -78,6 +78,14 @@ impl PoseVectors<'_> {
         }
     }
 
+    /// Samples whose search for a pose ended on the way where was written last.
+    pub(super) fn unsettled(&self) -> usize {
+        match &self.samples {
+            SampleVectors::Lengths(_) => 0,
+            SampleVectors::Sensors(vectors) => vectors.unsettled(),
+        }
+    }
+
     /// Rows that unknowns of samples do not take up, those of equations included; nothing where unknowns are more.
     pub(super) fn equation_count(&self) -> Option<usize> {
         (self.size() * self.samples()).checked_sub(self.unknowns())
@@ -93,8 +101,9 @@ impl PoseVectors<'_> {
 
     /// Begins searches at poses that were found before.
     pub(super) fn begin_at(&mut self, poses: &[Pose]) {
-        if let SampleVectors::Sensors(vectors) = &mut self.samples {
-            vectors.begin_at(poses);
+        match &mut self.samples {
+            SampleVectors::Lengths(vectors) => vectors.begin_at(poses),
+            SampleVectors::Sensors(vectors) => vectors.begin_at(poses),
         }
     }
 
@@ -155,10 +164,36 @@ impl Vectors for PoseVectors<'_> {
         self.sample_count() + self.row_count().div_ceil(self.size())
     }
 
+    fn rows(&self) -> (usize, usize) {
+        let conventions = self.equations.iter().filter(|equation| equation.is_convention()).map(Equation::count).sum();
+        (self.size() * self.sample_count() + self.row_count() - conventions, conventions)
+    }
+
     fn restart(&mut self) {
         match &mut self.samples {
             SampleVectors::Lengths(vectors) => vectors.restart(),
             SampleVectors::Sensors(vectors) => vectors.restart(),
+        }
+    }
+
+    fn seek_again(&mut self, values: &[f64]) -> bool {
+        match &mut self.samples {
+            SampleVectors::Lengths(vectors) => vectors.seek_again(values),
+            SampleVectors::Sensors(vectors) => vectors.seek_again(values),
+        }
+    }
+
+    fn latents(&self) -> Vec<Latent> {
+        match &self.samples {
+            SampleVectors::Lengths(vectors) => vectors.latents(),
+            SampleVectors::Sensors(vectors) => vectors.latents(),
+        }
+    }
+
+    fn go_on_from(&mut self, latents: &[Latent]) {
+        match &mut self.samples {
+            SampleVectors::Lengths(vectors) => vectors.go_on_from(latents),
+            SampleVectors::Sensors(vectors) => vectors.go_on_from(latents),
         }
     }
 

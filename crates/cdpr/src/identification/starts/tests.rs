@@ -31,13 +31,19 @@ impl Ending for Bottom {
 impl Landscape for Wells {
     type End = Bottom;
 
-    fn descend(&mut self, part: usize, change: &[f64]) -> Bottom {
+    fn descend(&mut self, _: usize, change: &[f64]) -> Bottom {
         let bottom = if change[0] < 0.1 { -0.2 } else { 0.3 };
         let place = [bottom, change[1]];
-        Bottom { place, cost: self.cost(part, &place), converged: change[0] < 0.4 }
+        Bottom { place, cost: self.height(&place), converged: change[0] < 0.4 }
     }
 
-    fn cost(&mut self, _: usize, place: &[f64]) -> f64 {
+    fn cost(&mut self, _: usize, place: &[f64], _: &Bottom) -> f64 {
+        self.height(place)
+    }
+}
+
+impl Wells {
+    fn height(&self, place: &[f64]) -> f64 {
         let to = |bottom: f64| (place[0] - bottom).powi(2);
         5.0 + 1e4 * to(-0.2) * to(0.3) + if place[0] < 0.1 { 0.0 } else { self.lower }
     }

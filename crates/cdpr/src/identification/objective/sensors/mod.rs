@@ -14,11 +14,12 @@ use nalgebra::{DMatrix, DVector};
 
 pub(in crate::identification) use accuracies::{Sensor, Weights};
 pub(in crate::identification) use rows::Layout;
-use rows::{Latent, SampleSensors};
+use rows::SampleSensors;
+use settle::Settled;
 pub(in crate::identification) use swivel::Swivel;
 
 use super::poseless::{guess, orthonormalise};
-use super::vectors::{Stacked, Vectors};
+use super::vectors::{Latent, Stacked, Vectors};
 use crate::geometry::{Pose, Twist};
 use crate::identification::elastostatic::RowModel;
 use crate::measurement::InternalSamples;
@@ -37,6 +38,12 @@ pub(in crate::identification) struct SensorVectors<'a> {
     guesses: Vec<Latent>,
     /// Found last.
     found: Vec<Latent>,
+    /// Found where the squares were least since the descent began: searches begin there, not where a trial that did not help has led.
+    base: Vec<Latent>,
+    /// The least squares.
+    least: f64,
+    /// Samples whose search ended on the way where was written last.
+    unsettled: usize,
     /// True once these are no guesses.
     is_found: bool,
     /// True where the guesses were found before.
@@ -136,7 +143,10 @@ impl<'a> SensorVectors<'a> {
             directions: internal.known.iter().map(free).collect(),
             leverages: DVector::zeros(layout.size() * guesses.len()),
             found: guesses.clone(),
+            base: guesses.clone(),
+            least: f64::INFINITY,
             is_found: false,
+            unsettled: 0,
             are_guesses_found: false,
             layout: layout.clone(),
             weights: *weights,
@@ -152,10 +162,16 @@ impl<'a> SensorVectors<'a> {
         self.found.iter().map(|latent| latent.pose).collect()
     }
 
+    /// Samples at whose pose and tensions the sensors agree well, but not best: their searches ended on the way.
+    pub(in crate::identification) fn unsettled(&self) -> usize {
+        self.unsettled
+    }
+
     /// Begins searches at these poses.
     pub(in crate::identification) fn begin_at(&mut self, poses: &[Pose]) {
         (self.is_found, self.are_guesses_found) = (true, true);
-        for latents in [&mut self.guesses, &mut self.found] {
+        self.least = f64::INFINITY;
+        for latents in [&mut self.guesses, &mut self.found, &mut self.base] {
             latents.iter_mut().zip(poses).for_each(|(latent, pose)| latent.pose = *pose);
         }
     }
@@ -172,12 +188,18 @@ impl<'a> SensorVectors<'a> {
             false => Load::constant(nalgebra::zero()),
         };
         // a trial that fails must not leave places behind that are none
-        let before = self.found.clone();
-        let is_written = self.write_all(&model, load, stacked);
+        let (before, settled) = (self.found.clone(), self.is_found && self.unsettled == 0);
+        let is_written = self.write_all(&model, load, stacked).filter(|()| !(settled && self.unsettled > 0));
         if is_written.is_none() {
-            self.found = before;
+            (self.found, self.unsettled) = (before, 0);
+            return None;
         }
-        self.is_found |= is_written.is_some();
+        self.is_found = true;
+        let square = stacked.residuals.rows(0, self.size() * self.samples()).norm_squared();
+        if !(square > self.least) {
+            self.least = square;
+            self.base.clone_from(&self.found);
+        }
         is_written
     }
 
@@ -187,34 +209,36 @@ impl<'a> SensorVectors<'a> {
         let of_load =
             |load: Load| RowsOf { bare: RowModel::new(model, load, &[]), full: RowModel::new(model, load, parameters) };
         let mut rows = of_load(load);
+        self.unsettled = 0;
         for sample in 0..self.guesses.len() {
             if let Some(masses) = masses {
                 rows = of_load(load.with_mass(model.robot(), masses[sample]));
             }
-            self.found[sample] = self.find(&rows.bare, sample)?;
+            let found = self.find(&rows.bare, sample)?;
+            self.unsettled += usize::from(!found.is_least);
+            self.found[sample] = found.latent;
             self.write_sample(&rows, sample, stacked)?;
         }
         Some(())
     }
 
     /// Pose and tensions of a sample: near those found last, or the best of searches from the guess and from the sample before.
-    fn find(&self, rows: &RowModel<'_>, sample: usize) -> Option<Latent> {
+    fn find(&self, rows: &RowModel<'_>, sample: usize) -> Option<Settled> {
         let sensors = self.sensors();
         let from = |latent: &Latent| sensors.settle(rows, sample, latent);
-        if self.is_found
-            && let Some((found, _)) = from(&self.found[sample])
-        {
-            return Some(found);
+        let near = if self.is_found { from(&self.base[sample]) } else { None };
+        if let Some(near) = near.as_ref().filter(|near| near.is_least) {
+            return Some(near.clone());
         }
         let guess = &self.guesses[sample];
         // load cells that are wrong by far lead searches astray before they know where they are
         let relaxed = self.weights.relaxed();
         let relaxed = SampleSensors { weights: &relaxed, ..self.sensors() };
-        let by_geometry = |latent: &Latent| from(&relaxed.settle(rows, sample, latent)?.0);
+        let by_geometry = |latent: &Latent| from(&relaxed.settle(rows, sample, latent)?.latent);
         let before = sample.checked_sub(1).map(|before| Latent { pose: self.found[before].pose, ..guess.clone() });
         let starts: Vec<Latent> = std::iter::once(guess.clone()).chain(before).collect();
         let ends = starts.iter().flat_map(|latent| [from(latent), by_geometry(latent)]).flatten();
-        ends.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(found, _)| found)
+        near.into_iter().chain(ends).reduce(Settled::better)
     }
 
     /// Rows of a sample without what its pose and tensions explain.
@@ -273,7 +297,18 @@ impl Vectors for SensorVectors<'_> {
 
     fn restart(&mut self) {
         self.found.clone_from(&self.guesses);
-        self.is_found = self.are_guesses_found;
+        self.base.clone_from(&self.guesses);
+        (self.is_found, self.unsettled, self.least) = (self.are_guesses_found, 0, f64::INFINITY);
+    }
+
+    fn latents(&self) -> Vec<Latent> {
+        self.found.clone()
+    }
+
+    fn go_on_from(&mut self, latents: &[Latent]) {
+        self.found.clone_from_slice(latents);
+        self.base.clone_from_slice(latents);
+        (self.is_found, self.unsettled, self.least) = (true, 0, f64::INFINITY);
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {

@@ -3,22 +3,15 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::poses::by_turn;
+use super::super::vectors::Latent;
 use super::accuracies::{Sensor, Weights};
 use super::swivel::Swivel;
-use crate::geometry::{Pose, Twist};
+use crate::geometry::Twist;
 use crate::identification::elastostatic::{Noise, RowModel, SampleRows, UNITS};
 use crate::identification::recorded::Recorded;
 use crate::measurement::InternalSamples;
 use crate::model::Model;
 use crate::robot::Parameter;
-
-/// Pose and tensions of the platform in one sample.
-#[derive(Clone, Debug)]
-pub(super) struct Latent {
-    pub(super) pose: Pose,
-    /// As they would be recorded (N).
-    pub(super) tensions: Vec<f64>,
-}
 
 /// Which rows a sample has, in this order: lengths, tensions, equilibrium, swivels, and what is measured of its pose.
 #[derive(Clone, Debug)]

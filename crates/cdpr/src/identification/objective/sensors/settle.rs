@@ -2,7 +2,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::rows::{Latent, Rows, SampleSensors};
+use super::super::vectors::Latent;
+use super::rows::{Rows, SampleSensors};
 use crate::geometry::Twist;
 use crate::identification::elastostatic::RowModel;
 
@@ -24,9 +25,26 @@ const MOST_DAMPING: f64 = 1e12;
 /// Displacement (m, rad) over which gradients are compared: bends of rows are those of lengths of metres.
 const DISPLACEMENT: f64 = 1e-6;
 
+/// End of a search.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    pub(super) latent: Latent,
+    pub(super) square: f64,
+    /// False where the steps ended on the way: the squares are small there, not least.
+    pub(super) is_least: bool,
+}
+
+impl Settled {
+    /// The better of two ends: one that is least before one that is not, then the smaller squares; the first where they are the same.
+    pub(super) fn better(self, other: Self) -> Self {
+        let is_behind = (self.is_least, -self.square) < (other.is_least, -other.square);
+        if is_behind { other } else { self }
+    }
+}
+
 impl SampleSensors<'_> {
-    /// Pose and tensions that make the squares of a sample least, from some near them; nothing where they do not settle.
-    pub(super) fn settle(&self, model: &RowModel<'_>, sample: usize, from: &Latent) -> Option<(Latent, f64)> {
+    /// Pose and tensions that make the squares of a sample least, from some near them; nothing where it has no rows.
+    pub(super) fn settle(&self, model: &RowModel<'_>, sample: usize, from: &Latent) -> Option<Settled> {
         let mut here = (from.clone(), self.rows(model, sample, from)?);
         let (mut damping, mut gain, mut is_slow) = (DAMPING, f64::INFINITY, false);
         for round in 0..STEPS {
@@ -44,7 +62,7 @@ impl SampleSensors<'_> {
             let trial = self.displaced(sample, &here.0, &step);
             let there = self.rows(model, sample, &trial);
             if gain <= FOUND * FOUND * square.max(1.0) && there.is_some() {
-                return Some((trial, square));
+                return Some(Settled { latent: trial, square, is_least: true });
             }
             match there.filter(|rows| rows.residuals.norm_squared() <= square) {
                 Some(rows) => {
@@ -59,7 +77,7 @@ impl SampleSensors<'_> {
         }
         // near enough for parameters that are still far from their optimum
         let square = here.1.residuals.norm_squared();
-        (gain <= NEAR * square.max(1.0)).then_some((here.0, square))
+        Some(Settled { latent: here.0, square, is_least: gain <= NEAR * square.max(1.0) })
     }
 
     /// Half the second derivative of the squares by what is unknown, from differences of gradients.

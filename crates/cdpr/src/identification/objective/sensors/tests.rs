@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::rows::{Latent, SampleSensors};
+use super::super::vectors::Latent;
+use super::rows::SampleSensors;
 use super::{Layout, Swivel, Weights};
 use crate::geometry::{Pose, Twist};
 use crate::identification::elastostatic::RowModel;

@@ -3,30 +3,21 @@
 //! r = ρ/σ_q at the pose x that makes ‖r‖² least, in the directions that are not known. Poses are eliminated sample by sample (variable projection), the
 //! derivative is that of Kaufman (1975), J_p without what J_x explains: exact for the gradient, since nothing of r is along J_x at the best pose.
 
-use nalgebra::{DMatrix, Vector3};
+mod search;
+mod seek;
+
+use nalgebra::DMatrix;
 
 use super::lengths::LengthVectors;
-use super::vectors::{Stacked, Vectors};
+use super::vectors::{Latent, Stacked, Vectors};
 use crate::geometry::{Pose, Twist};
 use crate::measurement::{InternalSamples, Samples};
 use crate::model::Model;
 use crate::robot::Parameter;
-use crate::scalar::ldl;
+use search::{DOF, Length, Search};
 
-/// Degrees of freedom at most.
-const DOF: usize = 6;
-/// Steps to a pose at most; near it each gains some four digits.
-const STEPS: u32 = 60;
-/// Last step to a pose, in standard deviations, relative to a larger norm of its residuals: Newton's method is at the pose to its square behind it.
-const FOUND: f64 = 1e-6;
-/// Share of the squares that the next step may still promise where a pose is sought no longer.
-const NEAR: f64 = 1e-6;
-/// Damping of the first step.
-const DAMPING: f64 = 1e-3;
 /// Length of a column that is none beside the part of it that others explain.
 const WITHIN: f64 = 1e-13;
-/// Damping from which on a pose is as good as it gets.
-const MOST_DAMPING: f64 = 1e12;
 
 /// Length residuals at the best poses, m a sample.
 pub(in crate::identification) struct PoselessVectors<'a> {
@@ -46,10 +37,18 @@ pub(in crate::identification) struct PoselessVectors<'a> {
     by_pose: DMatrix<f64>,
     /// Memory for the projector on what the pose of a sample does not explain, I − E Eᵀ.
     left: DMatrix<f64>,
-    /// Poses where searches begin, the common pose last.
+    /// Poses as known, what is not known of them as at home; the common pose last.
     guesses: Vec<Pose>,
+    /// Components of each sample's pose that are known.
+    known: Vec<Vec<bool>>,
     /// Poses found last.
     poses: Vec<Pose>,
+    /// Poses where the squares were least since the descent began: searches begin there, not where a trial that did not help has led.
+    base: Vec<Pose>,
+    /// The least squares.
+    least: f64,
+    /// True once these are no guesses.
+    are_sought: bool,
     samples: usize,
 }
 
@@ -85,9 +84,13 @@ impl<'a> PoselessVectors<'a> {
             by_pose: DMatrix::zeros(model.cable_count(), DOF),
             left: DMatrix::zeros(model.cable_count(), model.cable_count()),
             directions: internal.known.iter().map(free).collect(),
+            known: internal.known.clone(),
+            are_sought: false,
             are_changes: internal.are_changes,
             per_length: sigma.recip(),
             poses: guesses.clone(),
+            base: guesses.clone(),
+            least: f64::INFINITY,
             model,
             parameters,
             recorded: with_origin.lengths,
@@ -102,32 +105,55 @@ impl<'a> PoselessVectors<'a> {
         &self.poses[..self.samples]
     }
 
+    /// Begins searches at poses that were found before, one of each sample.
+    pub(in crate::identification) fn begin_at(&mut self, poses: &[Pose]) {
+        self.poses[..self.samples].copy_from_slice(poses);
+        self.take_for_base();
+        self.are_sought = true;
+    }
+
     fn try_write(&mut self, values: &[f64], stacked: &mut Stacked) -> Option<()> {
         let model = self.model.with_parameters(self.parameters, values)?;
-        let found = self.find(&model, values, self.poses.clone());
+        let found = self.are_sought.then(|| self.find(&model, values)).flatten();
         self.poses = match found {
             Some(poses) => poses,
-            None => self.find(&model, values, self.guesses.clone())?,
+            None => self.seek(&model, values)?.0,
         };
+        self.look(values, &self.poses.clone())?;
+        self.are_sought = true;
         (0..self.samples).for_each(|sample| self.write_sample(&model, sample, stacked));
+        let square = stacked.residuals.rows(0, self.size() * self.samples()).norm_squared();
+        if !(square > self.least) {
+            self.take_for_base();
+            self.least = square;
+        }
         Some(())
     }
 
-    /// Poses at which the lengths fit best, and the rows there; nothing where one is not found.
-    fn find(&mut self, model: &Model, values: &[f64], mut poses: Vec<Pose>) -> Option<Vec<Pose>> {
-        let recorded = self.recorded(model, values, &poses)?;
-        let m = model.cable_count();
+    /// Further searches begin at the poses found last.
+    fn take_for_base(&mut self) {
+        self.base.clone_from(&self.poses);
+        self.least = f64::INFINITY;
+    }
+
+    /// Poses near those that searches begin at; nothing where a search does not settle.
+    fn find(&mut self, model: &Model, values: &[f64]) -> Option<Vec<Pose>> {
+        let recorded = self.recorded(model, values)?;
+        let mut poses = self.base.clone();
         for (sample, pose) in poses.iter_mut().enumerate().take(self.samples) {
-            let search = Search { model, per_length: self.per_length, recorded: &recorded[sample * m..][..m] };
-            *pose = search.find(pose, &self.directions[sample])?;
+            *pose = self.search(model, &recorded, sample).find(pose, &self.directions[sample])?.pose;
         }
-        self.look(values, &poses)?;
         Some(poses)
     }
 
-    /// Lengths that the poses are to have, sample by sample (m).
-    fn recorded(&mut self, model: &Model, values: &[f64], poses: &[Pose]) -> Option<Vec<f64>> {
+    fn search<'b>(&self, model: &'b Model, recorded: &'b [f64], sample: usize) -> Search<'b> {
         let m = model.cable_count();
+        Search { model, per_length: self.per_length, recorded: &recorded[sample * m..][..m] }
+    }
+
+    /// Lengths that the poses are to have, sample by sample (m).
+    fn recorded(&mut self, model: &Model, values: &[f64]) -> Option<Vec<f64>> {
+        let (m, poses) = (model.cable_count(), self.poses.clone());
         let modelled =
             |pose: &Pose, cable: usize| model.recorded_length(cable, model.path_or_nan(cable, pose).0.length);
         if !self.parameters.iter().any(|parameter| parameter.kind.needs_motor_angles()) {
@@ -139,7 +165,7 @@ impl<'a> PoselessVectors<'a> {
             return Some(recorded);
         }
         // winches make other lengths of the angles
-        self.look(values, poses)?;
+        self.look(values, &poses)?;
         let of = |k: usize| modelled(&poses[k / m], k % m) - self.residual(k / m, k % m) / self.per_length;
         Some((0..self.samples * m).map(of).collect())
     }
@@ -198,156 +224,6 @@ pub(super) fn orthonormalise(columns: &mut DMatrix<f64>, count: usize) {
     }
 }
 
-/// Search for the pose of one sample, by a damped Newton method.
-struct Search<'a> {
-    model: &'a Model,
-    /// 1/σ_q (1/m).
-    per_length: f64,
-    /// Lengths that its cables have (m).
-    recorded: &'a [f64],
-}
-
-/// Squares at a pose, with half their derivatives in N directions.
-struct Slope<const N: usize> {
-    square: f64,
-    /// −Jᵀr.
-    pull: [f64; N],
-    /// JᵀJ.
-    plain: [[f64; N]; N],
-    /// Σ r ∂²r.
-    bent: [[f64; N]; N],
-}
-
-impl Search<'_> {
-    /// The pose at which the lengths fit best, from one near it.
-    fn find(&self, from: &Pose, directions: &[Twist]) -> Option<Pose> {
-        match directions.len() {
-            0 => Some(*from),
-            1 => self.find_in::<1>(from, directions.first_chunk()?),
-            2 => self.find_in::<2>(from, directions.first_chunk()?),
-            3 => self.find_in::<3>(from, directions.first_chunk()?),
-            4 => self.find_in::<4>(from, directions.first_chunk()?),
-            5 => self.find_in::<5>(from, directions.first_chunk()?),
-            _ => self.find_in::<DOF>(from, directions.first_chunk()?),
-        }
-    }
-
-    fn find_in<const N: usize>(&self, from: &Pose, directions: &[Twist; N]) -> Option<Pose> {
-        let (mut pose, mut here, mut damping) = (*from, self.slope(from, directions), DAMPING);
-        let mut gain = f64::INFINITY;
-        for _ in 0..STEPS {
-            let step = here.step(damping)?;
-            gain = step.iter().zip(here.pull).map(|(step, pull)| step * pull).sum();
-            let twist: Twist = directions.iter().zip(step).map(|(twist, amount)| twist * amount).sum();
-            let trial = pose.displaced(&twist);
-            if gain <= FOUND * FOUND * here.square.max(1.0) {
-                return Some(trial);
-            }
-            let there = self.slope(&trial, directions);
-            if there.square <= here.square {
-                (pose, here, damping) = (trial, there, 0.1 * damping);
-            } else {
-                damping = (10.0 * damping).max(DAMPING);
-            }
-            if damping > MOST_DAMPING {
-                return Some(pose);
-            }
-        }
-        // near enough for parameters that are still far from their optimum
-        (gain <= NEAR * here.square).then_some(pose)
-    }
-
-    fn slope<const N: usize>(&self, pose: &Pose, directions: &[Twist; N]) -> Slope<N> {
-        let mut slope = Slope { square: 0.0, pull: [0.0; N], plain: [[0.0; N]; N], bent: [[0.0; N]; N] };
-        let turns = directions.map(|twist| twist.fixed_rows::<3>(3) != Vector3::zeros());
-        let rotation = pose.rotation_rows();
-        for (cable, recorded) in self.recorded.iter().enumerate() {
-            let length = Length::of(self.model, cable, (pose, &rotation), self.per_length);
-            let residual = self.per_length * (length.recorded - recorded);
-            let (mut velocities, mut row) = ([Vector3::zeros(); N], [0.0; N]);
-            for (i, twist) in directions.iter().enumerate() {
-                velocities[i] = if turns[i] { length.velocity(twist) } else { twist.fixed_rows::<3>(0).into_owned() };
-                row[i] = -length.factor * length.direction.dot(&velocities[i]);
-                slope.pull[i] -= row[i] * residual;
-            }
-            let (bend, per_factor) = (residual * length.factor / length.free, 1.0 / (length.factor * length.factor));
-            slope.square += residual * residual;
-            for i in 0..N {
-                for j in 0..=i {
-                    slope.plain[i][j] += row[i] * row[j];
-                    let across = velocities[i].dot(&velocities[j]) - row[i] * row[j] * per_factor;
-                    slope.bent[i][j] += bend * across;
-                    if turns[i] && turns[j] {
-                        slope.bent[i][j] -= residual * length.turning(&directions[i], &directions[j]);
-                    }
-                }
-            }
-        }
-        slope
-    }
-}
-
-impl<const N: usize> Slope<N> {
-    /// A damped Newton step, of Gauss and Newton where the bend of the lengths turns it uphill.
-    fn step(&self, damping: f64) -> Option<[f64; N]> {
-        let solved = |with_bend: bool| {
-            let mut matrix = self.plain;
-            for i in 0..N {
-                if with_bend {
-                    (0..=i).for_each(|j| matrix[i][j] += self.bent[i][j]);
-                }
-                matrix[i][i] += damping * self.plain[i][i];
-            }
-            let mut step = self.pull;
-            ldl::solve(&mut matrix, &mut step).map(|_| step)
-        };
-        solved(true).or_else(|| solved(false))
-    }
-}
-
-/// Length of a cable at a pose.
-struct Length {
-    /// From the platform to the frame.
-    direction: Vector3<f64>,
-    /// From the platform's origin to its anchor (world, m).
-    arm: Vector3<f64>,
-    /// Length (m), of a cable over a pulley with its arc, and as it is recorded.
-    free: f64,
-    recorded: f64,
-    /// Standard deviations that are one metre.
-    factor: f64,
-}
-
-impl Length {
-    fn of(model: &Model, cable: usize, (pose, rotation): (&Pose, &[[f64; 3]; 3]), per_length: f64) -> Self {
-        let (path, end) = model.path_at(cable, pose.position.into(), rotation);
-        let recorded = model.recorded_length(cable, path.length);
-        let factor = per_length * (model.recorded_length(cable, 1.0) - model.recorded_length(cable, 0.0));
-        Self { direction: path.direction.into(), arm: end.moment_arm.into(), free: path.length, recorded, factor }
-    }
-
-    /// Changes with directions of the pose.
-    fn row(&self, directions: &[Twist]) -> [f64; DOF] {
-        let mut row = [0.0; DOF];
-        for (entry, twist) in row.iter_mut().zip(directions) {
-            *entry = -self.factor * self.direction.dot(&self.velocity(twist));
-        }
-        row
-    }
-
-    /// Part of the second change with two directions that turns of the platform make.
-    fn turning(&self, first: &Twist, second: &Twist) -> f64 {
-        let (a, b) = (first.fixed_rows::<3>(3), second.fixed_rows::<3>(3));
-        let turned = a.cross(&b.cross(&self.arm)) + b.cross(&a.cross(&self.arm));
-        0.5 * self.factor * self.direction.dot(&turned)
-    }
-
-    /// Velocity of the platform anchor.
-    fn velocity(&self, twist: &Twist) -> Vector3<f64> {
-        twist.fixed_rows::<3>(0) + twist.fixed_rows::<3>(3).cross(&self.arm)
-    }
-}
-
 /// Known components of a pose, the others as at home.
 pub(super) fn guess(model: &Model, pose: &Pose, known: &[bool], home: &Pose) -> Pose {
     let mut guess = *home;
@@ -371,6 +247,24 @@ impl Vectors for PoselessVectors<'_> {
 
     fn samples(&self) -> usize {
         self.samples
+    }
+
+    fn restart(&mut self) {
+        self.poses.clone_from(&self.guesses);
+        self.take_for_base();
+        self.are_sought = false;
+    }
+
+    fn seek_again(&mut self, values: &[f64]) -> bool {
+        self.find_better(values).unwrap_or(false)
+    }
+
+    fn latents(&self) -> Vec<Latent> {
+        self.poses().iter().map(|pose| Latent { pose: *pose, tensions: Vec::new() }).collect()
+    }
+
+    fn go_on_from(&mut self, latents: &[Latent]) {
+        self.begin_at(&latents.iter().map(|latent| latent.pose).collect::<Vec<_>>());
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
