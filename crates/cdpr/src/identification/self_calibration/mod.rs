@@ -87,9 +87,15 @@ pub fn self_calibrate(
     let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
     let worths = question.scale(&kept, &vectors.poses())?;
     let optimum_of = (start_model, &kept[..]);
-    let from = question.way_around(&gauge, (&kept, &worths), &start.poses)?;
-    let units = question.units(worths.clone());
-    let optimum = search(&mut vectors, optimum_of, units, (settings, progress), from.as_deref())?;
+    let mut search_from = |from: Option<&[f64]>| {
+        search(&mut vectors, optimum_of, question.units(worths.clone()), (settings, progress), from)
+    };
+    let mut optimum = search_from(None)?;
+    if !optimum.end().converged()
+        && let Some(from) = question.way_around(&gauge, &start.poses)?
+    {
+        optimum = search_from(Some(&from))?;
+    }
     let stacked = optimum.stacked(&mut vectors)?;
     let unsettled = vectors.unsettled();
     let calibrated = optimum.calibrated().clone();

@@ -12,38 +12,23 @@ use crate::geometry::Pose;
 use crate::identification::fit::{InputError, Settings};
 use crate::identification::gauge_convention::GaugeConvention;
 use crate::identification::objective::search;
-use crate::robot::Parameter;
 
-/// Steps after which a descent with held parameters is in such a valley.
-const PATIENCE: u32 = 60;
 /// Steps of the motion that brings held parameters back to the file's values.
 const STEPS: usize = 16;
 
 impl Question<'_> {
-    /// Values of the `kept` parameters near an optimum that a descent with the others held does not reach; nothing where it does, or where the way around ends
-    /// nowhere either.
-    pub(super) fn way_around(
-        &self,
-        gauge: &Gauge,
-        (kept, worths): (&[Parameter], &[f64]),
-        near: &[Pose],
-    ) -> Result<Option<Vec<f64>>, InputError> {
+    /// Values of the parameters that are not held near an optimum that descents with the others held did not reach; nothing where the way around ends nowhere either.
+    pub(super) fn way_around(&self, gauge: &Gauge, near: &[Pose]) -> Result<Option<Vec<f64>>, InputError> {
         let is_held = self.settings.gauge == GaugeConvention::Anchors && !gauge.held.is_empty();
         if matches!(self.sensing, Sensing::Lengths(_)) || !is_held || !self.settings.priors.is_empty() {
             return Ok(None);
         }
-        let one = Settings { starts: 1, keeps_course: false, max_iterations: PATIENCE, ..self.settings.clone() };
-        let mut vectors = self.start(&self.model, kept, Some(near))?;
-        let held = search(&mut vectors, (&self.model, kept), self.units(worths.to_vec()), (&one, &|| ()), None)?;
-        if held.end().converged() {
-            return Ok(None);
-        }
+        let one = Settings { starts: 1, keeps_course: false, ..self.settings.clone() };
         let mut free = self.clone();
         free.hold_still(gauge);
         let mut vectors = free.start(&self.model, &self.parameters, Some(near))?;
         let units = free.units(free.scale(&self.parameters, &vectors.poses())?);
-        let all = Settings { max_iterations: self.settings.max_iterations, ..one };
-        let found = search(&mut vectors, (&self.model, &self.parameters), units, (&all, &|| ()), None)?;
+        let found = search(&mut vectors, (&self.model, &self.parameters), units, (&one, &|| ()), None)?;
         if !found.end().converged() {
             return Ok(None);
         }

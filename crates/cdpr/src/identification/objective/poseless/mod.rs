@@ -117,7 +117,7 @@ impl<'a> PoselessVectors<'a> {
         let found = self.are_sought.then(|| self.find(&model, values)).flatten();
         self.poses = match found {
             Some(poses) => poses,
-            None => self.seek(&model, values)?.0,
+            None => self.seek(&model, values)?,
         };
         self.look(values, &self.poses.clone())?;
         self.are_sought = true;

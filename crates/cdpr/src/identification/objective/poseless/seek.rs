@@ -26,9 +26,9 @@ const TOLD: f64 = 1e-12;
 const MANY: usize = 8;
 
 impl PoselessVectors<'_> {
-    /// The best pose of every sample with its squares: from the one found last, the guess, and the poses of the samples before and behind it; of doubtful samples from those
+    /// The best pose of every sample: from the one found last, the guess, and the poses of the samples before and behind it; of doubtful samples from those
     /// that the forward problem tries besides, and from orientations of all kinds. Nothing where a sample has none.
-    pub(super) fn seek(&mut self, model: &Model, values: &[f64]) -> Option<(Vec<Pose>, f64)> {
+    pub(super) fn seek(&mut self, model: &Model, values: &[f64]) -> Option<Vec<Pose>> {
         let recorded = self.recorded(model, values)?;
         let from = |sample: usize, pose: &Pose| {
             self.search(model, &recorded, sample)
@@ -39,30 +39,32 @@ impl PoselessVectors<'_> {
         for sample in 0..self.samples {
             let last = self.are_sought.then(|| self.base[sample]);
             let before = sample.checked_sub(1).and_then(|before| Some(self.placed(sample, &best[before]?.pose)));
-            let starts = last.into_iter().chain([self.guesses[sample]]).chain(before);
+            let starts = last.into_iter().chain([self.guesses[sample]]).chain(before.filter(|_| self.turns()));
             best[sample] = starts.filter_map(|start| from(sample, &start)).fold(None, better);
         }
         for sample in (0..self.samples.saturating_sub(1)).rev().filter(|_| self.turns()) {
             let behind = best[sample + 1].and_then(|behind| from(sample, &self.placed(sample, &behind.pose)));
             best[sample] = behind.into_iter().fold(best[sample], better);
         }
-        let limit = self.scale_of(&best);
+        let squares: Vec<f64> = best.iter().map(|found| found.map_or(f64::INFINITY, |found| found.square)).collect();
+        let scale = self.scale_of(&squares);
         for sample in 0..self.samples {
-            let is_doubtful = best[sample].is_none_or(|found| found.square > limit * self.expected(sample, BEYOND));
-            if is_doubtful {
+            if squares[sample] > scale * self.expected(sample, BEYOND) {
                 let around = best[sample].map_or(self.guesses[sample], |found| found.pose);
                 let starts = self.scattered(model, sample, &around);
                 best[sample] = starts.iter().filter_map(|start| from(sample, start)).fold(best[sample], better);
             }
         }
-        let squares = best.iter().map(|found| Some(found.as_ref()?.square)).sum::<Option<f64>>()?;
         let mut poses: Vec<Pose> = best.into_iter().map(|found| Some(found?.pose)).collect::<Option<_>>()?;
         poses.extend_from_slice(&self.guesses[self.samples..]);
-        Some((poses, squares))
+        Some(poses)
     }
 
-    /// Takes poses that fit better than those found last; true where there was one.
+    /// Takes poses that fit better than those found last; true where there was one. A point has no orientation to be mistaken in.
     pub(super) fn find_better(&mut self, values: &[f64]) -> Option<bool> {
+        if !self.turns() {
+            return None;
+        }
         let model = self.model.with_parameters(self.parameters, values)?;
         self.poses = self.find(&model, values)?;
         self.take_for_base();
@@ -72,7 +74,7 @@ impl PoselessVectors<'_> {
         };
         let before: Vec<f64> =
             (0..self.samples).map(|sample| square(self, &self.poses[sample], sample)).collect::<Option<_>>()?;
-        let (poses, _) = self.seek(&model, values)?;
+        let poses = self.seek(&model, values)?;
         let mut is_better = false;
         for sample in 0..self.samples {
             let there = square(self, &poses[sample], sample)?;
@@ -85,7 +87,7 @@ impl PoselessVectors<'_> {
         Some(is_better)
     }
 
-    /// True for robots that turn: a point has no orientation to be mistaken in.
+    /// True for robots that turn.
     fn turns(&self) -> bool {
         self.model.twist_basis().iter().any(|twist| twist.fixed_rows::<3>(3) != Vector3::zeros())
     }
@@ -103,13 +105,12 @@ impl PoselessVectors<'_> {
     }
 
     /// Squares of the median sample, in units of those that its degrees of freedom let expect.
-    fn scale_of(&self, best: &[Option<Found>]) -> f64 {
-        let own =
-            |(sample, found): (usize, &Option<Found>)| Some(found.as_ref()?.square / self.expected(sample, MEDIAN));
-        let mut scales: Vec<f64> = best.iter().enumerate().filter_map(own).collect();
+    fn scale_of(&self, squares: &[f64]) -> f64 {
+        let own = |(sample, square): (usize, &f64)| square / self.expected(sample, MEDIAN);
+        let mut scales: Vec<f64> = squares.iter().enumerate().map(own).filter(|scale| scale.is_finite()).collect();
         scales.sort_by(f64::total_cmp);
         let median = scales.get(scales.len() / 2).copied().unwrap_or(1.0);
-        let scale = if best.len() < MANY { median.min(1.0) } else { median };
+        let scale = if squares.len() < MANY { median.min(1.0) } else { median };
         scale.max(TOLD)
     }
 

@@ -38,12 +38,10 @@ pub(in crate::identification) struct SensorVectors<'a> {
     guesses: Vec<Latent>,
     /// Found last.
     found: Vec<Latent>,
-    /// Found where the squares were least since the descent began: searches begin there, not where a trial that did not help has led.
-    base: Vec<Latent>,
-    /// The least squares.
-    least: f64,
     /// Samples whose search ended on the way where was written last.
     unsettled: usize,
+    /// True once all samples have settled somewhere: from there on a place where one does not is none.
+    has_settled: bool,
     /// True once these are no guesses.
     is_found: bool,
     /// True where the guesses were found before.
@@ -143,10 +141,9 @@ impl<'a> SensorVectors<'a> {
             directions: internal.known.iter().map(free).collect(),
             leverages: DVector::zeros(layout.size() * guesses.len()),
             found: guesses.clone(),
-            base: guesses.clone(),
-            least: f64::INFINITY,
             is_found: false,
             unsettled: 0,
+            has_settled: false,
             are_guesses_found: false,
             layout: layout.clone(),
             weights: *weights,
@@ -170,8 +167,7 @@ impl<'a> SensorVectors<'a> {
     /// Begins searches at these poses.
     pub(in crate::identification) fn begin_at(&mut self, poses: &[Pose]) {
         (self.is_found, self.are_guesses_found) = (true, true);
-        self.least = f64::INFINITY;
-        for latents in [&mut self.guesses, &mut self.found, &mut self.base] {
+        for latents in [&mut self.guesses, &mut self.found] {
             latents.iter_mut().zip(poses).for_each(|(latent, pose)| latent.pose = *pose);
         }
     }
@@ -188,18 +184,14 @@ impl<'a> SensorVectors<'a> {
             false => Load::constant(nalgebra::zero()),
         };
         // a trial that fails must not leave places behind that are none
-        let (before, settled) = (self.found.clone(), self.is_found && self.unsettled == 0);
-        let is_written = self.write_all(&model, load, stacked).filter(|()| !(settled && self.unsettled > 0));
+        let before = self.found.clone();
+        let is_written = self.write_all(&model, load, stacked);
         if is_written.is_none() {
             (self.found, self.unsettled) = (before, 0);
             return None;
         }
         self.is_found = true;
-        let square = stacked.residuals.rows(0, self.size() * self.samples()).norm_squared();
-        if !(square > self.least) {
-            self.least = square;
-            self.base.clone_from(&self.found);
-        }
+        self.has_settled |= self.unsettled == 0;
         is_written
     }
 
@@ -216,6 +208,9 @@ impl<'a> SensorVectors<'a> {
             }
             let found = self.find(&rows.bare, sample)?;
             self.unsettled += usize::from(!found.is_least);
+            if self.has_settled && self.unsettled > 0 {
+                return None;
+            }
             self.found[sample] = found.latent;
             self.write_sample(&rows, sample, stacked)?;
         }
@@ -226,7 +221,7 @@ impl<'a> SensorVectors<'a> {
     fn find(&self, rows: &RowModel<'_>, sample: usize) -> Option<Settled> {
         let sensors = self.sensors();
         let from = |latent: &Latent| sensors.settle(rows, sample, latent);
-        let near = if self.is_found { from(&self.base[sample]) } else { None };
+        let near = if self.is_found { from(&self.found[sample]) } else { None };
         if let Some(near) = near.as_ref().filter(|near| near.is_least) {
             return Some(near.clone());
         }
@@ -234,7 +229,8 @@ impl<'a> SensorVectors<'a> {
         // load cells that are wrong by far lead searches astray before they know where they are
         let relaxed = self.weights.relaxed();
         let relaxed = SampleSensors { weights: &relaxed, ..self.sensors() };
-        let by_geometry = |latent: &Latent| from(&relaxed.settle(rows, sample, latent)?.latent);
+        let is_use = |end: &Settled| end.is_least || !self.has_settled;
+        let by_geometry = |latent: &Latent| from(&relaxed.settle(rows, sample, latent).filter(is_use)?.latent);
         let before = sample.checked_sub(1).map(|before| Latent { pose: self.found[before].pose, ..guess.clone() });
         let starts: Vec<Latent> = std::iter::once(guess.clone()).chain(before).collect();
         let ends = starts.iter().flat_map(|latent| [from(latent), by_geometry(latent)]).flatten();
@@ -297,8 +293,7 @@ impl Vectors for SensorVectors<'_> {
 
     fn restart(&mut self) {
         self.found.clone_from(&self.guesses);
-        self.base.clone_from(&self.guesses);
-        (self.is_found, self.unsettled, self.least) = (self.are_guesses_found, 0, f64::INFINITY);
+        (self.is_found, self.unsettled) = (self.are_guesses_found, 0);
     }
 
     fn latents(&self) -> Vec<Latent> {
@@ -307,8 +302,7 @@ impl Vectors for SensorVectors<'_> {
 
     fn go_on_from(&mut self, latents: &[Latent]) {
         self.found.clone_from_slice(latents);
-        self.base.clone_from_slice(latents);
-        (self.is_found, self.unsettled, self.least) = (true, 0, f64::INFINITY);
+        (self.is_found, self.unsettled) = (true, 0);
     }
 
     fn write(&mut self, values: &[f64], stacked: &mut Stacked) -> bool {
