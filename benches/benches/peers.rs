@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use cdpr::equilibrium::{State, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Wrench};
+use cdpr::identification::Loss;
 use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model};
@@ -244,7 +245,8 @@ fn calibration(data: &Data) {
     let (poses, lengths) = (data.poses("cal_x.bin"), data.rows("cal_q.bin", 8).concat());
     let samples = Samples { poses, lengths, cable_count: 8, ..Samples::default() };
     let free = "frame-anchor,platform-anchor".parse().expect("parameters");
-    let settings = fit::Settings::default();
+    // least squares, as the peers: the default looks for outliers besides
+    let settings = fit::Settings { loss: Loss::Squared, ..fit::Settings::default() };
     let found = optimal_parameters(&model, &samples, &free, &settings).expect("data");
     let cost: f64 = (samples.poses.iter().zip(samples.lengths.chunks(8)))
         .flat_map(|(pose, lengths)| {

@@ -190,7 +190,7 @@ impl Kernel for Rows<'_> {
         for (group, target) in (first..).zip(rows) {
             let (residual, row) = block.row(l, poses, values, recordings, group);
             residual.store(&mut target[0]);
-            for (target, entry) in target[1..].iter_mut().zip(row) {
+            for (target, entry) in target[1..].iter_mut().zip(&row) {
                 entry.store(target);
             }
         }

@@ -136,7 +136,7 @@ impl Kernel for StructureMatrices<'_> {
                 for (lane, target) in target.chunks_exact_mut(n).enumerate() {
                     let cable = cables.path_in_lanes(lane, position, &rotation);
                     let column = in_pattern(model.twist_basis(), wrench(cable.moment_arm, cable.path.direction));
-                    for (target, entry) in target.iter_mut().zip(column) {
+                    for (target, entry) in target.iter_mut().zip(&column) {
                         entry.store(&mut target.0);
                     }
                     needs_scalar = needs_scalar + cable.needs_scalar;
