@@ -10,8 +10,8 @@ const TOLERANCE: f64 = 0.1;
 const OTHER_COMPILER: f64 = 0.25;
 
 const HEAD: &str = "\
-# Instructions of the work in src/main.rs as callgrind counts them, for each vector unit. `cargo xtask instructions` compares,
-# `cargo xtask instructions --accept` writes this file anew.
+# Instructions of the work in src, for each vector unit: as callgrind counts them, batches on AVX-512 by steps. `cargo xtask instructions`
+# compares, `cargo xtask instructions --accept` writes this file anew.
 ";
 
 /// Counts for the vector units that a program was built for and valgrind has, and the compiler that they depend on.
@@ -70,6 +70,28 @@ impl Reference {
         self.units.iter().find(|counts| counts.unit == name)
     }
 
+    /// Adds the counts on a unit that has none yet: a machine without wider vectors counts the same twice.
+    pub(crate) fn add(&mut self, counts: Counts) {
+        if !counts.works.is_empty() && self.unit(&counts.unit).is_none() {
+            self.units.push(counts);
+        }
+    }
+
+    /// Takes the units that another reference of the same compiler has beyond these.
+    pub(crate) fn keep_units_of(&mut self, other: Self) {
+        for counts in other.units {
+            if self.unit(&counts.unit).is_some() {
+                continue;
+            }
+            if self.compiler == other.compiler {
+                println!("{}: kept as it was, this machine or its valgrind has no such unit", counts.unit);
+                self.add(counts);
+            } else {
+                println!("{}: left out, it was counted with {}", counts.unit, other.compiler);
+            }
+        }
+    }
+
     /// Prints both, unit by unit, and complains where `self` is exceeded by too much. A unit that only one side has cannot be compared.
     pub(crate) fn compare(&self, now: &Self) -> Outcome {
         let same = self.compiler == now.compiler;
@@ -89,6 +111,9 @@ impl Reference {
                 None => println!("{}: no reference; `--accept` on this machine writes one", counts.unit),
             }
         }
+        let absent = self.units.iter().filter(|counts| now.unit(&counts.unit).is_none());
+        absent
+            .for_each(|counts| println!("{}: not counted, this machine or its valgrind has no such unit", counts.unit));
         outcome.failed = outcome.complaints.len();
         outcome
     }
@@ -147,6 +172,22 @@ mod tests {
         {
             assert_eq!(reference.compare(&counts(count, compiler)).failed, failed, "{count} by {compiler}");
         }
+    }
+
+    /// A machine without AVX-512 renews the other counts and leaves these alone.
+    #[test]
+    fn units_of_other_machines_are_kept_until_the_compiler_changes() {
+        let works = vec![("batch, lengths, pulley".to_owned(), 7)];
+        let mut before = counts(1000, "a");
+        before.units.push(Counts { unit: "Avx512".to_owned(), works: works.clone() });
+        let mut now = counts(900, "a");
+        now.keep_units_of(before.clone());
+        assert_eq!(now.unit("Avx512").map(|counts| &counts.works), Some(&works));
+        assert_eq!((now.units.len(), now.unit("Avx2")), (3, counts(900, "a").unit("Avx2")));
+        assert_eq!(now.compare(&counts(900, "a")).failed, 0);
+        let mut later = counts(900, "b");
+        later.keep_units_of(before);
+        assert_eq!(later, counts(900, "b"));
     }
 
     #[test]

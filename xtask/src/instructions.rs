@@ -12,18 +12,14 @@ use crate::programs::{can_install, install, on_path, output};
 const REFERENCE: &str = "xtask/instructions/counts.toml";
 
 /// The function of the program that holds the work, as callgrind names it.
-const COUNTED: &str = "instructions::counted";
+const COUNTED: &str = "instructions::counting::counted";
 
-/// A run of the counted program.
-struct Run {
-    arguments: &'static [&'static str],
-    /// Whether a valgrind may stumble over it: the one of Debian 12 does not know every AVX2 instruction that compilers choose.
-    may_be_unknown: bool,
-}
-
-/// On the vectors that every machine of the target has, and on the widest that valgrind has. The first may not fail.
-const RUNS: [Run; 2] =
-    [Run { arguments: &["--portable"], may_be_unknown: false }, Run { arguments: &[], may_be_unknown: true }];
+/// One thread, since callgrind tells them apart; and copies by loops over vectors, since an instruction that repeats itself counts for every byte, of
+/// which lengths the C library takes from the processor.
+const ENVIRONMENT: [(&str, &str); 2] = [
+    ("RAYON_NUM_THREADS", "1"),
+    ("GLIBC_TUNABLES", "glibc.cpu.x86_rep_movsb_threshold=0x7fffffff:glibc.cpu.x86_rep_stosb_threshold=0x7fffffff"),
+];
 
 /// Complains of work that takes noticeably more instructions than the committed counts say.
 pub(crate) fn check(root: &Path) -> Outcome {
@@ -44,10 +40,13 @@ pub(crate) fn check(root: &Path) -> Outcome {
     }
 }
 
-/// Makes the counts of now the committed ones.
+/// Makes the counts of now the committed ones; units that only other machines have keep theirs.
 pub(crate) fn accept(root: &Path) -> Result<(), String> {
     fetch()?;
-    let counts = counts(root)?;
+    let mut counts = counts(root)?;
+    // what cannot be read is renewed
+    let before = std::fs::read_to_string(root.join(REFERENCE)).ok().and_then(|text| Reference::from_toml(&text).ok());
+    before.into_iter().for_each(|before| counts.keep_units_of(before));
     std::fs::write(root.join(REFERENCE), counts.to_toml()).map_err(|error| format!("{REFERENCE}: {error}"))?;
     println!("wrote {REFERENCE}");
     Ok(())
@@ -73,31 +72,28 @@ pub(crate) fn fetch() -> Result<(), String> {
     install(&["valgrind"])
 }
 
-/// Counts of every unit that this valgrind understands.
+/// Counts on the vectors that every machine of the target has, on the widest that this valgrind understands, and on the widest of the machine.
 fn counts(root: &Path) -> Result<Reference, String> {
     let mut rustc = Command::new("rustc");
     rustc.arg("--version").current_dir(root);
     let mut now = Reference { compiler: output(rustc)?.trim().to_owned(), units: Vec::new() };
     let program = program(root)?;
-    for run in &RUNS {
-        match count(root, &program, run.arguments) {
-            Ok(counts) if !run.may_be_unknown && counts.unit != "Portable" => {
-                return Err(format!("`instructions {}` ran on {}", run.arguments.join(" "), counts.unit));
-            }
-            // where the machine has no wider vectors both count the same
-            Ok(counts) if now.unit(&counts.unit).is_none() => now.units.push(counts),
-            Ok(_) => {}
-            Err(reason) if run.may_be_unknown => {
-                println!("not counted on wider vectors, this valgrind does not know them: {reason}");
-            }
-            Err(reason) => return Err(reason),
-        }
+    let portable = by_callgrind(root, &program, Some("--portable"))?;
+    if portable.unit != "Portable" {
+        return Err(format!("`instructions --portable` ran on {}", portable.unit));
     }
+    now.units.push(portable);
+    // the valgrind of Debian 12 does not know every AVX2 instruction that compilers choose
+    match by_callgrind(root, &program, None) {
+        Ok(counts) => now.add(counts),
+        Err(reason) => println!("not counted on wider vectors, this valgrind does not know them: {reason}"),
+    }
+    now.add(by_steps(&program)?);
     Ok(now)
 }
 
 /// Runs the program under callgrind, which writes one file after each return of the counted function.
-fn count(root: &Path, program: &Path, arguments: &[&str]) -> Result<Counts, String> {
+fn by_callgrind(root: &Path, program: &Path, argument: Option<&str>) -> Result<Counts, String> {
     let folder = root.join("target/instructions");
     match std::fs::remove_dir_all(&folder) {
         Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
@@ -106,20 +102,42 @@ fn count(root: &Path, program: &Path, arguments: &[&str]) -> Result<Counts, Stri
         _ => std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?,
     }
     let mut valgrind = Command::new("valgrind");
-    valgrind.args(["--quiet", "--tool=callgrind", "--collect-atstart=no"]).env("RAYON_NUM_THREADS", "1");
+    valgrind.args(["--quiet", "--tool=callgrind", "--collect-atstart=no"]).envs(ENVIRONMENT);
     valgrind.args([format!("--toggle-collect={COUNTED}"), format!("--dump-after={COUNTED}")]);
-    valgrind.arg(format!("--callgrind-out-file={}", folder.join("part").display())).arg(program).args(arguments);
+    valgrind.arg(format!("--callgrind-out-file={}", folder.join("part").display())).arg(program).args(argument);
     let printed = output(valgrind)?;
-    let mut counts = Counts::default();
+    let mut counts = Counts { unit: unit(&printed), works: Vec::new() };
+    for (part, name) in (1..).zip(printed.lines().filter_map(|line| line.strip_prefix("count "))) {
+        counts.works.push((name.to_owned(), total(&folder.join(format!("part.{part}")))?));
+    }
+    Ok(counts)
+}
+
+/// Lets the program count its batches by steps, on the unit that no valgrind has; nothing where the machine has none.
+fn by_steps(program: &Path) -> Result<Counts, String> {
+    let mut stepped = Command::new(program);
+    stepped.arg("--stepped").envs(ENVIRONMENT);
+    let printed = output(stepped)?;
+    let mut counts = Counts { unit: unit(&printed), works: Vec::new() };
+    let (mut name, unreadable) = (None, |line: &str| format!("`{}` printed `{line}`", program.display()));
     for line in printed.lines() {
-        if let Some(name) = line.strip_prefix("count ") {
-            let part = folder.join(format!("part.{}", counts.works.len() + 1));
-            counts.works.push((name.to_owned(), total(&part)?));
-        } else if let Some(unit) = line.strip_prefix("unit ") {
-            unit.clone_into(&mut counts.unit);
+        if let Some(of) = line.strip_prefix("count ") {
+            name = Some(of.to_owned());
+        } else if let Some(number) = line.strip_prefix("instructions ") {
+            let number = number.parse().map_err(|_| unreadable(line))?;
+            counts.works.push((name.take().ok_or_else(|| unreadable(line))?, number));
+        } else if let Some(reason) = line.strip_prefix("refused ") {
+            println!(
+                "batches are not counted on the widest vectors, programs cannot be stepped through here: {reason}"
+            );
         }
     }
     Ok(counts)
+}
+
+/// The unit that the program says it runs on.
+fn unit(printed: &str) -> String {
+    printed.lines().find_map(|line| line.strip_prefix("unit ")).unwrap_or_default().to_owned()
 }
 
 /// Compiles the program together with the command, so that both link one library, and tells where it is.
