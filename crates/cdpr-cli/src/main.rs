@@ -38,7 +38,7 @@ use options::GlobalOptions;
 /// 1 the answer is negative, 2 wrong usage or input, 3 numerical failure, 4 a file cannot be read or written,
 /// 130 interrupted (Ctrl-C; no file is left half-written).
 #[derive(Debug, Parser)]
-#[command(name = "cdpr", version, propagate_version = false, disable_help_subcommand = true, after_help = EXAMPLES)]
+#[command(name = "cdpr", version, propagate_version = false, after_help = EXAMPLES)]
 struct CommandLine {
     #[command(subcommand)]
     command: Command,

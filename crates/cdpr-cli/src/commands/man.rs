@@ -70,7 +70,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 /// The pages of a command and of those below it.
 fn collect(command: &Command, pages: &mut Vec<(String, Vec<u8>)>) {
     pages.push((page_name(command), page(command)));
-    command.get_subcommands().filter(|inner| !inner.is_hide_set()).for_each(|inner| collect(inner, pages));
+    command
+        .get_subcommands()
+        .filter(|inner| !inner.is_hide_set() && inner.get_name() != "help")
+        .for_each(|inner| collect(inner, pages));
 }
 
 fn page_name(command: &Command) -> String {

@@ -59,6 +59,19 @@ fn help_of_every_command_shows_an_example() {
     }
 }
 
+/// `cdpr help COMMAND` was "unrecognized subcommand 'help'".
+#[test]
+fn help_of_every_command_is_told_by_the_command_help_too() {
+    for command in COMMANDS.iter().copied().chain(["import caspr"]) {
+        let run = cdpr(&format!("help {command}"));
+        assert_eq!((run.exit_code, run.stderr.as_str()), (0, ""), "{command}");
+        assert_eq!(run.stdout, cdpr(&format!("{command} --help")).stdout, "{command}");
+    }
+    assert_eq!(cdpr("help").stdout, cdpr("--help").stdout);
+    let unknown = cdpr("help identfy --format json");
+    assert_eq!((unknown.exit_code, unknown.stdout.contains("usage::unknown-command")), (2, true), "{}", unknown.stdout);
+}
+
 #[test]
 fn version_names_program_and_version() {
     assert_eq!(cdpr("--version").stdout, format!("cdpr {}\n", env!("CARGO_PKG_VERSION")));
