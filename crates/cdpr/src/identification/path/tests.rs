@@ -88,34 +88,33 @@ fn pulls(data: &Samples, cable: usize, values: &[f64]) -> [f64; 6] {
     sum
 }
 
-/// Karush, Kuhn and Tucker: |pull| ≤ λ where a change is 0, pull = −λ sign p elsewhere. The descent stops at 1e-8 λ and rounding.
+/// Karush, Kuhn and Tucker: |pull| ≤ λ where a change is 0, pull = −λ sign p elsewhere. The descent stops at 1e-8 λ and rounding: 8e-8 λ in
+/// all down to a hundredth of the largest λ, and more of the small ones, where rounding along weak directions is all that is left.
 #[test]
 fn every_place_of_a_lasso_path_fulfils_its_conditions() {
     let data = samples(Composition::STANDARD, 0.2);
     let places = followed(Composition::STANDARD, &data, "frame-anchor,platform-anchor", &points(Penalty::Lasso));
     let start: Vec<f64> = places[0].values.clone();
-    let mut counts = Vec::new();
+    let (mut counts, mut worst) = (Vec::new(), 0.0_f64);
     for place in &places {
         assert!(place.converged, "λ {}", place.lambda);
         for cable in 0..8 {
             for (k, pull) in pulls(&data, cable, &place.values).into_iter().enumerate() {
                 let change = place.values[6 * cable + k] - start[6 * cable + k];
                 let tolerance = 1e-6 * place.lambda + 1e-3;
-                match change == 0.0 {
-                    true => assert!(pull.abs() <= place.lambda + tolerance, "λ {} {cable} {k}: {pull}", place.lambda),
-                    false => {
-                        let expected = -place.lambda.copysign(change);
-                        assert!(
-                            (pull - expected).abs() <= tolerance,
-                            "λ {} {cable} {k}: {pull} {expected}",
-                            place.lambda
-                        );
-                    }
-                }
+                let off = match change == 0.0 {
+                    true => pull.abs() - place.lambda,
+                    false => (pull + place.lambda.copysign(change)).abs(),
+                };
+                assert!(off <= tolerance, "λ {} {cable} {k}: {pull}", place.lambda);
+                let is_large = place.lambda >= 0.01 * places[0].lambda;
+                worst = if is_large { worst.max(off / place.lambda) } else { worst };
             }
         }
         counts.push(place.is_off.iter().filter(|is_off| **is_off).count());
     }
+    // the number of the book
+    assert!(worst <= 8e-8, "{worst}");
     assert_eq!((counts[0], counts[12]), (0, 48));
     assert!(counts[4] > 0 && counts[4] < 40, "{counts:?}");
 }
