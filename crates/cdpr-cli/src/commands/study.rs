@@ -77,7 +77,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let mut made = error_maps(&found, &study_file.machine);
     let tracking = tracking_figure(&found, &study_file.machine);
     made.extend(tracking.map(|figure| NamedFile::new("force-tracking.svg", figure.file())));
-    made.insert(0, NamedFile::new("errors.csv", errors_table(&found)));
+    made.insert(0, NamedFile::new("errors.csv", errors_table(&found, study_file.machine.robot())));
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
         version: env!("CARGO_PKG_VERSION"),

@@ -15,6 +15,7 @@ mod effects;
 mod elastic_models;
 mod envelope;
 mod equilibrium;
+mod error_tables;
 mod explanations;
 mod export;
 mod faults;

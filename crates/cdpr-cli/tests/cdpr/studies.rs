@@ -269,7 +269,7 @@ fn a_study_leaves_its_errors_in_a_folder() {
     }
     let table = std::fs::read_to_string(folder.path().join("one/errors.csv")).unwrap();
     assert_eq!(table.lines().count(), 26);
-    assert!(table.lines().all(|line| line.split(',').count() == 31), "{table}");
+    assert!(table.lines().all(|line| line.split(',').count() == 14), "{table}");
     assert!(folder.path().join("one/run.toml").exists());
 }
 

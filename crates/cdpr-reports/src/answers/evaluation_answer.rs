@@ -9,8 +9,8 @@ use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use serde::Serialize;
 
-use super::Answer;
 use super::error_table::{Source, error_table};
+use super::{Answer, axis_names, components};
 
 /// Errors of a model on measurements, in short.
 #[derive(Serialize)]
@@ -53,10 +53,12 @@ fn reason(evaluation: &Evaluation) -> Option<String> {
     ))
 }
 
-/// Errors sample by sample (CSV); a number that does not exist is left empty.
+/// Errors sample by sample (CSV), of a planar robot along the axes of its plane; a number that does not exist is left empty.
 pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
-    let cables = model.cable_count();
-    let mut text = "sample,position_error_m,error_x_m,error_y_m,error_z_m,rotation_error_rad".to_owned();
+    let (robot, cables) = (model.robot(), model.cable_count());
+    let mut text = "sample,position_error_m".to_owned();
+    axis_names(robot).iter().for_each(|axis| text.push_str(&format!(",error_{axis}_m")));
+    text.push_str(",rotation_error_rad");
     (1..=cables).for_each(|cable| text.push_str(&format!(",length_error_m_{cable}")));
     let has_tensions = !evaluation.tension.is_empty();
     (1..=cables).filter(|_| has_tensions).for_each(|cable| text.push_str(&format!(",tension_error_N_{cable}")));
@@ -66,7 +68,7 @@ pub fn errors_csv(model: &Model, evaluation: &Evaluation) -> String {
     let failed: Vec<usize> = evaluation.not_converged.iter().map(|(sample, _)| *sample).collect();
     for sample in 0..evaluation.len() {
         let mut numbers = vec![evaluation.position[sample]];
-        numbers.extend(evaluation.position_vector[sample]);
+        numbers.extend(components(robot, &evaluation.position_vector[sample].into()));
         numbers.push(evaluation.rotation[sample]);
         numbers.extend(&evaluation.length[sample * cables..][..cables]);
         if has_tensions {

@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use super::{Comparison, figure_tables};
 use crate::NamedFile;
-use crate::answers::Envelope;
+use crate::answers::{Envelope, axis_names, components};
 use crate::report::render;
 
 /// A file of a result that could not be put together.
@@ -216,20 +216,24 @@ fn outliers_table(comparison: &Comparison) -> String {
     text
 }
 
-/// Errors of the recommended (else the best) candidate, one row per validation sample.
+/// Errors of the recommended (else the best) candidate, one row per validation sample; of a planar robot along the axes of its plane.
 fn errors_table(comparison: &Comparison) -> String {
-    let count = comparison.data.robot.cable_count();
+    let robot = &comparison.data.robot;
+    let count = robot.cable_count();
     let lengths: Vec<String> = (1..=count).map(|cable| format!("length_error_m_{cable}")).collect();
-    let mut text =
-        format!("sample,x_m,y_m,z_m,position_error_m,dx_m,dy_m,dz_m,rotation_error_rad,{}\n", lengths.join(","));
+    let axes = axis_names(robot);
+    let named = |before: &str| axes.iter().map(|axis| format!("{before}{axis}_m")).collect::<Vec<_>>().join(",");
+    let (place, shift, lengths) = (named(""), named("d"), lengths.join(","));
+    let mut text = format!("sample,{place},position_error_m,{shift},rotation_error_rad,{lengths}\n");
     let Some(judgement) = shown(comparison) else { return text };
     let errors = &judgement.validation_errors;
     for (row, sample) in judgement.validation_samples.iter().enumerate() {
-        let [dx, dy, dz] = errors.position_vector[row].map(field);
+        let fields = |vector| components(robot, &vector).into_iter().map(field).collect::<Vec<_>>().join(",");
+        let (place, shift) =
+            (fields(comparison.data.samples.poses[*sample].position), fields(errors.position_vector[row].into()));
         let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(|&error| field(error)).collect();
         let (position, rotation) = (field(errors.position[row]), field(errors.rotation[row]));
-        let [x, y, z]: [f64; 3] = comparison.data.samples.poses[*sample].position.into();
-        let _ = writeln!(text, "{},{x},{y},{z},{position},{dx},{dy},{dz},{rotation},{}", sample + 1, lengths.join(","));
+        let _ = writeln!(text, "{},{place},{position},{shift},{rotation},{}", sample + 1, lengths.join(","));
     }
     text
 }

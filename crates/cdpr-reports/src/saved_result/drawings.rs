@@ -54,7 +54,8 @@ fn maps(data: &SavedResult, in_folder: &'static str) -> Vec<FigureFile> {
     let extents = [0, 1, 2].map(extent);
     let largest = extents.into_iter().fold(0.0, f64::max);
     let flat = |axis: usize| !(extents[axis] > FLATNESS * largest);
-    let chosen: Vec<_> = match [0, 1, 2].into_iter().find(|&axis| flat(axis)) {
+    let beside_the_plane = [0, 1, 2].into_iter().find(|axis| !data.axes.contains(axis));
+    let chosen: Vec<_> = match beside_the_plane.or_else(|| [0, 1, 2].into_iter().find(|&axis| flat(axis))) {
         Some(normal) => VIEWS.into_iter().filter(|(_, axes)| !axes.contains(&normal)).collect(),
         None => VIEWS[..2].to_vec(),
     };

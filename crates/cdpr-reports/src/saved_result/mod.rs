@@ -13,6 +13,9 @@ use serde_json::Value;
 use crate::NamedFile;
 use csv_table::CsvTable;
 
+/// Letters of the world's axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// A drawing or a table of a result, or the reason why there is none.
 pub struct FigureFile {
     /// Name of the file.
@@ -41,6 +44,8 @@ pub struct SavedResult {
     /// Names and rows of the matrix.
     correlations: Option<(Vec<String>, Vec<Vec<f64>>)>,
     samples: Vec<SampleData>,
+    /// Axes of positions, as indices of world coordinates: of a planar robot those of its plane.
+    axes: Vec<usize>,
     /// Names of the cables, as figures show them.
     cables: Vec<String>,
 }
@@ -77,7 +82,7 @@ struct ParameterData {
 struct SampleData {
     /// Number in the data, from 1.
     sample: usize,
-    /// Measured position (world, m).
+    /// Measured position (world, m); 0 along an axis that a planar robot does not have.
     position: [f64; 3],
     position_error: f64,
     position_vector: [f64; 3],
@@ -138,6 +143,7 @@ impl SavedResult {
             candidates: answer.candidates,
             correlations: None,
             samples: Vec::new(),
+            axes: vec![0, 1, 2],
             cables: Vec::new(),
         }
     }
@@ -161,7 +167,8 @@ impl SavedResult {
             self.correlations = Some(correlations(&table)?);
         }
         if let Some(table) = table("validation-errors.csv")? {
-            self.samples = samples(&table)?;
+            self.axes = axes(&table);
+            self.samples = samples(&table, &self.axes)?;
         }
         let count = self.samples.first().map_or(0, |sample| sample.lengths.len());
         let robot = read("calibrated.toml")?;
@@ -221,26 +228,37 @@ fn correlations(table: &CsvTable) -> Result<(Vec<String>, Vec<Vec<f64>>), ReadEr
     Ok((table.heading.get(1..).unwrap_or_default().to_vec(), rows))
 }
 
-fn samples(table: &CsvTable) -> Result<Vec<SampleData>, ReadError> {
+/// Axes whose columns a table of errors has: all, or the two of a plane.
+fn axes(table: &CsvTable) -> Vec<usize> {
+    let has = |axis: &usize| table.column(&format!("{}_m", AXES[*axis])).is_ok();
+    let found: Vec<usize> = (0..3).filter(has).collect();
+    if found.len() < 2 { vec![0, 1, 2] } else { found }
+}
+
+fn samples(table: &CsvTable, axes: &[usize]) -> Result<Vec<SampleData>, ReadError> {
     let sample = table.column("sample")?;
-    let three = |names: [&str; 3]| -> Result<[usize; 3], ReadError> {
-        let [a, b, c] = names;
-        Ok([table.column(a)?, table.column(b)?, table.column(c)?])
+    let columns = |before: &str| -> Result<Vec<usize>, ReadError> {
+        axes.iter().map(|&axis| table.column(&format!("{before}{}_m", AXES[axis]))).collect()
     };
-    let (position, vector) = (three(["x_m", "y_m", "z_m"])?, three(["dx_m", "dy_m", "dz_m"])?);
+    let (position, shift) = (columns("")?, columns("d")?);
     let (position_error, rotation_error) = (table.column("position_error_m")?, table.column("rotation_error_rad")?);
     let is_length = |(column, name): (usize, &String)| name.starts_with("length_error_m_").then_some(column);
     let lengths: Vec<usize> = table.heading.iter().enumerate().filter_map(is_length).collect();
     let mut rows = Vec::new();
     for row in &table.rows {
         let number = |column: usize| table.number(row, column);
-        let [x, y, z] = position;
-        let [dx, dy, dz] = vector;
+        let vector = |columns: &[usize]| -> Result<[f64; 3], ReadError> {
+            let mut vector = [0.0; 3];
+            for (&axis, &column) in axes.iter().zip(columns) {
+                vector[axis] = number(column)?;
+            }
+            Ok(vector)
+        };
         rows.push(SampleData {
             sample: number(sample)? as usize,
-            position: [number(x)?, number(y)?, number(z)?],
+            position: vector(&position)?,
             position_error: number(position_error)?,
-            position_vector: [number(dx)?, number(dy)?, number(dz)?],
+            position_vector: vector(&shift)?,
             rotation_error: number(rotation_error)?,
             lengths: lengths.iter().map(|&column| number(column)).collect::<Result<_, _>>()?,
         });

@@ -2,7 +2,7 @@
 
 use cdpr::identification::selection::SelectionCriterion;
 
-use super::{CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
+use super::{AXES, CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
 
 /// Every table.
 pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
@@ -108,10 +108,13 @@ fn residuals(data: &SavedResult) -> String {
 }
 
 fn pose_errors(data: &SavedResult) -> String {
-    let heading =
-        words(["sample", "x_m", "y_m", "z_m", "position_error_m", "dx_m", "dy_m", "dz_m", "rotation_error_rad"]);
+    let named = |before: &'static str| data.axes.iter().map(move |&axis| format!("{before}{}_m", AXES[axis]));
+    let mut heading = vec!["sample".to_owned()];
+    heading.extend(named("").chain(["position_error_m".to_owned()]).chain(named("d")));
+    heading.push("rotation_error_rad".to_owned());
     let row = |sample: &SampleData| {
-        let numbers = sample.position.into_iter().chain([sample.position_error]).chain(sample.position_vector);
+        let along = |vector: [f64; 3]| data.axes.iter().map(move |&axis| vector[axis]);
+        let numbers = along(sample.position).chain([sample.position_error]).chain(along(sample.position_vector));
         let numbers = numbers.chain([sample.rotation_error]).map(field);
         std::iter::once(sample.sample.to_string()).chain(numbers).collect()
     };

@@ -2,38 +2,70 @@
 
 use std::fmt::Write;
 
-use cdpr::geometry::Twist;
+use cdpr::geometry::{MotionPattern, Twist};
 use cdpr::metamodel::field::{Field, Sample};
 use cdpr::model::Model;
+use cdpr::robot::Robot;
 
 use crate::NamedFile;
+use crate::answers::axis_names;
 use crate::figures::{Figure, Map, MapPoint, TrackedCable, tension_tracking};
 use crate::number_format::short;
 
-/// Columns of Aᵀ f + w of the cables held at the commanded pose.
-const RESIDUAL_WRENCH: &str = ",residual_x_N,residual_y_N,residual_z_N,residual_x_Nm,residual_y_Nm,residual_z_Nm";
+/// Names of the columns of a twist or wrench of a robot, translations then turns: `{before}{axis}{after}`, of a planar robot along the axes of its plane.
+fn columns(robot: &Robot, [before, after]: [&str; 2], [turn, turned]: [&str; 2]) -> Vec<String> {
+    let axes = axis_names(robot);
+    let turns = match robot.motion_pattern {
+        MotionPattern::Planar => vec![format!("{turn}{turned}")],
+        MotionPattern::Spatial => axes.iter().map(|axis| format!("{turn}{axis}{turned}")).collect(),
+        _ => Vec::new(),
+    };
+    axes.iter().map(|axis| format!("{before}{axis}{after}")).chain(turns).collect()
+}
 
-/// One row per commanded pose; empty cells where there is no answer.
-pub fn errors_table(found: &Field) -> String {
+/// Names of the columns of the commanded pose, of the error twists, and of Aᵀ f + w of the cables held there.
+fn headings(robot: &Robot) -> [Vec<String>; 3] {
+    let turns: &[&str] = match robot.motion_pattern {
+        MotionPattern::Planar => &["angle_rad"],
+        MotionPattern::Spatial => &["qx", "qy", "qz", "qw"],
+        _ => &[],
+    };
+    let position = axis_names(robot).into_iter().map(|axis| format!("{axis}_m"));
+    let pose = position.chain(turns.iter().map(|name| (*name).to_owned())).collect();
+    let turn = if robot.motion_pattern == MotionPattern::Planar { "turn" } else { "r" };
+    let mut twists = columns(robot, ["d", "_m"], [turn, "_rad"]);
+    twists.extend(columns(robot, ["linear_d", "_m"], [&format!("linear_{turn}"), "_rad"]));
+    let moment = if robot.motion_pattern == MotionPattern::Planar { "residual" } else { "residual_" };
+    [pose, twists, columns(robot, ["residual_", "_N"], [moment, "_Nm"])]
+}
+
+/// One row per commanded pose in the degrees of freedom of the robot, of a planar one along the axes of its plane; empty cells where there is no answer.
+pub fn errors_table(found: &Field, robot: &Robot) -> String {
     let cables = found.samples.iter().find_map(|sample| Some(sample.outcome.tensions.as_ref()?.len())).unwrap_or(0);
-    let mut text = String::from(
-        "pose,status,x_m,y_m,z_m,qx,qy,qz,qw,dx_m,dy_m,dz_m,rx_rad,ry_rad,rz_rad,linear_dx_m,linear_dy_m,linear_dz_m,\
-         linear_rx_rad,linear_ry_rad,linear_rz_rad",
-    );
+    let (pattern, basis) = (robot.motion_pattern, robot.motion_pattern.twist_basis(robot.plane));
+    let [pose, twists, residual] = headings(robot);
+    let mut text = format!("pose,status,{},{}", pose.join(","), twists.join(","));
     (1..=cables).for_each(|cable| text.push_str(&format!(",tension_N_{cable}")));
     let commands = found.summary.tension_error.is_some();
     let commanded = if commands { cables } else { 0 };
     (1..=commanded).for_each(|cable| text.push_str(&format!(",commanded_tension_N_{cable}")));
     if cables > 0 {
-        text.push_str(RESIDUAL_WRENCH);
+        text.push_str(&format!(",{}", residual.join(",")));
     }
     text.push('\n');
     for (index, sample) in found.samples.iter().enumerate() {
-        let (position, turn) = (sample.commanded.position, sample.commanded.rotation.coords);
         let mut cells = vec![(index + 1).to_string(), sample.outcome.status.name().to_owned()];
-        cells.extend(position.iter().chain(turn.iter()).map(f64::to_string));
+        cells.extend(match pattern {
+            MotionPattern::Spatial => {
+                let (position, turn) = (sample.commanded.position, sample.commanded.rotation.coords);
+                position.iter().chain(turn.iter()).map(f64::to_string).collect::<Vec<_>>()
+            }
+            _ => pattern.pose_to_components(robot.plane, &sample.commanded).iter().map(f64::to_string).collect(),
+        });
         let twist = |twist: &Option<Twist>| -> Vec<String> {
-            twist.as_ref().map_or_else(|| vec![String::new(); 6], |twist| twist.iter().map(f64::to_string).collect())
+            // + 0.0: the sign of zero says nothing
+            let cell = |axis: &Twist| twist.map_or_else(String::new, |twist| (axis.dot(&twist) + 0.0).to_string());
+            basis.iter().map(cell).collect()
         };
         cells.extend(twist(&sample.exact));
         cells.extend(twist(&sample.linear));
