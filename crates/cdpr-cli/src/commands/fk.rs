@@ -2,16 +2,23 @@
 
 use std::process::ExitCode;
 
-use cdpr::equilibrium::{ForwardError, ForwardProblem, ForwardSettings, Start, State, forward_statics};
+use cdpr::equilibrium::{
+    ForwardError, ForwardProblem, ForwardSettings, Solution, Start, State, Status, forward_statics,
+};
 use cdpr::geometry::Pose;
-use cdpr::model::Model;
+use cdpr::model::{Cables, Model};
+use cdpr::statics::Load;
+use cdpr::tension::{Intervals, intervals};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{IDEAL_WINCH, ModelArguments, load_of, pose_of};
 use crate::numbers::NumberList;
-use cdpr_reports::answers::ForwardAnswer;
+use cdpr_reports::answers::{ForwardAnswer, undetermined_words};
+
+/// Excess of a rigid cable's length from which on it is slack (m).
+const SLACK: f64 = 1e-6;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -62,8 +69,8 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let guess = arguments.guess.as_ref().map(|guess| pose_of(model.robot(), "--guess", guess)).transpose()?;
-    let answer = match (&arguments.tensions, &arguments.lengths, &arguments.motor_angles) {
-        (Some(tensions), _, _) => arguments.by_tensions(&model, &tensions.0, guess.as_ref())?,
+    let (answer, remark) = match (&arguments.tensions, &arguments.lengths, &arguments.motor_angles) {
+        (Some(tensions), _, _) => (arguments.by_tensions(&model, &tensions.0, guess.as_ref())?, None),
         (None, Some(lengths), _) => arguments.by_lengths(&model, &lengths.0, guess.as_ref())?,
         (None, None, Some(angles)) => {
             let refused = |error| Failure::refused("--motor-angles", &error);
@@ -79,7 +86,24 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             return Err(Failure::input("usage::missing-argument", message, help));
         }
     };
+    remark.iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)
+}
+
+/// Tensions of rigid cables that balance the load at a pose, within which statics leaves them a choice; `None` where it leaves none.
+///
+/// A cable that is longer than its way to the platform is slack.
+fn choice_of_tensions(model: &Model, load: &Load, solution: &Solution) -> Result<Option<Intervals>, Failure> {
+    if model.cables() != Cables::Rigid || solution.status != Status::Converged {
+        return Ok(None);
+    }
+    let Ok(matrix) = model.structure_matrix(&solution.pose) else { return Ok(None) };
+    let wrench = load.in_pattern(model, &solution.pose);
+    let limits = |residual: &f64| if *residual < -SLACK { [0.0, 0.0] } else { [0.0, f64::INFINITY] };
+    let limits: Vec<[f64; 2]> = solution.residuals.iter().map(limits).collect();
+    let found =
+        intervals(&matrix, wrench.as_slice(), &limits).map_err(|error| Failure::refused("--lengths", &error))?;
+    Ok(found.filter(|found| found.freedom > 0))
 }
 
 impl Arguments {
@@ -91,7 +115,12 @@ impl Arguments {
         Ok(ForwardAnswer::of_tensions(model, tensions, solution).sought_from(start))
     }
 
-    fn by_lengths(&self, model: &Model, lengths: &[f64], guess: Option<&Pose>) -> Result<ForwardAnswer, Failure> {
+    fn by_lengths(
+        &self,
+        model: &Model,
+        lengths: &[f64],
+        guess: Option<&Pose>,
+    ) -> Result<(ForwardAnswer, Option<String>), Failure> {
         let mut lengths = lengths.to_vec();
         if self.recorded {
             lengths.iter_mut().enumerate().take(model.cable_count()).for_each(|(cable, length)| {
@@ -108,15 +137,19 @@ impl Arguments {
         let problem = model.forward_problem(load.as_ref(), &mut state).map_err(refused)?;
         let solution =
             model.forward_with(&settings, &lengths, load.as_ref(), guess, &mut state).map_err(refused)?.clone();
-        let answer = ForwardAnswer::of_lengths(model, solution, problem).sought_from(state.start());
         if problem == ForwardProblem::Equilibrium {
-            return Ok(answer);
+            let acting = load.map_or_else(|| load_of(model.robot(), None), Ok)?;
+            let choice = choice_of_tensions(model, &acting, &solution)?;
+            let answer = ForwardAnswer::of_lengths(model, solution, problem).sought_from(state.start());
+            let remark = choice.as_ref().and_then(|choice| undetermined_words(model, choice));
+            return Ok((choice.into_iter().fold(answer, ForwardAnswer::with_intervals), remark));
         }
+        let answer = ForwardAnswer::of_lengths(model, solution, problem).sought_from(state.start());
         let alternative = model.forward_alternative(&settings, &lengths, guess, &mut state).map_err(refused)?;
         let mut answer = answer.with_alternative(model, alternative);
         if load.is_some() {
             answer.remark("--wrench does not matter here: rigid cables fit their lengths whatever the load");
         }
-        Ok(answer)
+        Ok((answer, None))
     }
 }

@@ -7,7 +7,7 @@ use cdpr::equilibrium::distribution::{self, DistributionError};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
 use cdpr::statics::{Load, StaticsError};
-use cdpr::tension::{Limits, Method, Solver, Status};
+use cdpr::tension::{Intervals, Limits, Method, Solver, Status, intervals};
 use clap::Args;
 
 use crate::answer::Output;
@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::inputs::{ModelArguments, PoseArgument, limits_of, load_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
 use crate::tension_method::{MethodArguments, Wishes, refused};
-use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, is_shown};
+use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, is_shown, undetermined_words};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -68,11 +68,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let limits = limits_of(robot, arguments.min, arguments.max)?;
     let method = arguments.choice.method;
     let wishes = arguments.choice.wishes(&model);
-    let (found, limits) = find(&model, &pose, &load, limits, method, &wishes)?;
+    let (found, limits, intervals) = find(&model, &pose, &load, limits, method, &wishes)?;
+    let remark = intervals.and_then(|intervals| undetermined_words(&model, &intervals));
+    remark.iter().for_each(|remark| output.remark(remark));
     output.answer(&TensionAnswer::new(&model, &pose, method, found, &limits))
 }
 
-/// What the method says, and the limits in force.
+/// What the method says, the limits in force, and how far each tension may go within them.
 fn find(
     model: &Model,
     pose: &Pose,
@@ -80,11 +82,11 @@ fn find(
     limits: Limits,
     method: Method,
     wishes: &Wishes,
-) -> Result<(Found, Limits), Failure> {
+) -> Result<(Found, Limits, Option<Intervals>), Failure> {
     if let Err(reason) = model.structure_matrix(pose) {
         return match reason {
             GeometryError::NotFinite { .. } => Err(Failure::numerical(reason.to_string())),
-            _ => Ok((Found::nothing("infeasible", reason.to_string(), None), limits)),
+            _ => Ok((Found::nothing("infeasible", reason.to_string(), None), limits, None)),
         };
     }
     let wrench = load.in_pattern(model, pose).as_slice().to_vec();
@@ -101,13 +103,13 @@ fn find(
         Err(DistributionError::Statics(ref error @ StaticsError::CableState { reason, .. }))
             if !reason.is_overflow() =>
         {
-            return Ok((Found::nothing("no-shape", error.to_string(), Some(wrench)), limits));
+            return Ok((Found::nothing("no-shape", error.to_string(), Some(wrench)), limits, None));
         }
         Err(DistributionError::Tension(error)) => return Err(refused(&error)),
         Err(error) => return Err(Failure::numerical(error.to_string())),
     };
     if let Some(reason) = balance.reason {
-        return Ok((Found::nothing(reason.status(), reason.to_string(), Some(wrench)), limits));
+        return Ok((Found::nothing(reason.status(), reason.to_string(), Some(wrench)), limits, None));
     }
     solver.forget();
     let answer = solver.solve(&balance.matrix, &balance.wrench, &limits, &options).map_err(|error| refused(&error))?;
@@ -119,5 +121,20 @@ fn find(
         Method::NearestWrench => found.lacking(model, answer, wishes.moment_length(model)),
         _ => found,
     };
-    Ok((found, answer.limits.clone()))
+    let limits = answer.limits.clone();
+    // the pull of a sagging cable follows its tension: its balance holds at these tensions only
+    let asked = found.is_feasible() && model.cables().has_fixed_directions();
+    let pairs: Vec<[f64; 2]> =
+        limits.minimum().iter().zip(limits.maximum()).map(|(least, most)| [*least, *most]).collect();
+    let intervals = if asked {
+        intervals(&balance.matrix, &balance.wrench, &pairs).map_err(|error| refused(&error))?
+    } else {
+        None
+    };
+    let intervals = intervals.filter(|intervals| intervals.freedom > 0);
+    let found = match &intervals {
+        Some(intervals) => found.between(intervals),
+        None => found,
+    };
+    Ok((found, limits, intervals))
 }

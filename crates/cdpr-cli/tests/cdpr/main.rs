@@ -47,6 +47,7 @@ mod study_page;
 mod sweeps;
 mod tension;
 mod test_bench;
+mod undetermined_tensions;
 mod winches;
 mod workspace;
 mod workspace_page;

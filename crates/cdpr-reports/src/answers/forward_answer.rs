@@ -3,6 +3,7 @@
 use cdpr::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
+use cdpr::tension::Intervals;
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
@@ -46,6 +47,9 @@ pub struct ForwardAnswer {
     residual_rms_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tensions_N: Option<Vec<f64>>,
+    /// Least and largest tension of each rigid cable where statics leaves a choice; null where nothing bounds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tension_intervals_N: Option<Vec<[f64; 2]>>,
     /// Size of the wrench that is out of balance, moments divided by the platform radius.
     #[serde(skip_serializing_if = "Option::is_none")]
     wrench_residual_N: Option<f64>,
@@ -72,6 +76,7 @@ impl ForwardAnswer {
             residuals_m: None,
             residual_rms_m: None,
             tensions_N: None,
+            tension_intervals_N: None,
             wrench_residual_N: None,
             stability_N_per_m: None,
             iterations: 0,
@@ -121,6 +126,11 @@ impl ForwardAnswer {
         Self { alternative, ..self }
     }
 
+    /// Tells how far each tension may go while all balance the load.
+    pub fn with_intervals(self, intervals: Intervals) -> Self {
+        Self { tension_intervals_N: Some(intervals.ranges), ..self }
+    }
+
     /// The better fit elsewhere in a sentence.
     fn alternative_words(&self) -> String {
         let (Some(alternative), Some(rms)) = (&self.alternative, self.residual_rms_m) else { return String::new() };
@@ -140,7 +150,16 @@ impl ForwardAnswer {
     }
 
     fn table(&self) -> Table {
-        let columns = [("tension N", &self.tensions_N, 1.0, 3), ("residual mm", &self.residuals_m, 1e3, 6)];
+        let ends = |end: usize| -> Option<Vec<f64>> {
+            Some(self.tension_intervals_N.as_ref()?.iter().map(|range| range[end]).collect())
+        };
+        let (least, largest) = (ends(0), ends(1));
+        let columns = [
+            ("tension N", &self.tensions_N, 1.0, 3),
+            ("from N", &least, 1.0, 3),
+            ("to N", &largest, 1.0, 3),
+            ("residual mm", &self.residuals_m, 1e3, 6),
+        ];
         let columns: Vec<_> = columns
             .iter()
             .filter_map(|(name, numbers, scale, digits)| Some((*name, numbers.as_ref()?, *scale, *digits)))

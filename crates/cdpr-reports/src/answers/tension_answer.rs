@@ -3,7 +3,7 @@
 use cdpr::geometry::{Pose, Twist};
 use cdpr::model::Model;
 use cdpr::tension::quadratic::Certificate;
-use cdpr::tension::{self, Limits, Method, Status};
+use cdpr::tension::{self, Intervals, Limits, Method, Status};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
@@ -37,6 +37,9 @@ pub struct Found {
     proved: Option<bool>,
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
+    /// Least and largest tension of each cable while all balance the load within limits, where they have a choice.
+    #[serde(rename = "tension_intervals_N", skip_serializing_if = "Option::is_none")]
+    intervals: Option<Vec<[f64; 2]>>,
     wrench: Option<Vec<f64>>,
     wrench_residual: Option<Vec<f64>>,
     #[serde(flatten)]
@@ -108,10 +111,21 @@ impl Found {
             tensions: is_shown.then(|| answer.tensions.clone()),
             wrench: Some(wrench),
             wrench_residual: is_shown.then(|| answer.wrench_residual.clone()),
+            intervals: None,
             missing: None,
             certificate: answer.certificate().cloned(),
             iterations: Some(answer.iterations),
         }
+    }
+
+    /// True of tensions that balance the load within their limits.
+    pub fn is_feasible(&self) -> bool {
+        self.status == "feasible"
+    }
+
+    /// The same with how far each tension may go while all balance the load within limits.
+    pub fn between(self, intervals: &Intervals) -> Self {
+        Self { intervals: Some(intervals.ranges.clone()), ..self }
     }
 
     /// The same with what the nearest wrench lacks, its moments weighed by a length (m).
@@ -154,11 +168,17 @@ impl Answer for TensionAnswer {
             text.push('\n');
         }
         let Some(tensions) = tensions else { return text };
-        let mut table = Table::new(["cable", "tension N", "least N", "largest N"]);
+        let mut heading = vec!["cable", "tension N", "least N", "largest N"];
+        if self.found.intervals.is_some() {
+            heading.extend(["possible from N", "to N"]);
+        }
+        let mut table = Table::with_heading(heading.into_iter().map(str::to_owned).collect());
         for (cable, name) in self.cable_names.iter().enumerate() {
             let limits = [self.minimum[cable], self.maximum[cable]];
-            let numbers = [tensions[cable], limits[0], limits[1]].map(|number| cell(Some(number), 3));
-            table.row([vec![name.clone()], numbers.to_vec()].concat());
+            let mut numbers = vec![tensions[cable], limits[0], limits[1]];
+            numbers.extend(self.found.intervals.iter().flat_map(|ranges| ranges[cable]));
+            let cells = numbers.into_iter().map(|number| cell(Some(number), 3));
+            table.row([name.clone()].into_iter().chain(cells).collect());
         }
         format!("{text}\n{}", table.text(width))
     }
