@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use cdpr::plant::{Inertia, Plant, Winches};
+use cdpr::robot::Body;
 use clap::Args;
 
 use crate::answer::Output;
@@ -11,7 +12,7 @@ use crate::inputs::{ModelArguments, PoseArgument, load_of, twist_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::refused;
 use crate::tension_choice::{Chosen, tensions_of};
-use cdpr_reports::answers::{DynamicsAnswer, needed_wrench};
+use cdpr_reports::answers::{DynamicsAnswer, needed_wrench, placeholder_words};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -59,8 +60,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let pose = arguments.pose.of(robot)?;
     let twist = twist_of(robot, "--twist", arguments.twist.as_ref())?;
     let load = load_of(robot, arguments.wrench.as_ref())?;
-    let inertia =
-        Inertia::new(&model, cdpr::robot::Body::of(robot).map_err(|error| Failure::refused("ROBOT", &error))?);
+    let body = Body::of(robot).map_err(|error| Failure::refused("ROBOT", &error))?;
+    placeholder_words(robot, &body).iter().for_each(|words| output.doubt(words));
+    let inertia = Inertia::new(&model, body);
     let moving = (&pose, &twist);
     let answer = if let Some(lengths) = &arguments.lengths {
         let plant = Plant::new(model, Winches::Ideal).map_err(|error| Failure::refused("ROBOT", &error))?;

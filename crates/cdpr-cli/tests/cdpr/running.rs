@@ -61,9 +61,39 @@ fn assumed_numbers_are_told_where_they_count() {
         keys(&cdpr_in(folder.path(), &command).json())
     };
     assert_eq!((modes("ideal"), modes("drums").len()), (vec![mass.to_owned(), damping.to_owned()], 3));
+    let dynamics = |more: &str| {
+        let run =
+            cdpr_in(folder.path(), &format!("dynamics plate-in-motion.toml --pose 1.9,1.4,0{more} --format json"));
+        keys(&run.json())
+    };
+    assert_eq!(
+        (dynamics(""), dynamics(" --model elastic --lengths 2.1,2.2,2.3,2.2")),
+        (vec![mass.to_owned()], vec![mass.to_owned(), damping.to_owned()])
+    );
+    let told = cdpr_in(folder.path(), "dynamics plate-in-motion.toml --pose 1.9,1.4,0").stdout;
+    assert!(told.contains("rests on assumed numbers\n  platform.mass_kg: weighed by eye\n"), "{told}");
     let robots = cdpr("robots --format json").json();
     let macarm = robots["robots"].as_array().unwrap().iter().find(|robot| robot["name"] == "macarm").unwrap();
     assert_eq!(macarm["assumptions"][0], mass);
+}
+
+/// 1 kg·m² about every axis is what nobody measured; dynamics used to answer without a word.
+#[test]
+fn dynamics_warns_of_placeholder_inertias() {
+    for (robot, part) in
+        [("ipanema-2", "1.000 kg·m² about every axis, for 10.00 kg"), ("kntu-planar", "0.1000 kg·m², for")]
+    {
+        let home = cdpr(&format!("check {robot} --format json")).json();
+        assert_eq!(home["status"], "checked");
+        let pose = if robot == "kntu-planar" { "0,0,0" } else { "0,0,1,0,0,0" };
+        let run = cdpr(&format!("dynamics {robot} --pose {pose} --format json"));
+        let warnings = run.json()["warnings"].to_string();
+        assert!(warnings.contains("looks like a placeholder") && warnings.contains(part), "{robot}: {warnings}");
+    }
+    let measured = cdpr("dynamics cogiro --pose 0,0,2,0,0,0 --format json").json();
+    assert!(!measured["warnings"].to_string().contains("placeholder"), "{measured}");
+    let assumed = cdpr("dynamics macarm --pose 0,0,0,0,0,0 --format json").json();
+    assert_eq!(assumed["assumptions"][0]["key"], "platform.mass_kg", "{assumed}");
 }
 
 #[test]

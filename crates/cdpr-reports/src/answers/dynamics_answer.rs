@@ -2,13 +2,14 @@
 
 use cdpr::geometry::{Pose, Twist, Wrench};
 use cdpr::model::Model;
-use cdpr::plant::{Inertia, Plant, PlantError};
+use cdpr::plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
+use cdpr::robot::{Assumption, Body, Robot};
 use cdpr::statics::{Load, StaticsError, balanced_wrench};
 use serde::Serialize;
 
 use super::modes_answer::rows;
-use super::{Answer, PoseAnswer, WrenchAnswer, degrees_of_freedom};
-use crate::number_format::cell;
+use super::{Answer, PoseAnswer, WrenchAnswer, assumed_numbers, degrees_of_freedom};
+use crate::number_format::{cell, significant};
 use crate::table::Table;
 
 /// Mass matrix, bias, and acceleration or the wrench and tensions that it takes.
@@ -35,8 +36,30 @@ pub struct DynamicsAnswer {
     /// Null where there are none within the limits.
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
+    /// Numbers of the robot file that the answer rests on and nobody printed or measured.
+    assumptions: Vec<Assumption>,
     #[serde(skip)]
     cable_names: Vec<String>,
+}
+
+/// Remark on an inertia that looks like a placeholder.
+pub fn placeholder_words(robot: &Robot, body: &Body) -> Option<String> {
+    let is_planar = robot.motion_pattern.is_planar();
+    let about =
+        if is_planar { robot.plane.normal().dot(&(body.inertia * robot.plane.normal())) } else { body.inertia[(0, 0)] };
+    let arms = robot.cables.iter().map(|cable| (cable.platform_anchor - body.center_of_mass).norm());
+    let (gyration, farthest) = ((about / body.mass).sqrt(), arms.fold(0.0, f64::max));
+    body.has_placeholder_inertia(robot).then(|| {
+        format!(
+            "the inertia of the robot file looks like a placeholder: {} kg·m²{}, for {} kg a radius of gyration of {} m beside platform \
+             anchors {} m from the centre of mass at most; accelerations that turn the platform, and tensions for them, are no better than it",
+            significant(about, 4),
+            if is_planar { "" } else { " about every axis" },
+            significant(body.mass, 4),
+            significant(gyration, 3),
+            significant(farthest, 3),
+        )
+    })
 }
 
 impl DynamicsAnswer {
@@ -62,6 +85,7 @@ impl DynamicsAnswer {
             acceleration: rates(acceleration),
             cables: WrenchAnswer::new(robot, cables),
             tensions: None,
+            assumptions: assumptions_under_tensions(model).cloned().collect(),
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
         }
     }
@@ -94,7 +118,8 @@ impl DynamicsAnswer {
         let acceleration = plant.acceleration(&state, &(load.wrench(pose) - plant.load().wrench(pose)));
         let cables = needed_wrench(&state.inertia, (pose, twist), load, &acceleration);
         let answer = Self::new(plant.model(), &state.inertia, (pose, twist), (&acceleration, &cables));
-        Ok(Self { tensions: Some(state.cables.iter().map(|cable| cable.tension).collect()), ..answer })
+        let tensions = state.cables.iter().map(|cable| cable.tension).collect();
+        Ok(Self { tensions: Some(tensions), assumptions: plant.assumptions().cloned().collect(), ..answer })
     }
 
     /// The same of cables that no tensions serve.
@@ -147,6 +172,6 @@ impl Answer for DynamicsAnswer {
             }
             text.push_str(&format!("\n{}", table.text(width)));
         }
-        text
+        text + &assumed_numbers::section("the answer rests on assumed numbers", &self.assumptions)
     }
 }

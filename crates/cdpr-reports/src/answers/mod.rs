@@ -66,7 +66,7 @@ pub use check_answer::CheckAnswer;
 pub use compensation_answer::CompensationAnswer;
 pub use course_answer::CourseAnswer;
 pub use difference_answer::DifferenceAnswer;
-pub use dynamics_answer::{DynamicsAnswer, needed_wrench};
+pub use dynamics_answer::{DynamicsAnswer, needed_wrench, placeholder_words};
 pub use effects_answer::EffectsAnswer;
 pub use envelope::{Envelope, PROGRAM, simulated_by};
 pub use evaluation_answer::{EvaluationAnswer, errors_csv};

@@ -45,7 +45,7 @@ pub use linearization::Linearization;
 pub use log::LogFormat;
 pub use modes::{Mode, Modes};
 pub use momentum::Inertia;
-pub use plant::{Damping, Plant, Winches};
+pub use plant::{Damping, Plant, Winches, assumptions_under_tensions};
 pub use scenario::Scenario;
 pub use sensors::Sensors;
 pub use simulation::{End, Simulation, Summary};

@@ -158,6 +158,24 @@ impl Plant {
     }
 }
 
+/// Assumed numbers of a robot file that motion under given tensions rests on: those of platform, load, anchors and limits, and of pulleys and the cables'
+/// weight where the model has them; not those of stretch, damping and drums.
+pub fn assumptions_under_tensions(model: &Model) -> impl Iterator<Item = &Assumption> {
+    let reads = |assumption: &&Assumption| {
+        let (table, key) = assumption.key.split_once('.').unwrap_or((assumption.key.as_str(), ""));
+        match table {
+            "platform" | "external_wrench" | "gravity_m_s2" => true,
+            _ if !table.starts_with("cable") => false,
+            _ if key.starts_with("pulley_") => {
+                model.composition().pulley && !["pulley_friction", "pulley_inertia_kg_m2"].contains(&key)
+            }
+            _ if key.starts_with("linear_density_") => model.cables() == Cables::Sagging,
+            _ => key.ends_with("anchor_m") || key.starts_with("tension_m"),
+        }
+    };
+    model.robot().assumptions.iter().filter(reads)
+}
+
 /// Drums of a robot: radius and inertia are needed, friction is none where the file is silent.
 fn drums_of(model: &Model) -> Result<Vec<Drum>, PlantError> {
     let drum = |(index, cable): (usize, &Cable)| {

@@ -55,6 +55,21 @@ impl Body {
         }
     }
 
+    /// True of an inertia that looks like a placeholder: the same about every axis that the pattern turns, and a power of ten (kg·m²).
+    pub fn has_placeholder_inertia(&self, robot: &Robot) -> bool {
+        let about = match robot.motion_pattern.has_rotation() {
+            false => return false,
+            true if robot.motion_pattern.is_planar() => {
+                robot.plane.normal().dot(&(self.inertia * robot.plane.normal()))
+            }
+            true if self.inertia == Matrix3::identity() * self.inertia[(0, 0)] => self.inertia[(0, 0)],
+            true => return false,
+        };
+        let exponent = about.log10();
+        // rounding of the logarithm
+        (exponent - exponent.round()).abs() < 1e-12
+    }
+
     /// Mass matrix about the platform origin, \[m I, −m \[c\]×; m \[c\]×, I_c − m \[c\]×\[c\]×\] in platform axes (kg, kg·m, kg·m²).
     pub fn mass_matrix(&self) -> Matrix6<f64> {
         let mut matrix = Matrix6::identity() * self.mass;
