@@ -11,7 +11,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::numbers::finite_number;
-use cdpr_reports::answers::{TestBenchAnswer, cable_keys};
+use cdpr_reports::answers::{TestBenchAnswer, cable_keys, preload_remarks};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -57,6 +57,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     reading.notices.iter().for_each(|notice| output.remark(notice));
     let settings = Settings { pieces: arguments.pieces.into(), ..Settings::of_length(arguments.length) };
     let solution = identify(&reading.record, &settings).map_err(|error| Failure::refused(&name, &error))?;
+    preload_remarks(&solution).iter().for_each(|remark| output.remark(remark));
     let keys = cable_keys(&solution, &name).map_err(|error| Failure::unwritable("the table", &error))?;
     if let Some(path) = &arguments.out {
         files::write(path, keys.as_bytes())?;

@@ -100,7 +100,7 @@ pub use stiffness_answer::StiffnessAnswer;
 pub use study_answer::{StudyAnswer, unanswered};
 pub use tension_answer::{Found as TensionsFound, TensionAnswer, is_shown, is_turn};
 pub use tension_intervals::undetermined_words;
-pub use test_bench_answer::{TestBenchAnswer, cable_keys};
+pub use test_bench_answer::{TestBenchAnswer, cable_keys, preload_remarks};
 pub use uncertainty_answer::UncertaintyAnswer;
 pub use workspace_answer::{Asked, WorkspaceAnswer};
 pub use wrench_answer::WrenchAnswer;

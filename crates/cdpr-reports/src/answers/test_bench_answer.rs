@@ -35,10 +35,17 @@ pub struct TestBenchAnswer {
     loading_error: ErrorAnswer,
     unloading_error: ErrorAnswer,
     polynomial_error: Option<ErrorAnswer>,
+    intercept_polynomial_error: Option<ErrorAnswer>,
     linear_error: ErrorAnswer,
     linear_stiffness_N_per_m: f64,
     axial_stiffness_EA_N: f64,
     tension_of_strain_N: Option<Vec<f64>>,
+    /// Strain at the record's least elongation by the polynomial, and its tension there.
+    preload_strain: Option<f64>,
+    preload_N: Option<f64>,
+    /// Of the polynomial that need not come from no tension: strains from the record's least elongation.
+    intercept_N: Option<f64>,
+    intercept_coefficients_N: Option<Vec<f64>>,
     stiffness_min_N_per_m: f64,
     stiffness_max_N_per_m: f64,
     loss_per_cycle_J: f64,
@@ -72,10 +79,15 @@ impl TestBenchAnswer {
             loading_error: error(solution.loading),
             unloading_error: error(solution.unloading),
             polynomial_error: solution.polynomial.as_ref().map(|fit| error(fit.misfit)),
+            intercept_polynomial_error: solution.with_intercept.as_ref().map(|fit| error(fit.misfit)),
             linear_error: error(solution.linear.misfit),
             linear_stiffness_N_per_m: solution.linear.stiffness,
             axial_stiffness_EA_N: solution.linear.axial_stiffness,
+            preload_strain: solution.polynomial.as_ref().map(|fit| fit.preload_strain),
+            preload_N: solution.polynomial.as_ref().map(|fit| fit.preload),
             tension_of_strain_N: solution.polynomial.map(|fit| fit.coefficients),
+            intercept_N: solution.with_intercept.as_ref().map(|fit| fit.intercept),
+            intercept_coefficients_N: solution.with_intercept.map(|fit| fit.coefficients),
             stiffness_min_N_per_m: solution.stiffness[0],
             stiffness_max_N_per_m: solution.stiffness[1],
             loss_per_cycle_J: solution.loss,
@@ -85,6 +97,40 @@ impl TestBenchAnswer {
             keys,
         }
     }
+}
+
+/// A record that begins below this share of its largest tension has the way from no tension.
+const PRELOADED: f64 = 0.01;
+
+/// A polynomial is told to be poor from this many times the error of the one with an intercept.
+const POOR: f64 = 1.1;
+
+/// Remarks on a record that begins under tension, and on polynomials that are no law.
+pub fn preload_remarks(solution: &Solution) -> Vec<String> {
+    let free = solution.with_intercept.as_ref().map(|fit| fit.misfit.rms);
+    let Some(fit) = &solution.polynomial else {
+        let best = free.map_or_else(String::new, |rms| format!(" (with an intercept one errs by {rms:.1} N rms)"));
+        return vec![format!(
+            "no polynomial of degree 1 to 4 rises from no tension to the largest{best}, so tension_of_strain_N is not written: \
+             record from no tension on, or use the hysteresis"
+        )];
+    };
+    let mut remarks = Vec::new();
+    if fit.preload > PRELOADED * solution.tensions[1] {
+        remarks.push(format!(
+            "the record begins under tension: {:.1} N by the polynomial, a preload strain of {:.4e}; the way there from no tension, \
+             where tension_of_strain_N begins, is extrapolated: record from no tension on if the cable is used below",
+            fit.preload, fit.preload_strain
+        ));
+    }
+    remarks.extend(free.filter(|rms| fit.misfit.rms > POOR * rms).map(|rms| {
+        format!(
+            "the best polynomial that rises from no tension errs by {:.1} N rms, one with an intercept by {rms:.1} N: the record's \
+             preload has no polynomial way there; record from no tension on",
+            fit.misfit.rms
+        )
+    }));
+    remarks
 }
 
 /// The keys of the robot file.
@@ -117,6 +163,7 @@ impl Answer for TestBenchAnswer {
         };
         row("straight line", "elastic", &self.linear_error);
         self.polynomial_error.iter().for_each(|error| row("polynomial", "polynomial", error));
+        self.intercept_polynomial_error.iter().for_each(|error| row("polynomial with intercept", "", error));
         row("both branches", "hysteresis", &self.hysteresis_error);
         row("  loading", "", &self.loading_error);
         row("  unloading", "", &self.unloading_error);

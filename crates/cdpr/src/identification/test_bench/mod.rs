@@ -20,7 +20,8 @@ use crate::cable::stretch::hysteresis_law;
 use crate::robot::{HysteresisTable, StretchError};
 
 pub use misfit::Misfit;
-pub use plain::{LinearFit, PolynomialFit};
+use plain::Polynomials;
+pub use plain::{InterceptFit, LinearFit, PolynomialFit};
 pub use record::Record;
 #[cfg(feature = "files")]
 pub use record_file::RecordReading;
@@ -62,8 +63,10 @@ pub struct Solution {
     pub loading: Misfit,
     /// Error with hysteresis while it shrinks.
     pub unloading: Misfit,
-    /// The best polynomial without hysteresis; `None` when none rises.
+    /// The best polynomial without hysteresis that rises from no tension; `None` when none rises.
     pub polynomial: Option<PolynomialFit>,
+    /// The best polynomial that need not come from no tension, to compare with.
+    pub with_intercept: Option<InterceptFit>,
     /// The best straight line.
     pub linear: LinearFit,
     /// Least and largest tension of the record (N).
@@ -180,11 +183,13 @@ pub fn identify(record: &Record, settings: &Settings) -> Result<Solution, InputE
         let areas: Vec<f64> = full(is_loading).map(|stroke| stroke.area(record).abs()).collect();
         areas.iter().sum::<f64>() / areas.len() as f64
     };
+    let polynomials = Polynomials::new(record, elongations, settings.length);
     Ok(Solution {
         hysteresis: Misfit::of(residuals.iter().copied()),
         loading: on(true),
         unloading: on(false),
-        polynomial: plain::polynomial(record, elongations, settings.length),
+        polynomial: polynomials.law(),
+        with_intercept: polynomials.with_intercept(),
         linear: plain::line(record, settings.length),
         tensions,
         elongations,

@@ -79,6 +79,30 @@ fn a_cable_without_hysteresis_gets_branches_that_lie_together() {
     assert!(solution.hysteresis.max < 2.0 && solution.loss < 0.01 * 0.045 * 9000.0, "{solution:?}");
 }
 
+/// A rope recorded from 1 kN on, where its stiffness is small: the polynomial became a line without a word, with 826 N rms.
+#[test]
+fn a_record_that_begins_under_tension_has_a_polynomial_with_a_preload() {
+    let friction = bouc_wen(&cycles(2), 0.0);
+    let mut record = friction.clone();
+    let mut z = -1.0_f64;
+    let mut before = 0.0;
+    for (row, &elongation) in friction.elongations.iter().enumerate() {
+        let (x, step) = (elongation / 0.045, elongation - before);
+        z = step.signum() + (z - step.signum()) * (-step.abs() / 0.003).exp();
+        before = elongation;
+        record.tensions[row] = 1000.0 + 1000.0 * x + 10_820.0 * x * x + 175.0 * z;
+    }
+    let solution = identify(&record, &settings()).unwrap();
+    let (free, law) = (solution.with_intercept.unwrap(), solution.polynomial.unwrap());
+    assert!((solution.linear.misfit.rms - 826.0).abs() < 2.0, "{:?}", solution.linear);
+    // its own quadratic errs by 159 N, half the width of the loop
+    assert!((free.misfit.rms - 159.0).abs() < 3.0 && (free.intercept - 1000.0).abs() < 175.0, "{free:?}");
+    assert!(law.misfit.rms < 160.0, "{law:?}");
+    let stretch = polynomial_law(&law.coefficients, Some(solution.tensions[1])).unwrap();
+    assert!((stretch.tension(law.preload_strain).0 / law.preload - 1.0).abs() < 1e-12 && stretch.tension(0.0).0 == 0.0);
+    assert!((law.preload - 1000.0).abs() < 200.0 && law.preload_strain > 1e-4, "{law:?}");
+}
+
 #[test]
 fn a_column_of_directions_gives_the_same() {
     let record = bouc_wen(&cycles(2), 0.0);
