@@ -332,7 +332,14 @@ fn what_sensors_see_identifies_the_machine() {
     let identify = "identify wrong.toml out/measurements.csv --merge out/tracker.csv --static --model elastic --free frame-anchor --out calibrated.toml --format json";
     let found = cdpr_in(folder.path(), identify);
     assert_eq!(found.exit_code, 0, "{}", found.stderr);
-    let answer = found.json_with(&["status", "parameters", "train"]);
+    let answer = found.json_with(&["status", "parameters", "train", "warnings"]);
+    // sixteen places; twelve were found, with rows of motion in their means
+    let told = answer["warnings"].to_string();
+    assert!(answer["samples"] == 16 && told.contains("16 poses are held"), "{told}");
+    // no motion of the winches is averaged: lengths scatter by the encoders' resolution of 0.1 mm, 0.03 mm as a deviation (positions by the swing of the platform, too)
+    let scatter = told.split("scatters about its pose by ").nth(1).unwrap();
+    let length = scatter.split(", ").find_map(|part| part.strip_suffix(" mm of length")).unwrap();
+    assert!(length.parse::<f64>().unwrap() < 0.03, "{scatter}");
     let parameters = answer["parameters"].as_array().unwrap();
     for (axis, expected) in [-5.431, 7.505, 6.496].into_iter().enumerate() {
         let (value, sigma) = (&parameters[axis]["value"], &parameters[axis]["sigma"]);

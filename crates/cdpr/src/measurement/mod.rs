@@ -9,6 +9,7 @@ mod csv_writing;
 mod digits;
 #[cfg(feature = "files")]
 mod header_mistakes;
+mod holds;
 mod internal_samples;
 mod known;
 #[cfg(feature = "files")]

@@ -8,24 +8,14 @@ use crate::geometry::Pose;
 use crate::robot::Robot;
 
 use super::digits::three_digits;
+use super::holds::{HELD, LONGEST_PAUSE, Log, typical_interval};
 use super::{DataError, Samples, SensorSigmas};
 
-/// A pose is held when it stays for this long (s) …
-const HELD: f64 = 1.0;
-/// … within this share of the diagonal of the anchors' box, or this many times its noise.
-const STILL_SHARE: f64 = 3e-4;
-const STILL_NOISE: f64 = 8.0;
-/// The first and last rows at rest are no farther than this many times the noise from the middle ones.
-const EDGE_NOISE: f64 = 4.0;
-/// Difference of positions that are equal but for rounding, as a share of the diagonal.
-const ROUNDING: f64 = 1e-12;
 /// A platform that moves is quasi-static within this share of the diagonal: the mean of an arc lies off it by 1e-5 of its
 /// radius.
 const WINDOW_SHARE: f64 = 0.01;
 /// Fewest poses held that make the rest of a log the ways between them.
 const FEWEST_HELD: usize = 2;
-/// Rows of different poses are told apart by time, too: longer pauses end a sample (typical intervals).
-const LONGEST_PAUSE: f64 = 20.0;
 
 /// Outcome of a log cut into samples at rest.
 #[derive(Clone, Debug)]
@@ -76,11 +66,8 @@ impl Samples {
         let Some(time) = self.time.as_ref().filter(|_| !self.is_empty()) else { return Err(DataError::NoTimes) };
         let diagonal = robot.anchor_diagonal();
         let cutter = Cutter { samples: self, time, pause: LONGEST_PAUSE * typical_interval(time) };
-        let noise = cutter.noise();
-        let mut held = cutter.pieces((STILL_SHARE * diagonal).max(STILL_NOISE * noise), f64::INFINITY);
-        held.retain(|&(start, end)| time[end - 1] - time[start] >= HELD);
-        let edge = EDGE_NOISE * noise + ROUNDING * diagonal;
-        held.iter_mut().for_each(|piece| *piece = cutter.without_edges(*piece, edge));
+        let held: Vec<(usize, usize)> =
+            Log::new(self, time, diagonal).holds().into_iter().map(|rows| (rows.start, rows.end)).collect();
         let is_held = held.len() >= FEWEST_HELD;
         let pieces = if is_held { held } else { cutter.pieces(WINDOW_SHARE * diagonal, HELD) };
         let averaged: usize = pieces.iter().map(|(start, end)| end - start).sum();
@@ -174,42 +161,12 @@ impl Cutter<'_> {
         pieces
     }
 
-    /// A piece without the first and last rows in which the platform still comes or already goes.
-    fn without_edges(&self, (mut start, mut end): (usize, usize), farthest: f64) -> (usize, usize) {
-        let quarter = (end - start) / 4;
-        let (first, last) = (start + quarter, end - quarter);
-        let middle = mean_pose(&self.samples.poses[first..last]).position;
-        let is_edge = |row: usize| (self.samples.poses[row].position - middle).norm() > farthest;
-        while start < first && is_edge(start) {
-            start += 1;
-        }
-        while end > last && is_edge(end - 1) {
-            end -= 1;
-        }
-        (start, end)
-    }
-
     /// Whether lengths and position of two rows are alike; where motor angles stand for lengths, the position.
     fn is_near(&self, first: usize, second: usize, distance: f64) -> bool {
         let [a, b] = [first, second].map(|row| self.samples.poses[row].position);
         let [q, r] = [first, second].map(|row| self.samples.lengths_of(row));
         (a - b).norm() <= distance && q.iter().zip(r).all(|(q, r)| !((q - r).abs() > distance))
     }
-
-    /// Standard deviation of a coordinate by second differences, in which a smooth motion cancels (m).
-    fn noise(&self) -> f64 {
-        let positions: Vec<&Vector3<f64>> = self.samples.poses.iter().map(|pose| &pose.position).collect();
-        let mut sizes: Vec<f64> = positions.windows(3).map(|p| (p[0] - 2.0 * p[1] + p[2]).amax()).collect();
-        sizes.sort_by(f64::total_cmp);
-        // variance 1 + 4 + 1 of a second difference
-        sizes.get(sizes.len() / 2).map_or(0.0, |median| median / 6.0_f64.sqrt())
-    }
-}
-
-fn typical_interval(time: &[f64]) -> f64 {
-    let mut intervals: Vec<f64> = time.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
-    intervals.sort_by(f64::total_cmp);
-    intervals.get(intervals.len() / 2).copied().unwrap_or(f64::INFINITY)
 }
 
 /// Mean of poses that are close to each other.
