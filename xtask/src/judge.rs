@@ -16,10 +16,12 @@ const JUDGES: [(&str, &str); 6] = [
     ("judge_paths", "judges/paths/judge.py"),
     ("judge_optima", "judges/optima/judge.py"),
 ];
+/// Judge of calibrations without measured poses: makes its records itself and runs the command on them.
+const POSELESS: &str = "judges/self_calibration/judge.py";
 /// The judges that also compare times.
 const TIMED: [&str; 2] = ["judge_motion", "judge_tensions"];
 
-/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds and calibrations without poses, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
@@ -49,27 +51,53 @@ fn all(root: &Path, with_times: bool) -> Outcome {
         let cases = folder.join(example).with_extension("json");
         let is_untimed = TIMED.contains(&example) && !with_times;
         let one = match cargo::run_example(root, example, &[&cases.display().to_string()]) {
-            Ok(()) => judge(&root.join(script), &python, &cases, is_untimed),
+            Ok(()) => {
+                let mut judge = script_of(root, &python, script);
+                judge.args(is_untimed.then_some("--untimed")).arg(&cases);
+                verdict(judge)
+            }
             Err(complaint) => Outcome::of(vec![complaint]),
         };
         sum.add(one);
     }
+    sum.add(match cargo::the_command(root) {
+        Ok(program) => poseless_by(root, &python, (&program, &["--ten"])),
+        Err(complaint) => Outcome::of(vec![complaint]),
+    });
     sum
 }
 
-/// Runs the judge, shows its table, and counts its verdicts.
-fn judge(script: &Path, python: &Path, cases: &Path, is_untimed: bool) -> Outcome {
+/// Judges calibrations without measured poses by a command, on the records of as many seeds from a first one on.
+pub(crate) fn poseless(root: &Path, program: &Path, (first, count): (u64, u64)) -> Outcome {
+    let python = match environment(root) {
+        Ok(python) => python,
+        Err(reason) => return skipped(&reason),
+    };
+    let mut outcome = poseless_by(root, &python, (program, &["--seeds", &first.to_string(), &count.to_string()]));
+    if outcome.failed > 0 {
+        let again = format!("cargo xtask soak --poseless {count} --seed {first}");
+        outcome.complaints.push(format!("calibrations without poses: {} failures; again: {again}", outcome.failed));
+    }
+    outcome
+}
+
+fn poseless_by(root: &Path, python: &Path, (program, words): (&Path, &[&str])) -> Outcome {
+    let mut judge = script_of(root, python, POSELESS);
+    judge.arg(program).args(words);
+    verdict(judge)
+}
+
+fn script_of(root: &Path, python: &Path, script: &str) -> Command {
     let mut command = Command::new(python);
+    command.arg("-B").arg(root.join(script)).stdin(Stdio::null()).stderr(Stdio::inherit());
     command
-        .arg("-B")
-        .arg(script)
-        .args(is_untimed.then_some("--untimed"))
-        .arg(cases)
-        .stdin(Stdio::null())
-        .stderr(Stdio::inherit());
+}
+
+/// Runs a judge, shows its table, and counts its verdicts.
+fn verdict(mut command: Command) -> Outcome {
     let output = match command.output() {
         Ok(output) => output,
-        Err(error) => return Outcome::of(vec![format!("cannot start {}: {error}", python.display())]),
+        Err(error) => return Outcome::of(vec![format!("cannot start {command:?}: {error}")]),
     };
     let table = String::from_utf8_lossy(&output.stdout);
     print!("{table}");

@@ -35,6 +35,7 @@ Tasks:
   test --only STEP     one step of it
   steps                the steps of `test`
   soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
+  soak --poseless N    calibrations without measured poses of N seeds, judged by SciPy; --seed S begins there
   layers               what each room of the libraries may use, and how their doc lines begin
   generate             write the generated files (schemas, THIRD-PARTY.txt)
   notices              write THIRD-PARTY.txt alone

@@ -1,8 +1,8 @@
-//! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`.
+//! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`, or records without poses of as many seeds: `cargo xtask soak --poseless N [--seed S]`.
 //!
 //! Rounds of the library's property tests (their cases follow `CDPR_SEED` and `CDPR_CASES`, read by
-//! `crates/cdpr/tests/support/property.rs` alone), of random robots through the command, and of the fuzz targets where cargo-fuzz and a
-//! nightly toolchain are installed. A finding is told with its seed and the smallest case.
+//! `crates/cdpr/tests/support/property.rs` alone), of random robots through the command, of calibrations without measured poses that SciPy judges, and of the fuzz targets where
+//! cargo-fuzz and a nightly toolchain are installed. A finding is told with its seed and the smallest case.
 
 mod random;
 mod robots;
@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-use crate::cargo;
 use crate::programs::{self, on_path};
+use crate::{cargo, judge};
 use trial::Trial;
 
 /// Tests whose random cases follow `CDPR_SEED`: parts of their names, as `cargo test` filters them.
@@ -53,14 +53,21 @@ const FUZZ_SECONDS: u64 = 15;
 const MOST_FINDINGS: usize = 10;
 
 /// What is asked for.
+#[derive(Debug, PartialEq)]
 struct Wishes {
     minutes: f64,
     seed: u64,
+    /// Seeds whose records without poses are all that is judged.
+    poseless: Option<u64>,
 }
 
 /// Runs rounds until the time is up; an error where something was found.
 pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
     let wishes = Wishes::of(words)?;
+    if let Some(seeds) = wishes.poseless {
+        println!("soak: records without poses of {seeds} seeds from {} on", wishes.seed);
+        return judge::poseless(root, &cargo::the_command(root)?, (wishes.seed, seeds)).into_result();
+    }
     let end = Instant::now() + Duration::from_secs_f64(60.0 * wishes.minutes);
     println!(
         "soak: {} min from seed {} on; again: cargo xtask soak --minutes {} --seed {}",
@@ -80,6 +87,9 @@ pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
         let of_robots = trial::run(&Trial { program: &program, seed, end: slice, most })?;
         tried += of_robots.commands;
         findings.extend(of_robots.findings);
+        if Instant::now() < end {
+            findings.extend(judge::poseless(root, &program, (seed, 1)).into_result().err());
+        }
         if let Ok(fuzz) = &fuzz
             && Instant::now() < end
         {
@@ -96,7 +106,7 @@ pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
 impl Wishes {
     fn of(words: &[&str]) -> Result<Self, String> {
         let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
-        let mut wishes = Self { minutes: 10.0, seed: now };
+        let mut wishes = Self { minutes: 10.0, seed: now, poseless: None };
         for pair in words.chunks(2) {
             match pair {
                 ["--minutes", text] => {
@@ -105,7 +115,16 @@ impl Wishes {
                 ["--seed", text] => {
                     wishes.seed = text.parse().map_err(|_| format!("--seed: `{text}` is no whole number"))?
                 }
-                other => return Err(format!("soak takes --minutes N and --seed S, not `{}`", other.join(" "))),
+                ["--poseless", text] => {
+                    let seeds = text.parse().ok().filter(|seeds| *seeds > 0);
+                    wishes.poseless = Some(seeds.ok_or_else(|| format!("--poseless: `{text}` is no number of seeds"))?);
+                }
+                other => {
+                    return Err(format!(
+                        "soak takes --minutes N, --poseless N and --seed S, not `{}`",
+                        other.join(" ")
+                    ));
+                }
             }
         }
         match wishes.minutes > 0.0 && wishes.minutes < 1e5 {
@@ -239,8 +258,10 @@ mod tests {
 
     #[test]
     fn minutes_and_seed_are_read() {
-        let wishes = Wishes::of(&["--seed", "7", "--minutes", "0.5"]).map(|wishes| (wishes.minutes, wishes.seed));
-        assert_eq!(wishes, Ok((0.5, 7)));
+        let wishes = Wishes::of(&["--seed", "7", "--minutes", "0.5"]);
+        assert_eq!(wishes, Ok(Wishes { minutes: 0.5, seed: 7, poseless: None }));
+        assert_eq!(Wishes::of(&["--poseless", "20"]).map(|wishes| wishes.poseless), Ok(Some(20)));
         assert!(Wishes::of(&["--minutes", "0"]).is_err() && Wishes::of(&["--hours", "1"]).is_err());
+        assert!(Wishes::of(&["--poseless", "0"]).is_err());
     }
 }
