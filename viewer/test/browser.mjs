@@ -1,11 +1,12 @@
 // Opens pages of the command in headless Chromium and checks what a reader would see. Called by `cargo xtask test --only browser`:
-//   node test/browser.mjs CHROMIUM OUTPUT FOLDER_OF_A_RESULT…
-// Each folder holds report.html (of a study, a run or models), and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
+//   node test/browser.mjs CHROMIUM OUTPUT [KIND FOLDER_OF_A_RESULT]…
+// The page's body names its kind. Each folder holds report.html, and result.json where the command writes one, or workspace.html. Screenshots go to OUTPUT. Ends with 1 when anything is wrong.
 import { existsSync, mkdtempSync, mkdirSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { checkDrawn } from "./drawn-checks.mjs";
 import { checkPage, layout } from "./page-checks.mjs";
 import { checkRun } from "./run-checks.mjs";
 import { checkStudy } from "./study-checks.mjs";
@@ -19,22 +20,34 @@ const LARGEST_BYTES = 2_000_000;
 // The aim is 2 s on a quiet machine and is printed; a busy one may take longer, a page that hangs takes for ever.
 const LONGEST_MILLISECONDS = 30_000;
 
-const [executablePath, output, ...folders] = process.argv.slice(2);
+/** What must be true of every kind of page. */
+const CHECKS = {
+  report: checkPage,
+  workspace: (page) => checkWorkspace(page, layout),
+  study: (page) => checkStudy(page, layout),
+  run: (page) => checkRun(page, layout),
+  campaign: checkDrawn,
+  chain: checkDrawn,
+  benchmark: checkDrawn,
+};
+
+const [executablePath, output, ...pages] = process.argv.slice(2);
 mkdirSync(output, { recursive: true });
 let complaints = 0;
-const waiting = [...folders];
+const waiting = pages.flatMap((kind, k) => (k % 2 === 0 ? [{ kind, folder: pages[k + 1] }] : []));
 // two at a time: a browser draws on one core
 await Promise.all([examineAll(), examineAll()]);
 process.exitCode = complaints > 0 ? 1 : 0;
 
 /** Examines pages until none is left, each in a browser of its own. */
 async function examineAll() {
-  for (let folder = waiting.shift(); folder !== undefined; folder = waiting.shift()) {
+  for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+    const { kind, folder } = next;
     const name = basename(folder);
     const profile = mkdtempSync(join(tmpdir(), "cdpr-browser-"));
     const context = await chromium.launchPersistentContext(profile, { executablePath, args: ARGUMENTS, viewport: { width: 1280, height: 900 } });
     try {
-      for (const complaint of await examine(context, folder, name)) {
+      for (const complaint of await examine(context, kind, folder)) {
         complaints += 1;
         console.log(`${name}: ${complaint}`);
       }
@@ -45,7 +58,8 @@ async function examineAll() {
   }
 }
 
-async function examine(context, folder, name) {
+async function examine(context, kind, folder) {
+  const name = basename(folder);
   const workspace = resolve(folder, "workspace.html");
   const file = existsSync(workspace) ? workspace : resolve(folder, "report.html");
   const json = join(folder, "result.json");
@@ -67,18 +81,17 @@ async function examine(context, folder, name) {
   console.log(`${name}: ${(bytes / 1e6).toFixed(2)} MB, drawn after ${milliseconds.toFixed(0)} ms`);
   if (bytes > LARGEST_BYTES) found.push(`the page has ${bytes} bytes, more than ${LARGEST_BYTES}`);
   if (milliseconds > LONGEST_MILLISECONDS) found.push(`the page took ${milliseconds.toFixed(0)} ms, more than ${LONGEST_MILLISECONDS}`);
-  found.push(...(await checks(page, result)));
+  found.push(...(await checks(page, kind, result)));
   await pictures(page, name);
   await page.close();
   return found;
 }
 
 /** What is wrong with a page of its kind. */
-async function checks(page, result) {
-  const kind = await page.locator("#cdpr-data").evaluate((block) => JSON.parse(block.textContent)?.page);
-  if (kind === "workspace") return checkWorkspace(page, layout);
-  if (kind === "run") return checkRun(page, layout);
-  return kind === "study" ? checkStudy(page, layout) : checkPage(page, result);
+async function checks(page, kind, result) {
+  const own = await page.locator("body").getAttribute("data-page");
+  if (own !== kind) return [`the page is of the kind ${own}, not ${kind}`];
+  return kind in CHECKS ? CHECKS[kind](page, result) : [`nothing is known of pages of the kind ${kind}`];
 }
 
 /** The page wide and narrow, light and dark, and on paper, for people to look at. */

@@ -86,7 +86,7 @@ async function folds(page) {
 }
 
 /** On a phone nothing sticks out, wide tables say that they scroll, and no mark is cut off at the edge of its drawing. */
-async function phone(page) {
+export async function phone(page) {
   const found = [];
   await page.setViewportSize({ width: 390, height: 844 });
   await page.waitForTimeout(300);
@@ -100,7 +100,7 @@ async function phone(page) {
 }
 
 /** Paper has no controls, everything unfolded, nothing wider than the page, and no labels of the scene upon each other. */
-async function paper(page) {
+export async function paper(page) {
   const found = [];
   await page.setViewportSize({ width: 688, height: 900 });
   await page.emulateMedia({ media: "print" });

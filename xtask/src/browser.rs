@@ -1,12 +1,15 @@
 //! The report as a browser shows it: opens pages in headless Chromium, and builds the viewer anew to compare it with the
 //! committed bundle.
 
+mod pages;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::notices;
 use crate::outcome::Outcome;
 use crate::programs::{can_install, install, on_path, run};
-use crate::{cargo, notices};
+use pages::Made;
 
 /// What `viewer/` makes, in the folder that pages include it from.
 const GENERATED: &str = "crates/cdpr-reports/src/html_page/generated";
@@ -23,7 +26,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
     }
     let folder = root.join("target/browser");
     let result = rebuilt_is_committed(root, &folder).and_then(|()| {
-        let pages = pages(root, &folder)?;
+        let pages = pages::of_every_kind(root, &folder)?;
         open(root, &tools, &folder.join("screenshots"), &pages)?;
         Ok(pages.len())
     });
@@ -126,132 +129,12 @@ fn rebuilt_is_committed(root: &Path, folder: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Makes the pages: the demo, an identification of a rigid model, and the real robot where its data may be read.
-fn pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
-    let at = |name: &str| folder.join(name);
-    let text = |path: PathBuf| path.display().to_string();
-    let demo = at("demo");
-    cdpr(root, &["demo", "--require", "position_mean_m=0.005", "--out", &text(demo.clone())])?;
-    let identified = at("identify");
-    std::fs::create_dir_all(&identified).map_err(|error| format!("{}: {error}", identified.display()))?;
-    let (robot, data) = (text(demo.join("robot.toml")), text(demo.join("training.csv")));
-    let report = text(identified.join("report.html"));
-    cdpr(root, &["identify", &robot, &data, "--free", "frame-anchor,platform-anchor", "--report", &report])?;
-    let mut pages = vec![demo.clone(), identified];
-    pages.extend(dirty_pages(root, folder, &demo)?);
-    let shared = root.join("../shared/data");
-    let measured = shared.join("measurements/gtcable-concentric-diamonds/samples.csv");
-    if measured.is_file() {
-        let (robot, out) = (text(shared.join("robots/gtcable-planar.toml")), at("gtcable"));
-        cdpr(
-            root,
-            &["select", &robot, &text(measured), "--require", "position_mean_m=0.001", "--out", &text(out.clone())],
-        )?;
-        pages.push(out);
-    } else {
-        println!("the page of the real robot is skipped: {} is not here", measured.display());
-    }
-    pages.extend(workspace_pages(root, folder)?);
-    pages.extend(study_pages(root, folder)?);
-    let run = at("run");
-    cdpr(root, &["run", "studies/scenario-cable-break.toml", "--out", &text(run.clone())])?;
-    pages.push(run);
-    Ok(pages)
-}
-
-/// Another line in place of one of a table; the first line is its heading.
-type Change = fn(usize, &str) -> String;
-
-fn displaced(row: usize, line: &str) -> String {
-    match line.split_once(',') {
-        Some((x, rest)) if row > 0 && row.is_multiple_of(31) => {
-            x.parse::<f64>().map_or_else(|_| line.to_owned(), |x| format!("{},{rest}", x + 0.3))
-        }
-        _ => line.to_owned(),
-    }
-}
-
-/// After seven numbers of the pose: the lengths of the third and of the fifth cable change places.
-fn swapped(row: usize, line: &str) -> String {
-    let mut fields: Vec<&str> = line.split(',').collect();
-    if row > 0 && fields.len() > 11 {
-        fields.swap(9, 11);
-    }
-    fields.join(",")
-}
-
-/// Pages of data that are wrong: rows displaced by 0.3 m, and two cables whose lengths stand in each other's column.
-fn dirty_pages(root: &Path, folder: &Path, demo: &Path) -> Result<Vec<PathBuf>, String> {
-    let complain = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
-    let read = |name: &str| {
-        let path = demo.join(name);
-        std::fs::read_to_string(&path).map_err(|error| complain(&path, error))
-    };
-    let mut pages = Vec::new();
-    for (name, change) in [("displaced", displaced as Change), ("swapped", swapped)] {
-        let out = folder.join(format!("{name}-data"));
-        std::fs::create_dir_all(&out).map_err(|error| complain(&out, error))?;
-        for (file, meta) in [("training.csv", "training.meta.toml"), ("validation.csv", "validation.meta.toml")] {
-            let lines: Vec<String> = read(file)?.lines().enumerate().map(|(row, line)| change(row, line)).collect();
-            std::fs::write(out.join(file), lines.join("\n") + "\n").map_err(|error| complain(&out, error))?;
-            std::fs::write(out.join(meta), read(meta)?).map_err(|error| complain(&out, error))?;
-        }
-        let text = |path: PathBuf| path.display().to_string();
-        let (robot, data, other) =
-            (text(demo.join("robot.toml")), text(out.join("training.csv")), text(out.join("validation.csv")));
-        let result = folder.join(name);
-        cdpr(root, &["select", &robot, &data, "--validation", &other, "--out", &text(result.clone())])?;
-        pages.push(result);
-    }
-    Ok(pages)
-}
-
-/// Pages of studies: two in a plane, one of them of a small region, and one in space.
-fn study_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
-    let study = |name: &str| -> Result<PathBuf, String> {
-        let out = folder.join(format!("study-{name}"));
-        cdpr(root, &["study", &format!("studies/{name}.toml"), "--out", &out.display().to_string()])?;
-        Ok(out)
-    };
-    ["planar-wide-grid", "planar-low-grid", "twin-nominal"].into_iter().map(study).collect()
-}
-
-/// Pages of workspaces: one in a plane and one in space, each with an earlier result laid over it, and the surface of a grid.
-fn workspace_pages(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
-    let planar = ["workspace", "planar-example", "--method", "hull", "--max", "8000"];
-    let spatial = ["workspace", "cablerobot-simulator-helicopter", "--method", "hull", "--rays", "642"];
-    let mut pages = Vec::new();
-    for (name, arguments) in [("workspace-planar", &planar[..]), ("workspace-spatial", &spatial[..])] {
-        let folder = folder.join(name);
-        std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-        let (page, earlier) = (folder.join("workspace.html"), folder.join("earlier.html"));
-        let (page, earlier) = (page.display().to_string(), earlier.display().to_string());
-        cdpr(root, &[arguments, &["--min", "500", "--page", &earlier]].concat())?;
-        cdpr(root, &[arguments, &["--min", "1000", "--page", &page, "--overlay", &earlier]].concat())?;
-        pages.push(folder);
-    }
-    let folder = folder.join("workspace-grid");
-    std::fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let page = folder.join("workspace.html").display().to_string();
-    cdpr(root, &["workspace", "cablerobot-simulator-helicopter", "--step", "0.4", "--page", &page])?;
-    pages.push(folder);
-    Ok(pages)
-}
-
-/// Runs the command; a negative answer (1) has its page too.
-fn cdpr(root: &Path, arguments: &[&str]) -> Result<(), String> {
-    let program = cargo::the_command(root)?;
-    let output = Command::new(&program).args(arguments).current_dir(root).stdin(Stdio::null()).output();
-    let output = output.map_err(|error| format!("cannot start {}: {error}", program.display()))?;
-    match output.status.code() {
-        Some(0 | 1) => Ok(()),
-        _ => Err(format!("`cdpr {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr).trim())),
-    }
-}
-
-fn open(root: &Path, tools: &Tools, screenshots: &Path, pages: &[PathBuf]) -> Result<(), String> {
+fn open(root: &Path, tools: &Tools, screenshots: &Path, pages: &[Made]) -> Result<(), String> {
     let mut node = Command::new("node");
-    node.arg("test/browser.mjs").arg(&tools.chromium).arg(screenshots).args(pages).current_dir(root.join("viewer"));
+    node.arg("test/browser.mjs").arg(&tools.chromium).arg(screenshots).current_dir(root.join("viewer"));
+    for Made { kind, folder } in pages {
+        node.arg(kind).arg(folder);
+    }
     let status = node.stdin(Stdio::null()).status().map_err(|error| format!("cannot start node: {error}"))?;
     match status.success() {
         true => Ok(()),

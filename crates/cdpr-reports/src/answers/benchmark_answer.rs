@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::Answer;
 use super::printed_machines::{PRINTED, PrintedMachine};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -137,11 +137,10 @@ impl BenchmarkAnswer {
             .collect();
         let values = context! {
             headline => match median(&ratios) {
-                Some(ratio) => format!("identification divides the mean position error by {} (median)", significant(ratio, 2)),
+                Some(ratio) => format!("Identification divides the mean position error by {} (median)", significant(ratio, 2)),
                 None => self.reason.clone().unwrap_or_default(),
             },
             of => format!("{} robots, {} combinations with a control model", robots.len(), rows.len()),
-            facts => Vec::<Value>::new(),
             columns => COLUMNS,
             figure => self.figure().map(|figure| Value::from_safe_string(figure.inline())),
             rows => self.rows().into_iter().map(row).collect::<Vec<Value>>(),
@@ -153,7 +152,8 @@ impl BenchmarkAnswer {
             seed => self.benchmark.rules.seed,
         };
         let title = "Robots and control models under the same rules";
-        Page { title, class: "wide", template: TEMPLATE, values, data: "{}".to_owned(), version }.render()
+        Page { kind: PageKind::Benchmark, title, class: "wide", template: TEMPLATE, values, data: None, version }
+            .render()
     }
 }
 

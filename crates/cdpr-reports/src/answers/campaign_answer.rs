@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::{Answer, title};
 use crate::figures::{CourseHeight, CoursePanel, Figure, rounds};
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -192,7 +192,8 @@ impl CampaignAnswer {
             seed => self.seed,
         };
         let title = "Measurements in rounds";
-        Page { title, class: "wide", template: TEMPLATE, values, data: "{}".to_owned(), version }.render()
+        Page { kind: PageKind::Campaign, title, class: "wide", template: TEMPLATE, values, data: None, version }
+            .render()
     }
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
@@ -70,7 +70,7 @@ struct PrintedErrors {
     tension_mean_norm_N: Option<f64>,
 }
 
-/// How many times as small an error is after a stage as before.
+/// Errors before a stage divided by those after it.
 #[derive(Serialize)]
 struct Ratio {
     before: &'static str,
@@ -154,8 +154,9 @@ impl ChainAnswer {
         self.steps.iter().map(row).collect()
     }
 
-    fn words_of(&self, name: &str) -> &'static str {
-        self.steps.iter().find(|one| one.step.name == name).map_or("", |one| one.step.words)
+    fn words_of(&self, name: &str) -> String {
+        let step = self.steps.iter().find(|one| one.step.name == name);
+        step.map_or_else(String::new, |StepAnswer { step, .. }| format!("{} {}", step.section, step.words))
     }
 
     fn sentences(&self) -> Vec<String> {
@@ -167,19 +168,19 @@ impl ChainAnswer {
             range(self.second_change_m)
         )];
         for Ratio { before, after, position, rotation, tension } in &self.ratios {
-            let tension = tension.map_or_else(String::new, |ratio| format!(", tension {}", significant(ratio, 3)));
+            let tension =
+                tension.map_or_else(String::new, |ratio| format!(", of tensions by {}", significant(ratio, 3)));
             let rotation = match rotation.is_finite() {
-                true => format!(", rotation {}", significant(*rotation, 3)),
+                true => format!(", of rotation by {}", significant(*rotation, 3)),
                 false => String::new(),
             };
             all.push(format!(
-                "From “{}” to “{}”: position error {} times as small{rotation}{tension}",
+                "From “{}” to “{}”: error of position divided by {}{rotation}{tension}",
                 self.words_of(before),
                 self.words_of(after),
                 significant(*position, 3)
             ));
         }
-        all.extend(self.left_out.iter().map(|why| format!("Left out: {why}")));
         all
     }
 
@@ -231,17 +232,26 @@ impl ChainAnswer {
             rows,
             has_printed => self.steps.iter().any(|one| one.printed.is_some()),
             sentences => self.sentences().iter().map(|words| prose(words)).collect::<Vec<_>>(),
-            warnings => Vec::<Value>::new(),
+            warnings => self.left_out.iter().map(|why| prose(why)).collect::<Vec<_>>(),
             command => plain(command),
             seed => self.seed,
         };
         let title = "From the nominal controller to force control";
-        Page { title, class: "wide", template: TEMPLATE, values, data: "{}".to_owned(), version }.render()
+        Page { kind: PageKind::Chain, title, class: "wide", template: TEMPLATE, values, data: None, version }.render()
     }
 }
 
-const COLUMNS: [&str; 9] =
-    ["section", "stage", "poses", "position mm", "rotation °", "length mm", "tension N", "parameters", "tensions N"];
+const COLUMNS: [&str; 9] = [
+    "section",
+    "stage",
+    "poses",
+    "position mm",
+    "rotation °",
+    "length mm",
+    "tension N",
+    "parameters",
+    "tension range N",
+];
 
 fn printed(name: &str) -> Option<Printed> {
     PRINTED.iter().chain([&REDUCED]).find(|(own, _)| *own == name).map(|(_, printed)| *printed)
@@ -287,6 +297,7 @@ impl Answer for ChainAnswer {
             table.text(width)
         );
         self.sentences().iter().for_each(|words| text.push_str(&format!("{words}\n")));
+        self.left_out.iter().for_each(|why| text.push_str(&format!("Left out: {why}\n")));
         if let Some(report) = &self.report {
             text.push_str(&format!("\npage written to {report}\n"));
         }

@@ -4,6 +4,7 @@
 //! Program and style are made from `viewer/` and committed in `html_page/generated`.
 
 mod cable;
+mod kind;
 mod nodes;
 mod plane;
 #[cfg(test)]
@@ -16,6 +17,7 @@ use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
 use thiserror::Error as ThisError;
 
 pub(crate) use cable::{CableData, vector};
+pub(crate) use kind::PageKind;
 pub(crate) use nodes::{Nodes, nodes};
 pub(crate) use plane::PlaneData;
 pub(crate) use text::{breakable, plain, prose};
@@ -36,6 +38,8 @@ pub struct PageError(#[from] Error);
 
 /// A page.
 pub(crate) struct Page<'a> {
+    /// Kind of the page.
+    pub(crate) kind: PageKind,
     /// Title of the window.
     pub(crate) title: &'a str,
     /// Class of the body; empty for none.
@@ -44,8 +48,8 @@ pub(crate) struct Page<'a> {
     pub(crate) template: &'static str,
     /// The template's values; `title` and `version` are known to it besides.
     pub(crate) values: Value,
-    /// The block that the program reads: JSON of [`inside_script`].
-    pub(crate) data: String,
+    /// The block that the program draws from, JSON of [`inside_script`]; nothing for a page that comes drawn.
+    pub(crate) data: Option<String>,
     /// Version of the program.
     pub(crate) version: &'a str,
 }
@@ -79,7 +83,8 @@ impl Page<'_> {
             style => Value::from_safe_string(format!("{STYLE}{}", crate::figures::page_style())),
             script => Value::from_safe_string(SCRIPT.to_owned()),
             notices => NOTICES,
-            data => Value::from_safe_string(self.data),
+            data => self.data.map(Value::from_safe_string),
+            kind => self.kind.name(),
             body => Value::from_safe_string(body),
             class => self.class,
             ..own

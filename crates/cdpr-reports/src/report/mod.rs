@@ -27,7 +27,7 @@ use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
 use minijinja::{Value, context};
 
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format as number;
 
 const TEMPLATE: &str = include_str!("report.html");
@@ -153,9 +153,9 @@ pub fn render(input: &Report<'_>) -> Result<String, PageError> {
         seed => input.seed,
         criterion => input.criterion.to_string(),
     };
-    let data = page_data::json(input, shown.as_ref());
+    let data = Some(page_data::json(input, shown.as_ref()));
     let (title, version) = (&input.title(), input.version);
-    Page { title, class: "wide", template: TEMPLATE, values, data, version }.render()
+    Page { kind: PageKind::Report, title, class: "wide", template: TEMPLATE, values, data, version }.render()
 }
 
 fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {

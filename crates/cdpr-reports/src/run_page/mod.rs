@@ -9,7 +9,7 @@ use minijinja::{Value, context};
 
 use crate::answers::{axis_names, components};
 use crate::figures::{Figure, TimePanel, Timeline};
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::significant;
 use crate::recording::{Moment, Recording, Violation};
 
@@ -66,8 +66,17 @@ impl RunPage<'_> {
             warnings => self.warnings.iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
             command => plain(self.command),
         };
-        let data = page_data::json(recording, violations);
-        Page { title: &title, class: "wide", template: TEMPLATE, values, data, version: self.version }.render()
+        let data = Some(page_data::json(recording, violations));
+        Page {
+            kind: PageKind::Run,
+            title: &title,
+            class: "wide",
+            template: TEMPLATE,
+            values,
+            data,
+            version: self.version,
+        }
+        .render()
     }
 
     fn headline(&self) -> String {

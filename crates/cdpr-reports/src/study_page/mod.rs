@@ -17,7 +17,7 @@ use cdpr::workspace::WorkspaceError;
 use minijinja::{Value, context};
 use thiserror::Error;
 
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::{short, significant};
 pub(crate) use field_tables::{SAME_HEIGHT, levels};
 pub use field_tables::{error_maps, errors_table, tracking_figure};
@@ -68,7 +68,7 @@ pub fn render(page: &StudyPage<'_>) -> Result<String, StudyPageError> {
     let robot = machine.robot();
     let title = format!("Study {}", page.name);
     let is_planar = robot.motion_pattern.is_planar();
-    let data = page_data::json(page, &regions);
+    let data = Some(page_data::json(page, &regions));
     let values = context! {
         is_planar,
         turns => robot.motion_pattern.has_rotation(),
@@ -87,7 +87,15 @@ pub fn render(page: &StudyPage<'_>) -> Result<String, StudyPageError> {
         command => plain(page.command),
         seed => page.seed,
     };
-    let page = Page { title: &title, class: "wide", template: TEMPLATE, values, data, version: page.version };
+    let page = Page {
+        kind: PageKind::Study,
+        title: &title,
+        class: "wide",
+        template: TEMPLATE,
+        values,
+        data,
+        version: page.version,
+    };
     Ok(page.render()?)
 }
 

@@ -20,7 +20,7 @@ use cdpr::workspace::mesh::Mesh;
 use minijinja::{Value, context};
 
 use crate::answers::PoseAnswer;
-use crate::html_page::{Page, PageError, plain, prose};
+use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::significant;
 use grid::Grid;
 
@@ -123,8 +123,17 @@ pub fn render(page: &WorkspacePage<'_>) -> Result<String, PageError> {
         warnings => page.warnings.iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
         command => plain(page.command),
     };
-    let data = page_data::json(page, &grid);
-    Page { title: &title, class: "wide", template: TEMPLATE, values, data, version: page.version }.render()
+    let data = Some(page_data::json(page, &grid));
+    Page {
+        kind: PageKind::Workspace,
+        title: &title,
+        class: "wide",
+        template: TEMPLATE,
+        values,
+        data,
+        version: page.version,
+    }
+    .render()
 }
 
 fn facts(page: &WorkspacePage<'_>) -> Value {
