@@ -25,7 +25,7 @@ Examples:
 /// Correct the lengths of a model over the workspace, where measurements show errors that repeat.
 ///
 /// Give the best physical model, already calibrated: the correction is the smooth part of what it leaves, a Gaussian process of the pose. It is judged
-/// on samples held out in turn. Where it does not help there, nothing is written and the exit code is 1. The map says nothing beyond its samples.
+/// on samples held out in turn. Where it does not help there, nothing is written and the exit code is 1; the answer says by which rules. The map fades over a margin around its samples and says nothing beyond it.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -56,7 +56,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let found = compensate(&model, &samples, arguments.split, arguments.seed)
         .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     drop(progress);
-    let written = arguments.out.as_ref().filter(|_| found.reason.is_none());
+    let written = arguments.out.as_ref().filter(|_| found.helps);
     if let Some(path) = written {
         files::write(path, found.map.to_toml().as_bytes())?;
     }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr::compensation::Beyond;
 use cdpr::identification::compensation::evaluate_compensated;
 use cdpr::identification::{Evaluation, evaluate, evaluate_lengths};
 use cdpr::measurement::Samples;
@@ -51,7 +52,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     let map = arguments.compensation.read(&model)?;
-    let mut outside = Vec::new();
+    let mut beyond = Beyond::default();
     let (samples, evaluation) = match arguments.data.lacks_poses(&model)? {
         true => {
             let asked = ("--compensation", map.is_some(), "there is no error of the pose to correct");
@@ -62,8 +63,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             let samples = arguments.data.read(&model, output)?;
             let progress = Progress::spinner("predicting poses");
             let evaluation = match &map {
-                Some((map, _)) => evaluate_compensated(&model, &samples, map).map(|(evaluation, beyond)| {
-                    outside = beyond;
+                Some((map, _)) => evaluate_compensated(&model, &samples, map).map(|(evaluation, of_map)| {
+                    beyond = of_map;
                     evaluation
                 }),
                 None => evaluate(&model, &samples),
@@ -79,7 +80,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
     let data = (arguments.data.name(), &samples, output.doubts());
     let answer = EvaluationAnswer::new(&model, data, &evaluation, out_errors);
-    output.answer(&answer.with_compensation(map.map(|(_, file)| file), outside.len()))
+    output.answer(&answer.with_compensation(map.map(|(_, file)| file), beyond))
 }
 
 /// Samples without measured poses, and the errors of their lengths at the poses where these fit best.

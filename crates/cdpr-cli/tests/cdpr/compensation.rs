@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{cdpr_in, numbers, root};
 
 /// Samples of the planar example with a smooth error of every length, or noise in its place.
-fn samples(is_smooth: bool) -> String {
+pub(super) fn samples(is_smooth: bool) -> String {
     let mut text = "x_m,y_m,cable_length_m_1,cable_length_m_2,cable_length_m_3,cable_length_m_4\n".to_owned();
     let anchors = [(-6.0, 8.0), (5.0, 8.0), (-5.0, 0.0), (5.0, 0.5)];
     let mut state = 12345_u64;

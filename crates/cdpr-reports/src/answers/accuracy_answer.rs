@@ -103,7 +103,8 @@ impl AccuracyAnswer {
     pub fn remarks(&self) -> Vec<String> {
         let unsettled = self.prediction.as_ref().and_then(|found| convergence_remark(&found.blocks, "predictions"));
         let places = format!("{} poses", self.accuracy.samples);
-        let beyond = beyond_map(self.accuracy.compensation.as_ref().map_or(0, |map| map.outside), &places);
+        let beyond = self.accuracy.compensation.as_ref().map(|map| map.beyond).unwrap_or_default();
+        let beyond = beyond_map(beyond, &places);
         self.accuracy.remark().into_iter().chain(unsettled).chain(beyond).collect()
     }
 }

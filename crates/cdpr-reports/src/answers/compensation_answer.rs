@@ -1,13 +1,14 @@
 //! A smooth correction of lengths, and what it is worth on samples held out.
 
+use cdpr::compensation::Extent;
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::compensation::{Compensated, Judged};
 use cdpr::identification::selection::Warnings;
 use cdpr::model::Model;
 use serde::Serialize;
 
-use super::Answer;
 use super::error_table::{Source, error_table};
+use super::{Answer, PoseAnswer, beyond_words};
 use crate::number_format::significant;
 
 /// A map in short.
@@ -17,13 +18,16 @@ pub struct CompensationAnswer {
     model: String,
     data: String,
     status: &'static str,
-    reason: Option<String>,
+    /// Verdict, and by which rules it is given.
+    reason: String,
     /// Samples that the map is made of.
     samples: usize,
     /// Distance over which corrections hang together.
     length_scale_m: f64,
     /// Variance of noise as a multiple of that of the smooth part.
     noise_ratio: f64,
+    /// Reach of the samples, within which the map acts as a whole, and margins over which it fades.
+    region: MapRegion,
     /// Errors on samples held out in turn.
     held_out: Judged,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -33,26 +37,49 @@ pub struct CompensationAnswer {
     pattern: MotionPattern,
 }
 
+/// Reach of the samples of a map.
+#[derive(Serialize)]
+struct MapRegion {
+    /// Pose about which coordinates count.
+    centre: PoseAnswer,
+    coordinates: Vec<Extent>,
+}
+
+impl MapRegion {
+    /// Middle, ends and margins in a sentence.
+    fn words(&self) -> String {
+        let coordinate = |extent: &Extent| {
+            let Extent { axis, unit, ends: [low, high], margin } = extent;
+            let [low, high, margin] = [low, high, margin].map(|value| significant(*value, 3));
+            format!("{axis} {low} to {high} {unit} (margin {margin} {unit})")
+        };
+        let coordinates: Vec<String> = self.coordinates.iter().map(coordinate).collect();
+        format!(
+            "the map acts as a whole in the box of its samples, about {}: {}; over the margins around it, and in gaps between samples, it fades to zero",
+            self.centre.words(),
+            coordinates.join(", ")
+        )
+    }
+}
+
 impl CompensationAnswer {
     /// The answer for a model on data of a name and with doubts about them, with the file that was written.
     pub fn new(model: &Model, (data, doubts): (String, Warnings), found: Compensated, out: Option<String>) -> Self {
-        let Compensated { map, judged, reason } = found;
+        let Compensated { map, judged, helps, reason } = found;
+        let facts = map.facts();
         let mut warnings = doubts.list;
-        if judged.outside > 0 {
-            warnings.push(format!(
-                "{} of {} samples lie beyond the others when they are held out: the model stands alone there",
-                judged.outside, judged.samples
-            ));
-        }
+        let (samples, alone) = (format!("{} samples", judged.samples), "the model stands alone there");
+        warnings.extend(beyond_words(judged.beyond, &samples, "the others when they are held out", alone));
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
             data,
-            status: if reason.is_none() { "helps" } else { "no-help" },
+            status: if helps { "helps" } else { "no-help" },
             reason,
-            samples: map.sample_count(),
-            length_scale_m: map.length_scale(),
-            noise_ratio: map.noise_ratio(),
+            samples: facts.samples,
+            length_scale_m: facts.length_scale,
+            noise_ratio: facts.noise_ratio,
+            region: MapRegion { centre: PoseAnswer::new(model.robot(), &facts.centre), coordinates: facts.extents },
             held_out: judged,
             out,
             warnings,
@@ -63,14 +90,14 @@ impl CompensationAnswer {
 
 impl Answer for CompensationAnswer {
     fn is_negative(&self) -> bool {
-        self.reason.is_some()
+        self.status == "no-help"
     }
 
     fn words(&self, width: Option<usize>) -> String {
         let Self { robot, model, data, samples, held_out, .. } = self;
         let mut text = format!("{robot}, model {model}, corrected over the workspace by {samples} samples of {data}\n");
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
-        self.reason.iter().for_each(|reason| text.push_str(&format!("{reason}\n")));
+        text.push_str(&format!("{}\n{}\n", self.reason, self.region.words()));
         text.push_str(&format!(
             "corrections hang together over {} m, noise has {} times the variance of the smooth part\n\non samples held out in turn\n",
             significant(self.length_scale_m, 3),

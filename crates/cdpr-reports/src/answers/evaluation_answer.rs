@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use cdpr::compensation::Beyond;
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{ErrorBlocks, Evaluation, distrust};
@@ -10,7 +11,7 @@ use cdpr::model::Model;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};
-use super::{Answer, axis_names, components};
+use super::{Answer, axis_names, beyond_words, components};
 
 /// Errors of a model on measurements, in short.
 #[derive(Serialize)]
@@ -39,8 +40,9 @@ pub struct EvaluationAnswer {
 #[derive(Serialize)]
 struct UsedMap {
     file: String,
-    /// Samples beyond those of the map, at which the model stands alone.
-    outside: usize,
+    /// Samples beyond those of the map, at which the model stands alone, and in the margin around them.
+    #[serde(flatten)]
+    beyond: Beyond,
 }
 
 /// Why the forward problem failed, by the first sample at which it did.
@@ -114,17 +116,13 @@ impl EvaluationAnswer {
         }
     }
 
-    /// The same with the file of the map that corrects the lengths, and the number of samples beyond those of the map.
+    /// The same with the file of the map that corrects the lengths, and the samples beyond those of the map.
     #[must_use]
-    pub fn with_compensation(mut self, file: Option<String>, outside: usize) -> Self {
+    pub fn with_compensation(mut self, file: Option<String>, beyond: Beyond) -> Self {
         if let Some(file) = file {
-            if outside > 0 {
-                let samples = self.blocks.samples;
-                let words =
-                    format!("{outside} of {samples} samples lie beyond those of {file}: they are not corrected");
-                self.warnings.push(words);
-            }
-            self.compensation = Some(UsedMap { file, outside });
+            let (samples, of_map) = (format!("{} samples", self.blocks.samples), format!("those of {file}"));
+            self.warnings.extend(beyond_words(beyond, &samples, &of_map, "they are not corrected"));
+            self.compensation = Some(UsedMap { file, beyond });
         }
         self
     }

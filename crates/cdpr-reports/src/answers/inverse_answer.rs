@@ -1,6 +1,6 @@
 //! Cable lengths and directions at a pose, and the lengths that winches must pay out.
 
-use cdpr::compensation::{Compensation, MapError};
+use cdpr::compensation::{Beyond, Compensation, Correction, MapError};
 use cdpr::equilibrium::{CableCommand, InverseSolution};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
@@ -37,6 +37,9 @@ pub struct InverseAnswer {
     /// Correction of a map, to be added to recorded lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     correction_m: Option<Vec<f64>>,
+    /// Share of the map that acts at the pose: 1 among its samples, less in the margin around them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correction_share: Option<f64>,
     /// Controlled lengths with the correction.
     #[serde(skip_serializing_if = "Option::is_none")]
     corrected_lengths_m: Option<Vec<Option<f64>>>,
@@ -46,6 +49,7 @@ pub struct InverseAnswer {
     #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
     platform_tensions: Option<Vec<f64>>,
     jacobians: Jacobians,
+    warnings: Vec<String>,
     #[serde(skip)]
     shows_jacobians: bool,
     #[serde(skip)]
@@ -87,10 +91,12 @@ impl InverseAnswer {
             wrap_angles_rad: (model.composition().pulley).then(|| known(|cable| cable.wrap_angle)),
             cable_lengths_m: lengths,
             correction_m: None,
+            correction_share: None,
             corrected_lengths_m: None,
             tensions: None,
             platform_tensions,
             jacobians: Jacobians::at(model, &solution.pose),
+            warnings: Vec::new(),
             shows_jacobians: false,
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
             axes: axis_names(robot),
@@ -107,21 +113,37 @@ impl InverseAnswer {
         Self { tensions: Some(tensions), ..self }
     }
 
-    /// The same with the correction of a map at its pose: controlled lengths are those whose recorded ones are longer by it.
+    /// The same with the correction of a map at its pose, refused beyond the map: controlled lengths are those whose recorded ones are longer by it.
     pub fn with_correction(self, model: &Model, pose: &Pose, map: &Compensation) -> Result<Self, MapError> {
         let controlled = self.controlled_lengths_m.iter().enumerate();
         let recorded =
             |(cable, length): (usize, &Option<f64>)| model.recorded_length(cable, length.unwrap_or(f64::NAN));
-        let corrected = map.corrected(pose, &controlled.map(recorded).collect::<Vec<f64>>())?.into_iter().enumerate();
+        let correction = map.at(pose).known()?;
+        let corrected = controlled.map(recorded).zip(&correction.lengths).map(|(length, own)| length + own).enumerate();
         let lengths = corrected.map(|(cable, length)| model.controlled_length(cable, length));
         let lengths = lengths.map(|length| length.is_finite().then_some(length)).collect();
-        Ok(Self { correction_m: Some(map.at(pose)?), corrected_lengths_m: Some(lengths), ..self })
+        Ok(Self {
+            warnings: self.warnings.into_iter().chain(fading(&correction)).collect(),
+            correction_share: Some(correction.share),
+            correction_m: Some(correction.lengths),
+            corrected_lengths_m: Some(lengths),
+            ..self
+        })
     }
 
     /// The same without tensions: the status in a word, and the reason.
     pub fn without_tensions(self, status: &'static str, reason: String) -> Self {
         Self { status, reason: Some(reason), ..self }
     }
+}
+
+/// Caution that a map fades at the pose; nothing where it acts as a whole.
+fn fading(correction: &Correction) -> Option<String> {
+    let reason = correction.reason.as_ref().filter(|_| Beyond::of([correction.share].into_iter()).fading > 0)?;
+    Some(format!(
+        "the pose lies in the margin around the samples of the map ({reason}): {:.0} % of its correction are left",
+        100.0 * correction.share
+    ))
 }
 
 impl Answer for InverseAnswer {
@@ -134,6 +156,7 @@ impl Answer for InverseAnswer {
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{}: {reason}\n", self.status));
         }
+        self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         let mut heading = vec!["cable".to_owned(), "length m".to_owned()];
         let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
         heading.extend(is_elastic.then(|| "controlled m".to_owned()));

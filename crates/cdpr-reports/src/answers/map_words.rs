@@ -1,5 +1,6 @@
 //! Maps that correct a control model's lengths, in words.
 
+use cdpr::compensation::Beyond;
 use cdpr::metamodel::Experiment;
 use cdpr::metamodel::errors::PoseErrorStatistics;
 use cdpr::metamodel::field::Field;
@@ -15,16 +16,23 @@ pub fn control_title(experiment: &Experiment) -> String {
 
 /// Remarks on the errors of a study: poses outside the machine's reach, and beyond the samples of its map.
 pub fn study_remarks(experiment: &Experiment, found: &Field) -> Vec<String> {
-    let outside = found.summary.compensation.as_ref().map_or(0, |map| map.outside);
-    let beyond = beyond_map(outside, &format!("{} poses", found.samples.len()));
+    let beyond = found.summary.compensation.as_ref().map(|map| map.beyond).unwrap_or_default();
+    let beyond = beyond_map(beyond, &format!("{} poses", found.samples.len()));
     found.remark(&experiment.machine).into_iter().chain(beyond).collect()
 }
 
-/// Caution about places beyond the samples of a map; nothing where there are none.
-pub(crate) fn beyond_map(outside: usize, places: &str) -> Option<String> {
-    (outside > 0).then(|| format!(
-        "{outside} of {places} lie beyond the samples of [control] compensation: the control model alone drives there"
-    ))
+/// Cautions about places beyond the samples of a study's map and in the margin around them; empty where there are none.
+pub(crate) fn beyond_map(beyond: Beyond, places: &str) -> Vec<String> {
+    beyond_words(beyond, places, "the samples of [control] compensation", "the control model alone drives there")
+}
+
+/// Cautions about places beyond samples, where `alone` says who acts without a map, and in the margin around them.
+pub(crate) fn beyond_words(beyond: Beyond, places: &str, samples: &str, alone: &str) -> Vec<String> {
+    let Beyond { outside, fading } = beyond;
+    let outside = (outside > 0).then(|| format!("{outside} of {places} lie beyond {samples}: {alone}"));
+    let fading = (fading > 0)
+        .then(|| format!("{fading} of {places} lie in the margin around {samples}: the correction fades there"));
+    outside.into_iter().chain(fading).collect()
 }
 
 /// Sentence on what a map makes of position errors; empty where the machine came to no pose with it or without.

@@ -76,7 +76,7 @@ pub use identification_answer::{Identification, IdentificationAnswer};
 pub use initial_tension_answer::{InitialTensionAnswer, WinchState};
 pub use inverse_answer::InverseAnswer;
 pub use load_answer::LoadAnswer;
-pub(crate) use map_words::{beyond_map, gain_words};
+pub(crate) use map_words::{beyond_map, beyond_words, gain_words};
 pub use map_words::{control_title, study_remarks};
 pub use modes_answer::ModesAnswer;
 pub use objective_answer::ObjectiveAnswer;

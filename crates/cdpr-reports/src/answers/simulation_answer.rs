@@ -1,5 +1,6 @@
 //! Virtual measurements that were written.
 
+use cdpr::compensation::Beyond;
 use cdpr::metamodel::Experiment;
 use cdpr::metamodel::study::CommandedPose;
 use serde::Serialize;
@@ -39,8 +40,9 @@ impl SimulationAnswer {
             seed,
             control: experiment.compensation.is_some().then(|| control_title(experiment)),
             remark: experiment.compensation.as_ref().and_then(|map| {
-                let outside = commands.iter().filter(|command| map.at(&command.pose).is_err()).count();
-                beyond_map(outside, &format!("{} poses", commands.len()))
+                let beyond = Beyond::of(commands.iter().map(|command| map.at(&command.pose).share));
+                let words = beyond_map(beyond, &format!("{} poses", commands.len()));
+                (!words.is_empty()).then(|| words.join("; "))
             }),
             winch_offsets_m: experiment.offsets.clone(),
             out,

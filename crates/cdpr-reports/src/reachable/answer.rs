@@ -231,7 +231,8 @@ impl ReachableAnswer {
             "grid" => format!("{} poses reached", found.feasible_points),
             _ => "the corners of the hull".to_owned(),
         };
-        let beyond = beyond_map(found.compensation.as_ref().map_or(0, |map| map.outside), &places);
+        let beyond = found.compensation.as_ref().map(|map| map.beyond).unwrap_or_default();
+        let beyond = beyond_map(beyond, &places);
         let remarks: Vec<String> = too_large.into_iter().chain(beyond).collect();
         Self {
             status: if found.reason.is_none() {
@@ -251,7 +252,7 @@ impl ReachableAnswer {
             sizes,
             share: found.reached.and_then(share),
             compensation: found.compensation.as_ref().map(|map| {
-                json!({ "outside": map.outside, "without": { key("reachable"): map.without, "share": map.without.and_then(share) } })
+                json!({ "outside": map.beyond.outside, "fading": map.beyond.fading, "without": { key("reachable"): map.without, "share": map.without.and_then(share) } })
             }),
             remark: (!remarks.is_empty()).then(|| remarks.join("; ")),
             error_bound: found.error_bound,

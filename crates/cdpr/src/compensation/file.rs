@@ -48,9 +48,12 @@ impl File {
         let samples = self.sample.iter().flat_map(|sample| sample.at_m.iter().chain(&sample.weights_m));
         let numbers = self.mean_m.iter().chain(self.ranges_m.iter().flatten()).chain(position_m).chain(quaternion_xyzw);
         let is_above = |value: f64| (SMALLEST..LARGEST).contains(&value);
+        let sizes = || self.ranges_m.iter().map(|[low, high]| high - low);
         is_above(self.length_scale_m)
             && is_above(self.noise_ratio)
             && is_above(self.lever_m)
+            && sizes().all(|size| size >= 0.0)
+            && sizes().any(is_above)
             && numbers.chain(samples).all(|number| number.abs() < LARGEST)
             && (quaternion_xyzw.iter().map(|number| number * number).sum::<f64>() - 1.0).abs() < UNIT
     }
@@ -101,8 +104,8 @@ impl Compensation {
             },
             sample: field.points.iter().enumerate().map(sample).collect(),
         };
-        let words =
-            "# Correction of cable lengths over the workspace: add to the recorded lengths of the model at a pose.\n";
+        let words = "# Correction of cable lengths over the workspace: add to the recorded lengths of the model at a pose.\n\
+                     # It acts as a whole within ranges_m, fades to zero over a margin around them, and in gaps between samples.\n";
         // numbers and texts alone always make a file
         format!("{words}{}", toml::to_string(&file).unwrap_or_default())
     }
@@ -117,7 +120,7 @@ impl Compensation {
         }
         if !file.has_numbers() {
             return Err(refused(
-                "its numbers are below 1e30, scales and lever from 1e-9 on, its quaternion of length 1",
+                "its numbers are below 1e30, scales, lever and the largest range from 1e-9 on, ranges ascend, its quaternion has length 1",
             )
             .into());
         }

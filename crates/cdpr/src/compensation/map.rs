@@ -2,15 +2,17 @@
 
 use nalgebra::DMatrix;
 
+use super::correction::Correction;
+use super::fade::left;
 use super::field::Field;
 use super::map_error::MapError;
-use super::pose_space::PoseSpace;
+use super::pose_space::{Extent, PoseSpace};
 use crate::equilibrium::State;
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// Largest share of the smooth part's variance that samples may leave unknown at a pose.
-const UNKNOWN: f64 = 0.5;
+/// Shares of the smooth part's variance that samples leave unknown: up to the first a map acts as a whole, from the second on not at all.
+const UNKNOWN: [f64; 2] = [0.5, 0.75];
 
 /// Difference of lengths at the centre by which another model is told (m).
 const SAME: f64 = 1e-6;
@@ -28,6 +30,21 @@ pub struct Compensation {
     pub(super) field: Field,
 }
 
+/// Facts about a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapFacts {
+    /// Number of samples that it is made of.
+    pub samples: usize,
+    /// Distance over which corrections hang together (m).
+    pub length_scale: f64,
+    /// Variance of noise as a multiple of the variance of the smooth part.
+    pub noise_ratio: f64,
+    /// Pose about which the reach of the samples counts.
+    pub centre: Pose,
+    /// Reach of the samples along every coordinate about the centre, and the margins over which the map fades.
+    pub extents: Vec<Extent>,
+}
+
 impl Compensation {
     /// The map through corrections at poses (m; pose by cable), as smooth as they ask for.
     pub(crate) fn through(model: &Model, poses: &[Pose], corrections: &DMatrix<f64>) -> Result<Self, MapError> {
@@ -43,47 +60,36 @@ impl Compensation {
         })
     }
 
-    /// Number of samples that the map is made of.
-    pub fn sample_count(&self) -> usize {
-        self.field.points.len()
+    /// Facts about the map.
+    pub fn facts(&self) -> MapFacts {
+        MapFacts {
+            samples: self.field.points.len(),
+            length_scale: self.field.length_scale,
+            noise_ratio: self.field.noise_ratio,
+            centre: self.space.centre,
+            extents: self.space.extents(),
+        }
     }
 
-    /// Distance over which corrections hang together (m).
-    pub fn length_scale(&self) -> f64 {
-        self.field.length_scale
-    }
-
-    /// Variance of noise as a multiple of the variance of the smooth part.
-    pub fn noise_ratio(&self) -> f64 {
-        self.field.noise_ratio
-    }
-
-    /// Corrections to add to the recorded lengths of the model at a pose, cable by cable (m); an error beyond the samples.
-    pub fn at(&self, pose: &Pose) -> Result<Vec<f64>, MapError> {
+    /// Correction at a pose. It is the whole in the box of the samples where these leave at most half of the smooth part's variance unknown, and fades with a continuous
+    /// slope: over the margins of the box, and in gaps up to three quarters unknown. Beyond that it is zero.
+    pub fn at(&self, pose: &Pose) -> Correction {
         let point = self.space.point(pose);
-        if let Some(reason) = self.space.beyond(&point) {
-            return Err(MapError::Outside { reason });
-        }
-        let (correction, unknown) = self.field.at(&point);
-        match unknown <= UNKNOWN {
-            true => Ok(correction),
-            false => Err(MapError::Outside {
-                reason: format!(
-                    "samples are so far from it that {:.0} % of the variance stay unknown",
-                    100.0 * unknown
-                ),
-            }),
-        }
-    }
-
-    /// Lengths to send for a pose: those of the model, φ(x) + c(x), in the units of its encoders (m); an error beyond the samples.
-    pub fn corrected(&self, pose: &Pose, modelled: &[f64]) -> Result<Vec<f64>, MapError> {
-        Ok(modelled.iter().zip(self.at(pose)?).map(|(length, own)| length + own).collect())
-    }
-
-    /// Lengths that the model has where these are recorded at a pose, q − c(x) (m).
-    pub(crate) fn modelled(&self, pose: &Pose, recorded: &[f64]) -> Result<Vec<f64>, MapError> {
-        Ok(recorded.iter().zip(self.at(pose)?).map(|(length, own)| length - own).collect())
+        let in_box = self.space.share(&point);
+        let (smooth, unknown) = match in_box > 0.0 {
+            true => self.field.at(&point),
+            false => (Vec::new(), 0.0),
+        };
+        let [whole, none] = UNKNOWN;
+        let known = left((unknown - whole) / (none - whole));
+        let share = in_box * known;
+        let lengths = match share > 0.0 {
+            true => smooth.iter().map(|length| share * length).collect(),
+            false => vec![0.0; self.field.mean.len()],
+        };
+        let gap = || format!("samples are so far from it that {:.0} % of the variance stay unknown", 100.0 * unknown);
+        let reason = self.space.beyond(&point).or_else(|| (known < 1.0).then(gap));
+        Correction { lengths, share, reason }
     }
 
     /// Refuses a model that the map was not made for.

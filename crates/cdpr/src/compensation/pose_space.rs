@@ -1,12 +1,27 @@
 //! Poses as points, in which a turn counts as the way of the platform's anchors.
 
 use nalgebra::Vector3;
+use serde::Serialize;
 
+use super::fade::left;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 
-/// Share of its own range, and of the largest one, by which a coordinate may lie beyond the samples.
+/// Margin around the samples along a coordinate: this share of its own range, and this one of the largest range at least.
 const MARGINS: (f64, f64) = (0.05, 0.01);
+
+/// Reach of the samples along one coordinate about their middle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Extent {
+    /// World axis of the coordinate, `x` to `z` or `rx` to `rz`.
+    pub axis: &'static str,
+    /// `m` or `rad`.
+    pub unit: &'static str,
+    /// Smallest and largest coordinate of the samples, between which the map acts as a whole.
+    pub ends: [f64; 2],
+    /// Way beyond the ends over which it fades to zero.
+    pub margin: f64,
+}
 
 /// Coordinates of poses about a centre, in metres.
 #[derive(Clone, Debug)]
@@ -44,27 +59,57 @@ impl PoseSpace {
     /// Coordinates of a pose (m).
     pub(super) fn point(&self, pose: &Pose) -> Vec<f64> {
         let way = self.centre.displacement_to(pose);
-        let along = |direction: &Twist| {
-            let is_turn = Vector3::from(direction.fixed_rows::<3>(3)).norm() > 0.0;
-            direction.dot(&way) * if is_turn { self.lever } else { 1.0 }
-        };
+        let along = |direction: &Twist| direction.dot(&way) * if is_turn(direction) { self.lever } else { 1.0 };
         self.basis.iter().map(along).collect()
     }
 
-    /// Reason why a point lies beyond the samples; nothing where it is among them.
-    pub(super) fn beyond(&self, point: &[f64]) -> Option<String> {
+    /// Way beyond the ends of every coordinate over which a map fades (m).
+    fn margins(&self) -> impl Iterator<Item = f64> {
         let size = |range: &[f64; 2]| range[1] - range[0];
         let largest = self.ranges.iter().map(size).fold(0.0, f64::max);
-        point.iter().zip(&self.ranges).zip(&self.basis).find_map(|((&own, range), direction)| {
-            let margin = (MARGINS.0 * size(range)).max(MARGINS.1 * largest);
-            if (range[0] - margin..=range[1] + margin).contains(&own) {
-                return None;
-            }
-            let is_turn = Vector3::from(direction.fixed_rows::<3>(3)).norm() > 0.0;
-            let axis = ["x", "y", "z", "rx", "ry", "rz"][direction.iamax() % 6];
-            let (unit, scale) = if is_turn { ("rad", 1.0 / self.lever) } else { ("m", 1.0) };
-            let [low, high] = range.map(|end| scale * end);
-            Some(format!("{axis} is {:.4} {unit} from their middle, they end at {low:.4} and {high:.4}", scale * own))
-        })
+        self.ranges.iter().map(move |range| (MARGINS.0 * size(range)).max(MARGINS.1 * largest))
     }
+
+    /// Ways by which a point lies beyond the samples, as parts of the margins.
+    fn excesses(&self, point: &[f64]) -> impl Iterator<Item = f64> {
+        let beyond = |(&own, &[low, high]): (&f64, &[f64; 2])| (low - own).max(own - high).max(0.0);
+        point.iter().zip(&self.ranges).map(beyond).zip(self.margins()).map(|(excess, margin)| excess / margin)
+    }
+
+    /// Share of a map that acts at a point: 1 in the box of the samples, over its margins falling to 0.
+    pub(super) fn share(&self, point: &[f64]) -> f64 {
+        self.excesses(point).map(left).product()
+    }
+
+    /// Reason why a point lies beyond the samples, by the coordinate that is farthest out; nothing where it is among them.
+    pub(super) fn beyond(&self, point: &[f64]) -> Option<String> {
+        let farthest = self.excesses(point).enumerate().filter(|(_, part)| *part > 0.0);
+        let (place, _) = farthest.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        let Extent { axis, unit, ends: [low, high], .. } = self.extents().swap_remove(place);
+        let own = self.scale(&self.basis[place]) * point[place];
+        Some(format!("{axis} is {own:.4} {unit} from their middle, they end at {low:.4} and {high:.4}"))
+    }
+
+    /// Reach of the samples along every coordinate.
+    pub(super) fn extents(&self) -> Vec<Extent> {
+        let extent = |((direction, range), margin): ((&Twist, &[f64; 2]), f64)| {
+            let scale = self.scale(direction);
+            Extent {
+                axis: ["x", "y", "z", "rx", "ry", "rz"][direction.iamax() % 6],
+                unit: if is_turn(direction) { "rad" } else { "m" },
+                ends: range.map(|end| scale * end),
+                margin: scale * margin,
+            }
+        };
+        self.basis.iter().zip(&self.ranges).zip(self.margins()).map(extent).collect()
+    }
+
+    /// Metres or radians of a coordinate that counts one metre.
+    fn scale(&self, direction: &Twist) -> f64 {
+        if is_turn(direction) { 1.0 / self.lever } else { 1.0 }
+    }
+}
+
+fn is_turn(direction: &Twist) -> bool {
+    Vector3::from(direction.fixed_rows::<3>(3)).norm() > 0.0
 }

@@ -112,10 +112,18 @@ enum NoPrediction {
     Forward(#[from] ForwardError),
     /// It has no solution.
     NoSolution(#[from] NoSolution),
+    /// Pose and correction depend on each other and do not settle.
+    #[error(
+        "the pose and its correction by the map do not settle in {TURNS} turns: the last one moved it by {moved:e} m or rad"
+    )]
+    Unsettled {
+        /// Largest component of the last displacement (m, rad).
+        moved: f64,
+    },
 }
 
 /// Most turns in which a pose and the correction there are found.
-const TURNS: usize = 20;
+const TURNS: usize = 50;
 
 /// Displacement at which such turns end (m, rad).
 const SETTLED: f64 = 1e-10;
@@ -164,19 +172,24 @@ impl Predictor {
         map: &Compensation,
         state: &mut State,
     ) -> Result<Prediction, NoPrediction> {
-        let mut found = first;
+        let (mut found, mut moved) = (first, f64::INFINITY);
+        let mut before = recorded.to_vec();
         for _ in 0..TURNS {
-            let Ok(modelled) = map.modelled(&found.pose, recorded) else { break };
+            let modelled = map.at(&found.pose).taken_from(recorded);
+            // the same lengths lead to the same pose, as beyond the map
+            if modelled == before {
+                return Ok(found);
+            }
             let length = |(cable, &length): (usize, &f64)| model.controlled_length(cable, length);
             let controlled: Vec<f64> = modelled.iter().enumerate().map(length).collect();
             let next = self.predict(model, &controlled, &found.pose, state)?;
-            let moved = found.pose.displacement_to(&next.pose).amax();
-            found = next;
+            moved = found.pose.displacement_to(&next.pose).amax();
+            (found, before) = (next, modelled);
             if moved < SETTLED {
-                break;
+                return Ok(found);
             }
         }
-        Ok(found)
+        Err(NoPrediction::Unsettled { moved })
     }
 }
 
@@ -281,8 +294,7 @@ impl Evaluation {
     ) {
         let length = |cable: usize| modelled.map_or(f64::NAN, |solution| solution.cables[cable].recorded_length);
         let modelled: Vec<f64> = (0..recorded.len()).map(length).collect();
-        let corrected = map.and_then(|map| map.corrected(pose, &modelled).ok());
-        let modelled = corrected.unwrap_or(modelled);
+        let modelled = map.map_or(modelled.clone(), |map| map.at(pose).added_to(&modelled));
         self.length.extend(modelled.iter().zip(recorded).map(|(modelled, recorded)| modelled - recorded));
     }
 

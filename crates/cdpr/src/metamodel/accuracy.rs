@@ -88,8 +88,8 @@ pub(crate) fn assess_operation(
         return Err(InputError::NoPoses);
     }
     let alone = operation.without_map().map(|mut alone| assess_operation(&mut alone, poses)).transpose()?;
-    let outside = || poses.iter().filter(|command| operation.is_beyond_map(&command.pose)).count();
-    let compensation = alone.map(|alone| Box::new(MapEffect { outside: outside(), without: alone.accuracy }));
+    let beyond = || operation.beyond_map(poses.iter().map(|command| command.pose));
+    let compensation = alone.map(|alone| Box::new(MapEffect { beyond: beyond(), without: alone.accuracy }));
     let outcomes: Vec<Outcome> = poses.iter().map(|command| operation.answer(command)).collect();
     let mut errors = Errors::default();
     let mut statuses = BTreeMap::new();

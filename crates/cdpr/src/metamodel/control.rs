@@ -3,7 +3,7 @@
 use super::input_error::InputError;
 use super::operation_error::OperationError;
 use super::study::TensionMethod;
-use crate::compensation::Compensation;
+use crate::compensation::{Beyond, Compensation, Correction};
 use crate::equilibrium::{State, distribution};
 use crate::geometry::Pose;
 use crate::measurement::Samples;
@@ -30,7 +30,7 @@ pub struct Control<'a> {
     pub model: &'a Model,
     /// How it chooses the tensions that it commands; without effect where its lengths depend on none.
     pub tension_method: TensionMethod,
-    /// Map that corrects its lengths; beyond the samples of the map they are those of the model.
+    /// Map that corrects its lengths; over the margin around the samples of the map they fade to those of the model.
     pub compensation: Option<&'a Compensation>,
 }
 
@@ -42,25 +42,30 @@ impl<'a> From<&'a Model> for Control<'a> {
 
 impl Control<'_> {
     /// Table for a controller: the lengths to send at poses, in the units of the model's encoders, and the tensions that they bring, as samples
-    /// hold them; the first pose without is an error, and so is one beyond the samples of the map.
-    pub fn table(self, poses: &[Pose]) -> Result<Samples, OperationError> {
+    /// hold them, with the poses at which the map fades; the first pose without lengths is an error, and so is one beyond the map.
+    pub fn table(self, poses: &[Pose]) -> Result<(Samples, Beyond), OperationError> {
         let mut controller = Controller::new(self)?;
         let mut state = State::at_home(self.model);
         let mut table = Samples { cable_count: self.model.cable_count(), poses: poses.to_vec(), ..Samples::default() };
+        let mut shares = Vec::with_capacity(poses.len());
         for (place, pose) in poses.iter().enumerate() {
-            let lengths = match self.compensation.map(|map| map.at(pose)) {
-                Some(Err(unknown)) => Err(unknown.into()),
-                _ => controller.lengths((pose, None), &mut state),
-            };
             let at_pose = |reason| OperationError::AtPose { pose: place + 1, reason: Box::new(reason) };
-            table.lengths.extend(lengths.map_err(at_pose)?);
+            let modelled = controller.modelled((pose, None), &mut state).map_err(at_pose)?;
+            table.lengths.extend(match controller.correction(pose) {
+                Some(correction) => {
+                    let correction = correction.known().map_err(|unknown| at_pose(unknown.into()))?;
+                    shares.push(correction.share);
+                    correction.added_to(&modelled)
+                }
+                None => modelled,
+            });
             if let Some(tensions) = controller.tensions() {
                 let recorded = tensions.iter().enumerate();
                 let recorded = recorded.map(|(cable, &tension)| self.model.recorded_tension(cable, tension));
                 table.tensions.get_or_insert_default().extend(recorded);
             }
         }
-        Ok(table)
+        Ok((table, Beyond::of(shares.into_iter())))
     }
 }
 
@@ -141,9 +146,27 @@ impl<'a> Controller<'a> {
         self.distribution.is_some().then_some(self.tensions.as_slice())
     }
 
-    /// Lengths for a pose in the units of the model's encoders, corrected where a map knows the pose (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
+    /// Lengths for a pose in the units of the model's encoders, corrected by the map (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
     /// command in place of its own choice, where lengths depend on them.
     pub(super) fn lengths(
+        &mut self,
+        command: (&Pose, Option<&[f64]>),
+        state: &mut State,
+    ) -> Result<Vec<f64>, OperationError> {
+        let modelled = self.modelled(command, state)?;
+        Ok(match self.correction(command.0) {
+            Some(correction) => correction.added_to(&modelled),
+            None => modelled,
+        })
+    }
+
+    /// Correction of its map at a pose; nothing without a map.
+    fn correction(&self, pose: &Pose) -> Option<Correction> {
+        self.compensation.map(|map| map.at(pose))
+    }
+
+    /// [`Controller::lengths`] of the model alone.
+    fn modelled(
         &mut self,
         (pose, tensions): (&Pose, Option<&[f64]>),
         state: &mut State,
@@ -158,9 +181,7 @@ impl<'a> Controller<'a> {
             }
             self.tensions = found.tensions;
         }
-        let modelled = self.model.inverse(pose, &self.tensions, state)?.recorded_lengths()?;
-        let corrected = self.compensation.and_then(|map| map.corrected(pose, &modelled).ok());
-        Ok(corrected.unwrap_or(modelled))
+        Ok(self.model.inverse(pose, &self.tensions, state)?.recorded_lengths()?)
     }
 }
 

@@ -87,8 +87,8 @@ pub fn field(driving: &Driving<'_>, poses: &[Pose]) -> Field {
         poses.iter().map(|pose| sample(&mut operation, pose)).collect()
     });
     let operation = driving.operation();
-    let outside = || poses.iter().filter(|pose| operation.is_beyond_map(pose)).count();
-    let effect = |alone: Driving<'_>| MapEffect { outside: outside(), without: field(&alone, poses).summary };
+    let beyond = || operation.beyond_map(poses.iter().copied());
+    let effect = |alone: Driving<'_>| MapEffect { beyond: beyond(), without: field(&alone, poses).summary };
     let compensation = driving.without_map().map(|alone| Box::new(effect(alone)));
     let summary = Summary { compensation, ..Summary::of(&samples) };
     Field { samples, summary }

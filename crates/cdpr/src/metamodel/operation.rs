@@ -9,6 +9,7 @@ use super::status::Status;
 use super::study::{CommandedPose, History, Reach};
 use super::winding::Winding;
 use crate::cable::stretch::hysteresis::Memory;
+use crate::compensation::Beyond;
 use crate::equilibrium::{Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::{Model, WinchError};
@@ -30,7 +31,7 @@ pub(super) struct Emerged {
 /// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
 /// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
 /// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own
-/// encoders, length_scale · q_θ + length_offset, corrected by the map that [`Control`] names where this knows the pose.
+/// encoders, length_scale · q_θ + length_offset, corrected by the map that [`Control`] names, which is zero beyond its margin.
 /// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
 /// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
 /// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
@@ -158,9 +159,10 @@ impl<'a> Operation<'a> {
         Some(alone)
     }
 
-    /// True where a map corrects the lengths, but not at this pose.
-    pub(super) fn is_beyond_map(&self, pose: &Pose) -> bool {
-        self.control.compensation().is_some_and(|map| map.at(pose).is_err())
+    /// Poses at which the map that corrects the lengths fades or is zero; none without a map.
+    pub(super) fn beyond_map(&self, poses: impl Iterator<Item = Pose>) -> Beyond {
+        let map = self.control.compensation();
+        map.map_or_else(Beyond::default, |map| Beyond::of(poses.map(|pose| map.at(&pose).share)))
     }
 
     /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.

@@ -88,8 +88,8 @@ impl<'a> Reachable<'a> {
         let operation = self.driving.operation();
         let rotation = region.orientations().first().copied().unwrap_or_default();
         let pose = |point: &Point| Pose { position: region.position(point), rotation };
-        let outside = points.iter().filter(|point| operation.is_beyond_map(&pose(point))).count();
-        Some(MapEffect { outside, without: size(&region.with_criterion(&alone)) })
+        let beyond = operation.beyond_map(points.iter().map(pose));
+        Some(MapEffect { beyond, without: size(&region.with_criterion(&alone)) })
     }
 
     /// Requirements on a pose.

@@ -1,14 +1,12 @@
 //! A map made of samples, and judged on samples that it was not made of.
 
 use nalgebra::DMatrix;
-use serde::Serialize;
 
 use super::compensation_error::CompensationError;
-use crate::compensation::{Compensation, MapError};
+use super::judged::Judged;
+use crate::compensation::{Beyond, Compensation, MapError};
 use crate::geometry::Pose;
-use crate::identification::evaluation::{
-    ErrorBlocks, Evaluation, EvaluationError, evaluate_corrected, evaluate_fitted,
-};
+use crate::identification::evaluation::{Evaluation, EvaluationError, evaluate_corrected, evaluate_fitted};
 use crate::identification::standard_error;
 use crate::measurement::{Fold, Samples, Split};
 use crate::model::Model;
@@ -22,29 +20,6 @@ const MOST: usize = 400;
 /// Parts that are held out in turn.
 const PARTS: usize = 5;
 
-/// Gain of the mean square length error in standard errors that is no chance.
-const SURE: f64 = 2.0;
-
-/// Root mean square length error with the map, as a share of that without, that is worth a map.
-const WORTH: f64 = 0.95;
-
-/// Errors on samples held out in turn, without the map and with maps of the others.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Judged {
-    /// Samples.
-    pub samples: usize,
-    /// Samples beyond the others, where their map says nothing and the model stands alone.
-    pub outside: usize,
-    /// Errors of the model alone.
-    pub without: ErrorBlocks,
-    /// Errors with the map.
-    pub with: ErrorBlocks,
-    /// Fall of the mean square length error (m²).
-    pub gain_m2: f64,
-    /// Its standard error (m²).
-    pub gain_standard_error_m2: f64,
-}
-
 /// A map with what it is worth.
 #[must_use = "a map that does not help is not to be used"]
 #[derive(Clone, Debug)]
@@ -53,8 +28,10 @@ pub struct Compensated {
     pub map: Compensation,
     /// Errors on samples held out.
     pub judged: Judged,
-    /// Reason in words to leave the map out; nothing where it helps.
-    pub reason: Option<String>,
+    /// True where it is worth using by every rule.
+    pub helps: bool,
+    /// Verdict in words, and the rules by which it is given.
+    pub reason: String,
 }
 
 /// Makes a map of what a model leaves of samples, and judges it on parts held out in turn: contiguous ones where samples have times, random ones elsewhere.
@@ -74,7 +51,8 @@ pub fn compensate(
     let usual = if samples.time.is_some() { Split::Blocks(PARTS) } else { Split::KFold(PARTS) };
     let folds = split.unwrap_or(usual).folds(samples, seed)?;
     let judged = judge(model, (samples, &alone), &folds, seed)?;
-    Ok(Compensated { reason: refusal(&judged), map, judged })
+    let (helps, reason) = judged.verdict();
+    Ok(Compensated { map, judged, helps, reason })
 }
 
 /// The map of a model's errors on samples; `errors` are those of the model alone.
@@ -97,13 +75,13 @@ fn judge(
     seed: u64,
 ) -> Result<Judged, CompensationError> {
     let (mut without, mut with) = (Evaluation::default(), Evaluation::default());
-    let mut outside = 0;
+    let mut beyond = Beyond::default();
     for fold in folds {
         let map = map_of(model, &samples.subset(&fold.train), &alone.subset(&fold.train))?;
         without.extend(&alone.subset(&fold.validation));
-        let (own, beyond) = evaluate_compensated(model, &samples.subset(&fold.validation), &map)?;
+        let (own, beyond_own) = evaluate_compensated(model, &samples.subset(&fold.validation), &map)?;
         with.extend(&own);
-        outside += beyond.len();
+        beyond = beyond.and(beyond_own);
     }
     let cables = model.cable_count().max(1);
     let squares = |errors: &Evaluation| -> Vec<f64> {
@@ -117,7 +95,7 @@ fn judge(
         .collect();
     Ok(Judged {
         samples: without.len(),
-        outside,
+        beyond,
         without: without.blocks(),
         with: with.blocks(),
         gain_m2: gains.iter().sum::<f64>() / gains.len().max(1) as f64,
@@ -125,30 +103,12 @@ fn judge(
     })
 }
 
-/// Reason to leave the map out.
-fn refusal(judged: &Judged) -> Option<String> {
-    let Judged { without, with, gain_m2, gain_standard_error_m2, .. } = judged;
-    let (before, after) = (1e3 * without.length_error_m.rms, 1e3 * with.length_error_m.rms);
-    // no gain is sure that is not a number
-    if !(*gain_m2 > SURE * gain_standard_error_m2 && after < WORTH * before) {
-        return Some(format!(
-            "on samples held out the map does not help: length errors are {after:.3} mm rms with it and {before:.3} mm without, so that what the model leaves \
-             is noise, or changes too fast over the workspace for these samples"
-        ));
-    }
-    let (before, after) = (1e3 * without.position_error_m.mean, 1e3 * with.position_error_m.mean);
-    (after > before).then(|| {
-        format!("on samples held out lengths are better with the map, but poses are not: {after:.3} mm with it, {before:.3} mm without")
-    })
-}
-
-/// Errors of a model with a map on samples, and the samples beyond it, at which the model stands alone.
+/// Errors of a model with a map on samples, and the samples at which the map fades or is zero.
 pub fn evaluate_compensated(
     model: &Model,
     samples: &Samples,
     map: &Compensation,
-) -> Result<(Evaluation, Vec<usize>), EvaluationError> {
+) -> Result<(Evaluation, Beyond), EvaluationError> {
     let evaluation = evaluate_corrected(model, samples, map)?;
-    let outside = (0..samples.len()).filter(|&sample| map.at(&samples.poses[sample]).is_err()).collect();
-    Ok((evaluation, outside))
+    Ok((evaluation, Beyond::of(samples.poses.iter().map(|pose| map.at(pose).share))))
 }

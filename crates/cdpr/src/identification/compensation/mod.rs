@@ -1,9 +1,11 @@
 //! Compensation maps made of what a model leaves of samples, and judged on samples held out.
 
 mod compensation_error;
+mod judged;
 mod judgement;
 #[cfg(test)]
 mod tests;
 
 pub use compensation_error::CompensationError;
-pub use judgement::{Compensated, Judged, compensate, evaluate_compensated};
+pub use judged::Judged;
+pub use judgement::{Compensated, compensate, evaluate_compensated};
