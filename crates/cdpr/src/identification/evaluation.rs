@@ -114,7 +114,7 @@ enum NoPrediction {
     NoSolution(#[from] NoSolution),
     /// Pose and correction depend on each other and do not settle.
     #[error(
-        "the pose and its correction by the map do not settle in {TURNS} turns: the last one moved it by {moved:e} m or rad"
+        "the pose and its correction by the map do not settle in {TURNS} turns: the last one moved it by {moved:.1e} m or rad"
     )]
     Unsettled {
         /// Largest component of the last displacement (m, rad).
@@ -127,6 +127,9 @@ const TURNS: usize = 50;
 
 /// Displacement at which such turns end (m, rad).
 const SETTLED: f64 = 1e-10;
+
+/// Displacement of the last of all turns above which they have not settled (m, rad): a thousandth of what sensors see.
+const UNSETTLED: f64 = 1e-7;
 
 /// The forward problem of a model, for one sample after the other.
 enum Predictor {
@@ -189,7 +192,7 @@ impl Predictor {
                 return Ok(found);
             }
         }
-        Err(NoPrediction::Unsettled { moved })
+        if moved < UNSETTLED { Ok(found) } else { Err(NoPrediction::Unsettled { moved }) }
     }
 }
 

@@ -69,7 +69,13 @@ impl Judged {
                 "the mean square of the length errors {way} by {:.1} of its standard errors (a fall of more than {SURE:.0} is asked)",
                 found.abs()
             ),
-            false => "the change of the mean square of the length errors has no standard error".to_owned(),
+            // nothing changes, or all samples change alike
+            false => {
+                let way = if holds { "falls at every sample alike" } else { "does not fall" };
+                format!(
+                    "the mean square of the length errors {way} (more than {SURE:.0} of its standard errors are asked)"
+                )
+            }
         };
         Rule { holds, words }
     }
