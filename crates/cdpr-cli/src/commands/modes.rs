@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use cdpr::model::Composition;
 use cdpr::plant::{Plant, PlantError, Winches};
+use cdpr::statics::wrench_residual;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
@@ -11,6 +12,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{PoseArgument, RobotArgument};
 use crate::numbers::NumberList;
+use crate::statics_failure;
 use crate::tension_choice::{Chosen, tensions_of};
 use cdpr_reports::answers::ModesAnswer;
 
@@ -69,5 +71,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let state = plant.at_rest(&pose, &tensions).map_err(refused)?;
     let linear = plant.linearize(&state).map_err(refused)?;
-    output.answer(&ModesAnswer::new(&plant, &pose, &state, &linear))
+    let residual = wrench_residual(plant.model(), &pose, &tensions, plant.load());
+    let residual = residual.map_err(|error| statics_failure::refused("--tensions", &error))?;
+    output.answer(&ModesAnswer::new(&plant, (&pose, residual.as_slice()), &state, &linear))
 }

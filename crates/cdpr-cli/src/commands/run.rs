@@ -13,7 +13,8 @@ use crate::files::{self, GrowingFile, OwnFolder};
 use crate::progress::Progress;
 use crate::scenario_file;
 use cdpr_reports::answers::RunAnswer;
-use cdpr_reports::recording::{Recording, Violation};
+use cdpr_reports::number_format::{short, significant};
+use cdpr_reports::recording::{Recording, Violation, mcap_bytes};
 use cdpr_reports::run_page::RunPage;
 
 const EXAMPLES: &str = "\
@@ -23,6 +24,10 @@ Examples:
 
 /// File with the rows of a run.
 const LOG: &str = "log.csv";
+
+/// Rows and bytes beyond which a run asks for `--yes`.
+const MOST_ROWS: f64 = 1e7;
+const MOST_BYTES: f64 = 1e9;
 
 /// Files of a complete run.
 const RESULTS: [&str; 5] = ["result.json", "report.html", "log.mcap", "tensions.svg", "pose.svg"];
@@ -37,7 +42,8 @@ const SIDECAR: &str = "measurements.meta.toml";
 /// the robot file. Rows of log.csv are written as the run goes on, so that a run that is ended has left all up to then; result.json,
 /// report.html (playback, with broken limits marked on the time line), its drawings tensions.svg and pose.svg, and log.mcap (for Foxglove
 /// and other readers of MCAP) appear when it is complete, and with sensors measurements.csv with its sidecar, tracker.csv and imu.csv, which
-/// `cdpr identify` reads. The exit code is 1 when the machine cannot get to the end.
+/// `cdpr identify` reads. Limits of tensions are judged after every step. The exit code is 1 when one is broken, and when the machine cannot
+/// get to the end.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -48,10 +54,15 @@ pub(crate) struct Arguments {
     /// Folder for log.csv, log.mcap, result.json, report.html and drawings.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+
+    /// Record more than ten million rows or 1 GB.
+    #[arg(long)]
+    yes: bool,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let mut simulation = scenario_file::read(&arguments.scenario, output)?;
+    arguments.check_volume(&simulation)?;
     let _own = OwnFolder::make(&arguments.out)?;
     let at = |name: &str| arguments.out.join(name);
     // results beside the log of another run would belong to nothing
@@ -69,7 +80,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     })?;
     log.write()?;
     recording.happened(&summary.events);
-    let violations = recording.violations();
+    let violations = Violation::all(&summary.violations, &robot);
     let answer = RunAnswer::new((&simulation, &summary), &violations, &at(LOG).display().to_string());
     let result = output.file(&answer, "result.json")?;
     let shown =
@@ -77,6 +88,33 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     shown.write(&answer, &result)?;
     drop(progress);
     output.answer(&answer)
+}
+
+impl Arguments {
+    /// Refuses runs that would record more than anybody wants by mistake.
+    fn check_volume(&self, simulation: &Simulation) -> Result<(), Failure> {
+        let volume = simulation.volume;
+        let cables = simulation.plant.model().cable_count();
+        let bytes = volume.bytes.saturating_add(mcap_bytes(cables, volume.log_rows, volume.duration));
+        let times = (volume.rows as f64 / MOST_ROWS).max(bytes as f64 / MOST_BYTES);
+        if self.yes || times <= 1.0 {
+            return Ok(());
+        }
+        let (rows, gigabytes) = (significant(volume.rows as f64, 3), significant(bytes as f64 / 1e9, 2));
+        let message = format!(
+            "{}: the run would record {rows} rows and about {gigabytes} GB, more than ten million rows or 1 GB",
+            self.scenario.display()
+        );
+        let record = short(rounded_up(volume.record_interval * times));
+        let help = format!("give [time] a larger record_s, as {record}, and sensors lower rates, or say --yes");
+        Err(Failure::input("run::volume", message, help))
+    }
+}
+
+/// The number of one digit next above.
+fn rounded_up(number: f64) -> f64 {
+    let power = 10f64.powi(number.log10().floor() as i32);
+    (number / power).ceil() * power
 }
 
 /// A run and its record, as its files show them.
@@ -119,6 +157,7 @@ impl Shown<'_> {
         let page = RunPage {
             recording: self.recording,
             violations: self.violations,
+            tensions: answer.tensions(),
             name: &name,
             status: answer.status(),
             reason: answer.reason(),

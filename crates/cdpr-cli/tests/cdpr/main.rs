@@ -27,6 +27,7 @@ mod initial_tension;
 #[cfg(unix)]
 mod interruption;
 mod kinematics;
+mod machine_verdicts;
 mod map_edges;
 mod measurements;
 mod newcomer;

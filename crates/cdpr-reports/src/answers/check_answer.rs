@@ -12,7 +12,7 @@ use cdpr::tension::quadratic::{self, Status};
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
-use super::{Answer, PoseAnswer, assumed_numbers};
+use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt};
 
 /// No cable robot has frame anchors farther apart (m); the largest, FAST, has 600 m.
 const LARGEST_FRAME: f64 = 2000.0;
@@ -170,6 +170,7 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
         has_radius && !all(|cable| cable.pulley_swivel_axis().is_some()),
         "pulley radii without pulley_swivel_axis: the model `pulley` needs both, `cdpr place-pulleys` adds the axes",
     );
+    warnings.extend(inertia_doubt::of_robot(robot));
     warnings
 }
 

@@ -3,9 +3,11 @@
 use cdpr::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
 use cdpr::geometry::Pose;
 use cdpr::model::Model;
+use cdpr::statics::Stability;
 use cdpr::tension::Intervals;
 use serde::Serialize;
 
+use super::stiffness_answer::word;
 use super::{Answer, PoseAnswer};
 use crate::number_format::cell;
 use crate::table::Table;
@@ -18,6 +20,16 @@ fn start_words(start: Start) -> &'static str {
         Start::MiddleOfAnchors => {
             "sought from the middle of the frame anchors, since no --guess is given and the file has no home pose\n"
         }
+    }
+}
+
+/// Stability of an equilibrium in a word; nothing where there is none.
+fn stability(status: Status) -> Option<&'static str> {
+    match status {
+        Status::Converged => Some(word(Stability::Stable)),
+        Status::Singular => Some(word(Stability::Indifferent)),
+        Status::Unstable => Some(word(Stability::Unstable)),
+        _ => None,
     }
 }
 
@@ -56,6 +68,9 @@ pub struct ForwardAnswer {
     /// Smallest stiffness of the platform; null where rigid cables leave it no motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability_N_per_m: Option<f64>,
+    /// `stable`, `indifferent`, `unstable`: of an equilibrium.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability: Option<&'static str>,
     iterations: u32,
     restarts: u32,
     #[serde(skip)]
@@ -79,6 +94,7 @@ impl ForwardAnswer {
             tension_intervals_N: None,
             wrench_residual_N: None,
             stability_N_per_m: None,
+            stability: None,
             iterations: 0,
             restarts: 0,
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
@@ -94,6 +110,7 @@ impl ForwardAnswer {
             tensions_N: (!is_fit).then_some(solution.tensions),
             wrench_residual_N: (!is_fit).then_some(solution.wrench_residual),
             stability_N_per_m: (!is_fit).then_some(solution.stability),
+            stability: stability(solution.status).filter(|_| !is_fit),
             iterations: solution.iterations,
             restarts: solution.restarts,
             ..Self::new(model, &solution.pose, solution.status, solution.reason)
@@ -106,6 +123,7 @@ impl ForwardAnswer {
             tensions_N: Some(tensions.to_vec()),
             wrench_residual_N: Some(solution.wrench_residual),
             stability_N_per_m: Some(solution.stability),
+            stability: stability(solution.status),
             iterations: solution.iterations,
             restarts: solution.restarts,
             ..Self::new(model, &solution.pose, solution.status, solution.reason)
@@ -205,7 +223,8 @@ impl Answer for ForwardAnswer {
             text.push_str(&format!("rms residual {} mm\n", cell(Some(1e3 * rms), 6)));
         }
         if let Some(stability) = self.stability_N_per_m.filter(|stability| stability.is_finite()) {
-            text.push_str(&format!("smallest stiffness {stability:.4e} N/m\n"));
+            let word = self.stability.map(|word| format!(" ({word})")).unwrap_or_default();
+            text.push_str(&format!("smallest stiffness {stability:.4e} N/m{word}\n"));
         }
         text
     }

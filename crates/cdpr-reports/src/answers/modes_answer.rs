@@ -5,9 +5,12 @@ use cdpr::model::Model;
 use cdpr::nalgebra::DMatrix;
 use cdpr::plant::{Linearization, Mode, Plant, State};
 use cdpr::robot::Assumption;
+use cdpr::statics::Stability;
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer, assumed_numbers, degrees_of_freedom};
+use super::stiffness_answer::{counts_as_none, word};
+use super::tension_doubts::tension_doubts;
+use super::{Answer, PoseAnswer, assumed_numbers, degrees_of_freedom, inertia_doubt};
 use crate::number_format::{cell, significant};
 use crate::table::Table;
 
@@ -18,7 +21,7 @@ type Rows = Vec<Vec<f64>>;
 pub struct ModesAnswer {
     robot: String,
     model: String,
-    /// `stable`, `unstable`; `singular` where the linear system has no modes.
+    /// `stable`, `indifferent`, `unstable`; `singular` where the linear system has no modes.
     status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
@@ -37,16 +40,24 @@ pub struct ModesAnswer {
     input_matrix: Option<Rows>,
     /// Real and imaginary part of the eigenvalues of A (1/s).
     eigenvalues_per_s: Vec<[f64; 2]>,
+    /// Stiffness that counts as none.
+    #[serde(rename = "indifferent_stiffness_N_per_m")]
+    indifferent_stiffness: f64,
     /// Largest sensible step of `cdpr run` (s).
     step_max_s: Option<f64>,
     /// Numbers of the robot file that the motion rests on and nobody printed or measured.
     assumptions: Vec<Assumption>,
+    warnings: Vec<String>,
 }
 
 #[derive(Serialize)]
 struct ModeAnswer {
     #[serde(rename = "frequency_Hz")]
     frequency: f64,
+    /// `stable`, `indifferent`, `unstable`.
+    stability: &'static str,
+    #[serde(rename = "stiffness_N_per_m")]
+    stiffness: f64,
     damping_ratio: f64,
     shape: Vec<f64>,
     participation: Vec<f64>,
@@ -56,6 +67,8 @@ impl ModeAnswer {
     fn new(mode: &Mode) -> Self {
         Self {
             frequency: mode.frequency,
+            stability: word(mode.stability),
+            stiffness: mode.stiffness,
             damping_ratio: mode.damping_ratio,
             shape: mode.shape.as_slice().to_vec(),
             participation: mode.participation.as_slice().to_vec(),
@@ -70,18 +83,14 @@ pub(super) fn rows(matrix: &DMatrix<f64>) -> Rows {
 }
 
 impl ModesAnswer {
-    /// Modes of a machine in equilibrium at a pose.
-    pub fn new(plant: &Plant, pose: &Pose, state: &State, linear: &Linearization) -> Self {
+    /// Modes of a machine at a pose, whose tensions leave a residual wrench in the degrees of freedom (N, N·m).
+    pub fn new(plant: &Plant, (pose, residual): (&Pose, &[f64]), state: &State, linear: &Linearization) -> Self {
         let model: &Model = plant.model();
-        let modes = linear.modes().map(|modes| modes.modes).unwrap_or_default();
-        let growing = modes.first().is_some_and(|mode| mode.frequency < 0.0);
-        let (status, reason) = match (modes.is_empty(), growing) {
-            (true, _) => {
-                ("singular", Some("the linear system has no modes that swing or grow by themselves".to_owned()))
-            }
-            (_, true) => ("unstable", Some("the smallest displacement grows along the first mode".to_owned())),
-            _ => ("stable", None),
-        };
+        let modes = linear.modes().unwrap_or_default();
+        let (status, reason) = verdict(&modes, linear.indifferent_stiffness);
+        let tensions: Vec<f64> = state.cables.iter().map(|cable| cable.tension).collect();
+        let inertia = inertia_doubt::of_robot(model.robot());
+        let warnings = tension_doubts(model, &tensions, residual).into_iter().chain(inertia).collect();
         let drums = (linear.dof..linear.size()).map(|row| format!("drum {}", row - linear.dof + 1));
         let eigenvalues = linear.eigenvalues().unwrap_or_default();
         Self {
@@ -91,7 +100,7 @@ impl ModesAnswer {
             reason,
             pose: PoseAnswer::new(model.robot(), pose),
             degrees_of_freedom: degrees_of_freedom(model.robot()).into_iter().chain(drums).collect(),
-            tensions: state.cables.iter().map(|cable| cable.tension).collect(),
+            tensions,
             modes: modes.iter().map(ModeAnswer::new).collect(),
             mass_matrix: rows(&linear.mass),
             stiffness_matrix: rows(&linear.stiffness),
@@ -99,10 +108,28 @@ impl ModesAnswer {
             system_matrix: linear.system_matrix().as_ref().map(rows),
             input_matrix: linear.input_matrix().as_ref().map(rows),
             eigenvalues_per_s: eigenvalues.iter().map(|value| [value.re, value.im]).collect(),
+            indifferent_stiffness: linear.indifferent_stiffness,
             step_max_s: linear.largest_step(),
             assumptions: plant.assumptions().cloned().collect(),
+            warnings,
         }
     }
+}
+
+/// Stability in a word, and why where it is a no; the slowest mode comes first, and those that grow before all others.
+fn verdict(modes: &[Mode], indifferent: f64) -> (&'static str, Option<String>) {
+    let Some(first) = modes.first() else {
+        return ("singular", Some("the linear system has no modes that swing or grow by themselves".to_owned()));
+    };
+    let reason = match first.stability {
+        Stability::Stable => None,
+        Stability::Unstable => Some("the smallest displacement grows along the first mode".to_owned()),
+        Stability::Indifferent => {
+            let none = counts_as_none(first.stiffness, indifferent);
+            Some(format!("along the first mode nothing drives the platform back ({none})"))
+        }
+    };
+    (word(first.stability), reason)
 }
 
 impl Answer for ModesAnswer {
@@ -111,7 +138,9 @@ impl Answer for ModesAnswer {
     }
 
     fn words(&self, width: Option<usize>) -> String {
-        let mut text = format!("{}, model {}, at {}\n{}", self.robot, self.model, self.pose.words(), self.status);
+        let mut text = format!("{}, model {}, at {}\n", self.robot, self.model, self.pose.words());
+        self.warnings.iter().for_each(|warning| text.push_str(&format!("warning: {warning}\n")));
+        text.push_str(self.status);
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
         text.push_str("\n\nshares of the degrees of freedom in each mode's kinetic energy (%)\n");
         let mut heading = vec!["mode".to_owned(), "Hz".to_owned(), "damping ratio".to_owned()];

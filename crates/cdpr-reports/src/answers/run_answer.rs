@@ -7,9 +7,9 @@ use cdpr::plant::{End, Event, Happening, Plant, Simulation, State, Summary, Winc
 use cdpr::robot::Assumption;
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer, assumed_numbers, title};
+use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
 use crate::number_format::{cell, short};
-use crate::recording::Violation;
+use crate::recording::{OTHERS, Violation, sentence};
 use crate::table::Table;
 
 /// End of a run.
@@ -34,8 +34,10 @@ pub struct RunAnswer {
     #[serde(rename = "energy_J")]
     energy: Option<EnergyAnswer>,
     events: Vec<EventAnswer>,
-    /// Broken limits of tensions, as far as the rows show them.
+    /// Limits of tensions that were broken after any step, by first time and cable.
     violations: Vec<ViolationAnswer>,
+    /// Cables that were slack without breaking a limit.
+    slack: Vec<SlackAnswer>,
     log: String,
     /// Numbers of the robot file that the motion rests on and nobody printed or measured.
     assumptions: Vec<Assumption>,
@@ -82,18 +84,32 @@ struct EventAnswer {
 
 #[derive(Clone, Debug, Serialize)]
 struct ViolationAnswer {
-    from_s: f64,
-    to_s: f64,
+    /// Key of the robot file that states it.
+    limit: &'static str,
+    #[serde(rename = "limit_N")]
+    bound: f64,
     cable: usize,
+    first_s: f64,
+    /// Tension farthest from the limit (N).
+    worst: f64,
+    /// Length of all steps that end with it.
+    duration_s: f64,
     words: String,
 }
 
+#[derive(Clone, Debug, Serialize)]
+struct SlackAnswer {
+    cable: usize,
+    first_s: f64,
+    duration_s: f64,
+}
+
 impl RunAnswer {
-    /// Answer of a simulation that has run, with the broken limits of its record; `log` is the file with its rows.
+    /// Answer of a simulation that has run, with the broken limits of its summary in words; `log` is the file with its rows.
     pub fn new((simulation, summary): (&Simulation, &Summary), violations: &[Violation], log: &str) -> Self {
         let (model, state) = (simulation.plant.model(), &simulation.state);
         let (status, reason) = match &summary.end {
-            End::Completed => ("completed", None),
+            End::Completed => ("completed", broken(violations).map(|limits| format!("limits are broken: {limits}"))),
             End::Stopped => ("stopped", Some(format!("the run was stopped at {} s", state.time))),
             End::Failed(error) => ("failed", Some(format!("after {:.6} s: {error}", state.time))),
         };
@@ -114,8 +130,9 @@ impl RunAnswer {
             tension_max: summary.tension_max,
             energy,
             events: summary.events.iter().map(EventAnswer::new).collect(),
-            warnings: warnings(violations),
-            violations: violations.iter().map(ViolationAnswer::of).collect(),
+            warnings: warnings(simulation, violations),
+            violations: violations.iter().filter_map(ViolationAnswer::of).collect(),
+            slack: violations.iter().filter(|one| !one.is_broken_limit()).map(SlackAnswer::of).collect(),
             log: log.to_owned(),
             assumptions: simulation.plant.assumptions().cloned().collect(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
@@ -129,9 +146,14 @@ impl RunAnswer {
         self.status
     }
 
-    /// Why the run did not get to its end.
+    /// Reason of a run that did not get to its end, or broke limits on its way.
     pub fn reason(&self) -> Option<&str> {
         self.reason.as_deref()
+    }
+
+    /// Least and largest tension after any step (N).
+    pub fn tensions(&self) -> (f64, f64) {
+        (self.tension_min, self.tension_max)
     }
 
     /// Warnings about the run.
@@ -159,21 +181,58 @@ impl RunAnswer {
 }
 
 impl ViolationAnswer {
-    fn of(violation: &Violation) -> Self {
-        let Violation { span: (from_s, to_s), cable, words } = violation;
-        Self { from_s: *from_s, to_s: *to_s, cable: cable + 1, words: words.clone() }
+    fn of(violation: &Violation) -> Option<Self> {
+        Some(Self {
+            limit: violation.limit?,
+            bound: violation.bound,
+            cable: violation.cable + 1,
+            first_s: violation.first,
+            worst: violation.worst,
+            duration_s: violation.duration,
+            words: violation.words.clone(),
+        })
+    }
+
+    fn row(&self) -> [String; 5] {
+        let limit = format!("{} = {}", self.limit, short(self.bound));
+        [
+            self.cable.to_string(),
+            limit,
+            cell(Some(self.worst), 1),
+            cell(Some(self.first_s), 3),
+            cell(Some(self.duration_s), 3),
+        ]
     }
 }
 
-/// The first broken limit, with the number of the others.
-fn warnings(violations: &[Violation]) -> Vec<String> {
-    let Some(first) = violations.first() else { return Vec::new() };
-    let others = match violations.len() - 1 {
-        0 => String::new(),
-        1 => ", and one more limit is broken".to_owned(),
-        count => format!(", and {count} more limits are broken"),
-    };
-    vec![format!("{} from {} s{others}", first.words, short(first.span.0))]
+impl SlackAnswer {
+    fn of(slack: &Violation) -> Self {
+        Self { cable: slack.cable + 1, first_s: slack.first, duration_s: slack.duration }
+    }
+}
+
+/// The first broken limit in a sentence, with the number of the others.
+fn broken(violations: &[Violation]) -> Option<String> {
+    sentence(violations.iter().filter(|one| one.is_broken_limit()), OTHERS)
+}
+
+/// Doubts about a run: broken limits and slack cables, what cannot be, and what never happens.
+fn warnings(simulation: &Simulation, violations: &[Violation]) -> Vec<String> {
+    let slack = violations.iter().filter(|one| !one.is_broken_limit());
+    let mut all: Vec<String> =
+        broken(violations).into_iter().chain(sentence(slack, ["cable is slack", "cables are slack"])).collect();
+    all.extend(inertia_doubt::of_run(simulation));
+    let end = simulation.volume.duration;
+    // an event at the end itself happens, whatever rounding makes of its time
+    let late = simulation.events.iter().filter(|event| event.time > end * (1.0 + 1e-9));
+    all.extend(late.map(|event| {
+        format!(
+            "the event {} never happens: the run ends at {} s (duration_s)",
+            EventAnswer::new(event).words(),
+            short(end)
+        )
+    }));
+    all
 }
 
 impl FinalState {
@@ -219,9 +278,15 @@ impl Answer for RunAnswer {
     fn words(&self, width: Option<usize>) -> String {
         let mut text = format!("{}, model {}: {}", self.robot, self.model, self.status);
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
-        let last = &self.last;
-        text.push_str(&format!("\nat {} s after {} steps: {}\n", short(last.time_s), self.steps, last.pose.words()));
+        text.push('\n');
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        let last = &self.last;
+        text.push_str(&format!("at {} s after {} steps: {}\n", short(last.time_s), self.steps, last.pose.words()));
+        if !self.violations.is_empty() {
+            let mut table = Table::new(["cable", "limit N", "worst N", "first s", "for s"]);
+            self.violations.iter().for_each(|one| table.row(one.row().to_vec()));
+            text.push_str(&format!("\n{}\n", table.text(width)));
+        }
         if !self.events.is_empty() {
             let events: Vec<String> = self.events.iter().map(EventAnswer::words).collect();
             text.push_str(&format!("happened: {}\n", events.join(", ")));

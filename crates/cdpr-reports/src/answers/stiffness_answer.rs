@@ -6,7 +6,8 @@ use cdpr::nalgebra::DMatrix;
 use cdpr::statics::{Stability, Stiffness};
 use serde::Serialize;
 
-use super::{Answer, PoseAnswer, axis_names, degrees_of_freedom};
+use super::tension_doubts::tension_doubts;
+use super::{Answer, PoseAnswer, degrees_of_freedom};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -29,8 +30,6 @@ pub struct StiffnessAnswer {
     warnings: Vec<String>,
     #[serde(skip)]
     cable_names: Vec<String>,
-    #[serde(skip)]
-    translations: usize,
 }
 
 /// Null without tensions or courses.
@@ -44,6 +43,9 @@ struct Matrices {
     length_to_wrench: Option<Rows>,
     #[serde(rename = "eigenvalues_N_per_m")]
     eigenvalues: Option<Vec<f64>>,
+    /// Stiffness that counts as none.
+    #[serde(rename = "indifferent_stiffness_N_per_m")]
+    indifferent_stiffness: Option<f64>,
     length_scale_m: f64,
     #[serde(rename = "cable_stiffness_N_per_m")]
     cable_stiffness: Option<Vec<f64>>,
@@ -58,26 +60,42 @@ fn rows(matrix: &DMatrix<f64>) -> Rows {
 
 /// Stability in a word, and why where it is a no.
 fn verdict(model: &Model, stiffness: &Stiffness, tensions: &[f64]) -> (&'static str, Option<String>) {
-    match stiffness.stability() {
-        Stability::Stable => ("stable", None),
+    let stability = stiffness.stability();
+    let smallest = stiffness.eigenvalues().first().copied().unwrap_or(f64::NAN);
+    let reason = match stability {
+        Stability::Stable => None,
         Stability::Unstable => {
-            let smallest = stiffness.eigenvalues().first().copied().unwrap_or(f64::NAN);
-            ("unstable", Some(format!("a displacement is driven on by {:.4} N/m instead of driven back", -smallest)))
+            Some(format!("a displacement is driven on by {:.4} N/m instead of driven back", -smallest))
         }
         Stability::Indifferent => {
             let slack = tensions.iter().filter(|&&tension| tension == 0.0).count();
             let (cables, dof) = (model.cable_count(), model.dof());
             let counts = format!("{cables} cables, {slack} of them slack, for {dof} degrees of freedom");
-            ("indifferent", Some(format!("in some direction nothing drives the platform back ({counts})")))
+            let none = counts_as_none(smallest, stiffness.indifferent_stiffness);
+            Some(format!("in some direction nothing drives the platform back ({counts}; {none})"))
         }
+    };
+    (word(stability), reason)
+}
+
+/// Stability in a word.
+pub(super) fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Indifferent => "indifferent",
+        Stability::Unstable => "unstable",
     }
+}
+
+/// Clause on a stiffness that counts as none (N/m).
+pub(super) fn counts_as_none(smallest: f64, indifferent: f64) -> String {
+    format!("the stiffness there, {smallest:.1e} N/m, counts as none below {indifferent:.1e} N/m")
 }
 
 impl StiffnessAnswer {
     /// The answer before matrices are known.
     pub fn new(model: &Model, pose: &Pose) -> Self {
         let robot = model.robot();
-        let axes = axis_names(robot);
         Self {
             robot: robot.name.clone(),
             model: model.composition().to_string(),
@@ -89,7 +107,6 @@ impl StiffnessAnswer {
             matrices: Matrices { length_scale_m: model.platform_radius(), ..Matrices::default() },
             warnings: Vec::new(),
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-            translations: axes.len(),
         }
     }
 
@@ -101,7 +118,7 @@ impl StiffnessAnswer {
     /// The same with the matrices at tensions (N), which leave a part of the load without balance.
     pub fn with(self, model: &Model, stiffness: &Stiffness, tensions: Vec<f64>, residual: &[f64]) -> Self {
         let (status, reason) = verdict(model, stiffness, &tensions);
-        let warnings = self.warnings_about(residual, &tensions);
+        let warnings = tension_doubts(model, &tensions, residual);
         let compliance = stiffness.compliance();
         let matrices = Matrices {
             stiffness: Some(rows(&stiffness.system)),
@@ -111,32 +128,13 @@ impl StiffnessAnswer {
             compliance: compliance.as_ref().map(rows),
             length_to_wrench: Some(rows(&stiffness.by_controlled_length)),
             eigenvalues: Some(stiffness.eigenvalues()),
+            indifferent_stiffness: Some(stiffness.indifferent_stiffness),
             length_scale_m: self.matrices.length_scale_m,
             cable_stiffness: Some(stiffness.cable_stiffness.clone()),
             controlled_lengths_m: Some(stiffness.controlled_lengths.clone()),
             wrench_residual: Some(residual.to_vec()),
         };
         Self { status, reason, matrices, warnings, tensions: Some(tensions), ..self }
-    }
-
-    /// Warnings of what makes the matrices other than one might think.
-    fn warnings_about(&self, residual: &[f64], tensions: &[f64]) -> Vec<String> {
-        let mut warnings = Vec::new();
-        let slack: Vec<String> =
-            (0..tensions.len()).filter(|&cable| tensions[cable] == 0.0).map(|cable| (cable + 1).to_string()).collect();
-        if !slack.is_empty() {
-            warnings.push(format!("without tension, and so taken as slack: cable {}", slack.join(", ")));
-        }
-        let largest = tensions.iter().copied().fold(0.0, f64::max);
-        let scale = |row: usize| if row < self.translations { 1.0 } else { self.matrices.length_scale_m };
-        let missing = residual.iter().enumerate().map(|(row, x)| x.abs() / scale(row)).fold(0.0, f64::max);
-        // sensors are good for about one percent of the largest tension
-        if missing > 0.01 * largest {
-            warnings.push(format!(
-                "the tensions do not balance the load, {missing:.1} N are missing: the platform would not stay at this pose (`cdpr load` tells the load that they balance)"
-            ));
-        }
-        warnings
     }
 
     fn matrix(&self, title: &str, rows: &Rows, scale: f64, width: Option<usize>) -> String {
@@ -156,10 +154,11 @@ impl Answer for StiffnessAnswer {
     }
 
     fn words(&self, width: Option<usize>) -> String {
-        let mut text = format!("{}, model {}, at {}\n{}", self.robot, self.model, self.pose.words(), self.status);
+        let mut text = format!("{}, model {}, at {}\n", self.robot, self.model, self.pose.words());
+        self.warnings.iter().for_each(|warning| text.push_str(&format!("warning: {warning}\n")));
+        text.push_str(self.status);
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
         text.push('\n');
-        self.warnings.iter().for_each(|warning| text.push_str(&format!("warning: {warning}\n")));
         let Matrices { stiffness: Some(stiffness), geometric: Some(geometric), cable: Some(cable), .. } =
             &self.matrices
         else {

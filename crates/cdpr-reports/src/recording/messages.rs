@@ -142,7 +142,7 @@ pub(super) fn tensions(moment: &Moment) -> Value {
     json!({ "timestamp": Timestamp::of(moment.time), "tension_N": moment.tensions })
 }
 
-/// An event in words; level 2 is information, 4 an error.
+/// An event in words; level 2 is information, 3 a warning, 4 an error.
 pub(super) fn event(time: f64, words: &str, level: u8) -> Value {
     json!({ "timestamp": Timestamp::of(time), "level": level, "message": words, "name": "cdpr" })
 }
@@ -163,8 +163,8 @@ impl Recording<'_> {
         ] })
     }
 
-    /// Cables by tension, those that are slack red.
-    pub(super) fn moving_scene(&self, moment: &Moment) -> Value {
+    /// Cables by tension within the range of each (N), those that are slack red.
+    pub(super) fn moving_scene(&self, moment: &Moment, range: &[(f64, f64)]) -> Value {
         let (mut points, mut colours) = (Vec::new(), Vec::new());
         for (index, cable) in self.robot.cables.iter().enumerate() {
             if self.is_broken(index, moment.time) {
@@ -172,23 +172,19 @@ impl Recording<'_> {
             }
             let end = moment.pose.position + moment.pose.rotation * cable.platform_anchor;
             points.extend([Point::from(&cable.frame_anchor), Point::from(&end)]);
-            colours.extend([self.ink(index, moment.tensions[index]), self.ink(index, moment.tensions[index])]);
+            let ink = ink(moment.tensions[index], range[index]);
+            colours.extend([ink.clone(), ink]);
         }
         let cables = entity(moment.time, ("cables", "world"), json!([line(&points, &colours)]), json!([]));
         json!({ "deletions": [], "entities": [cables] })
     }
+}
 
-    fn ink(&self, cable: usize, tension: f64) -> Value {
-        let (least, largest) = self.limits.get(cable).copied().unwrap_or((0.0, self.largest()));
-        match tension > 0.0 {
-            true => ink_of(&colour::at(0.25 + 0.75 * (tension - least) / (largest - least).max(1e-9))),
-            false => ink_of("#b3261e"),
-        }
-    }
-
-    /// Largest tension of the record (N).
-    fn largest(&self) -> f64 {
-        self.moments.iter().flat_map(|moment| &moment.tensions).copied().fold(0.0, f64::max)
+/// Colour of a tension between the least and the largest one (N).
+fn ink(tension: f64, (least, largest): (f64, f64)) -> Value {
+    match tension > 0.0 {
+        true => ink_of(&colour::at(0.25 + 0.75 * (tension - least) / (largest - least).max(1e-9))),
+        false => ink_of("#b3261e"),
     }
 }
 

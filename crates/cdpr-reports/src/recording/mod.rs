@@ -10,8 +10,9 @@ use cdpr::plant::{Event, Happening, State};
 use cdpr::robot::Robot;
 
 use crate::number_format::significant;
-pub use mcap_file::McapError;
-pub use violation::Violation;
+pub use mcap_file::{McapError, mcap_bytes};
+pub(crate) use violation::{OTHERS, sentence, stretches_of_limits};
+pub use violation::{Stretch, Violation};
 
 /// State of the machine at a time.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,6 +95,15 @@ impl<'a> Recording<'a> {
     pub fn happened(&mut self, events: &[Event]) {
         let robot = self.robot;
         self.events.extend(events.iter().map(|event| Occurrence::of(event, robot)));
+    }
+
+    /// Least and largest tension of the colours of each cable (N): its limits, or nothing and the largest tension of the record.
+    fn tension_range(&self) -> Vec<(f64, f64)> {
+        if !self.limits.is_empty() {
+            return self.limits.clone();
+        }
+        let largest = self.moments.iter().flat_map(|moment| &moment.tensions).copied().fold(0.0, f64::max);
+        vec![(0.0, largest); self.robot.cables.len()]
     }
 
     /// True after an event that took the cable away.

@@ -1,87 +1,104 @@
-//! Stretches of time in which a cable is slack or its tension outside its limits.
+//! Broken limits of a run in words, and cables that were slack.
 
-use super::Recording;
-use crate::number_format::significant;
+use cdpr::plant;
+use cdpr::robot::Robot;
 
-/// A stretch of time in which a limit of one cable is broken, from the first moment of the record that shows it to the last.
+use crate::number_format::{short, significant};
+
+/// A limit that a cable broke, or a cable that was slack though no limit says that it must not be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Violation {
-    /// First and last moment (s).
-    pub span: (f64, f64),
+    /// Key of the robot file that states the limit; nothing of a slack cable, which breaks none.
+    pub limit: Option<&'static str>,
+    /// Limit (N); 0 of a slack cable.
+    pub bound: f64,
     /// Cable, from 0.
     pub cable: usize,
-    /// Words with numbers.
+    /// Time of the first step that shows it (s).
+    pub first: f64,
+    /// Tension farthest from the limit (N).
+    pub worst: f64,
+    /// Length of all steps that end with it (s).
+    pub duration: f64,
+    /// Words with numbers, as `cable 3 down to 733 N, below its 1000 N`.
+    pub words: String,
+    /// Stretches of time that show it, in their order.
+    pub stretches: Vec<Stretch>,
+}
+
+/// Stretch of time in which a limit is broken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stretch {
+    /// Time of the first and of the last step that show it (s).
+    pub span: (f64, f64),
+    /// Words with its numbers.
     pub words: String,
 }
 
-/// Ways in which a tension is not as it should be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Breach {
-    Slack,
-    Below,
-    Above,
-}
-
-/// Moments of one breach that follow each other.
-struct Stretch {
-    breach: Breach,
-    span: (f64, f64),
-    /// Tension farthest from its limit (N).
-    worst: f64,
-}
-
-impl Recording<'_> {
-    /// All broken limits, by time and cable. A cable that broke is no violation: it is an event.
-    pub fn violations(&self) -> Vec<Violation> {
-        let cables = 0..self.robot.cables.len();
-        let mut all: Vec<Violation> = cables.flat_map(|cable| self.of_cable(cable)).collect();
-        all.sort_by(|a, b| a.span.0.total_cmp(&b.span.0).then(a.cable.cmp(&b.cable)));
+impl Violation {
+    /// Findings of a run in words: one for each cable and limit, by first time.
+    pub fn all(found: &[plant::Violation], robot: &Robot) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::new();
+        for one in found {
+            let words = words(one, robot);
+            let stretch = Stretch { span: (one.from, one.to), words: words.clone() };
+            match all.iter_mut().find(|other| (other.cable, other.limit) == (one.cable, one.limit)) {
+                Some(known) => {
+                    // farther from the limit on its side
+                    if (one.worst - one.bound).abs() > (known.worst - known.bound).abs() {
+                        (known.worst, known.words) = (one.worst, words);
+                    }
+                    known.duration += one.duration;
+                    known.stretches.push(stretch);
+                }
+                None => all.push(Self {
+                    limit: one.limit,
+                    bound: one.bound,
+                    cable: one.cable,
+                    first: one.from,
+                    worst: one.worst,
+                    duration: one.duration,
+                    words,
+                    stretches: vec![stretch],
+                }),
+            }
+        }
         all
     }
 
-    fn of_cable(&self, cable: usize) -> Vec<Violation> {
-        let mut stretches: Vec<Stretch> = Vec::new();
-        let mut last = None;
-        for moment in &self.moments {
-            let tension = moment.tensions[cable];
-            let breach = self.breach(cable, tension).filter(|_| !self.is_broken(cable, moment.time));
-            match (breach, stretches.last_mut()) {
-                (Some(breach), Some(stretch)) if last == Some(breach) => {
-                    stretch.span.1 = moment.time;
-                    stretch.worst = match breach {
-                        Breach::Above => stretch.worst.max(tension),
-                        _ => stretch.worst.min(tension),
-                    };
-                }
-                (Some(breach), _) => {
-                    stretches.push(Stretch { breach, span: (moment.time, moment.time), worst: tension })
-                }
-                _ => {}
-            }
-            last = breach;
-        }
-        stretches.into_iter().map(|stretch| self.told(cable, &stretch)).collect()
+    /// True of limits, false of cables that are slack.
+    pub fn is_broken_limit(&self) -> bool {
+        self.limit.is_some()
     }
+}
 
-    fn breach(&self, cable: usize, tension: f64) -> Option<Breach> {
-        let limits = self.limits.get(cable);
-        match limits {
-            _ if !(tension > 0.0) => Some(Breach::Slack),
-            Some(&(least, _)) if tension < least => Some(Breach::Below),
-            Some(&(_, largest)) if tension > largest => Some(Breach::Above),
-            _ => None,
-        }
+fn words(found: &plant::Violation, robot: &Robot) -> String {
+    let (name, worst) = (&robot.cables[found.cable].name, found.worst);
+    let (tension, limit) = (significant(worst, 4), significant(found.bound, 4));
+    match found.limit {
+        None => format!("cable {name} is slack"),
+        Some(_) if worst > found.bound => format!("cable {name} up to {tension} N, above its {limit} N"),
+        Some(_) if worst > 0.0 => format!("cable {name} down to {tension} N, below its {limit} N"),
+        Some(_) => format!("cable {name} slack, below its {limit} N"),
     }
+}
 
-    fn told(&self, cable: usize, stretch: &Stretch) -> Violation {
-        let name = &self.robot.cables[cable].name;
-        let worst = significant(stretch.worst, 4);
-        let limit = |pick: fn(&(f64, f64)) -> f64| significant(self.limits.get(cable).map_or(f64::NAN, pick), 4);
-        let words = match stretch.breach {
-            Breach::Slack => format!("cable {name} is slack"),
-            Breach::Below => format!("cable {name} down to {worst} N, below its {} N", limit(|limits| limits.0)),
-            Breach::Above => format!("cable {name} up to {worst} N, above its {} N", limit(|limits| limits.1)),
-        };
-        Violation { span: stretch.span, cable, words }
-    }
+/// Stretches of time in which limits are broken.
+pub(crate) fn stretches_of_limits(all: &[Violation]) -> impl Iterator<Item = &Stretch> {
+    all.iter().filter(|one| one.is_broken_limit()).flat_map(|one| &one.stretches)
+}
+
+/// One more broken limit, and several.
+pub(crate) const OTHERS: [&str; 2] = ["limit is broken", "limits are broken"];
+
+/// The first of several in a sentence, with the number of the others in their words; nothing of none.
+pub(crate) fn sentence<'v>(mut all: impl Iterator<Item = &'v Violation>, others: [&str; 2]) -> Option<String> {
+    let first = all.next()?;
+    let more = match all.count() {
+        0 => String::new(),
+        1 => format!(", and one more {}", others[0]),
+        count => format!(", and {count} more {}", others[1]),
+    };
+    let (from, duration) = (short(first.first), significant(first.duration, 3));
+    Some(format!("{} from {from} s on, for {duration} s together{more}", first.words))
 }

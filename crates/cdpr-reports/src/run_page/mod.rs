@@ -11,7 +11,7 @@ use crate::answers::{axis_names, components};
 use crate::figures::{Figure, TimePanel, Timeline};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::significant;
-use crate::recording::{Moment, Recording, Violation};
+use crate::recording::{Moment, OTHERS, Recording, Violation, sentence, stretches_of_limits};
 
 const TEMPLATE: &str = include_str!("run.html");
 
@@ -22,8 +22,10 @@ const MOST_ROWS: usize = 200;
 pub struct RunPage<'a> {
     /// Record of the run.
     pub recording: &'a Recording<'a>,
-    /// Its broken limits.
+    /// Its broken limits; slack cables that break none are not shown, but by warnings.
     pub violations: &'a [Violation],
+    /// Least and largest tension after any step (N).
+    pub tensions: (f64, f64),
     /// Name of the scenario.
     pub name: &'a str,
     /// How the run ended, in a word, as `completed`.
@@ -44,25 +46,26 @@ impl RunPage<'_> {
     /// HTML of the page.
     pub fn render(&self) -> Result<String, PageError> {
         let Self { recording, violations, .. } = *self;
+        let broken: Vec<&Violation> = self.broken().collect();
         let title = format!("Run of {}", self.name);
         let figure = |figure: Option<Figure>| figure.map(|figure| Value::from_safe_string(figure.inline()));
-        let verdict = match (self.status, violations.is_empty()) {
-            ("completed", true) => "good",
+        let verdict = match (self.status, !broken.is_empty()) {
+            ("completed", false) if self.warnings.is_empty() => "good",
             ("completed", false) => "warned",
             _ => "bad",
         };
         let values = context! {
             verdict,
             headline => self.headline(),
-            outcome => plain(&self.outcome(violations)),
+            outcome => plain(&self.outcome()),
             facts => self.facts.iter().map(|(term, text)| context! { term => *term, text => plain(text) }).collect::<Value>(),
             pose_figure => figure(recording.pose_figure(violations)),
             tension_figure => figure(recording.tension_figure(violations)),
             events => self.events(),
-            violations => violations.iter().take(MOST_ROWS).map(|one| context! {
-                from => seconds(one.span.0), to => seconds(one.span.1), words => plain(&one.words),
+            violations => broken.iter().take(MOST_ROWS).map(|one| context! {
+                first => seconds(one.first), duration => seconds(one.duration), words => plain(&one.words),
             }).collect::<Value>(),
-            more_violations => violations.len().saturating_sub(MOST_ROWS),
+            more_violations => broken.len().saturating_sub(MOST_ROWS),
             warnings => self.warnings.iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
             command => plain(self.command),
         };
@@ -79,33 +82,31 @@ impl RunPage<'_> {
         .render()
     }
 
-    fn headline(&self) -> String {
-        let end = self.recording.moments.last().map_or(0.0, |moment| moment.time);
-        format!("{} after {} s", sentence(self.status), significant(end, 4))
+    fn broken(&self) -> impl Iterator<Item = &Violation> {
+        self.violations.iter().filter(|one| one.is_broken_limit())
     }
 
-    /// Sentence below the headline.
-    fn outcome(&self, violations: &[Violation]) -> String {
-        let all = self.recording.moments.iter().flat_map(|moment| &moment.tensions).copied();
-        let (least, largest) = all.fold((f64::INFINITY, 0.0_f64), |(low, high), f| (low.min(f), high.max(f)));
+    fn headline(&self) -> String {
+        let end = self.recording.moments.last().map_or(0.0, |moment| moment.time);
+        let limits = if self.broken().next().is_some() { ", limits are broken" } else { "" };
+        format!("{} after {} s{limits}", capital(self.status), significant(end, 4))
+    }
+
+    /// Sentence below the headline: reason first, then limits and tensions.
+    fn outcome(&self) -> String {
+        let (least, largest) = self.tensions;
         let tensions = match least.is_finite() {
-            true => format!("Tensions from {} to {} N. ", significant(least, 4), significant(largest, 4)),
+            true => format!(" Tensions from {} to {} N.", significant(least, 4), significant(largest, 4)),
             false => String::new(),
         };
-        let limits = match (violations, self.recording.limits.is_empty()) {
-            ([], true) => "The limits of the tensions are not known.".to_owned(),
-            ([], false) => "All tensions stay within their limits.".to_owned(),
-            (one, _) => {
-                let count = one.len();
-                format!(
-                    "{count} {} broken; the first: {}.",
-                    if count == 1 { "limit is" } else { "limits are" },
-                    one[0].words
-                )
-            }
+        let limits = match (sentence(self.broken(), OTHERS), self.recording.limits.is_empty()) {
+            (Some(_), _) if self.status == "completed" => String::new(),
+            (Some(broken), _) => format!(" Limits are broken: {broken}."),
+            (None, true) => " The limits of the tensions are not known.".to_owned(),
+            (None, false) => " All tensions stay within their limits at every step.".to_owned(),
         };
-        let reason = self.reason.map(|reason| format!(" {}.", sentence(reason))).unwrap_or_default();
-        format!("{tensions}{limits}{reason}")
+        let reason = self.reason.map(|reason| format!("{}.", capital(reason))).unwrap_or_default();
+        format!("{reason}{limits}{tensions}").trim_start().to_owned()
     }
 
     fn events(&self) -> Value {
@@ -117,7 +118,7 @@ impl RunPage<'_> {
 }
 
 /// The text with a capital letter at its beginning.
-fn sentence(text: &str) -> String {
+fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
@@ -171,7 +172,8 @@ impl Recording<'_> {
     fn timeline(&self, label: &str, panels: Vec<TimePanel>, violations: &[Violation]) -> Option<Figure> {
         let times: Vec<f64> = self.moments.iter().map(|moment| moment.time).collect();
         let events: Vec<f64> = self.events.iter().map(|event| event.time).collect();
-        let marked = joined(violations.iter().map(|one| one.span).collect());
+        let marked = stretches_of_limits(violations).map(|stretch| stretch.span);
+        let marked = joined(marked.collect());
         Timeline { label, times: &times, panels, events: &events, marked: &marked }.svg()
     }
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::html_page::{CableData, PlaneData, digits, inside_script, plain, vector};
-use crate::recording::{Recording, Violation};
+use crate::recording::{Recording, Stretch, Violation, stretches_of_limits};
 
 /// Numbers that a page may hold for its moments (about 9 bytes each).
 const MOST_NUMBERS: usize = 120_000;
@@ -70,12 +70,17 @@ pub(super) fn json(recording: &Recording<'_>, violations: &[Violation]) -> Strin
                 breaks: event.breaks,
             })
             .collect(),
-        violations: violations
-            .iter()
-            .map(|one| ViolationData { from_s: one.span.0, to_s: one.span.1, words: plain(&one.words) })
-            .collect(),
+        violations: stretches(violations),
     };
     inside_script(&serde_json::to_string(&data).expect("strings and numbers only"))
+}
+
+/// Stretches of time in which a limit is broken, by time.
+fn stretches(violations: &[Violation]) -> Vec<ViolationData> {
+    let told = |one: &Stretch| ViolationData { from_s: one.span.0, to_s: one.span.1, words: plain(&one.words) };
+    let mut all: Vec<ViolationData> = stretches_of_limits(violations).map(told).collect();
+    all.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
+    all
 }
 
 fn moments(recording: &Recording<'_>) -> MomentData {

@@ -1,9 +1,10 @@
 //! Pages of runs: well formed, complete and silent towards the network.
 
+use cdpr::plant;
 use cdpr::robot::Robot;
 
 use super::RunPage;
-use crate::recording::{Moment, Occurrence, Recording};
+use crate::recording::{Moment, Occurrence, Recording, Violation};
 
 fn recording(robot: &Robot, count: u32) -> Recording<'_> {
     let moment = |k: u32| Moment {
@@ -16,11 +17,18 @@ fn recording(robot: &Robot, count: u32) -> Recording<'_> {
     Recording { robot, moments: (0..count).map(moment).collect(), events: vec![event], limits }
 }
 
-fn page(recording: &Recording<'_>, status: &str) -> String {
+/// The first cable starts without tension.
+fn slack(robot: &Robot, (limit, bound): (Option<&'static str>, f64)) -> Vec<Violation> {
+    let found = plant::Violation { cable: 0, limit, bound, from: 0.0, to: 0.0, duration: 0.001, worst: 0.0 };
+    Violation::all(&[found], robot)
+}
+
+fn page(recording: &Recording<'_>, violations: &[Violation], status: &str) -> String {
     let facts = [("Machine", "elastic".to_owned())];
     let page = RunPage {
         recording,
-        violations: &recording.violations(),
+        violations,
+        tensions: (0.0, 20_000.0),
         name: "scenario",
         status,
         reason: None,
@@ -36,11 +44,12 @@ fn page(recording: &Recording<'_>, status: &str) -> String {
 fn the_page_is_well_formed_asks_nothing_of_the_network_and_tells_what_is_broken() {
     for name in ["cablerobot-simulator-helicopter", "planar-example"] {
         let robot = Robot::builtin(name).unwrap();
-        let text = page(&recording(&robot, 200), "completed");
+        let text = page(&recording(&robot, 200), &slack(&robot, (Some("tension_min_N"), 50.0)), "completed");
         for found in ["src=\"http", "href=\"http", "<b>"] {
             assert!(!text.contains(found), "{name}: {found}");
         }
-        assert!(text.contains("class=\"verdict warned\"") && text.contains("is slack"), "{name}");
+        assert!(text.contains("class=\"verdict bad\"") && text.contains("limits are broken"), "{name}");
+        assert!(text.contains("slack, below its 50 N") && !text.contains("stay within their limits"), "{name}");
         assert!(text.contains("data-time="), "{name}: figures follow the clock");
         let data = text.split("id=\"cdpr-data\"").nth(1).unwrap();
         let json = data.split_once('>').unwrap().1.split_once("</script>").unwrap().0;
@@ -54,7 +63,16 @@ fn the_page_is_well_formed_asks_nothing_of_the_network_and_tells_what_is_broken(
 #[test]
 fn long_runs_are_thinned_out_and_keep_their_end() {
     let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
-    let text = page(&recording(&robot, 60_000), "failed");
+    let text = page(&recording(&robot, 60_000), &[], "failed");
     assert!(text.len() < 4_000_000, "{}", text.len());
     assert!(text.contains("599.99") && text.contains("class=\"verdict bad\""));
+}
+
+/// A slack cable breaks no limit where none is stated: a warning, and no red mark.
+#[test]
+fn a_slack_cable_alone_breaks_nothing() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let text = page(&recording(&robot, 200), &slack(&robot, (None, 0.0)), "completed");
+    assert!(text.contains("class=\"verdict warned\"") && text.contains("stay within their limits"));
+    assert!(text.contains("\"violations\":[]"));
 }

@@ -15,7 +15,7 @@ use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::decomposition::smallest_eigenvalue;
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend, not_positive};
-use crate::statics::{Load, StaticsError, geometric_stiffness, wrench_residual};
+use crate::statics::{Load, Stability, StaticsError, geometric_stiffness, indifferent_stiffness, wrench_residual};
 
 /// When forward statics stops.
 #[derive(Clone, Debug, PartialEq)]
@@ -222,8 +222,7 @@ impl<'a> Problem<'a> {
     }
 
     fn force_scale(&self) -> f64 {
-        let load = self.load.constant_part().fixed_rows::<3>(0).norm() + self.load.weight().0.norm();
-        self.tensions.iter().sum::<f64>() + load
+        self.tensions.iter().sum::<f64>() + self.load.force()
     }
 
     fn is_balanced(&self, point: &Point) -> bool {
@@ -260,7 +259,6 @@ impl<'a> Problem<'a> {
     }
 
     fn verdict(&self, point: &Point, stability: f64, restarts: u32) -> (Status, Option<String>) {
-        let largest = point.stiffness.amax();
         if !self.is_balanced(point) {
             let text = format!(
                 "the best of {} starts leaves a wrench of {:.3e} N out of balance: no pose near it balances these tensions",
@@ -269,18 +267,21 @@ impl<'a> Problem<'a> {
             );
             return (Status::NotConverged, Some(text));
         }
-        if stability > 1e-9 * largest {
-            return (Status::Converged, None);
+        let indifferent = indifferent_stiffness(point.stiffness.amax(), self.load.force(), self.mean_length);
+        match Stability::of(stability, indifferent) {
+            Stability::Stable => (Status::Converged, None),
+            Stability::Unstable => {
+                let text = format!(
+                    "tensions and load balance here, but with constant tensions the platform would leave: the stiffness has the \
+                     eigenvalue {stability:.3e} N/m"
+                );
+                (Status::Unstable, Some(text))
+            }
+            Stability::Indifferent => {
+                let text = "the equilibrium is indifferent: tensions and load balance here and beside, they do not determine the pose";
+                (Status::Singular, Some(text.to_owned()))
+            }
         }
-        if stability < -1e-9 * largest {
-            let text = format!(
-                "tensions and load balance here, but with constant tensions the platform would leave: the stiffness has the \
-                 eigenvalue {stability:.3e} N/m"
-            );
-            return (Status::Unstable, Some(text));
-        }
-        let text = "tensions and load balance here and beside: they do not determine the pose";
-        (Status::Singular, Some(text.to_owned()))
     }
 }
 

@@ -33,6 +33,8 @@ impl ErrorCode for StepError {
         match self {
             Self::Cable(error) => error.code(),
             Self::Winch(error) => error.code(),
+            Self::NoLength { .. } => "plant::no-length",
+            Self::Spin { .. } => "plant::spin",
             Self::Overflow => "numerical::overflow",
             Self::Tolerance { .. } => "plant::tolerance",
             Self::Count { .. } => "lengths::count",

@@ -1,5 +1,6 @@
 //! One cable and its winch in motion.
 
+use super::error::StepError;
 use crate::cable::span;
 use crate::cable::stretch::hysteresis::Memory;
 
@@ -37,5 +38,15 @@ impl CableMotion {
     #[inline]
     pub(super) fn unstrained_length(&self) -> f64 {
         self.controlled_length + self.slip
+    }
+
+    /// Refuses a controlled length (m) that leaves a whole cable nothing; `index` counts from 0.
+    #[inline]
+    pub(super) fn check_length(&self, index: usize, controlled: f64) -> Result<(), StepError> {
+        let length = controlled + self.slip;
+        match self.is_broken || !(length <= 0.0) {
+            true => Ok(()),
+            false => Err(StepError::NoLength { cable: index + 1, length }),
+        }
     }
 }

@@ -19,6 +19,7 @@ impl Plant {
     pub(super) fn prepare_drums(&self, state: &mut State, command: &Command<'_>) -> Result<(), StepError> {
         for (index, drum) in self.drums.iter().enumerate() {
             let cable = &mut state.cables[index];
+            cable.check_length(index, cable.controlled_length)?;
             let (_, radius) = self.drum_length(index, cable.drum_angle)?;
             let is_held = match command {
                 Command::Lengths(_) => true,

@@ -111,9 +111,7 @@ impl From<StepError> for PlantError {
         match error {
             StepError::Cable(error) => Self::Cable(error),
             StepError::Winch(error) => Self::Winch(error),
-            StepError::Overflow | StepError::Tolerance { .. } | StepError::Count { .. } => {
-                Self::Value { key: ScenarioKey::of("start", ""), message: error.to_string() }
-            }
+            _ => Self::Value { key: ScenarioKey::of("start", ""), message: error.to_string() },
         }
     }
 }
@@ -141,6 +139,24 @@ pub enum StepError {
     /// A drum has run out of its groove.
     #[error(transparent)]
     Winch(#[from] WinchError),
+    /// A winch that reels in more than there is.
+    #[error(
+        "cable {cable} has no length left: its winch would come to {length:.3} m; check signs and units of the commands, and torques against the load"
+    )]
+    NoLength {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Unstrained length that it would have (m).
+        length: f64,
+    },
+    /// A platform that turns faster than steps can follow.
+    #[error(
+        "the platform turns by {turn:.3} rad within a step, and steps follow 1 rad at most: use a smaller step_s, or check moments, twist and inertia"
+    )]
+    Spin {
+        /// Turn within a step (rad).
+        turn: f64,
+    },
     /// Numbers grew beyond all bounds.
     #[error(
         "the motion grew beyond all numbers: the step is too large for what the machine came to, or a load is not plausible"

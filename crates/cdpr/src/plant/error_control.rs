@@ -33,7 +33,8 @@ pub(super) struct Passage {
 }
 
 impl Plant {
-    /// Leads a state on with error control; the number of steps taken. Ideal winches go evenly to the commanded lengths, as in [`Plant::step`].
+    /// Leads a state on with error control and shows it after every step but the last; the number of steps taken. Ideal winches go evenly to the
+    /// commanded lengths, as in [`Plant::step`].
     ///
     /// Forces must not jump: dry friction of drums does, and memories of cables stay as they are until the end. After an error the state is the one
     /// before.
@@ -42,17 +43,24 @@ impl Plant {
         state: &mut State,
         command: &Command<'_>,
         passage: &Passage,
+        look: &mut dyn FnMut(&State),
     ) -> Result<u64, StepError> {
         self.check_count(command)?;
         let before = state.clone();
-        let taken = self.pass(state, command, passage);
+        let taken = self.pass(state, command, passage, look);
         if taken.is_err() {
             *state = before;
         }
         taken
     }
 
-    fn pass(&self, state: &mut State, command: &Command<'_>, passage: &Passage) -> Result<u64, StepError> {
+    fn pass(
+        &self,
+        state: &mut State,
+        command: &Command<'_>,
+        passage: &Passage,
+        look: &mut dyn FnMut(&State),
+    ) -> Result<u64, StepError> {
         self.prepare(state, command, passage.time)?;
         let is_braked = matches!(command, Command::Lengths(_));
         state
@@ -67,16 +75,18 @@ impl Plant {
         let tolerance = passage.tolerance;
         let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(STEPS);
         let solved = IVP::ode(&equations, 0.0, passage.time, start).method(method).solve();
-        let ended = solved.ok().and_then(|solution| Some((solution.y.last()?.clone(), solution.steps.accepted)));
-        let Some((last, steps)) = ended else {
+        let ended = solved.ok().and_then(|mut solution| Some((solution.y.pop()?, solution)));
+        let Some((last, solution)) = ended else {
             // a cable without a path ends the motion, if smaller steps did not lead past that place
             return Err(equations.work.into_inner().error.unwrap_or(StepError::Tolerance { tolerance }));
         };
+        let between = solution.t.iter().copied().zip(&solution.y).filter(|(time, _)| *time > 0.0);
+        equations.show(between, look)?;
         equations.place(state, passage.time, &last)?;
         self.finish(state, command);
         state.time += passage.time;
         match state.is_finite() {
-            true => self.observe(state).map(|()| steps as u64),
+            true => self.observe(state).map(|()| solution.steps.accepted as u64),
             false => Err(StepError::Overflow),
         }
     }
@@ -114,6 +124,23 @@ impl Equations<'_> {
         let mut rates = vec![0.0; start.len()];
         self.rates(&mut self.work.borrow_mut().state, 0.0, start, &mut rates)?;
         if rates.iter().all(|rate| rate.is_finite()) { Ok(()) } else { Err(StepError::Overflow) }
+    }
+
+    /// Shows the machine at times of the passage.
+    fn show<'n>(
+        &self,
+        times: impl Iterator<Item = (f64, &'n Vec<f64>)>,
+        look: &mut dyn FnMut(&State),
+    ) -> Result<(), StepError> {
+        let state = &mut self.work.borrow_mut().state;
+        let start = state.time;
+        for (time, numbers) in times {
+            self.place(state, time, numbers)?;
+            self.plant.observe(state)?;
+            state.time = start + time;
+            look(state);
+        }
+        Ok(())
     }
 
     /// Brings a state to a time of the passage.

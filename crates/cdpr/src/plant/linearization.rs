@@ -8,7 +8,7 @@ use super::state::State;
 use crate::cable::{CableInput, CableState};
 use crate::geometry::Twist;
 use crate::scalar::decomposition::eigenvalues;
-use crate::statics::StaticsError;
+use crate::statics::{StaticsError, axial_stiffness, indifferent_stiffness};
 
 /// ω h up to which a step is sensible: four digits of the period, and three times as much before the motion grows.
 pub(super) const SENSIBLE: f64 = 1.0;
@@ -31,6 +31,10 @@ pub struct Linearization {
     pub inputs: DMatrix<f64>,
     /// Change of the generalised force per rate of a controlled length; no columns with drums.
     pub rate_inputs: DMatrix<f64>,
+    /// Way per unit of z (m): 1 of translations, the platform radius of turns, the radius of drums.
+    pub(super) ways: DVector<f64>,
+    /// Stiffness that counts as none (N/m), as in [`Stiffness`](crate::statics::Stiffness).
+    pub indifferent_stiffness: f64,
 }
 
 impl Plant {
@@ -47,6 +51,8 @@ impl Plant {
             dof: n,
             inputs: DMatrix::zeros(size, n + m),
             rate_inputs: DMatrix::zeros(size, if self.drums.is_empty() { m } else { 0 }),
+            ways: self.ways(state)?,
+            indifferent_stiffness: 0.0,
         };
         let mass = state.inertia.mass_matrix_in_pattern(&self.model, &state.pose);
         linear.mass.view_mut((0, 0), (n, n)).copy_from(&mass);
@@ -55,10 +61,31 @@ impl Plant {
         add_in_pattern(&mut linear.stiffness, basis, &-gradient);
         let drag = nalgebra::Matrix6::from_diagonal(&-state.inertia.drag(&Twist::repeat(1.0)));
         add_in_pattern(&mut linear.damping, basis, &drag);
+        let mut stiffness = 0.0;
         for cable in 0..m {
-            self.add_cable(&mut linear, state, cable)?;
+            let motion = &state.cables[cable];
+            let pull = if motion.is_broken { None } else { self.pull_of(state, cable)? };
+            stiffness += pull.as_ref().map_or(0.0, axial_stiffness);
+            self.add_cable(&mut linear, state, (cable, pull.as_ref()))?;
         }
+        let length = state.cables.iter().map(|cable| cable.length).sum::<f64>() / m as f64;
+        linear.indifferent_stiffness = indifferent_stiffness(stiffness, self.force(state), length);
         Ok(linear)
+    }
+
+    /// Ways of platform and drums per unit of z (m).
+    fn ways(&self, state: &State) -> Result<DVector<f64>, PlantError> {
+        let (translations, radius) = (self.model.robot().motion_pattern.translations(), self.model.platform_radius());
+        let of_platform = (0..self.model.dof()).map(|row| Ok(if row < translations { 1.0 } else { radius }));
+        let of_drum = |cable: usize| Ok(self.drum_length(cable, state.cables[cable].drum_angle)?.1.abs());
+        let ways = of_platform.chain((0..self.drums.len()).map(of_drum)).collect::<Result<Vec<f64>, PlantError>>()?;
+        Ok(ways.into())
+    }
+
+    /// Size of the forces that load the platform (N).
+    fn force(&self, state: &State) -> f64 {
+        let added = self.gravity.norm() * state.added.mass.abs();
+        self.load.force() + added + state.external.fixed_rows::<3>(0).norm()
     }
 
     fn load_gradient(&self, state: &State) -> nalgebra::Matrix6<f64> {
@@ -71,28 +98,32 @@ impl Plant {
     }
 
     /// The share of one cable and its drum.
-    fn add_cable(&self, linear: &mut Linearization, state: &State, cable: usize) -> Result<(), PlantError> {
-        let (basis, motion, n) = (self.model.twist_basis(), &state.cables[cable], linear.dof);
-        let pulls = if motion.is_broken { None } else { self.pull_of(state, cable)? };
-        if let Some(pull) = &pulls {
+    fn add_cable(
+        &self,
+        linear: &mut Linearization,
+        state: &State,
+        (cable, pull): (usize, Option<&CableState>),
+    ) -> Result<(), PlantError> {
+        let (basis, n) = (self.model.twist_basis(), linear.dof);
+        if let Some(pull) = pull {
             add_in_pattern(&mut linear.stiffness, basis, &pull.stiffness());
         }
         let column = DVector::from_fn(n, |row, _| {
             let column = &state.pulls.columns[cable];
             (0..6).map(|k| column[k] * basis[row][k]).sum::<f64>()
         });
-        let damping = if pulls.is_some() { state.pulls.laws[cable].damping } else { 0.0 };
+        let damping = if pull.is_some() { state.pulls.laws[cable].damping } else { 0.0 };
         let spread = &column * column.transpose() * damping;
         let mut corner = linear.damping.view_mut((0, 0), (n, n));
         corner += spread;
-        let by_length = pulls.as_ref().map_or_else(Twist::zeros, CableState::wrench_by_controlled_length);
+        let by_length = pull.map_or_else(Twist::zeros, CableState::wrench_by_controlled_length);
         let by_length = DVector::from_fn(n, |row, _| basis[row].dot(&by_length));
         if self.drums.is_empty() {
             linear.inputs.view_mut((0, n + cable), (n, 1)).copy_from(&by_length);
             linear.rate_inputs.view_mut((0, cable), (n, 1)).copy_from(&(&column * -damping));
             return Ok(());
         }
-        self.add_drum(linear, state, (cable, pulls.as_ref()), (&column, &by_length, damping))
+        self.add_drum(linear, state, (cable, pull), (&column, &by_length, damping))
     }
 
     fn add_drum(

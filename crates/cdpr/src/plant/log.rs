@@ -32,6 +32,11 @@ impl LogFormat {
         Self { names }
     }
 
+    /// Numbers of a row.
+    pub(super) fn column_count(&self) -> usize {
+        self.names.len()
+    }
+
     /// The first line.
     pub fn header(&self) -> String {
         self.names.join(",") + "\n"

@@ -9,6 +9,7 @@
 
 mod cable_motion;
 mod commands;
+mod course;
 mod drums;
 mod dynamics;
 mod energy;
@@ -36,18 +37,23 @@ mod state;
 mod step;
 #[cfg(test)]
 mod tests;
+mod violations;
+mod volume;
 
 pub use cable_motion::CableMotion;
+pub use course::{End, Summary};
 pub use energy::Energy;
 pub use error::{PlantError, ScenarioKey, StepError};
 pub use event::{Event, Happening};
 pub use linearization::Linearization;
 pub use log::LogFormat;
-pub use modes::{Mode, Modes};
+pub use modes::Mode;
 pub use momentum::Inertia;
 pub use plant::{Damping, Plant, Winches, assumptions_under_tensions};
 pub use scenario::Scenario;
 pub use sensors::Sensors;
-pub use simulation::{End, Simulation, Summary};
+pub use simulation::Simulation;
 pub use state::State;
 pub use step::Command;
+pub use violations::Violation;
+pub use volume::Volume;

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::linearization::Linearization;
 use crate::scalar::decomposition::{eigenvalues, symmetric_eigen};
+use crate::statics::Stability;
 
 /// Asymmetry of M⁻¹ K, as a share of its largest entry, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
@@ -13,8 +14,12 @@ const ROUNDING: f64 = 1e-9;
 /// A mode of small, undamped motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// Natural frequency (Hz); negative where the motion grows instead: −√(−λ)/2π.
+    /// Natural frequency (Hz); negative where the motion grows instead: −√(−λ)/2π; 0 where its stiffness counts as none.
     pub frequency: f64,
+    /// Stiffness against it (N/m): φᵀ K φ over the square of the ways of φ, turns at the platform radius and drums at theirs.
+    pub stiffness: f64,
+    /// Stability against a small displacement along it.
+    pub stability: Stability,
     /// Share of critical damping that the dampers have of it; NaN where it does not swing.
     pub damping_ratio: f64,
     /// Shape: displacements along the degrees of freedom (m, rad), then angles of drums (rad), with the modal mass 1.
@@ -23,17 +28,10 @@ pub struct Mode {
     pub participation: DVector<f64>,
 }
 
-/// The modes of a machine about an equilibrium, slowest first.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Modes {
-    /// As many as there are degrees of freedom.
-    pub modes: Vec<Mode>,
-}
-
 impl Linearization {
-    /// Modes of M δz̈ + K δz = 0, slowest first; nothing where a mass is missing, or where the motion neither swings nor grows (constant moments may
+    /// Modes of M δz̈ + K δz = 0, as many as there are degrees of freedom, slowest first; nothing where a mass is missing, or where the motion neither swings nor grows (constant moments may
     /// make a stiffness so unsymmetric).
-    pub fn modes(&self) -> Option<Modes> {
+    pub fn modes(&self) -> Option<Vec<Mode>> {
         let lower = self.mass.clone().cholesky()?.l();
         // with M = L Lᵀ the eigenvalues of M⁻¹ K are those of L⁻¹ K L⁻ᵀ
         let half = lower.solve_lower_triangular(&self.stiffness)?;
@@ -48,16 +46,23 @@ impl Linearization {
         };
         let mut modes = pairs.into_iter().map(mode).collect::<Option<Vec<_>>>()?;
         modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-        Some(Modes { modes })
+        Some(modes)
     }
 
     fn mode(&self, value: f64, shape: DVector<f64>) -> Mode {
         let momentum = &self.mass * &shape;
         let modal_mass = shape.dot(&momentum);
-        let omega = value.abs().sqrt().copysign(value);
+        let stiffness = value * modal_mass / shape.component_mul(&self.ways).norm_squared();
+        let stability = Stability::of(stiffness, self.indifferent_stiffness);
+        let omega = match stability {
+            Stability::Indifferent => 0.0,
+            _ => value.abs().sqrt().copysign(value),
+        };
         let damping = shape.dot(&(&self.damping * &shape)) / modal_mass;
         Mode {
             frequency: omega / TAU,
+            stiffness,
+            stability,
             damping_ratio: if omega > 0.0 { damping / (2.0 * omega) } else { f64::NAN },
             participation: shape.component_mul(&momentum) / modal_mass,
             shape: shape / modal_mass.sqrt(),

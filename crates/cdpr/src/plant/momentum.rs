@@ -9,6 +9,9 @@ use crate::robot::Body;
 /// Largest turn of one piece of a drift (rad): the error of a piece, of the fifth order, stays below rounding.
 const PIECE: f64 = 5e-3;
 
+/// Largest turn within a step (rad): beyond it the forces of a step are those of orientations that have nothing to do with each other.
+pub(super) const LARGEST_TURN: f64 = 1.0;
+
 /// Momentum of a platform: linear, and angular about its centre of mass (world axes; kg·m/s, kg·m²/s). Without forces both stay to the last bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Momentum {
@@ -111,34 +114,43 @@ impl Inertia {
         turn * self.body.mass_matrix() * turn.transpose()
     }
 
-    /// Pose after a time without forces (s): the centre of mass goes straight, the angular momentum stays.
+    /// Pose after a time without forces (s): the centre of mass goes straight, the angular momentum stays. The turn (rad) where it is beyond the
+    /// [largest](LARGEST_TURN).
     #[inline]
-    pub(super) fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Pose {
+    pub(super) fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Result<Pose, f64> {
         let from = pose.position + self.center(pose) + momentum.linear * (time / self.body.mass);
-        let rotation = self.turned(&pose.rotation, &momentum.angular, time);
-        Pose { position: from - rotation * self.body.center_of_mass, rotation }
+        let rotation = self.turned(&pose.rotation, &momentum.angular, time)?;
+        Ok(Pose { position: from - rotation * self.body.center_of_mass, rotation })
     }
 
-    /// Orientation of a free body after a time (s).
+    /// Orientation of a free body after a time (s), or a turn beyond the [largest](LARGEST_TURN) (rad).
     #[inline]
-    fn turned(&self, rotation: &UnitQuaternion<f64>, angular: &Vector3<f64>, time: f64) -> UnitQuaternion<f64> {
+    fn turned(
+        &self,
+        rotation: &UnitQuaternion<f64>,
+        angular: &Vector3<f64>,
+        time: f64,
+    ) -> Result<UnitQuaternion<f64>, f64> {
         if *angular == Vector3::zeros() {
-            return *rotation;
+            return Ok(*rotation);
         }
         let body = rotation.inverse() * angular;
         let omega = self.inverse_inertia * body;
-        let pieces = (omega.norm() * time.abs() / PIECE).ceil();
+        let turn = omega.norm() * time.abs();
+        let pieces = (turn / PIECE).ceil();
         if pieces <= 1.0 {
-            return turned_by(rotation, &self.rotation_vector(&body, &omega, time));
+            return Ok(turned_by(rotation, &self.rotation_vector(&body, &omega, time)));
+        }
+        if turn > LARGEST_TURN {
+            return Err(turn);
         }
         let mut turned = *rotation;
-        let pieces = pieces.min(1e6);
         for _ in 0..pieces as u32 {
             let body = turned.inverse() * angular;
             let theta = self.rotation_vector(&body, &(self.inverse_inertia * body), time / pieces);
             turned = turned_by(&turned, &theta);
         }
-        turned
+        Ok(turned)
     }
 
     /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω (platform axes), by its series

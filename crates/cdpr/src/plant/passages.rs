@@ -1,17 +1,20 @@
 //! Runs with error control: from one bend of commands and wrenches to the next, between which everything is smooth.
 
 use super::commands::Series;
+use super::course::Course;
 use super::error::StepError;
 use super::error_control::Passage;
-use super::simulation::{SAME_TIME, Simulation};
+use super::simulation::Simulation;
+use super::state::State;
+use super::volume::SAME_TIME;
 use crate::geometry::Wrench;
 
 /// Error that a step may have where a scenario does not say it.
 const TOLERANCE: f64 = 1e-10;
 
 impl Simulation {
-    /// To a time, with a stop at every bend; the number of steps of the integrator.
-    pub(super) fn pass_to(&mut self, target: f64) -> Result<u64, StepError> {
+    /// To a time, with a stop at every bend; the number of steps of the integrator, after each of which the course looks at the machine.
+    pub(super) fn pass_to(&mut self, target: f64, course: &mut Course) -> Result<u64, StepError> {
         let mut steps = 0;
         while self.state.time < target {
             let (from, until) = (self.state.time, self.next_bend(target));
@@ -22,7 +25,8 @@ impl Simulation {
             });
             let tolerance = self.time.tolerance.unwrap_or(TOLERANCE);
             let passage = Passage { time: until - from, tolerance, wrenches };
-            steps += self.plant.advance(&mut self.state, &self.commands.at(until), &passage)?;
+            let look = &mut |state: &State| course.look(state);
+            steps += self.plant.advance(&mut self.state, &self.commands.at(until), &passage, look)?;
             self.state.time = until;
         }
         Ok(steps)

@@ -85,7 +85,7 @@ impl Plant {
     }
 
     /// [`Plant::new`] with another damping, one per cable.
-    pub fn with_damping(model: Model, winches: Winches, damping: Vec<Damping>) -> Result<Self, PlantError> {
+    pub(crate) fn with_damping(model: Model, winches: Winches, damping: Vec<Damping>) -> Result<Self, PlantError> {
         let stretches = |cable: &usize| match model.law(*cable).kind {
             Kind::Rigid => false,
             Kind::Linear(law, _) => !law.is_rigid(),

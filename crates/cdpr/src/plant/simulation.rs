@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::commands::{Commands, Series};
+use super::course::{Course, End, Summary};
 use super::error::{PlantError, ScenarioKey, StepError};
 use super::event::{Event, Happening};
 use super::linearization::{SENSIBLE, sensible_step};
@@ -10,14 +11,13 @@ use super::plant::{Damping, Plant};
 use super::scenario::{EventKind, EventTable, Integrator, Scenario, Start, Time};
 use super::sensors::Sensors;
 use super::state::State;
+use super::violations::Judge;
+use super::volume::{SAME_TIME, Volume, grid};
 use crate::geometry::{Pose, Twist, Wrench};
 use crate::metamodel::initial_tensions;
 use crate::metamodel::study::{Initial, TensionMethod};
 use crate::model::Model;
 use crate::robot::Robot;
-
-/// Times that differ by less than this share of a step are one.
-pub(super) const SAME_TIME: f64 = 1e-6;
 
 /// A machine on its way through a scenario.
 #[derive(Clone, Debug)]
@@ -30,36 +30,11 @@ pub struct Simulation {
     pub events: Vec<Event>,
     /// Sensors with what they have seen.
     pub sensors: Option<Sensors>,
+    /// Volume of what it records.
+    pub volume: Volume,
     pub(super) time: Time,
     pub(super) commands: Commands,
     pub(super) wrench: Option<Series>,
-}
-
-/// How a run ended.
-#[derive(Clone, Debug, PartialEq)]
-pub enum End {
-    /// At the end of its time.
-    Completed,
-    /// Whoever watched it said so.
-    Stopped,
-    /// The machine could not go on.
-    Failed(StepError),
-}
-
-/// Outcome of a run.
-#[must_use = "check `end`: the machine may not have got to the end"]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Summary {
-    /// How it ended.
-    pub end: End,
-    /// Steps taken.
-    pub steps: u64,
-    /// Least tension of a cable that is not broken, after any step (N).
-    pub tension_min: f64,
-    /// Largest tension after any step (N).
-    pub tension_max: f64,
-    /// Events that happened.
-    pub events: Vec<Event>,
 }
 
 impl Simulation {
@@ -88,7 +63,8 @@ impl Simulation {
         let wrench = wrench.transpose()?;
         displace(&plant, &mut state, &scenario.start)?;
         let sensors = scenario.sensors.as_ref().map(|table| Sensors::new(table, &plant.model)).transpose()?;
-        Ok(Self { plant, state, events, sensors, time: scenario.time, commands, wrench })
+        let volume = Volume::of(&plant, &scenario.time, sensors.as_ref());
+        Ok(Self { plant, state, events, sensors, volume, time: scenario.time, commands, wrench })
     }
 
     /// Runs to the end, and shows every state that is recorded: the start, after each time of a record, and the last one. A state at the time of an
@@ -97,45 +73,40 @@ impl Simulation {
         &mut self,
         mut watch: impl FnMut(&Plant, &State) -> Result<ControlFlow<()>, E>,
     ) -> Result<Summary, E> {
-        let Time { duration_s: duration, step_s: step, record_s, .. } = self.time;
-        let every = (record_s.unwrap_or(10.0 * step) / step).round().max(1.0) as u64;
-        let count = (duration / step - SAME_TIME).ceil().max(1.0) as u64;
-        let mut summary =
-            Summary { end: End::Completed, steps: 0, tension_min: f64::INFINITY, tension_max: 0.0, events: Vec::new() };
-        summary.look(&self.state);
+        let Time { duration_s: duration, step_s: step, .. } = self.time;
+        let (count, every) = grid(&self.time);
+        let mut course = Course::new(Judge::new(self.plant.model.robot(), self.volume.record_interval));
+        course.look(&self.state);
         self.measure();
         if watch(&self.plant, &self.state)?.is_break() {
-            summary.end = End::Stopped;
-            return Ok(summary);
+            return Ok(course.ended(End::Stopped));
         }
-        let mut next = self.happen_until(0.0, 0, &mut summary);
+        self.happen_until(0.0, &mut course);
         for index in 0..count {
             let target = if index + 1 == count { duration } else { (index + 1) as f64 * step };
             let is_recorded = (index + 1) % every == 0 || index + 1 == count;
             if !is_recorded && self.skips_unrecorded_times() {
                 continue;
             }
-            if let Err(error) = self.advance(target, &mut next, &mut summary) {
-                summary.end = End::Failed(error);
-                return Ok(summary);
+            if let Err(error) = self.advance(target, &mut course) {
+                return Ok(course.ended(End::Failed(error)));
             }
             if is_recorded && watch(&self.plant, &self.state)?.is_break() {
-                summary.end = End::Stopped;
-                return Ok(summary);
+                return Ok(course.ended(End::Stopped));
             }
-            next = self.happen_until(target, next, &mut summary);
+            self.happen_until(target, &mut course);
         }
-        Ok(summary)
+        Ok(course.ended(End::Completed))
     }
 
     /// To a time of the grid, with a stop at every event before it.
-    fn advance(&mut self, target: f64, next: &mut usize, summary: &mut Summary) -> Result<(), StepError> {
+    fn advance(&mut self, target: f64, course: &mut Course) -> Result<(), StepError> {
         let same = SAME_TIME * self.time.step_s;
-        while let Some(event) = self.events.get(*next).filter(|event| event.time < target - same) {
-            self.step_to(event.time, summary)?;
-            *next = self.happen_until(self.state.time, *next, summary);
+        while let Some(event) = self.events.get(course.next).filter(|event| event.time < target - same) {
+            self.step_to(event.time, course)?;
+            self.happen_until(self.state.time, course);
         }
-        self.step_to(target, summary)
+        self.step_to(target, course)
     }
 
     /// True where the integrator has steps of its own and no sensor looks at those of the file.
@@ -143,13 +114,13 @@ impl Simulation {
         self.time.integrator == Integrator::ErrorControlled && self.sensors.is_none()
     }
 
-    fn step_to(&mut self, target: f64, summary: &mut Summary) -> Result<(), StepError> {
-        summary.steps += match self.time.integrator {
+    fn step_to(&mut self, target: f64, course: &mut Course) -> Result<(), StepError> {
+        course.steps += match self.time.integrator {
             #[cfg(any(feature = "error-control", test))]
-            Integrator::ErrorControlled => self.pass_to(target)?,
+            Integrator::ErrorControlled => self.pass_to(target, course)?,
             _ => self.take_step(target)?,
         };
-        summary.look(&self.state);
+        course.look(&self.state);
         self.measure();
         Ok(())
     }
@@ -189,24 +160,13 @@ impl Simulation {
         sensors.look(&self.plant, &self.state, &Wrench::from(further));
     }
 
-    /// Everything up to a time happens; the number of what comes next.
-    fn happen_until(&mut self, time: f64, first: usize, summary: &mut Summary) -> usize {
+    /// Everything up to a time happens.
+    fn happen_until(&mut self, time: f64, course: &mut Course) {
         let until = time + SAME_TIME * self.time.step_s;
-        let mut next = first;
-        while let Some(event) = self.events.get(next).filter(|event| event.time <= until) {
+        while let Some(event) = self.events.get(course.next).filter(|event| event.time <= until) {
             self.plant.apply(&mut self.state, &event.happening);
-            summary.events.push(*event);
-            next += 1;
-        }
-        next
-    }
-}
-
-impl Summary {
-    fn look(&mut self, state: &State) {
-        for cable in state.cables.iter().filter(|cable| !cable.is_broken) {
-            self.tension_min = self.tension_min.min(cable.tension);
-            self.tension_max = self.tension_max.max(cable.tension);
+            course.events.push(*event);
+            course.next += 1;
         }
     }
 }

@@ -6,7 +6,7 @@
 //! kicks, which then follow the classical Runge–Kutta rule at the fixed pose.
 
 use super::error::StepError;
-use super::momentum::Momentum;
+use super::momentum::{LARGEST_TURN, Momentum};
 use super::plant::Plant;
 use super::state::State;
 
@@ -48,6 +48,10 @@ impl Plant {
     /// After an error the state is where the step failed; a snapshot taken before leads back.
     pub fn step(&self, state: &mut State, command: &Command<'_>, time: f64) -> Result<(), StepError> {
         self.check_count(command)?;
+        let turn = state.inertia.angular_velocity(&state.pose.rotation, &state.momentum.angular).norm() * time;
+        if turn > LARGEST_TURN {
+            return Err(StepError::Spin { turn });
+        }
         self.prepare(state, command, time)?;
         self.pass_kinks(state, command, time)?;
         self.finish(state, command);
@@ -99,10 +103,12 @@ impl Plant {
             return self.prepare_drums(state, command);
         }
         for (index, cable) in state.cables.iter_mut().enumerate() {
-            cable.controlled_length_rate = match command {
-                Command::Lengths(lengths) if !cable.is_stopped => (lengths[index] - cable.controlled_length) / time,
-                _ => 0.0,
+            let end = match command {
+                Command::Lengths(lengths) if !cable.is_stopped => lengths[index],
+                _ => cable.controlled_length,
             };
+            cable.check_length(index, end)?;
+            cable.controlled_length_rate = (end - cable.controlled_length) / time;
         }
         Ok(())
     }
@@ -153,7 +159,8 @@ impl Plant {
     /// The free body moves on, winches turn.
     #[inline]
     fn drift(&self, state: &mut State, time: f64) -> Result<(), StepError> {
-        state.pose = state.inertia.drift(&state.pose, &state.momentum, time);
+        let moved = state.inertia.drift(&state.pose, &state.momentum, time);
+        state.pose = moved.map_err(|turn| StepError::Spin { turn })?;
         state.pulls.is_current = false;
         if !self.drums.is_empty() {
             return self.drift_drums(state, time);
@@ -169,6 +176,7 @@ impl Plant {
         state.pulls.find(self, &state.pose, &mut state.cables)?;
         let twist = state.twist();
         for (index, cable) in state.cables.iter_mut().enumerate() {
+            cable.check_length(index, cable.controlled_length)?;
             let (law, column) = (&state.pulls.laws[index], &state.pulls.columns[index]);
             let rate = super::pulls::elongation_rate(column, &twist) - cable.controlled_length_rate;
             cable.tension = if cable.is_broken { 0.0 } else { (law.clipped(rate) + law.weight).max(0.0) };

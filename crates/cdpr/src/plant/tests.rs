@@ -9,6 +9,7 @@ mod dual_numbers;
 mod error_control;
 mod friction;
 mod kinks;
+mod limits;
 mod oracle;
 mod scenarios;
 mod small_motions;

@@ -81,6 +81,11 @@ impl Load {
         gradient
     }
 
+    /// Size of the constant force and of the weight, together (N).
+    pub(crate) fn force(&self) -> f64 {
+        self.constant.fixed_rows::<3>(0).norm() + self.weight.norm()
+    }
+
     /// The same load with the weight of another mass (kg) in the same centre.
     pub(crate) fn with_mass(self, robot: &Robot, mass: f64) -> Self {
         Self { weight: robot.gravity.unwrap_or_else(Vector3::zeros) * mass, ..self }

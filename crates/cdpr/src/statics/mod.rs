@@ -8,6 +8,7 @@ mod cable_states;
 mod error;
 mod load;
 mod sections;
+mod stability;
 mod stiffness;
 #[cfg(test)]
 mod tests;
@@ -18,5 +19,7 @@ pub(crate) use cable_states::{cable_lengths, cable_state_at_outlet, unit_spring_
 pub use error::{StaticsError, check_tensions};
 pub use load::{Load, LoadError};
 pub use sections::section_wrench;
-pub(crate) use stiffness::geometric_stiffness;
-pub use stiffness::{Stability, Stiffness};
+pub use stability::Stability;
+pub(crate) use stability::indifferent_stiffness;
+pub use stiffness::Stiffness;
+pub(crate) use stiffness::{axial_stiffness, geometric_stiffness};

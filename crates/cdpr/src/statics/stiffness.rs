@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix6};
 use super::Load;
 use super::cable_states::cable_state;
 use super::error::{StaticsError, check_tensions};
+use super::stability::{Stability, indifferent_stiffness};
 use crate::cable::CableState;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Model, StretchEffect};
@@ -34,22 +35,14 @@ pub struct Stiffness {
     pub controlled_length_stiffness: Vec<f64>,
     /// Controlled lengths q_θ that belong to the tensions (m).
     pub controlled_lengths: Vec<f64>,
+    /// Stiffness that counts as none (N/m): 1e-9 of the cables' stiffnesses together, or 1e-6 of the load's force over the mean cable length where
+    /// that is less, and never less than 1e-12 of the cables' stiffnesses.
+    pub indifferent_stiffness: f64,
     /// Scales twists to \[δr; ρ δφ\], all metres: 1 for translations, 1/ρ for turns.
     scaling: DVector<f64>,
 }
 
-/// Stability of an equilibrium under small displacements.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stability {
-    /// The platform is driven back in all directions.
-    Stable,
-    /// In some direction nothing drives it back, to within rounding.
-    Indifferent,
-    /// In some direction it is driven away.
-    Unstable,
-}
-
-/// Eigenvalues this small beside the largest, and singular values beside the largest, cannot be told from rounding.
+/// Singular values this small beside the largest cannot be told from rounding.
 const ROUNDING: f64 = 1e-13;
 
 impl Stiffness {
@@ -70,8 +63,10 @@ impl Stiffness {
             cable_stiffness: Vec::with_capacity(m),
             controlled_length_stiffness: Vec::with_capacity(m),
             controlled_lengths: Vec::with_capacity(m),
+            indifferent_stiffness: 0.0,
             scaling: scaling(model),
         };
+        let mut lengths = 0.0;
         let mut turning = Matrix6::zeros();
         for (index, &tension) in tensions.iter().enumerate() {
             let state = cable_state(model, pose, index, tension)?;
@@ -79,10 +74,13 @@ impl Stiffness {
                 return Err(StaticsError::Rigid { cable: index + 1, cure: cure(model, index) });
             }
             turning += state.wrench_by_pose();
+            lengths += state.strained_length;
             stiffness.add_stretch(model.twist_basis(), index, &state);
         }
         stiffness.geometric = in_pattern(model, &turning);
         stiffness.system = &stiffness.cable - &stiffness.geometric - &stiffness.load;
+        stiffness.indifferent_stiffness =
+            indifferent_stiffness(stiffness.cable_stiffness.iter().sum(), load.force(), lengths / m as f64);
         Ok(stiffness)
     }
 
@@ -99,7 +97,7 @@ impl Stiffness {
             }
         }
         let along = |a: [f64; 3]| crate::scalar::dot(a, state.direction);
-        self.cable_stiffness.push(-along(state.tangent.map(along)));
+        self.cable_stiffness.push(axial_stiffness(state));
         self.controlled_length_stiffness.push(-along(state.by_controlled_length));
         self.controlled_lengths.push(state.controlled_length);
     }
@@ -139,19 +137,19 @@ impl Stiffness {
 
     /// Judges an equilibrium by the smallest of the [eigenvalues](Stiffness::eigenvalues).
     pub fn stability(&self) -> Stability {
-        let values = self.eigenvalues();
-        let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        match values.first() {
-            Some(&smallest) if smallest > ROUNDING * largest => Stability::Stable,
-            Some(&smallest) if smallest < -ROUNDING * largest => Stability::Unstable,
-            _ => Stability::Indifferent,
-        }
+        Stability::of(self.eigenvalues().first().copied().unwrap_or(f64::NAN), self.indifferent_stiffness)
     }
 
     /// S M S.
     fn scaled(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
         DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] * self.scaling[i] * self.scaling[j])
     }
+}
+
+/// Stiffness of a cable along its direction at fixed controlled length, ∂f/∂q (N/m).
+pub(crate) fn axial_stiffness(state: &CableState) -> f64 {
+    let along = |a: [f64; 3]| crate::scalar::dot(a, state.direction);
+    -along(state.tangent.map(along))
 }
 
 /// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x, n × n: how the wrench of constant tensions changes with the pose (eq. 2.67).

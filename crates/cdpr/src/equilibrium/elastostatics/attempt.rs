@@ -2,6 +2,7 @@
 
 use super::descent::{End, Stop};
 use super::problem::Problem;
+use crate::statics::Stability;
 
 /// Result of one start.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,8 @@ pub(super) struct Attempt {
 impl Attempt {
     /// True for a stable equilibrium.
     pub(super) fn is_good(&self, problem: &Problem<'_>) -> bool {
-        self.is_equilibrium(problem) && self.stability > problem.indifferent_stiffness()
+        self.is_equilibrium(problem)
+            && Stability::of(self.stability, problem.indifferent_stiffness()) == Stability::Stable
     }
 
     /// True where forces balance and rigid cables have their lengths.

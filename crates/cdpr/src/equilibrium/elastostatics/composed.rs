@@ -9,6 +9,7 @@
 use nalgebra::{Matrix6, Vector3, Vector6};
 
 use super::straight_machine::{FIRST_COMPLIANCE, straight_model};
+use super::verdict::INDIFFERENT;
 use super::{InputError, Load, Model, Settings, Solution, Status};
 use crate::cable::law::CableLaw;
 use crate::cable::span::State;
@@ -19,6 +20,7 @@ use crate::geometry::{Pose, Twist};
 use crate::model::{Cables, StretchEffect};
 use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
+use crate::statics::{Stability, axial_stiffness, indifferent_stiffness};
 
 /// Last compliance before none in the search for cables that do not stretch (1/N).
 const LAST_COMPLIANCE: f64 = 1e-14;
@@ -307,20 +309,19 @@ impl Composed {
         }
         let stiffness = self.stiffness(problem, &point.pose);
         solution.stability = smallest(&((stiffness + stiffness.transpose()) * 0.5), problem.model.dof());
-        let indifferent = 1e-9 * stiffness.diagonal().amax();
-        (solution.status, solution.reason) = if solution.stability > indifferent {
-            (Status::Converged, None)
-        } else if solution.stability < -indifferent {
-            let reason = format!(
-                "forces balance, but the stiffness has the eigenvalue {:.3e} N/m: the platform would leave this pose at the \
-                 smallest disturbance",
-                solution.stability
-            );
-            (Status::Unstable, Some(reason))
-        } else {
-            let reason =
-                "the platform can move without resistance from here: lengths and load do not determine its pose";
-            (Status::Singular, Some(reason.to_owned()))
+        let cables = self.accepted.iter().map(axial_stiffness).sum();
+        let indifferent = indifferent_stiffness(cables, problem.load.force(), problem.mean_length);
+        (solution.status, solution.reason) = match Stability::of(solution.stability, indifferent) {
+            Stability::Stable => (Status::Converged, None),
+            Stability::Unstable => {
+                let reason = format!(
+                    "forces balance, but the stiffness has the eigenvalue {:.3e} N/m: the platform would leave this pose at the \
+                     smallest disturbance",
+                    solution.stability
+                );
+                (Status::Unstable, Some(reason))
+            }
+            Stability::Indifferent => (Status::Singular, Some(INDIFFERENT.to_owned())),
         };
     }
 

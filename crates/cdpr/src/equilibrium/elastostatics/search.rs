@@ -9,6 +9,7 @@ use super::{LoadParts, Problem, Scratch, Solver, stability};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
+use crate::statics::indifferent_stiffness;
 
 /// Relative error of a length, a few roundings, in [`Problem::undecided`].
 pub(super) const ROUNDING: f64 = 1e-14;
@@ -41,14 +42,9 @@ impl Problem<'_> {
         size(&self.load.constant[..3]) + size(&self.load.weight)
     }
 
-    /// Stiffness below which a direction counts as free (N/m): nothing beside the cables, and nothing beside the load, which
-    /// holds a pendulum on stiff cables; never less than rounding.
+    /// Stiffness that counts as none (N/m).
     pub(super) fn indifferent_stiffness(&self) -> f64 {
-        let by_load = match self.force() {
-            0.0 => f64::INFINITY,
-            force => 1e-6 * force / self.mean_length,
-        };
-        f64::min(1e-9 * self.stiffness_scale, by_load).max(1e-12 * self.stiffness_scale)
+        indifferent_stiffness(self.stiffness_scale, self.force(), self.mean_length)
     }
 
     /// Descends from one start, first with cables that may push, then as cables.

@@ -4,6 +4,11 @@ use super::attempt::Attempt;
 use super::descent::Stop;
 use super::rigid::Rigid;
 use super::{Problem, Solution, Status};
+use crate::statics::Stability;
+
+/// Reason of an equilibrium beside which there are others.
+pub(super) const INDIFFERENT: &str = "the equilibrium is indifferent: the platform can move without resistance from here, lengths and load do not \
+                                      determine its pose";
 
 impl Problem<'_> {
     /// Fills in the solution from the best attempt, whose tensions it already has, and its lengths in place of the residuals.
@@ -30,9 +35,9 @@ impl Problem<'_> {
             return (Status::Converged, self.remark(rigid, solution));
         }
         if best.is_equilibrium(self) {
-            return match best.stability < -self.indifferent_stiffness() {
-                true => (Status::Unstable, Some(self.unstable(best, solution))),
-                false => (Status::Singular, Some(indifferent(all_slack))),
+            return match Stability::of(best.stability, self.indifferent_stiffness()) {
+                Stability::Unstable => (Status::Unstable, Some(self.unstable(best, solution))),
+                _ => (Status::Singular, Some(indifferent(all_slack))),
             };
         }
         (Status::NotConverged, Some(self.failure(best, rigid, solution)))
@@ -102,8 +107,6 @@ impl Problem<'_> {
 fn indifferent(all_slack: bool) -> String {
     match all_slack {
         true => "all cables are slack and no load acts: the platform rests anywhere within their reach".to_owned(),
-        false => {
-            "the platform can move without resistance from here: lengths and load do not determine its pose".to_owned()
-        }
+        false => INDIFFERENT.to_owned(),
     }
 }

@@ -114,6 +114,14 @@ impl CableSensors {
         (0..model.cable_count()).map(angle).collect()
     }
 
+    /// Rows per second, and numbers in a row.
+    pub(super) fn rate_and_columns(&self, model: &Model) -> (f64, usize) {
+        let kinds = [self.encoders.is_some(), self.load_pins.is_some(), self.swivels.is_some()];
+        let of_cables = kinds.into_iter().filter(|is_there| *is_there).count() * model.cable_count();
+        let turn = if self.inclinometer.is_some() { turn_columns(model.robot().motion_pattern).len() } else { 0 };
+        (self.clock.rate(), 1 + of_cables + turn)
+    }
+
     /// Columns of measurement files.
     pub(super) fn csv(&self, plant: &Plant) -> String {
         let model = plant.model();

@@ -48,6 +48,11 @@ impl Imu {
         self.rows.push((state.time, force, turning));
     }
 
+    /// Rows per second, and numbers in a row.
+    pub(super) fn rate_and_columns(&self) -> (f64, usize) {
+        (self.clock.rate(), 7)
+    }
+
     pub(super) fn csv(&self) -> String {
         let mut text = "t_s,fx_m_s2,fy_m_s2,fz_m_s2,wx_rad_s,wy_rad_s,wz_rad_s\n".to_owned();
         for (time, force, turning) in &self.rows {

@@ -95,6 +95,14 @@ impl Sensors {
         Sidecar { layout_version: 1, sigmas: self.sigmas, provenance, ..Sidecar::default() }
     }
 
+    /// Rows per second and numbers in a row of the files of the sensors that are there.
+    pub(super) fn rates(&self, model: &Model) -> Vec<(f64, usize)> {
+        let cables = self.cables.iter().map(|cables| cables.rate_and_columns(model));
+        let tracker = self.tracker.iter().map(|tracker| tracker.rate_and_columns(model));
+        let imu = self.imu.iter().map(Imu::rate_and_columns);
+        cables.chain(tracker).chain(imu).collect()
+    }
+
     /// Files of the sensors that are there.
     pub fn logs(&self, plant: &Plant) -> Vec<SensorLog> {
         let cables = self.cables.iter().map(|cables| SensorLog { name: "measurements.csv", csv: cables.csv(plant) });

@@ -19,6 +19,11 @@ impl Clock {
         Self { interval: 1.0 / rate, next: 0 }
     }
 
+    /// Readings per second.
+    pub(super) fn rate(&self) -> f64 {
+        1.0 / self.interval
+    }
+
     /// True where the sensor is read at a time.
     pub(super) fn is_due(&mut self, time: f64) -> bool {
         let due = time + SAME_TIME >= self.next as f64 * self.interval;

@@ -75,6 +75,11 @@ impl Tracker {
         }
     }
 
+    /// Rows per second, and numbers in a row.
+    pub(super) fn rate_and_columns(&self, model: &Model) -> (f64, usize) {
+        (self.clock.rate(), 1 + pose_columns(model.robot()).len())
+    }
+
     /// Columns of measurement files; `t_s` is when a pose arrives.
     pub(super) fn csv(&self, plant: &Plant) -> String {
         let robot = plant.model().robot();

@@ -97,7 +97,7 @@ fn drums_and_growing_wrenches_agree_with_small_symplectic_steps() {
     let time = 0.1;
     let mut controlled = start.clone();
     let passage = Passage { time, tolerance: 1e-12, wrenches: [Wrench::zeros(), wrench] };
-    let steps = plant.advance(&mut controlled, &Command::Torques(&torques), &passage).unwrap();
+    let steps = plant.advance(&mut controlled, &Command::Torques(&torques), &passage, &mut |_| {}).unwrap();
     let [coarse, fine] = [400, 800].map(|count| {
         let mut state = start.clone();
         for index in 0..count {
@@ -148,7 +148,7 @@ fn what_error_control_is_not_for_is_refused() {
         let before = state.clone();
         let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length).collect();
         let passage = Passage { time: 0.1, tolerance: 1e-10, wrenches: [Wrench::zeros(); 2] };
-        let error = plant.advance(&mut state, &Command::Lengths(&lengths), &passage).unwrap_err();
+        let error = plant.advance(&mut state, &Command::Lengths(&lengths), &passage, &mut |_| {}).unwrap_err();
         assert!(error.to_string().contains(told), "{error}");
         assert_eq!(state, before);
     }

@@ -3,9 +3,9 @@
 use super::*;
 
 /// The state displaced along a mode, far too little for the geometry to bend.
-fn along(plant: &Plant, rest: &State, mode: usize, size: f64) -> (State, super::super::Modes) {
+fn along(plant: &Plant, rest: &State, mode: usize, size: f64) -> (State, Vec<super::super::Mode>) {
     let modes = plant.linearize(rest).unwrap().modes().unwrap();
-    let shape = &modes.modes[mode].shape;
+    let shape = &modes[mode].shape;
     let scaled: Vec<f64> = shape.iter().map(|part| part / shape.amax() * size).collect();
     (displaced(plant, rest, &scaled), modes)
 }
@@ -38,7 +38,7 @@ fn every_mode_swings_with_its_frequency() {
         let rest = at_home(&plant, level);
         for mode in 0..plant.model().dof() {
             let (mut state, modes) = along(&plant, &rest, mode, 1e-5);
-            let mode = &modes.modes[mode];
+            let mode = &modes[mode];
             let (row, _) = mode.shape.argmax();
             let row = if mode.shape[row].abs() < mode.shape.amax() { mode.shape.iamax() } else { row };
             let basis = plant.model().twist_basis()[row];
@@ -61,7 +61,7 @@ fn a_damped_mode_decays_by_its_ratio() {
     let plant = plant(simulator(), Composition::ELASTIC, 400.0);
     let rest = at_home(&plant, 6000.0);
     let (state, modes) = along(&plant, &rest, 5, 1e-5);
-    let mode = &modes.modes[5];
+    let mode = &modes[5];
     let zero = plant.energy(&rest).unwrap().total();
     let energy = |state: &State| plant.energy(state).unwrap().total() - zero;
     let mut later = state.clone();

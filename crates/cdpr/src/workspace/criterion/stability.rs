@@ -5,12 +5,12 @@ use super::stiffness::{HeldPlatform, Softest};
 use super::{Criterion, Verdict};
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::statics::Load;
+use crate::statics::{Load, Stability};
 use crate::tension::Limits;
 use crate::workspace::WorkspaceError;
 
 /// Every small displacement at fixed controlled lengths is driven back: the symmetric part of K_wx = K_C − K_G − ∂w/∂x has positive
-/// eigenvalues only.
+/// eigenvalues only, above the stiffness that counts as none.
 ///
 /// A weight above the point it hangs from, or tensions that press a moment arm over, can make it fail however stiff the cables are. The
 /// margin (N/m) is the smallest eigenvalue, turns counted as the way of a point at the length scale; its sign does not depend on
@@ -22,9 +22,6 @@ pub(crate) struct StaticStability<'a> {
 }
 
 const NAME: &str = "stability";
-
-/// Eigenvalues this small beside the largest cannot be told from rounding.
-const ROUNDING: f64 = 1e-13;
 
 impl<'a> StaticStability<'a> {
     /// The criterion for elastic cables, with the platform radius as length scale (m) where none is given.
@@ -57,12 +54,12 @@ impl Criterion for StaticStability<'_> {
             Ok(stiffness) => stiffness,
             Err(verdict) => return verdict,
         };
-        let Some(Softest { eigenvalue, scale, direction }) = self.held.softest(&stiffness, self.length_scale) else {
+        let Some(Softest { eigenvalue, direction }) = self.held.softest(&stiffness, self.length_scale) else {
             return Verdict::impossible("the stiffness is not finite", None);
         };
-        match eigenvalue > ROUNDING * scale {
-            true => Verdict::held(eigenvalue, None),
-            false => {
+        match Stability::of(eigenvalue, stiffness.indifferent_stiffness) {
+            Stability::Stable => Verdict::held(eigenvalue, None),
+            Stability::Indifferent | Stability::Unstable => {
                 let words = format!(
                     "the platform is not driven back from a displacement mainly {direction}: its stiffness there is \
                      {eigenvalue:.4e} N/m"

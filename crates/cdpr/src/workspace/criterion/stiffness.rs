@@ -61,7 +61,7 @@ impl Criterion for MinimumStiffness<'_> {
             Ok(stiffness) => stiffness,
             Err(verdict) => return verdict,
         };
-        let Softest { eigenvalue, direction, .. } = match self.held.softest(&stiffness, self.length_scale) {
+        let Softest { eigenvalue, direction } = match self.held.softest(&stiffness, self.length_scale) {
             Some(softest) => softest,
             None => return Verdict::impossible("the stiffness is not finite", None),
         };
@@ -90,8 +90,6 @@ pub(super) struct HeldPlatform<'a> {
 pub(super) struct Softest {
     /// Smallest eigenvalue of the symmetric part (N/m).
     pub(super) eigenvalue: f64,
-    /// Largest one by amount (N/m): what rounding is measured against.
-    pub(super) scale: f64,
     /// The degree of freedom with the largest part.
     pub(super) direction: String,
 }
@@ -151,6 +149,6 @@ impl<'a> HeldPlatform<'a> {
         });
         let eigen = symmetric_eigen(symmetric)?;
         let direction = mainly(self.model, eigen.eigenvectors.column(eigen.eigenvalues.imin()).iter().copied());
-        Some(Softest { eigenvalue: eigen.eigenvalues.min(), scale: eigen.eigenvalues.amax(), direction })
+        Some(Softest { eigenvalue: eigen.eigenvalues.min(), direction })
     }
 }
