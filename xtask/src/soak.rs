@@ -38,6 +38,7 @@ const PROPERTIES: &[&str] = &[
     "sizes_of_random_robots_lie_within_their_bounds",
     "random_poses_of_eight_robots_get_the_right_verdict_and_the_optimum",
     "batches_decide_as_an_interior_point_solver_does",
+    "intervals_of_stated_lengths_hold_the_truth_with_seven_equations",
 ];
 
 /// Readers that libFuzzer feeds.

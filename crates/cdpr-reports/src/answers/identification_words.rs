@@ -119,6 +119,9 @@ fn outliers(answer: &Identified, width: Option<usize>) -> String {
     table.text(width) + &more
 }
 
+/// Half width of a 95 % interval, in deviations, from which on it is told: that of twenty degrees of freedom.
+const WIDE: f64 = 2.085;
+
 /// Rank, condition, weak directions.
 pub(super) fn identifiability(analysis: &Analysis, parameter_count: usize, noise_factor: f64) -> String {
     let mut text = format!(
@@ -128,6 +131,12 @@ pub(super) fn identifiability(analysis: &Analysis, parameter_count: usize, noise
         condition_number(analysis.condition_scaled),
         cell(Some(noise_factor), 3)
     );
+    if analysis.quantile_95 > WIDE {
+        let quantile = cell(Some(analysis.quantile_95), 2);
+        text.push_str(&format!(
+            "intervals of 95 % are value ± {quantile} sigma: few residuals tell the noise, so that it may be larger than it looks\n"
+        ));
+    }
     for direction in &analysis.weak_directions {
         text.push_str(&format!("weak direction: {direction}\n"));
     }

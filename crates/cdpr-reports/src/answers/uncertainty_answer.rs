@@ -32,9 +32,6 @@ pub struct UncertaintyAnswer {
     pub band_warning: Option<String>,
 }
 
-/// Half width of a 95 % interval of a normal distribution, in standard deviations.
-const NORMAL_95: f64 = 1.959_964;
-
 /// Doubt about bands that some parameters say nothing to.
 fn band_warning(fit: &Fit) -> Option<String> {
     let (without, count) = (fit.without_deviation(), fit.parameters.len());
@@ -110,7 +107,7 @@ impl UncertaintyAnswer {
             let decimals = decimals_for(Some(factor * profile.sigma));
             let number = |value: f64| fixed(factor * value, decimals);
             let end = |end: Option<f64>| end.map_or_else(|| NONE.to_owned(), number);
-            let half = NORMAL_95 * profile.sigma;
+            let half = profile.quantile_95 * profile.sigma;
             table.row(vec![
                 profile.parameter.clone(),
                 unit.to_owned(),
@@ -136,7 +133,7 @@ impl UncertaintyAnswer {
             let decimals = decimals_for(Some(factor * profile.sigma));
             let number = |value: f64| fixed(factor * value, decimals);
             let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), number);
-            let half = NORMAL_95 * profile.sigma;
+            let half = profile.quantile_95 * profile.sigma;
             format!(
                 "`{}` = {} {unit}: by the profile {} to {}, by the linear deviation {} to {}.",
                 profile.parameter,
@@ -228,7 +225,7 @@ fn curves(profile: &Profile) -> ProfileCurves {
         length_rms: of(|point| point.length_rms_m, 1e3),
         position_mean: of(|point| point.position_mean_m, 1e3),
         interval: profile.interval.map(|end| end.map(|end| factor * (end - profile.value))),
-        linear: factor * NORMAL_95 * profile.sigma,
+        linear: factor * profile.quantile_95 * profile.sigma,
         levels: [1e3 * profile.length_rms_m, 1e3 * profile.given_length_rms_m],
     }
 }

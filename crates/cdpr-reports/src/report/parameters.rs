@@ -9,9 +9,6 @@ use crate::answers::start_summary;
 use crate::html_page::prose;
 use crate::number_format::{self as number, decimals_for, fixed, signed};
 
-/// Half width of a 95 % interval of a normal distribution, in standard deviations.
-const NORMAL_95: f64 = 1.959_964;
-
 /// The free parameters of the model shown.
 pub(super) fn table(shown: &Shown<'_>) -> Value {
     let columns = [
@@ -29,12 +26,13 @@ pub(super) fn table(shown: &Shown<'_>) -> Value {
     ];
     let mut table = Table::new(format!("Free parameters of `{}`", shown.name), &columns);
     for estimate in &shown.judgement.fit.parameters {
-        table.push("", row(estimate));
+        table.push("", row(estimate, shown.judgement.fit.analysis.quantile_95));
     }
     table.into_value()
 }
 
-fn row(estimate: &Estimate) -> Vec<Cell> {
+/// A parameter with its interval, whose half width is so many deviations.
+fn row(estimate: &Estimate, quantile: f64) -> Vec<Cell> {
     let (factor, unit) = match estimate.unit {
         "m" => (1e3, "mm"),
         // compliances per newton have more zeros than anybody wants to count
@@ -54,7 +52,7 @@ fn row(estimate: &Estimate) -> Vec<Cell> {
     let change = factor * estimate.change;
     let none = || Cell::number(number::NONE);
     let interval = sigma.map(|sigma| {
-        let half = NORMAL_95 * sigma;
+        let half = quantile * sigma;
         Cell::number(format!("{} … {}", fixed(value - half, decimals), fixed(value + half, decimals)))
     });
     let remark = match (estimate.sigma, estimate.at_bound) {

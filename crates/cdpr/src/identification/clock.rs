@@ -179,7 +179,11 @@ impl<'a> Search<'a> {
 
     fn found(&self, seconds: f64, explained: f64, costs: &Costs, curvature: f64) -> ClockOffset {
         let rows = costs.samples * self.track.samples.cable_count;
-        let noise = costs.at * costs.samples as f64 / rows.saturating_sub(self.parameters + 1).max(1) as f64;
+        let told = costs.at * costs.samples as f64 / rows.saturating_sub(self.parameters + 1).max(1) as f64;
+        let sigmas = &self.track.samples.sigmas;
+        let is_stated = [sigmas.length, sigmas.position].into_iter().flatten().any(|sigma| sigma > 0.0);
+        // residuals that are smaller than stated accuracies are luck
+        let noise = if is_stated { told.max(1.0) } else { told };
         ClockOffset { seconds, sigma: (2.0 * noise / (curvature * costs.samples as f64)).sqrt(), explained }
     }
 

@@ -33,8 +33,7 @@ use super::elastostatic;
 use super::identifiability::{Analysis, KinematicState as State, analyse};
 use super::likelihood::FittedRows;
 use super::loss::{Loss, RobustLoss};
-use super::misfit::Misfit;
-use super::norms::Norms;
+use super::noise::Noise;
 use super::stopping::{StoppedBy, StoppingRule};
 use super::weights::Weights;
 use super::{objective, outliers};
@@ -181,7 +180,7 @@ fn report(
     let noise = Noise::of(&optimum.misfit(samples, settings), &optimum.norms, weights.absolute);
     let values: Vec<_> = optimum.ends.iter().map(|end| end.values).collect();
     let state = State { model: &calibrated, samples, poses: &optimum.poses, blocks: &optimum.blocks, values: &values };
-    let (analysis, series) = analyse(&state, &optimum.norms, noise.inflation, settings);
+    let (analysis, series) = analyse(&state, &optimum.norms, &noise, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -230,25 +229,6 @@ fn report(
     })
 }
 
-/// Noise that residuals tell, in units of the weights.
-pub(super) struct Noise {
-    pub(super) factor: f64,
-    /// Factor of the standard deviations that the weights give by least squares.
-    pub(super) inflation: f64,
-}
-
-impl Noise {
-    pub(super) fn of(misfit: &Misfit, norms: &Norms, absolute: bool) -> Self {
-        match norms.loss {
-            None => Self { factor: misfit.factor(), inflation: inflation(misfit.factor(), absolute) },
-            Some(loss) => Self {
-                factor: norms.own_deviation,
-                inflation: norms.inflation(&loss, misfit.prior_cost, misfit.freedom),
-            },
-        }
-    }
-}
-
 /// The loss of an optimum.
 pub(super) fn used(loss: Option<RobustLoss>) -> Loss {
     loss.map_or(Loss::Squared, |loss| loss.tail.loss())
@@ -257,16 +237,6 @@ pub(super) fn used(loss: Option<RobustLoss>) -> Loss {
 /// C of the loss; infinite for least squares.
 pub(super) fn threshold(loss: Option<RobustLoss>) -> f64 {
     loss.map_or(f64::INFINITY, |loss| loss.threshold)
-}
-
-/// Factor of the standard deviations that the weights give: residuals that are smaller than stated accuracies are luck.
-pub(super) fn inflation(misfit: f64, absolute: bool) -> f64 {
-    match misfit.is_finite() {
-        true if absolute => misfit.max(1.0),
-        true => misfit,
-        // nothing is left over to tell
-        false => 1.0,
-    }
 }
 
 pub(super) fn estimate(

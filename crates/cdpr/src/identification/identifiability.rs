@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::autocorrelation::correlation_time;
 use super::blocks::Block;
 use super::fit::{Settings, prior_sigma};
+use super::noise::Noise;
 use super::norms::Norms;
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::words::{Direction, describe};
@@ -62,6 +63,8 @@ pub struct Analysis {
     /// Standard deviation per free parameter.
     #[serde(skip)]
     pub(super) sigmas: Vec<Option<f64>>,
+    /// Half width of a 95 % interval of a parameter, in standard deviations: 1.96, or Student's t where residuals tell the noise.
+    pub quantile_95: f64,
     /// Factor of the deviations that the rows' weights give.
     #[serde(skip)]
     pub(super) inflation: f64,
@@ -106,11 +109,11 @@ pub(super) struct KinematicState<'a> {
     pub(super) values: &'a [CableValues],
 }
 
-/// Analyses all blocks at their optimum and tells their residuals, whitened by the weights. `inflation` multiplies the noise of every row.
+/// Analyses all blocks at their optimum and tells their residuals, whitened by the weights. `noise` is that of every row in units of the weights.
 pub(super) fn analyse(
     state: &KinematicState<'_>,
     norms: &Norms,
-    inflation: f64,
+    noise: &Noise,
     settings: &Settings,
 ) -> (Analysis, Vec<Vec<f64>>) {
     let KinematicState { model, samples, poses, blocks, values } = *state;
@@ -137,7 +140,7 @@ pub(super) fn analyse(
 
         let time = correlation_time(&residuals);
         longest_time = longest_time.max(time);
-        let factor = inflation * time.sqrt();
+        let factor = noise.inflation * time.sqrt();
         let priors = prior_weights(&block.parameters, settings);
         let mut weighted = TriangularFactor::of(&weighted);
         weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
@@ -158,7 +161,8 @@ pub(super) fn analyse(
         analysis.sigmas.extend(uncertainty.sigmas);
     }
     analysis.set_correlations(rows, &|k| parameters[k].name(model.robot()));
-    analysis.inflation = inflation * longest_time.sqrt();
+    analysis.inflation = noise.inflation * longest_time.sqrt();
+    analysis.quantile_95 = noise.quantile(longest_time);
     (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
     (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
     plain_values.sort_by(|a, b| b.total_cmp(a));

@@ -8,6 +8,7 @@ use super::identifiability::{
     Analysis, Named, Uncertainty, mean_rotation, prior_weights, rank_and_condition, singular_values, spectrum,
     with_unit_columns,
 };
+use super::noise::Noise;
 use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::Parameter;
@@ -31,15 +32,15 @@ pub(super) struct JointRows<'a> {
     pub(super) weighted: TriangularFactor,
     /// Residuals in these units, one series over the samples for each row of a sample.
     pub(super) series: Vec<Vec<f64>>,
-    /// Factor of that noise.
-    pub(super) inflation: f64,
+    /// Noise of the rows in these units.
+    pub(super) noise: Noise,
 }
 
 /// Analyses parameters that are identified together. The typical correlation time of the series enlarges deviations.
 pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Analysis {
-    let JointRows { model, samples, parameters, scale, count, plain, conventions, mut weighted, series, inflation } =
-        rows;
-    let mut analysis = Analysis { inflation, ..Analysis::default() };
+    let JointRows { model, samples, parameters, scale, count, plain, conventions, mut weighted, series, noise } = rows;
+    let Noise { inflation, .. } = noise;
+    let mut analysis = Analysis { inflation, quantile_95: noise.quantile(1.0), ..Analysis::default() };
     if parameters.is_empty() {
         (analysis.condition, analysis.condition_scaled) = (1.0, 1.0);
         return analysis;
@@ -70,6 +71,7 @@ pub(super) fn analyse_together(rows: JointRows<'_>, settings: &Settings) -> Anal
     let posterior = spectrum(weighted);
     let uncertainty = Uncertainty::new(&posterior, inflation * time.sqrt(), &priors);
     analysis.inflation = inflation * time.sqrt();
+    analysis.quantile_95 = noise.quantile(time);
     analysis.undetermined = uncertainty.undetermined;
     let name = |k: usize| parameters[k].name(model.robot());
     analysis.set_correlations(uncertainty.correlation_rows(0), &name);

@@ -49,6 +49,7 @@ mod robot_files;
 mod selection_truth;
 mod self_calibration;
 mod self_calibration_by_sensors;
+mod self_calibration_coverage;
 mod self_calibration_held_out;
 mod self_calibration_turned;
 mod sensitivity;

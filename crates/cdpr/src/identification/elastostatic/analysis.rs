@@ -5,12 +5,11 @@ use super::noise::SLACK_SIGMA;
 use super::optimum::Optimum;
 use super::rows::{RowModel, SampleRows, first_columns};
 use crate::equilibrium::elastostatics;
-use crate::identification::fit::{
-    Estimate, Fit, Noise, Settings, Status, estimate, threshold, used, verdict, warnings,
-};
+use crate::identification::fit::{Estimate, Fit, Settings, Status, estimate, threshold, used, verdict, warnings};
 use crate::identification::identifiability::Analysis;
 use crate::identification::joint_analysis::{JointRows, analyse_together};
 use crate::identification::likelihood::FittedRows;
+use crate::identification::noise::Noise;
 use crate::identification::outliers;
 use crate::identification::recorded::Recorded;
 use crate::measurement::Samples;
@@ -27,7 +26,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
     let model = &optimum.start_model;
     let noise = Noise::of(&optimum.misfit, &optimum.norms, optimum.absolute);
     let noise_factor = optimum.noise * noise.factor;
-    let (analysis, series) = analyse(&optimum, samples, parameters, noise.inflation, settings);
+    let (analysis, series) = analyse(&optimum, samples, parameters, noise, settings);
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
@@ -152,11 +151,12 @@ fn analyse(
     optimum: &Optimum,
     samples: &Samples,
     parameters: &[Parameter],
-    inflation: f64,
+    noise: Noise,
     settings: &Settings,
 ) -> (Analysis, Vec<Vec<f64>>) {
     let Ok(load) = Load::of(optimum.calibrated.robot()) else {
-        return (Analysis { inflation, ..Analysis::default() }, Vec::new());
+        let (inflation, quantile_95) = (noise.inflation, noise.quantile(1.0));
+        return (Analysis { inflation, quantile_95, ..Analysis::default() }, Vec::new());
     };
     let ([plain, weighted], series) = stacked(optimum, samples, parameters, load);
     let model = &optimum.calibrated;
@@ -165,20 +165,10 @@ fn analyse(
     weighed.iter_mut().for_each(|row| optimum.norms.weigh(row));
     let scale = problem.scale();
     let count = samples.len() * series.len();
-    let rows = JointRows {
-        model,
-        samples,
-        parameters,
-        scale,
-        count,
-        plain,
-        conventions: 0,
-        weighted,
-        series: weighed,
-        inflation,
-    };
+    let rows =
+        JointRows { model, samples, parameters, scale, count, plain, conventions: 0, weighted, series: weighed, noise };
     let mut analysis = analyse_together(rows, settings);
-    analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis.sigmas);
+    analysis.unknown_stiffness = unknown_stiffness(optimum, parameters, &analysis);
     analysis.weak_directions.extend(analysis.unknown_stiffness.clone());
     (analysis, series)
 }
@@ -221,11 +211,13 @@ fn stacked(
 }
 
 /// Cables whose compliance has a 95 % interval wider than ± a quarter of it: too little for a controller that relies on it.
-fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], sigmas: &[Option<f64>]) -> Option<String> {
+fn unknown_stiffness(optimum: &Optimum, parameters: &[Parameter], analysis: &Analysis) -> Option<String> {
     let mut cables = Vec::new();
-    for (parameter, sigma) in parameters.iter().zip(sigmas) {
+    for (parameter, sigma) in parameters.iter().zip(&analysis.sigmas) {
         let value = parameter.value(optimum.calibrated.robot());
-        if parameter.kind == ParameterKind::Compliance && sigma.is_none_or(|sigma| 1.96 * sigma > 0.25 * value) {
+        if parameter.kind == ParameterKind::Compliance
+            && sigma.is_none_or(|sigma| analysis.quantile_95 * sigma > 0.25 * value)
+        {
             let deviation = sigma.map_or("not determined at all".to_owned(), |sigma| format!("± {:.0}", 1e9 * sigma));
             cables.push(format!("{} (compliance {:.0} {deviation} 1/GN)", parameter.cable + 1, 1e9 * value));
         }

@@ -16,9 +16,6 @@ use crate::measurement::Samples;
 use crate::model::Model;
 use crate::robot::{Parameter, Robot};
 
-/// 95 % quantile of χ² with one degree of freedom.
-const CHI_SQUARED_95: f64 = 3.841_459;
-
 /// Points of a profile on each side of the optimum, and how far they go in standard deviations.
 const POINTS: i32 = 6;
 const DEVIATIONS: f64 = 3.0;
@@ -44,7 +41,9 @@ pub struct Profile {
     pub value: f64,
     /// Linear standard deviation.
     pub sigma: f64,
-    /// Rise of the weighted squares at the ends of the interval: χ² of 95 % times the square of the noise that `sigma` is of.
+    /// Half width of the linear 95 % interval in these ([`Analysis::quantile_95`](crate::identification::Analysis)).
+    pub quantile_95: f64,
+    /// Rise of the weighted squares at the ends of the interval: the square of `quantile_95` times that of the noise that `sigma` is of.
     pub threshold: f64,
     /// Ends of the 95 % interval of the profile likelihood, the others refitted; `None` where it is open.
     pub interval: [Option<f64>; 2],
@@ -152,7 +151,8 @@ impl<'a> Course<'a> {
                     .map_or(f64::NAN, |errors| errors.blocks().position_error_m.mean),
             });
         }
-        let threshold = CHI_SQUARED_95 * self.noise_square(place, sigma, refitted_at_optimum)?;
+        let quantile_95 = self.fit.analysis.quantile_95;
+        let threshold = quantile_95 * quantile_95 * self.noise_square(place, sigma, refitted_at_optimum)?;
         let end = |side: f64| -> Result<Option<f64>, InputError> {
             let rise = |shift: f64| Ok(self.refitted(place, side * shift)? - refitted_at_optimum - threshold);
             Ok(self.crossing(place, (side, sigma), &rise)?.map(|shift| estimate.value + side * shift))
@@ -162,6 +162,7 @@ impl<'a> Course<'a> {
             unit: estimate.unit,
             value: estimate.value,
             sigma,
+            quantile_95,
             threshold,
             interval: [end(-1.0)?, end(1.0)?],
             length_rms_m: length_rms(&self.fit.model, &self.samples),
@@ -187,7 +188,7 @@ impl<'a> Course<'a> {
         (side, sigma): (f64, f64),
         rise: &dyn Fn(f64) -> Result<f64, InputError>,
     ) -> Result<Option<f64>, InputError> {
-        let (mut below, mut above) = (0.0, 1.96 * sigma);
+        let (mut below, mut above) = (0.0, self.fit.analysis.quantile_95 * sigma);
         while self.is_inside(place, side * above) && rise(above)? < 0.0 {
             (below, above) = (above, 2.0 * above);
             if above > OPEN * sigma {

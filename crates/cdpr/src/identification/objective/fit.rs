@@ -111,7 +111,7 @@ pub(super) fn find<T>(
     let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
     let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
-    let absolute = unit.is_none() && samples.sigmas.position.is_some();
+    let absolute = are_stated(model, samples, settings);
     let units = Units { scale, unit, absolute, mean_tension };
     let found =
         search(&mut vectors, (&start_model, parameters), units, (settings, progress), None).and_then(|optimum| {
@@ -124,6 +124,21 @@ pub(super) fn find<T>(
         }
         _ => error,
     })
+}
+
+/// True where the accuracies are stated that weigh the vectors of an objective.
+fn are_stated(model: &Model, samples: &Samples, settings: &Settings) -> bool {
+    let is_stated = |sigma: Option<f64>| sigma.is_some_and(|sigma| sigma > 0.0);
+    let sigmas = &samples.sigmas;
+    let turns = model.robot().motion_pattern.has_rotation();
+    match (settings.objective, model.needs_tensions()) {
+        (Objective::Length, false) => is_stated(sigmas.length),
+        // rotations count beside positions by a length that is none of their accuracies
+        (Objective::Pose, false) if turns && (settings.rotation_length.is_some() || !is_stated(sigmas.rotation)) => {
+            false
+        }
+        _ => is_stated(sigmas.position),
+    }
 }
 
 /// Sizes of parameters and vectors.

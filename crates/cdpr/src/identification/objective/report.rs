@@ -5,11 +5,12 @@ use super::cost::deviations_of_norms;
 use super::fit::{Optimum, find};
 use super::vectors::Stacked;
 use crate::identification::fit::{
-    Estimate, Fit, InputError, Noise, Settings, estimate, length_residuals, threshold, used, verdict, warnings,
+    Estimate, Fit, InputError, Settings, estimate, length_residuals, prior_sigma, threshold, used, verdict, warnings,
 };
 use crate::identification::identifiability::Analysis;
 use crate::identification::joint_analysis::{JointRows, analyse_together};
 use crate::identification::misfit::Misfit;
+use crate::identification::noise::Noise;
 use crate::identification::outliers;
 use crate::measurement::Samples;
 use crate::model::Model;
@@ -38,8 +39,9 @@ pub(in crate::identification) fn report(
     parameters: &[Parameter],
     settings: &Settings,
 ) -> Fit {
-    let analysis = analyse((&optimum, stacked), samples, parameters, settings);
-    let Optimum { start, calibrated, end, starts, certificate, unit, absolute, norms, .. } = optimum;
+    let noise = Noise::of(&misfit((&optimum, stacked), parameters, settings), &optimum.norms, optimum.absolute);
+    let analysis = analyse((&optimum, stacked), (samples, noise), parameters, settings);
+    let Optimum { start, calibrated, end, starts, certificate, unit, norms, .. } = optimum;
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&start)
@@ -47,7 +49,6 @@ pub(in crate::identification) fn report(
         .map(|((parameter, &start), &sigma)| estimate(*parameter, (start, &calibrated), sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
-    let noise_factor = Noise::of(&misfit(stacked, &estimates), &norms, absolute).factor;
     let outliers = outliers::named(&norms, samples, |sample| length_residuals(&calibrated, samples, sample));
     let loss = used(norms.loss);
     let mut all_warnings = analysis.warnings.clone();
@@ -63,7 +64,7 @@ pub(in crate::identification) fn report(
         trail: end.trail,
         parameters: estimates,
         analysis,
-        noise_factor,
+        noise_factor: noise.factor,
         loss,
         loss_threshold: threshold(norms.loss),
         starts,
@@ -94,27 +95,23 @@ fn caution(settings: &Settings) -> Option<String> {
 }
 
 /// Squares at the optimum, in units of the vectors.
-fn misfit(stacked: &Stacked, estimates: &[Estimate]) -> Misfit {
-    let priors = estimates.iter().filter_map(|e| Some((e.change / e.prior_sigma?).powi(2)));
+fn misfit((optimum, stacked): (&Optimum, &Stacked), parameters: &[Parameter], settings: &Settings) -> Misfit {
+    let change = |k: usize| optimum.end.values[k] - optimum.start[k];
+    let square = |(k, of): (usize, &Parameter)| Some((change(k) / prior_sigma(settings, of.kind)?).powi(2));
+    let priors = parameters.iter().enumerate().filter_map(square);
     let prior_cost: f64 = priors.clone().sum();
     let rows = stacked.free_rows() + priors.count();
     let cost = stacked.residuals.norm_squared() + prior_cost;
-    Misfit { cost, prior_cost, freedom: rows.saturating_sub(estimates.len()) }
+    Misfit { cost, prior_cost, freedom: rows.saturating_sub(parameters.len()) }
 }
 
 fn analyse(
     (optimum, stacked): (&Optimum, &Stacked),
-    samples: &Samples,
+    (samples, noise): (&Samples, Noise),
     parameters: &[Parameter],
     settings: &Settings,
 ) -> Analysis {
-    let Optimum { scale, calibrated, unit, absolute, norms, .. } = optimum;
-    let misfit = Misfit {
-        cost: stacked.residuals.norm_squared(),
-        prior_cost: 0.0,
-        freedom: stacked.free_rows().saturating_sub(parameters.len()),
-    };
-    let inflation = Noise::of(&misfit, norms, *absolute).inflation;
+    let Optimum { scale, calibrated, unit, .. } = optimum;
     let rows = JointRows {
         model: calibrated,
         samples,
@@ -125,7 +122,7 @@ fn analyse(
         conventions: stacked.rows.1,
         weighted: TriangularFactor::of(&stacked.jacobian),
         series: series(stacked),
-        inflation,
+        noise,
     };
     let mut analysis = analyse_together(rows, settings);
     match settings.minimize {

@@ -161,7 +161,7 @@ impl Question<'_> {
     }
 
     fn units(&self, scale: Vec<f64>) -> Units {
-        let unit = self.sensing.unit();
-        Units { scale, unit, absolute: unit.is_none() && self.are_stated(), mean_tension: self.mean_tension() }
+        let (unit, absolute) = (self.sensing.unit(), self.are_stated());
+        Units { scale, unit, absolute, mean_tension: self.mean_tension() }
     }
 }

@@ -70,7 +70,9 @@ impl Question<'_> {
 
     /// True where every accuracy is stated that weighs a row.
     pub(super) fn are_stated(&self) -> bool {
-        let Sensing::All(layout, _) = &self.sensing else { return self.internal.samples.sigmas.length.is_some() };
+        let Sensing::All(layout, _) = &self.sensing else {
+            return is_stated(&self.internal.samples.sigmas, Sensor::Length);
+        };
         let stated = &self.internal.samples.sigmas;
         let has = |(sensor, ..): &(Sensor, &str, &str)| layout.has(*sensor);
         SENSORS.iter().filter(|sensor| has(sensor)).all(|(sensor, ..)| is_stated(stated, *sensor))
@@ -88,7 +90,8 @@ pub(super) const SENSORS: [(Sensor, &str, &str); 4] = [
 /// True where the accuracy of a sensor is known.
 pub(super) fn is_stated(stated: &SensorSigmas, sensor: Sensor) -> bool {
     match sensor {
-        Sensor::Length => stated.length.is_some(),
+        // lengths without error would weigh without end: the assumed accuracy takes their place
+        Sensor::Length => stated.length.is_some_and(|sigma| sigma > 0.0),
         Sensor::Tension => stated.tension.is_some(),
         Sensor::Swivel => stated.swivel.is_some(),
         Sensor::Pose => stated.rotation.is_some(),

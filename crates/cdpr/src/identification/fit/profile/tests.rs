@@ -1,6 +1,6 @@
 use nalgebra::Vector3;
 
-use super::{CHI_SQUARED_95, Profile, profiles};
+use super::{Profile, profiles};
 use crate::identification::fit::{Fit, InputError, Prior, Settings, fit};
 use crate::identification::objective::{Minimize, Objective};
 use crate::identification::recorded_curves::{SIGMA, curve, noisy, points};
@@ -32,7 +32,7 @@ fn a_linear_problem_has_the_parabola_of_its_deviation() {
         assert!((point.held - expected).abs() < 1e-5, "{point:?} {expected}");
         assert!((point.refitted - expected).abs() < 1e-5, "{point:?} {expected}");
     }
-    let half = CHI_SQUARED_95.sqrt() * fit.parameters[2].sigma.unwrap();
+    let half = fit.analysis.quantile_95 * fit.parameters[2].sigma.unwrap();
     let [low, high] = profile.interval.map(Option::unwrap);
     // ends are found to 1e-4 of their distance
     assert!(((profile.value - low) / half - 1.0).abs() < 2e-4 && ((high - profile.value) / half - 1.0).abs() < 2e-4);
@@ -90,14 +90,14 @@ fn predicted_poses_have_the_profile_of_their_own_squares() {
     let samples = noisy(&points(), curve(&points(), 30, 1.0), 4, Some(SIGMA), 0.0);
     let of_poses = Settings { objective: Objective::Pose, ..Settings::default() };
     let (fit, profile) = profiled(&samples, "length-offset", &of_poses, 2);
-    let half = CHI_SQUARED_95.sqrt() * fit.parameters[2].sigma.unwrap();
+    let half = fit.analysis.quantile_95 * fit.parameters[2].sigma.unwrap();
     let [low, high] = profile.interval.map(Option::unwrap);
     for one in [profile.value - low, high - profile.value] {
         assert!((one / half - 1.0).abs() < 1e-2, "{one} {half}");
     }
     assert!(profile.points.iter().all(|point| point.refitted > -1e-9 && point.held >= point.refitted - 1e-9));
     let (by_lengths, _) = profiled(&samples, "length-offset", &Settings::default(), 2);
-    assert!(half > 1.2 * CHI_SQUARED_95.sqrt() * by_lengths.parameters[2].sigma.unwrap());
+    assert!(half > 1.2 * by_lengths.analysis.quantile_95 * by_lengths.parameters[2].sigma.unwrap());
 }
 
 #[test]
