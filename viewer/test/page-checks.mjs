@@ -22,18 +22,18 @@ export async function checkPage(page, result) {
   return found;
 }
 
-/** Green without warnings only, amber with any, red where nobody should trust the model; every warning of the answer is in the list. */
+/** Green without doubts only, amber with any, red where nobody should trust the model; every warning of the answer is in the list. */
 async function verdict(page, data) {
   const found = [];
   const shown = page.locator(".verdict");
   const classes = (await shown.getAttribute("class")).split(" ");
-  const { warnings, trusted, recommended } = data.result;
+  const { warnings, trusted, recommended, status } = data.result;
   const told = await page.locator("#warnings li").allTextContents();
   const plain = warnings.map((warning) => warning.replaceAll("`", ""));
   if (JSON.stringify(told) !== JSON.stringify(plain)) found.push(`the page warns of ${JSON.stringify(told)}, the answer of ${JSON.stringify(plain)}`);
   if (warnings.length > 0 && !(await page.locator("#warnings li").first().isVisible())) found.push("the first warning is folded");
-  const isRefused = !recommended || !trusted || (await page.locator(".verdict .broken").count()) > 0;
-  const expected = isRefused ? "bad" : warnings.length > 0 ? "warned" : "good";
+  const isRefused = !recommended || !trusted || status.startsWith("not-") || (await page.locator(".verdict .broken").count()) > 0;
+  const expected = isRefused ? "bad" : status.endsWith("-with-caution") ? "warned" : "good";
   if (!classes.includes(expected)) found.push(`the verdict is ${classes.join(" ")}, not ${expected}`);
   const tint = await shown.evaluate((box) => getComputedStyle(box).backgroundColor.match(/[\d.]+/g).map(Number));
   const isGreen = tint[1] > tint[0];

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use cdpr::identification::selection::Warnings;
-use clap::ValueEnum;
+use cdpr::identification::{Doubt, DoubtKind};
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use crate::failure::Failure;
@@ -33,6 +34,14 @@ impl Format {
     }
 }
 
+/// Consequence of an answer that is not to be trusted.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub(crate) struct TrustArguments {
+    /// Exit with 0 although the answer is not to be trusted or its fit did not converge; status and warnings say so all the same.
+    #[arg(long)]
+    accept_untrusted: bool,
+}
+
 /// Where answers and remarks go.
 pub(crate) struct Output {
     format: Format,
@@ -56,12 +65,18 @@ impl Output {
 
     /// Writes the answer to stdout and tells the exit code.
     pub(crate) fn answer(&self, answer: &impl Answer) -> Result<ExitCode, Failure> {
+        self.answer_accepting(answer, TrustArguments::default())
+    }
+
+    /// The same where a user may overrule an answer that is not to be trusted.
+    pub(crate) fn answer_accepting(&self, answer: &impl Answer, trust: TrustArguments) -> Result<ExitCode, Failure> {
         let text = match self.format {
             Format::Text => answer.words(console::answer_width()),
             Format::Json => self.json(answer, status(answer))?,
         };
         to_stdout(&text)?;
-        Ok(ExitCode::from(u8::from(answer.is_negative())))
+        let is_accepted = trust.accept_untrusted && answer.may_be_accepted();
+        Ok(ExitCode::from(u8::from(answer.is_negative() && !is_accepted)))
     }
 
     /// Tells something that is not part of the answer, on stderr and among the warnings of a JSON answer.
@@ -78,17 +93,15 @@ impl Output {
 
     /// The doubts told so far.
     pub(crate) fn doubts(&self) -> Warnings {
-        let list = self.doubts.borrow().clone();
-        Warnings { doubts: list.len(), list }
+        let doubt = |words: &String| Doubt::new(DoubtKind::Data, words);
+        Warnings { doubts: self.doubts.borrow().iter().map(doubt).collect(), remarks: Vec::new() }
     }
 
     /// The doubts and then the remarks told so far.
     pub(crate) fn warnings(&self) -> Warnings {
-        let mut warnings = self.doubts();
-        let remarks = self.remarks();
-        let others: Vec<String> = remarks.into_iter().filter(|remark| !warnings.list.contains(remark)).collect();
-        warnings.list.extend(others);
-        warnings
+        let mut remarks = self.remarks();
+        remarks.retain(|remark| !self.doubts.borrow().contains(remark));
+        Warnings { remarks, ..self.doubts() }
     }
 
     /// All that was told so far besides the answer, for pages and files.

@@ -13,7 +13,7 @@ use cdpr::nalgebra::Vector3;
 use cdpr::robot::{ParameterKind, Robot};
 use clap::Args;
 
-use crate::answer::Output;
+use crate::answer::{Output, TrustArguments};
 use cdpr_reports::NamedFile;
 use cdpr_reports::comparison::{ComparisonData, DataDivision};
 
@@ -55,6 +55,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     selection: SelectionArguments,
 
+    #[command(flatten)]
+    trust: TrustArguments,
+
     /// Folder for the result and the measurements.
     #[arg(long, value_name = "DIR", default_value = "cdpr-demo")]
     out: PathBuf,
@@ -86,10 +89,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         validation_name: words,
         command: format!("cdpr select robot.toml training.csv --validation validation.csv{options} --out ."),
         warnings: Warnings {
-            list: vec![
+            remarks: vec![
                 "these measurements are virtual: a machine with known parameters and sensor noise made them".to_owned(),
             ],
-            doubts: 0,
+            doubts: Vec::new(),
         },
         inputs,
     })?;
@@ -97,7 +100,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let own_files = comparison.data.inputs.clone();
     write_folder(&arguments.out, &comparison, own_files)?;
     answer.out = Some(arguments.out.display().to_string());
-    output.answer(&answer)
+    output.answer_accepting(&answer, arguments.trust)
 }
 
 /// The machine: pulleys whose contact points at the pose where the winches are set are the anchors of eq. 6.27.

@@ -10,7 +10,7 @@ use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use clap::Args;
 
-use crate::answer::Output;
+use crate::answer::{Output, TrustArguments};
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
@@ -31,7 +31,7 @@ Examples:
 /// Position and rotation errors compare the pose that the model predicts from the recorded lengths with the measured one;
 /// length errors compare the model's lengths at the measured pose with the recorded ones. An elastic model predicts under the
 /// load that the robot's file states, and so does a rigid one of fewer cables than degrees of freedom; tension errors compare
-/// predicted with recorded tensions. Data without poses are compared at the poses where the lengths fit best, with no error of the pose. A sample whose forward problem has no answer has no error, and the exit code is 1.
+/// predicted with recorded tensions. Data without poses are compared at the poses where the lengths fit best, with no error of the pose. A sample whose forward problem has no answer has no error, and the exit code is 1, as it is where errors are not to be trusted.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -43,6 +43,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     compensation: CompensationOption,
+
+    #[command(flatten)]
+    trust: TrustArguments,
 
     /// Write the errors of every sample to this CSV file.
     #[arg(long, value_name = "FILE")]
@@ -80,7 +83,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
     let data = (arguments.data.name(), &samples, output.doubts());
     let answer = EvaluationAnswer::new(&model, data, &evaluation, out_errors);
-    output.answer(&answer.with_compensation(map.map(|(_, file)| file), beyond))
+    let answer = answer.with_compensation(map.map(|(_, file)| file), beyond);
+    output.answer_accepting(&answer, arguments.trust)
 }
 
 /// Samples without measured poses, and the errors of their lengths at the poses where these fit best.

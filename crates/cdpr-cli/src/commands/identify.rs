@@ -19,7 +19,7 @@ use cdpr::model::FreeParameters;
 use cdpr::reading::Keyword;
 use clap::Args;
 
-use crate::answer::Output;
+use crate::answer::{Output, TrustArguments};
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::ModelArguments;
@@ -54,7 +54,8 @@ tension-scale, tension-offset, without poses these three of rigid models, too; w
 
 /// Identify the parameters of a model from measured poses and recorded lengths.
 ///
-/// The exit code is 1 when the data do not determine all free parameters; the calibrated file is written all the same.
+/// The exit code is 1 when the data do not determine all free parameters, when the fit did not converge, and when its errors are not to be trusted; the calibrated
+/// file is written all the same, and `[calibration] status` in it says so.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -136,6 +137,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     course: course::CourseArguments,
+
+    #[command(flatten)]
+    trust: TrustArguments,
 }
 
 impl Arguments {
@@ -177,7 +181,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     progress.expect(task.descents(1));
     task.tell_about_unused_column(output);
     let result = task.identify(other.as_ref())?;
-    let calibrated = result.fit.model.robot().to_toml();
+    let calibrated = result.fit.model.robot().clone();
     let uncertainty = uncertainty::find(&task, &result.fit)?;
     let files = uncertainty.files(&result.fit.model);
     let (scaling, map) = scaling::find(&task, &result.fit)?;
@@ -186,11 +190,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let (course, course_files) = arguments.course.answer((result.course.clone(), &result.fit));
     let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
     let answer = answer.with_scaling(scaling).with_course(course);
+    let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, (other.as_ref(), None), answer.reason(), &answer.warnings(), &answer.additions()))
+        .map(|_| report::page(&task, (other.as_ref(), None), answer.reason(), answer.warnings(), &answer.additions()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));
@@ -199,7 +204,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     files::write_all(
         &calibrated_file.into_iter().chain(report_file).chain(path.files()).chain(further).collect::<Vec<_>>(),
     )?;
-    output.answer(&answer)
+    output.answer_accepting(&answer, arguments.trust)
 }
 
 /// Refuses options that are of poses nobody measured.

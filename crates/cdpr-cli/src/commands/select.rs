@@ -9,7 +9,7 @@ use cdpr::reading::Size;
 use cdpr::robot::Robot;
 use clap::Args;
 
-use crate::answer::Output;
+use crate::answer::{Output, TrustArguments};
 use crate::command_line;
 use cdpr_reports::NamedFile;
 use cdpr_reports::comparison::{ComparisonData, DataDivision};
@@ -30,7 +30,7 @@ Examples:
 /// Identify candidate control models, judge each on data it was not fitted to, and recommend one.
 ///
 /// Recommended is the simplest candidate (the first of the list) whose error lies within one standard error of the best
-/// and that keeps every limit of --require. The exit code is 1 when none does.
+/// and that keeps every limit of --require, of those whose fit converged. The exit code is 1 when none does, and when the recommended one is not to be trusted.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -52,6 +52,9 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     selection: SelectionArguments,
 
+    #[command(flatten)]
+    trust: TrustArguments,
+
     /// Folder for the result: result.json, run.toml, tables, calibrated robots, report.html.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -64,7 +67,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         write_folder(folder, &comparison, Vec::new())?;
         answer.out = Some(folder.display().to_string());
     }
-    output.answer(&answer)
+    output.answer_accepting(&answer, arguments.trust)
 }
 
 impl Arguments {

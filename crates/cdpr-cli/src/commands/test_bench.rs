@@ -7,7 +7,7 @@ use cdpr::identification::test_bench::{Record, Settings, identify};
 use cdpr::reading::Size;
 use clap::Args;
 
-use crate::answer::Output;
+use crate::answer::{Output, TrustArguments};
 use crate::failure::Failure;
 use crate::files;
 use crate::numbers::finite_number;
@@ -41,6 +41,9 @@ pub(crate) struct Arguments {
     /// File to write with the keys for a table [[cable]] of a robot file.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    trust: TrustArguments,
 }
 
 fn positive_length(text: &str) -> Result<f64, String> {
@@ -63,5 +66,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, keys.as_bytes())?;
     }
     let out = arguments.out.map(|path| path.display().to_string());
-    output.answer(&TestBenchAnswer::new(solution, (name, reading.record.elongations.len()), keys, out))
+    let answer = TestBenchAnswer::new(solution, (name, reading.record.elongations.len()), keys, out);
+    output.answer_accepting(&answer, arguments.trust)
 }

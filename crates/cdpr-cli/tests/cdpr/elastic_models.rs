@@ -147,5 +147,5 @@ fn compliances_that_end_at_zero_are_a_negative_answer_with_the_likely_cause() {
     assert!(file.lines().filter(is_rigid).count() > 6, "{file}");
     // the cause is right: with offsets the same data are explained
     let run = identify("--free compliance,length-offset,wrench");
-    assert_eq!(run.json()["status"], "converged", "{}", run.stdout);
+    assert!(run.json()["status"].as_str().unwrap().starts_with("converged"), "{}", run.stdout);
 }

@@ -50,6 +50,7 @@ mod sweeps;
 mod tension;
 mod test_bench;
 mod undetermined_tensions;
+mod verdicts;
 mod winches;
 mod workspace;
 mod workspace_page;

@@ -183,7 +183,8 @@ fn identify_writes_a_report() {
         folder.path(),
         "identify data/robot.toml data/training.csv --free frame-anchor --validation data/validation.csv --report r.html",
     );
-    assert_eq!(run.exit_code, 0, "{}", run.stderr);
+    // rigid cables err by seven times the accuracy of the poses
+    assert_eq!(run.exit_code, 1, "{}", run.stderr);
     let page = std::fs::read_to_string(folder.path().join("r.html")).unwrap();
     assert!(page.contains("all 24 parameters are determined"), "the reason in words");
     assert!(
@@ -286,7 +287,7 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let run = cdpr_in(folder.path(), &format!("select data/robot.toml dirty.csv --out result {arguments}"));
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let place = |text: &str, words: &str| text.find(words).unwrap_or_else(|| panic!("`{words}` is not in {text}"));
-    assert!(place(&run.stdout, "caution: outliers: 3 of") < place(&run.stdout, "recommended:"));
+    assert!(place(&run.stdout, "caution: outliers: 3 of") < place(&run.stdout, "recommended with caution:"));
     let lines = |outliers: &serde_json::Value| -> Vec<u64> {
         let keys = |outlier: &serde_json::Value| {
             assert!(outlier["residual_m"].as_f64().unwrap() > 0.05 && outlier["weight"].as_f64().unwrap() < 0.5);
@@ -303,11 +304,11 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let table = String::from_utf8(files["outliers.csv"].clone()).unwrap();
     assert_eq!(table.lines().count(), 1 + LINES.len(), "{table}");
     let page = String::from_utf8(files["report.html"].clone()).unwrap();
-    assert!(place(&page, "<li>outliers: 3 of") < place(&page, "Recommended control model, with"));
+    assert!(place(&page, "<li>outliers: 3 of") < place(&page, "Recommended control model, to be used"));
 
     let identify = "identify data/robot.toml dirty.csv --free frame-anchor,length-offset,length-scale";
     let told = cdpr_in(folder.path(), identify).stdout;
-    assert!(place(&told, "caution: outliers: 3 of") < place(&told, "converged after"));
+    assert!(place(&told, "caution: outliers: 3 of") < place(&told, "converged, to be used"));
     let answer =
         cdpr_in(folder.path(), &format!("{identify} --format json")).json_with(&["outliers", "loss_threshold"]);
     assert_eq!(

@@ -11,4 +11,9 @@ pub trait Answer: Serialize {
     fn is_negative(&self) -> bool {
         false
     }
+
+    /// True for a no that a user may overrule by `--accept-untrusted`: the answer is there, only not to be relied on.
+    fn may_be_accepted(&self) -> bool {
+        false
+    }
 }

@@ -67,7 +67,7 @@ impl CompensationAnswer {
     pub fn new(model: &Model, (data, doubts): (String, Warnings), found: Compensated, out: Option<String>) -> Self {
         let Compensated { map, judged, helps, reason } = found;
         let facts = map.facts();
-        let mut warnings = doubts.list;
+        let mut warnings = doubts.list();
         let (samples, alone) = (format!("{} samples", judged.samples), "the model stands alone there");
         warnings.extend(beyond_words(judged.beyond, &samples, "the others when they are held out", alone));
         Self {

@@ -5,12 +5,13 @@ use std::fmt::Write;
 use cdpr::compensation::Beyond;
 use cdpr::geometry::MotionPattern;
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{ErrorBlocks, Evaluation, distrust};
+use cdpr::identification::{ErrorBlocks, Evaluation, Verdict, distrust};
 use cdpr::measurement::Samples;
 use cdpr::model::Model;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};
+use super::identification_words::reason_of;
 use super::{Answer, axis_names, beyond_words, components};
 
 /// Errors of a model on measurements, in short.
@@ -20,9 +21,14 @@ pub struct EvaluationAnswer {
     model: String,
     data: String,
     status: &'static str,
+    /// Samples without an answer, else the reason not to trust the errors.
     reason: Option<String>,
-    /// The data raise no doubts and no rule of plausibility is broken.
+    #[serde(skip)]
+    unanswered: Option<String>,
+    /// False where a rule of plausibility is broken or a sample has no answer.
     trusted: bool,
+    #[serde(skip)]
+    verdict: Verdict,
     #[serde(flatten)]
     blocks: ErrorBlocks,
     /// Map that corrects the lengths.
@@ -31,7 +37,7 @@ pub struct EvaluationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
-    warnings: Vec<String>,
+    warnings: Warnings,
     #[serde(skip)]
     pattern: MotionPattern,
 }
@@ -46,7 +52,7 @@ struct UsedMap {
 }
 
 /// Why the forward problem failed, by the first sample at which it did.
-fn reason(evaluation: &Evaluation) -> Option<String> {
+fn unanswered(evaluation: &Evaluation) -> Option<String> {
     let (sample, why) = evaluation.not_converged.first()?;
     let (failed, all) = (evaluation.not_converged.len(), evaluation.len());
     Some(format!(
@@ -97,17 +103,19 @@ impl EvaluationAnswer {
         evaluation: &Evaluation,
         out_errors: Option<String>,
     ) -> Self {
-        let (reason, blocks) = (reason(evaluation), evaluation.blocks());
-        let mut warnings = doubts.list;
-        warnings.extend(distrust(model.robot(), &samples.sigmas, &blocks).reasons);
-        let trusted = warnings.is_empty() && reason.is_none();
+        let (unanswered, blocks) = (unanswered(evaluation), evaluation.blocks());
+        let mut warnings = doubts;
+        warnings.doubts.extend(distrust(model.robot(), &samples.sigmas, &blocks).reasons);
+        let verdict = Verdict::of_predictions(&warnings.doubts, unanswered.is_none());
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
             data,
-            status: if reason.is_none() { "converged" } else { "not-converged" },
-            reason,
-            trusted,
+            status: verdict.fit_status(),
+            reason: unanswered.clone().or_else(|| reason_of(verdict, &warnings.doubts)),
+            unanswered,
+            trusted: verdict.is_trusted(),
+            verdict,
             blocks,
             compensation: None,
             out_errors,
@@ -121,7 +129,7 @@ impl EvaluationAnswer {
     pub fn with_compensation(mut self, file: Option<String>, beyond: Beyond) -> Self {
         if let Some(file) = file {
             let (samples, of_map) = (format!("{} samples", self.blocks.samples), format!("those of {file}"));
-            self.warnings.extend(beyond_words(beyond, &samples, &of_map, "they are not corrected"));
+            self.warnings.remarks.extend(beyond_words(beyond, &samples, &of_map, "they are not corrected"));
             self.compensation = Some(UsedMap { file, beyond });
         }
         self
@@ -130,7 +138,11 @@ impl EvaluationAnswer {
 
 impl Answer for EvaluationAnswer {
     fn is_negative(&self) -> bool {
-        self.reason.is_some()
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
     }
 
     fn words(&self, width: Option<usize>) -> String {
@@ -138,8 +150,8 @@ impl Answer for EvaluationAnswer {
         let corrected =
             self.compensation.as_ref().map_or_else(String::new, |map| format!(" corrected by {}", map.file));
         let mut text = format!("{robot}, model {model}{corrected}, on {data} ({} samples)\n", blocks.samples);
-        self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
-        if let Some(reason) = &self.reason {
+        self.warnings.list().iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        if let Some(reason) = &self.unanswered {
             let answered = match blocks.answered {
                 0 => "there is no error of the pose to tell".to_owned(),
                 count => format!("errors of the pose are those of the other {count}"),

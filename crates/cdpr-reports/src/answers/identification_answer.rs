@@ -1,10 +1,10 @@
 //! Parameters identified from measurements, and what they are worth.
 
 use cdpr::geometry::MotionPattern;
-use cdpr::identification::fit::{Estimate, Fit, Status};
+use cdpr::identification::fit::{Estimate, Fit};
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
-    Analysis, Distrust, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, StoppedBy, distrust,
+    Analysis, Doubt, DoubtKind, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, StoppedBy, Verdict, distrust,
 };
 use cdpr::measurement::SensorSigmas;
 use cdpr::model::Model;
@@ -28,10 +28,10 @@ pub struct IdentificationAnswer {
     pub(super) free: String,
     pub(super) data: String,
     pub(super) samples: usize,
-    pub(super) status: Status,
+    pub(super) status: &'static str,
     pub(super) trusted: bool,
     #[serde(skip)]
-    pub(super) is_gross: bool,
+    pub(super) verdict: Verdict,
     pub(super) reason: String,
     pub(super) stopped_by: StoppedBy,
     pub(super) iterations: u32,
@@ -65,10 +65,7 @@ pub struct IdentificationAnswer {
     pub(super) validation: Option<ErrorBlocks>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) validation_before: Option<ErrorBlocks>,
-    pub(super) warnings: Vec<String>,
-    /// The first of them, which doubt the outcome.
-    #[serde(skip)]
-    pub(super) doubts: usize,
+    pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,
     #[serde(flatten)]
@@ -119,25 +116,22 @@ impl IdentificationAnswer {
         let (validation, validation_before) = validation.map(|[after, before]| (after, before)).unzip();
         let (before, after) = (validation_before.unwrap_or(train_before), validation.unwrap_or(train));
         let distrust = distrust(model.robot(), &found.sigmas, &after);
-        let Distrust { reasons, is_gross } = &distrust;
-        let (trusted, is_gross) = (reasons.is_empty(), *is_gross);
         let composition = model.composition().to_string();
-        let told = fit.warnings_with(&distrust, (&composition, [&before, &after]), &found.warnings);
-        let Warnings { list: mut warnings, mut doubts } = told;
-        let of_objective = found.objective.doubts();
-        doubts += of_objective.len();
-        warnings.splice(0..0, of_objective);
-        warnings.extend(convergence_remark(&train, "training samples"));
-        warnings.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
+        let mut warnings = fit.warnings_with(&distrust, (&composition, [&before, &after]), &found.warnings);
+        let of_objective = found.objective.doubt().map(|words| Doubt::new(DoubtKind::WorseThanGiven, words));
+        warnings.doubts.splice(0..0, of_objective);
+        warnings.remarks.extend(convergence_remark(&train, "training samples"));
+        warnings.remarks.extend(validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
+        let verdict = Verdict::of_fit(&warnings.doubts);
         Self {
             robot: model.robot().name.clone(),
             model: composition,
             free,
             data,
             samples,
-            status: fit.status,
-            trusted,
-            is_gross,
+            status: verdict.fit_status(),
+            trusted: verdict.is_trusted(),
+            verdict,
             reason: fit.reason,
             stopped_by: fit.stopped_by,
             iterations: fit.iterations,
@@ -161,7 +155,6 @@ impl IdentificationAnswer {
             validation_data,
             validation,
             validation_before,
-            doubts,
             warnings,
             out,
             uncertainty: UncertaintyAnswer::default(),
@@ -175,7 +168,7 @@ impl IdentificationAnswer {
     /// The same with profiles and bootstrap, whose warning joins the others.
     #[must_use]
     pub fn with_uncertainty(mut self, uncertainty: UncertaintyAnswer) -> Self {
-        self.warnings.extend(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
+        self.warnings.remarks.extend(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
         Self { uncertainty, ..self }
     }
 
@@ -185,7 +178,7 @@ impl IdentificationAnswer {
         mut self,
         (path, reduction, warning): (Option<PathAnswer>, Option<ReductionAnswer>, Option<String>),
     ) -> Self {
-        self.warnings.extend(warning);
+        self.warnings.remarks.extend(warning);
         Self { path, reduction, ..self }
     }
 
@@ -202,8 +195,13 @@ impl IdentificationAnswer {
     }
 
     /// Warnings for the reader, doubts about the outcome first.
-    pub fn warnings(&self) -> Warnings {
-        Warnings { list: self.warnings.clone(), doubts: self.doubts }
+    pub fn warnings(&self) -> &Warnings {
+        &self.warnings
+    }
+
+    /// How far it may be relied on.
+    pub fn verdict(&self) -> Verdict {
+        self.verdict
     }
 
     /// Parts of the page: errors of the optima, smaller model, path of a penalty, condition, course, profiles and bootstrap.
@@ -231,7 +229,11 @@ impl IdentificationAnswer {
 
 impl Answer for IdentificationAnswer {
     fn is_negative(&self) -> bool {
-        self.status != Status::Converged || self.is_gross
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
     }
 
     fn words(&self, width: Option<usize>) -> String {

@@ -1,7 +1,8 @@
 //! An identification in tables and sentences.
 
-use cdpr::identification::Analysis;
-use cdpr::identification::fit::{Estimate, Status};
+use cdpr::identification::fit::Estimate;
+use cdpr::identification::selection::Warnings;
+use cdpr::identification::{Analysis, Doubt, Verdict};
 
 use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
@@ -13,13 +14,13 @@ use crate::table::Table;
 
 pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
-    let status = status_words(answer.status);
+    let status = verdict_words(answer.verdict);
     let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");
     // what must be known before the outcome
-    let (doubts, remarks) = answer.warnings.split_at(answer.doubts);
-    doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+    let Warnings { doubts, remarks } = &answer.warnings;
+    text.push_str(&doubt_words(doubts));
     text.push_str(&format!("{status} after {iterations} iterations: {reason}\n"));
-    if answer.status != Status::NotConverged && !answer.parameters.is_empty() {
+    if answer.verdict != Verdict::NotConverged && !answer.parameters.is_empty() {
         text.push_str(&format!("ended by {}\n", answer.stopped_by));
     }
     if !answer.parameters.is_empty() {
@@ -61,14 +62,27 @@ pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
     text
 }
 
-/// A fit's status.
-pub(super) fn status_words(status: Status) -> &'static str {
-    match status {
-        Status::Converged => "converged",
-        Status::NotIdentifiable => "not identifiable",
-        Status::NotPredictive => "no forward problem",
-        _ => "not converged",
+/// How far a fit may be relied on.
+pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Sound => "converged",
+        Verdict::WithCaution => "converged, to be used with caution,",
+        Verdict::NotIdentifiable => "not identifiable",
+        Verdict::NotTrusted => "not to be trusted",
+        Verdict::NotPredictive => "no forward problem",
+        Verdict::NotConverged => "not converged",
     }
+}
+
+/// Reason of an answer that is a no: the first doubt that makes it one.
+pub(super) fn reason_of(verdict: Verdict, doubts: &[Doubt]) -> Option<String> {
+    let decides = |doubt: &&Doubt| verdict.is_negative() && doubt.kind.verdict() == verdict;
+    doubts.iter().find(decides).map(|doubt| doubt.words.clone())
+}
+
+/// Doubts about an answer, which stand before it.
+pub(super) fn doubt_words(doubts: &[Doubt]) -> String {
+    doubts.iter().map(|doubt| format!("caution: {}\n", doubt.words)).collect()
 }
 
 /// A row for every parameter.

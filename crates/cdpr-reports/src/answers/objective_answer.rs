@@ -43,9 +43,9 @@ pub struct ObjectiveAnswer {
 }
 
 impl ObjectiveAnswer {
-    /// Doubts about the objective.
-    pub(super) fn doubts(&self) -> Vec<String> {
-        let (Some(driven), Some(before)) = (&self.driven, &self.driven_before) else { return Vec::new() };
+    /// Doubt about the objective: a controller that drives worse than the one as given.
+    pub(super) fn doubt(&self) -> Option<String> {
+        let (driven, before) = (self.driven.as_ref()?, self.driven_before.as_ref()?);
         let (after, before) = (driven.position_error_m.mean, before.position_error_m.mean);
         let is_worse = after > before;
         let words = || {
@@ -55,7 +55,7 @@ impl ObjectiveAnswer {
                 cell(Some(1e3 * before), 3)
             )
         };
-        is_worse.then(words).into_iter().collect()
+        is_worse.then(words)
     }
 
     /// Tables and sentences.

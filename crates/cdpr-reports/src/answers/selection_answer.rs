@@ -1,10 +1,10 @@
 //! The answer of a comparison of candidates.
 
-use cdpr::identification::fit::{Estimate, Status};
+use cdpr::identification::fit::Estimate;
 use cdpr::identification::selection::{
     HeldOut, JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion,
 };
-use cdpr::identification::{Coverage, ErrorBlocks, Information, Loss, Outlier, RecordingFrames, coverage};
+use cdpr::identification::{Coverage, ErrorBlocks, Information, Loss, Outlier, RecordingFrames, Verdict, coverage};
 use serde::Serialize;
 
 use super::RatingAnswer;
@@ -31,11 +31,11 @@ pub struct SelectionAnswer {
     pub best: Option<String>,
     /// Name of the recommended candidate.
     pub recommended: Option<String>,
-    /// False where the recommended candidate breaks a rule of plausibility; the warnings say which.
+    /// False where nothing is recommended, or nobody should work with what is; the warnings say why.
     pub trusted: bool,
-    /// Whether its errors are such that the answer is no.
+    /// How far the recommended candidate may be relied on; none without one.
     #[serde(skip)]
-    pub is_gross: bool,
+    pub verdict: Option<Verdict>,
     /// Reason of the outcome, in words.
     pub reason: String,
     /// Choices of all criteria, and whether they agree.
@@ -87,8 +87,8 @@ pub struct CandidateAnswer {
 /// Fit of a candidate and its errors.
 #[derive(Serialize)]
 pub struct JudgedAnswer {
-    /// Outcome of the fit.
-    pub status: Status,
+    /// How far the candidate may be relied on, as `cdpr identify` tells it.
+    pub status: &'static str,
     /// Reason of the outcome, in words.
     pub reason: String,
     /// Number of free parameters.
@@ -153,7 +153,7 @@ pub struct JudgedAnswer {
     pub frames: Option<RecordingFrames>,
     /// Requirements with their outcomes.
     pub requirements: Vec<RequirementOutcome>,
-    /// False where errors break a rule of plausibility.
+    /// False where nobody should work with the candidate: its errors break a rule of plausibility, or its fit found no optimum.
     pub trusted: bool,
     /// Reasons not to trust the candidate.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -222,17 +222,13 @@ impl SelectionAnswer {
         let selection = told.selection;
         let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
         let judged = |index: Option<usize>| index.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let (chosen, shown) = (judged(selection.recommended), judged(selection.shown()));
-        let is_gross = chosen.is_some_and(|judgement| judgement.distrust.is_gross);
+        let shown = judged(selection.shown());
         let warnings = told.told_warnings();
+        let verdict = selection.recommended.map(|_| told.verdict(&warnings));
         Self {
-            status: match selection.recommended {
-                Some(_) if is_gross => "not-trusted",
-                Some(_) => "recommended",
-                None => "none-good-enough",
-            },
-            trusted: chosen.is_some_and(|judgement| judgement.distrust.reasons.is_empty()),
-            is_gross,
+            status: verdict.map_or("none-good-enough", |verdict| told.status(verdict)),
+            trusted: verdict.is_some_and(Verdict::is_trusted),
+            verdict,
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
             samples: told.data_count,
@@ -249,8 +245,8 @@ impl SelectionAnswer {
             outliers: shown.map_or_else(Vec::new, |judgement| judgement.fit.outliers.clone()),
             frames: shown.and_then(|judgement| judgement.fit.frames.clone()),
             seed: told.seed,
-            doubts: warnings.doubts,
-            warnings: warnings.list,
+            doubts: warnings.doubts.len(),
+            warnings: warnings.list(),
             out: None,
             timing: None,
         }
@@ -278,10 +274,10 @@ impl CandidateAnswer {
 
 impl JudgedAnswer {
     fn new(judgement: &Judgement) -> Self {
-        let fit = &judgement.fit;
+        let (fit, verdict) = (&judgement.fit, judgement.verdict());
         let fold = |(name, errors): &(String, ErrorBlocks)| FoldAnswer { name: name.clone(), errors: *errors };
         Self {
-            status: fit.status,
+            status: verdict.fit_status(),
             reason: fit.reason.clone(),
             parameter_count: fit.parameters.len(),
             iterations: fit.iterations,
@@ -312,8 +308,8 @@ impl JudgedAnswer {
             clock_offset_s: fit.clock_offset.map(|clock| clock.seconds),
             frames: fit.frames.clone(),
             requirements: judgement.requirements.clone(),
-            trusted: judgement.distrust.reasons.is_empty(),
-            distrust: judgement.distrust.reasons.clone(),
+            trusted: verdict.is_trusted(),
+            distrust: judgement.distrust.reasons.iter().map(|doubt| doubt.words.clone()).collect(),
             warnings: fit.outlier_warning.iter().chain(&fit.warnings).cloned().collect(),
             caution_words: fit.caution_words(),
         }

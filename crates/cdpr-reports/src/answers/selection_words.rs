@@ -1,5 +1,7 @@
 //! The answer of a comparison, for people.
 
+use cdpr::identification::Verdict;
+
 use super::error_table::convergence_remark;
 use super::frame_words::frame_words;
 use super::{Answer, AsGiven, SelectionAnswer, rating_answer};
@@ -16,7 +18,11 @@ impl Answer for SelectionAnswer {
         text.push_str(&format!("\n{}\n", table(self, width)));
         match &self.recommended {
             Some(name) => {
-                let words = if self.trusted { "recommended" } else { "the best that there is, not to be trusted" };
+                let words = match self.verdict {
+                    Some(Verdict::Sound) => "recommended",
+                    Some(Verdict::WithCaution) => "recommended with caution",
+                    _ => "the best that there is, not to be trusted",
+                };
                 text.push_str(&format!("{words}: {name}\n  {}\n", self.reason));
             }
             None => text.push_str(&format!("no candidate is good enough\n  {}\n", self.reason)),
@@ -52,7 +58,11 @@ impl Answer for SelectionAnswer {
     }
 
     fn is_negative(&self) -> bool {
-        self.recommended.is_none() || self.is_gross
+        self.verdict.is_none_or(Verdict::is_negative)
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.is_some_and(Verdict::may_be_accepted)
     }
 }
 

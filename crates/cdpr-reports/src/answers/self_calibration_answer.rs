@@ -1,8 +1,8 @@
 //! A robot calibrated without measured poses: JSON and words.
 
-use cdpr::identification::fit::{Estimate, Status};
+use cdpr::identification::fit::Estimate;
 use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy};
+use cdpr::identification::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy, Verdict};
 use cdpr::model::Model;
 use serde::Serialize;
 
@@ -10,7 +10,7 @@ use super::Answer;
 use super::CourseAnswer;
 use super::PoseAnswer;
 use super::PoselessJudgement;
-use super::identification_words::{identifiability, parameters, status_words};
+use super::identification_words::{doubt_words, identifiability, parameters, verdict_words};
 use super::start_words::start_words;
 use crate::number_format::significant;
 use crate::report::Addition;
@@ -23,7 +23,10 @@ pub struct SelfCalibrationAnswer {
     free: String,
     data: String,
     samples: usize,
-    status: Status,
+    status: &'static str,
+    trusted: bool,
+    #[serde(skip)]
+    verdict: Verdict,
     reason: String,
     stopped_by: StoppedBy,
     iterations: u32,
@@ -53,9 +56,7 @@ pub struct SelfCalibrationAnswer {
     /// Course of the fit, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     course: Option<CourseAnswer>,
-    warnings: Vec<String>,
-    #[serde(skip)]
-    doubts: usize,
+    warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -70,9 +71,10 @@ impl SelfCalibrationAnswer {
         (data, of_data): (String, &Warnings),
         [out, out_poses]: [Option<String>; 2],
     ) -> Self {
+        let warnings = found.fit.own_warnings(&found.distrust(), of_data);
+        let verdict = Verdict::of_fit(&warnings.doubts);
         let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge, .. } =
             found;
-        let Warnings { list: warnings, doubts } = fit.own_warnings(of_data);
         let axes = model.axes();
         let anchor = |cable: &cdpr::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
         Self {
@@ -81,7 +83,9 @@ impl SelfCalibrationAnswer {
             free,
             data,
             samples: samples.len(),
-            status: fit.status,
+            status: verdict.fit_status(),
+            trusted: verdict.is_trusted(),
+            verdict,
             reason: fit.reason,
             stopped_by: fit.stopped_by,
             iterations: fit.iterations,
@@ -102,7 +106,6 @@ impl SelfCalibrationAnswer {
             comparison: None,
             course: None,
             warnings,
-            doubts,
             out,
             out_poses,
         }
@@ -121,8 +124,13 @@ impl SelfCalibrationAnswer {
     }
 
     /// Warnings, those that doubt the outcome first.
-    pub fn warnings(&self) -> Warnings {
-        Warnings { list: self.warnings.clone(), doubts: self.doubts }
+    pub fn warnings(&self) -> &Warnings {
+        &self.warnings
+    }
+
+    /// How far it may be relied on.
+    pub fn verdict(&self) -> Verdict {
+        self.verdict
     }
 
     /// Outcome of the fit in words.
@@ -157,7 +165,11 @@ impl SelfCalibrationAnswer {
 
 impl Answer for SelfCalibrationAnswer {
     fn is_negative(&self) -> bool {
-        self.status != Status::Converged
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
     }
 
     fn words(&self, width: Option<usize>) -> String {
@@ -165,9 +177,9 @@ impl Answer for SelfCalibrationAnswer {
         let mut text = format!(
             "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}, poses unknown ({equations} equations are left for the parameters)\n"
         );
-        let (doubts, remarks) = self.warnings.split_at(self.doubts);
-        doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
-        text.push_str(&format!("{} after {iterations} iterations: {reason}\n", status_words(self.status)));
+        let Warnings { doubts, remarks } = &self.warnings;
+        text.push_str(&doubt_words(doubts));
+        text.push_str(&format!("{} after {iterations} iterations: {reason}\n", verdict_words(self.verdict)));
         text.push_str(&format!("ended by {}\n", self.stopped_by));
         text.push_str(&format!(
             "lengths: {} mm rms, sum of squares {} mm²\n",

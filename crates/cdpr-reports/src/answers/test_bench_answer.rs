@@ -1,10 +1,13 @@
 //! Laws of a cable's stretch from a record of a test bench.
 
+use cdpr::identification::Verdict;
+use cdpr::identification::selection::Warnings;
 use cdpr::identification::test_bench::{Misfit, Solution};
 use cdpr::robot::HysteresisTable;
 use serde::Serialize;
 
 use super::Answer;
+use super::identification_words::{doubt_words, reason_of};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -22,6 +25,12 @@ struct ErrorAnswer {
 #[derive(Serialize)]
 #[expect(non_snake_case, reason = "keys carry their units")]
 pub struct TestBenchAnswer {
+    status: &'static str,
+    trusted: bool,
+    #[serde(skip)]
+    verdict: Verdict,
+    /// Reason not to trust the laws.
+    reason: Option<String>,
     record: String,
     samples: usize,
     loading_strokes: usize,
@@ -52,6 +61,8 @@ pub struct TestBenchAnswer {
     recorded_loss_per_cycle_J: f64,
     hysteresis: HysteresisTable,
     out: Option<String>,
+    /// Doubts about the laws.
+    warnings: Warnings,
     #[serde(skip)]
     keys: String,
 }
@@ -59,6 +70,8 @@ pub struct TestBenchAnswer {
 impl TestBenchAnswer {
     /// Laws from a record of a name with so many samples; their keys, and the name of the file that these were written to.
     pub fn new(solution: Solution, (record, samples): (String, usize), keys: String, out: Option<String>) -> Self {
+        let warnings = Warnings { doubts: solution.doubts(), remarks: Vec::new() };
+        let verdict = Verdict::of_fit(&warnings.doubts);
         let range = solution.tensions[1] - solution.tensions[0];
         let error = |misfit: Misfit| ErrorAnswer {
             rms: misfit.rms,
@@ -66,6 +79,10 @@ impl TestBenchAnswer {
             rms_percent_of_range: 100.0 * misfit.rms / range,
         };
         Self {
+            status: verdict.fit_status(),
+            trusted: verdict.is_trusted(),
+            verdict,
+            reason: reason_of(verdict, &warnings.doubts),
             record,
             samples,
             loading_strokes: solution.strokes[0],
@@ -94,6 +111,7 @@ impl TestBenchAnswer {
             recorded_loss_per_cycle_J: solution.measured_loss,
             hysteresis: solution.table,
             out,
+            warnings,
             keys,
         }
     }
@@ -154,6 +172,14 @@ pub fn cable_keys(solution: &Solution, record: &str) -> Result<String, toml::ser
 }
 
 impl Answer for TestBenchAnswer {
+    fn is_negative(&self) -> bool {
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
+    }
+
     fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(["law", "effect", "rms N", "max N", "rms % of range"]).left_column(1);
         let mut row = |law: &str, effect: &str, error: &ErrorAnswer| {
@@ -191,6 +217,7 @@ impl Answer for TestBenchAnswer {
             Some(path) => format!("written to {path}\n"),
             None => self.keys.clone(),
         };
-        format!("{heading}\n\n{}\n{stiffness}\n{loss}\n\n{end}", table.text(width))
+        let doubts = doubt_words(&self.warnings.doubts);
+        format!("{heading}\n{doubts}\n{}\n{stiffness}\n{loss}\n\n{end}", table.text(width))
     }
 }

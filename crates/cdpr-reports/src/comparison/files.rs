@@ -83,16 +83,18 @@ struct InputEntry {
 /// Robots of all judged candidates, and the recommended one at the top.
 fn calibrated_robots(comparison: &Comparison) -> Vec<NamedFile> {
     let mut robots = Vec::new();
+    let chosen = comparison.answer().status;
     for (index, candidate) in comparison.selection.candidates.iter().enumerate() {
         let Ok(judgement) = &candidate.outcome else { continue };
-        let text = judgement.fit.model.robot().to_toml();
+        let robot = judgement.fit.model.robot();
+        let text = robot.with_calibration(judgement.verdict().fit_status()).to_toml();
         let plain: String =
             candidate.name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect();
         // names that only differ in brackets differ by their number
         let name = format!("calibrated/{:02}-{}.toml", index + 1, plain.chars().take(100).collect::<String>());
-        robots.push(NamedFile::new(name, text.clone()));
+        robots.push(NamedFile::new(name, text));
         if comparison.selection.recommended == Some(index) {
-            robots.push(NamedFile::new("calibrated.toml", text));
+            robots.push(NamedFile::new("calibrated.toml", robot.with_calibration(chosen).to_toml()));
         }
     }
     robots

@@ -22,6 +22,7 @@ pub(crate) use criterion::within;
 pub use verdict::times;
 
 use cdpr::geometry::MotionPattern;
+use cdpr::identification::Verdict;
 use cdpr::identification::selection::{Judgement, Selection, SelectionCriterion, Warnings};
 use cdpr::measurement::{Fold, Samples, SensorSigmas};
 use cdpr::robot::Robot;
@@ -119,6 +120,22 @@ impl Report<'_> {
         match self.purpose {
             Purpose::Selection => self.selection.warnings(self.samples, self.warnings),
             Purpose::Identification => self.warnings.clone(),
+        }
+    }
+
+    /// How far the recommended or identified model may be relied on, as text and JSON have it.
+    pub(crate) fn verdict(&self, warnings: &Warnings) -> Verdict {
+        match self.purpose {
+            Purpose::Selection => Verdict::of_choice(&warnings.doubts),
+            Purpose::Identification => Verdict::of_fit(&warnings.doubts),
+        }
+    }
+
+    /// Word for a verdict on that model.
+    pub(crate) fn status(&self, verdict: Verdict) -> &'static str {
+        match self.purpose {
+            Purpose::Selection => verdict.choice_status(),
+            Purpose::Identification => verdict.fit_status(),
         }
     }
 

@@ -63,6 +63,7 @@ fn robot(name: &str, motion_pattern: MotionPattern, cables: Vec<Cable>) -> Robot
         travel: None,
         cables,
         reference_checks: vec![],
+        calibration: None,
         obstacles: vec![],
     }
 }
@@ -123,7 +124,7 @@ fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {
 
 fn report<'a>(robot: &'a Robot, samples: &'a Samples, selection: &'a Selection, folds: &'a [Fold]) -> Report<'a> {
     static WARNINGS: LazyLock<Warnings> =
-        LazyLock::new(|| Warnings { list: vec!["column `remark` was ignored".to_owned()], doubts: 0 });
+        LazyLock::new(|| Warnings { remarks: vec!["column `remark` was ignored".to_owned()], doubts: Vec::new() });
     Report {
         purpose: Purpose::Selection,
         command: "cdpr select robot.toml data.csv --split blocks --require 'position_mean_m=0.005'",
@@ -203,7 +204,7 @@ fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() 
     swapped.sigmas.position = Some(1e-3);
     swapped.lengths.chunks_mut(8).for_each(|lengths| lengths.swap(2, 4));
     for (samples, class, first) in
-        [(clean, "warned", "column"), (dirty, "warned", "outliers: 2 of"), (swapped, "bad", "not to be trusted")]
+        [(clean, "good", "column"), (dirty, "warned", "outliers: 2 of"), (swapped, "bad", "not to be trusted")]
     {
         let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
         let folds = fifths(samples.len());
@@ -222,6 +223,13 @@ fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() 
         assert_eq!(told, expected);
         assert!(answer.warnings.iter().all(|warning| text.matches(warning).count() == 1), "{text}");
         assert!(html.contains(&format!("class=\"verdict {class}\"")), "{class}");
+        let status = match class {
+            "good" => "recommended",
+            "warned" => "recommended-with-caution",
+            _ => "not-trusted",
+        };
+        let is_no = class == "bad";
+        assert_eq!((answer.status, answer.trusted, answer.is_negative()), (status, !is_no, is_no));
     }
 }
 

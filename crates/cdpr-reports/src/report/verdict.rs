@@ -1,5 +1,6 @@
 //! The answer in one line, its warnings, the limits, the reason.
 
+use cdpr::identification::Verdict;
 use cdpr::identification::selection::{Judgement, RequirementOutcome};
 use minijinja::{Value, context};
 
@@ -16,11 +17,12 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     let reason = report.selection.reason.trim_end_matches('.');
     let is_long = reason.chars().count() > LONG_REASON;
     let reason = prose(reason);
-    let warnings = report.told_warnings().list;
+    let told = report.told_warnings();
+    let warnings = told.list();
     let folded = warnings.len() - unfolded(&warnings);
     let (class, heading) = match shown {
         None => ("bad", "No candidate could be identified".to_owned()),
-        Some(shown) => outcome(report, shown, warnings.len()),
+        Some(shown) => outcome(report, shown, report.verdict(&told)),
     };
     let warnings: Value = warnings.iter().map(|warning| prose(warning)).collect();
     let Some(shown) = shown else {
@@ -32,8 +34,8 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     context! { class, heading, name, line => line(report, shown), comparison, requirements, warnings, folded, reason, is_long }
 }
 
-/// Class and heading: good without any warning only.
-fn outcome(report: &Report<'_>, shown: &Shown<'_>, warnings: usize) -> (&'static str, String) {
+/// Class and heading: good without any doubt only.
+fn outcome(report: &Report<'_>, shown: &Shown<'_>, verdict: Verdict) -> (&'static str, String) {
     let judgement = shown.judgement;
     let is_met = judgement.requirements.iter().all(|requirement| requirement.met);
     let is_single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
@@ -46,11 +48,13 @@ fn outcome(report: &Report<'_>, shown: &Shown<'_>, warnings: usize) -> (&'static
         }
         (false, false) => return ("bad", "No candidate recommended; the best on validation data".to_owned()),
     };
-    match (judgement.distrust.reasons.is_empty(), warnings) {
-        (false, _) => ("bad", format!("{what}, not to be trusted")),
-        (true, 0) => ("good", what.to_owned()),
-        (true, 1) => ("warned", format!("{what}, with a warning")),
-        (true, count) => ("warned", format!("{what}, with {count} warnings")),
+    match verdict {
+        Verdict::Sound => ("good", what.to_owned()),
+        Verdict::WithCaution => ("warned", format!("{what}, to be used with caution")),
+        Verdict::NotIdentifiable => ("bad", format!("{what}, whose parameters the data do not determine")),
+        Verdict::NotTrusted => ("bad", format!("{what}, not to be trusted")),
+        Verdict::NotPredictive => ("bad", format!("{what}, which predicts no poses")),
+        Verdict::NotConverged => ("bad", format!("{what}, whose fit did not converge")),
     }
 }
 

@@ -59,6 +59,7 @@ mod stopping;
 mod student;
 pub mod test_bench;
 mod trail;
+mod verdict;
 mod weights;
 mod words;
 mod worth;
@@ -98,3 +99,4 @@ pub use self_calibration::{
 };
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};
+pub use verdict::{Doubt, DoubtKind, Verdict};

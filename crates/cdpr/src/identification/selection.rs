@@ -205,7 +205,8 @@ fn map_all<T>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T) -> Vec<T
 fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {
     let judged: Vec<(usize, &Judgement)> =
         candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
-    let finite = || judged.iter().filter(|(_, judgement)| judgement.criterion.is_finite());
+    // parameters on the way to an optimum are those of no model, however good their errors are
+    let finite = || judged.iter().filter(|(_, own)| own.criterion.is_finite() && own.has_converged());
     let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
         let reason = nobody(&judged, &candidates, criterion);
         return Selection::of(candidates, [None, None], reason);

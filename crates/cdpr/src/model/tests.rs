@@ -53,6 +53,7 @@ fn robot_of(cables: Vec<Cable>) -> Robot {
         travel: None,
         cables,
         reference_checks: vec![],
+        calibration: None,
         obstacles: vec![],
     }
 }

@@ -42,6 +42,16 @@ pub struct Robot {
     pub cables: Vec<Cable>,
     /// Published numbers that the robot reproduces.
     pub reference_checks: Vec<ReferenceCheck>,
+    /// Calibration that the numbers come from.
+    pub calibration: Option<Calibration>,
+}
+
+/// Calibration that a robot's numbers come from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Calibration {
+    /// Status of its answer: `converged`, `converged-with-caution`, `recommended`, `recommended-with-caution`; `not-trusted`, `not-converged`, `not-identifiable` or `not-predictive` where nobody should drive a robot by these numbers.
+    pub status: String,
 }
 
 /// Source of a robot's numbers.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use cdpr_core::cable::elasticity::StiffnessBasis;
 
-use super::{Assumption, DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
+use super::{Assumption, Calibration, DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
 /// Keys of a cable that `[cable_defaults]` cannot state: they make it this cable.
@@ -43,6 +43,8 @@ pub(super) struct RobotFile {
     pub(super) notes: Vec<String>,
     /// Source of the numbers.
     pub(super) source: Option<Source>,
+    /// Calibration that the numbers come from, as `cdpr identify`, `select` and `demo` write it; a file changed by hand should lose it.
+    pub(super) calibration: Option<Calibration>,
     /// Numbers of this file that nobody printed or measured, each with the reason for its value.
     #[serde(default)]
     pub(super) assumption: Vec<Assumption>,

@@ -1,19 +1,29 @@
 //! Numbers of a robot that have been identified, and are assumptions no more.
 
 use super::parameter::Head;
-use super::{Assumption, Parameter, ParameterKind, Robot};
+use super::{Assumption, Calibration, Parameter, ParameterKind, Robot};
 
 /// Ways to say how much a cable stretches: one that is identified takes the place of the others.
 const STRETCH: [ParameterKind; 3] =
     [ParameterKind::AxialStiffness, ParameterKind::Compliance, ParameterKind::SpringConstant];
 
 impl Robot {
-    /// Takes identified numbers out of the assumptions: those of a list only where all of it was identified.
+    /// The same with the status of the calibration that its numbers come from.
+    #[must_use]
+    pub fn with_calibration(&self, status: &str) -> Self {
+        Self { calibration: Some(Calibration { status: status.to_owned() }), ..self.clone() }
+    }
+
+    /// Takes identified numbers out of the assumptions, those of a list only where all of it was identified; an earlier calibration is none of the robot any more.
     pub(crate) fn forget_assumptions(&mut self, identified: impl IntoIterator<Item = Parameter>) {
+        let mut identified = identified.into_iter().peekable();
+        if identified.peek().is_some() {
+            self.calibration = None;
+        }
         if self.assumptions.is_empty() {
             return;
         }
-        let identified: Vec<Parameter> = identified.into_iter().collect();
+        let identified: Vec<Parameter> = identified.collect();
         let left =
             self.assumptions.iter().filter_map(|assumption| self.still_assumed(assumption, &identified)).collect();
         self.assumptions = left;

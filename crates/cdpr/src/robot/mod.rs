@@ -41,7 +41,7 @@ pub use axis::Axis;
 pub use body::{Body, BodyError};
 pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
-    Cable, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
+    Cable, Calibration, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
 };
 pub(crate) use parameter::{Head, axis_name};
 pub use parameter::{Parameter, ParameterKind};

@@ -94,6 +94,7 @@ impl Reader<'_> {
             obstacles,
             cables,
             reference_checks: file.reference_check,
+            calibration: file.calibration,
         })
     }
 

@@ -40,6 +40,9 @@ impl Robot {
         if let Some(source) = &self.source {
             section("[source]", lines(source));
         }
+        if let Some(calibration) = &self.calibration {
+            section("[calibration]", lines(calibration));
+        }
         self.assumptions.iter().for_each(|assumption| section("[[assumption]]", lines(assumption)));
         section("[platform]", lines(&self.platform_section(&self.platform)));
         if let Some(home) = &self.home {

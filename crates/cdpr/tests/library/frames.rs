@@ -86,7 +86,7 @@ fn frames_are_found_beside_an_elastic_model() {
     let (before, after) = (chosen(&file, &plain), chosen(&file, &moved));
     assert_eq!(before.frames, None);
     let warnings = after.warnings(&moved, &Warnings::default());
-    assert!(warnings.list[0].starts_with("frames: "), "{warnings:?}");
+    assert!(warnings.list()[0].starts_with("frames: "), "{warnings:?}");
     let (without, with) = (recommended(&before), recommended(&after));
     let errors = [without, with].map(|judged| 1e3 * judged.validation.position_error_m.mean);
     let frames = with.fit.frames.as_ref().unwrap();

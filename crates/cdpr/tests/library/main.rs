@@ -64,6 +64,7 @@ mod tension_shapes;
 mod tolerance;
 mod twin;
 mod underactuated;
+mod verdicts;
 mod winch_identification;
 mod winches;
 mod workspace_figures;

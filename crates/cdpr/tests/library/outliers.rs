@@ -109,7 +109,7 @@ fn outliers_do_not_decide_which_model_wins() {
         assert_eq!(of_clean.recommended, of_dirty.recommended, "seed {seed}: {}", of_dirty.reason);
         let judged =
             |selection: &Selection| selection.candidates[selection.recommended.unwrap()].outcome.clone().unwrap();
-        let doubts = of_dirty.warnings(&dirty, &Warnings::default()).list;
+        let doubts = of_dirty.warnings(&dirty, &Warnings::default()).list();
         let (of_clean, of_dirty) = (judged(&of_clean), judged(&of_dirty));
         assert!(of_clean.set_aside.is_empty());
         let aside: Vec<usize> = of_dirty.set_aside.iter().map(|&place| of_dirty.validation_samples[place]).collect();

@@ -141,7 +141,7 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
         .zip(other.as_ref())
         .map(|(path, other)| judged((model, &found.fit.model), other, &path.display().to_string()));
     let validation = by_file.transpose()?.or(cross_validated(arguments, (model, &samples), (&folds, &found))?);
-    let calibrated = found.fit.model.robot().to_toml();
+    let calibrated = found.fit.model.robot().clone();
     let poses = found.samples.to_csv(model.robot());
     let (course, mut files) = arguments.course.answer((found.course.clone(), &found.fit));
     let found_samples = found.samples.clone();
@@ -150,18 +150,19 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     let answer =
         SelfCalibrationAnswer::new(found, (model, arguments.free.to_string()), (name.clone(), &output.doubts()), names);
     let answer = answer.with_judgements(validation, comparison).with_course(course);
+    let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
     if let Some(path) = &arguments.report {
         let all = other.as_ref().map_or(Ok(samples.clone()), |other| samples.followed_by(other));
         let all = all.map_err(|error| refused(&error))?;
         let samples = if folds.is_empty() { &found_samples } else { &samples.samples };
         let task = Task { model, samples, arguments, drive: None, progress: &progress };
         let other = other.as_ref().map(|other| &other.samples);
-        let page = report::page(&task, (other, Some(&all)), answer.reason(), &answer.warnings(), &answer.additions())?;
+        let page = report::page(&task, (other, Some(&all)), answer.reason(), answer.warnings(), &answer.additions())?;
         files.push((path.clone(), page.into_bytes()));
     }
     drop(progress);
     files.extend(out.iter().map(|path| (path.clone(), calibrated.clone().into_bytes())));
     files.extend(out_poses.iter().map(|path| (path.clone(), poses.clone().into_bytes())));
     files::write_all(&files.iter().map(|(path, content)| (path.as_path(), &content[..])).collect::<Vec<_>>())?;
-    output.answer(&answer)
+    output.answer_accepting(&answer, arguments.trust)
 }

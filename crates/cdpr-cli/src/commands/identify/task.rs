@@ -3,7 +3,7 @@
 use cdpr::identification::fit::{self, Fit, descent_count, fit_observed};
 use cdpr::identification::selection::Warnings;
 use cdpr::identification::{
-    CourseStep, Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning,
+    CourseStep, DoubtKind, Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning,
     compare_objectives, course, evaluate_fitted, frame_warning,
 };
 use cdpr::measurement::{Samples, Split};
@@ -156,7 +156,7 @@ impl Task<'_> {
             return [after.blocks(), before.blocks()];
         }
         let (count, all) = (aside.len(), after.len());
-        warnings.list.push(format!(
+        warnings.remarks.push(format!(
             "outliers: {count} of {all} validation samples are left out of the errors, since neither the model as given nor the \
              identified one explains them"
         ));
@@ -206,7 +206,7 @@ impl Task<'_> {
         mut warnings: Warnings,
     ) -> Result<IdentificationAnswer, Failure> {
         let Identification { fit, samples, frame_warning, train, train_on_one_clock, validation, .. } = result;
-        warnings.doubt(frame_warning);
+        warnings.doubt(DoubtKind::Frames, frame_warning);
         let validation = validation.map(|(after, before)| self.blocks(after, before, &mut warnings));
         let errors = [self.evaluate(&fit.model, &train_on_one_clock)?, self.evaluate_given(&train)?];
         let objective = self.objective(&fit, [&errors[0], &errors[1]], &train)?;

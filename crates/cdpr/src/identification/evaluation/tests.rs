@@ -39,6 +39,7 @@ fn suspended(mass: Option<f64>) -> Robot {
         travel: None,
         cables: (0..4).map(cable).collect(),
         reference_checks: vec![],
+        calibration: None,
         obstacles: vec![],
     }
 }
@@ -129,6 +130,6 @@ fn means_are_over_the_samples_that_all_candidates_answer() {
     let judgement = found.candidates[1].outcome.as_ref().unwrap();
     assert_eq!((judgement.compared_samples, judgement.validation.answered), (19, 19), "{}", found.reason);
     assert!(judgement.criterion < 0.01, "{}", judgement.criterion);
-    let warnings = found.warnings(&samples, &Warnings::default()).list;
+    let warnings = found.warnings(&samples, &Warnings::default()).list();
     assert!(warnings.iter().any(|warning| warning.contains("19 of 20")), "{warnings:?}");
 }

@@ -1,6 +1,7 @@
 //! Doubts about a fit that belong beside its name: parameters at a bound, weak directions.
 
-use super::{Estimate, Fit, Status};
+use super::{Estimate, Fit, Loss, Status};
+use crate::identification::verdict::{Doubt, DoubtKind};
 
 /// Parameters that a sentence names before it only counts the rest.
 const NAMED: usize = 3;
@@ -15,33 +16,45 @@ impl Fit {
     pub fn cautions(&self) -> Vec<String> {
         let count = self.outliers.len();
         let outliers = (count > 0).then(|| format!("{count} of its samples lie beyond 8 robust standard deviations"));
-        outliers.into_iter().chain(self.doubts()).collect()
+        outliers.into_iter().chain(self.doubts().into_iter().map(|doubt| doubt.words)).collect()
     }
 
-    /// The same without outliers, about which a warning of their own says more.
-    pub(crate) fn doubts(&self) -> Vec<String> {
+    /// Doubt about the outliers.
+    pub(crate) fn outlier_doubt(&self) -> Option<Doubt> {
+        let kind = match self.loss {
+            Loss::Squared => DoubtKind::OutliersCounted,
+            _ => DoubtKind::OutliersLeftOut,
+        };
+        self.outlier_warning.as_ref().map(|words| Doubt::new(kind, words))
+    }
+
+    /// Doubts without those about outliers, of which a warning of their own says more.
+    pub(crate) fn doubts(&self) -> Vec<Doubt> {
         let analysis = &self.analysis;
-        let mut cautions = Vec::new();
+        let mut doubts = Vec::new();
+        let mut doubt = |kind: DoubtKind, words: String| doubts.push(Doubt::new(kind, words));
         match self.status {
             Status::Converged => {}
-            Status::NotConverged => cautions.push("the fit did not converge".to_owned()),
+            Status::NotConverged => doubt(DoubtKind::NotConverged, "the fit did not converge".to_owned()),
             Status::NotIdentifiable => {
-                cautions.push(format!("the data determine {} of {} parameters", analysis.rank, self.parameters.len()));
+                let words = format!("the data determine {} of {} parameters", analysis.rank, self.parameters.len());
+                doubt(DoubtKind::NotIdentifiable, words);
             }
-            Status::NotPredictive => cautions.push(self.reason.clone()),
+            Status::NotPredictive => doubt(DoubtKind::NotPredictive, self.reason.clone()),
         }
-        cautions.extend(self.starts.doubts(self.noise_factor));
-        cautions.extend(at_bounds(&self.parameters));
+        self.starts.doubts(self.noise_factor).into_iter().for_each(|words| doubt(DoubtKind::Starts, words));
+        at_bounds(&self.parameters).into_iter().for_each(|words| doubt(DoubtKind::Bound, words));
         if analysis.weak_direction_count > 0 {
-            cautions.push(format!(
+            let words = format!(
                 "{}: {}, condition {}",
                 directions(analysis.weak_direction_count),
                 spread(analysis.weak_deviation),
                 condition(analysis.condition)
-            ));
+            );
+            doubt(DoubtKind::WeakDirection, words);
         }
-        cautions.extend(analysis.unknown_stiffness.clone());
-        cautions
+        analysis.unknown_stiffness.iter().for_each(|words| doubt(DoubtKind::UnknownStiffness, words.clone()));
+        doubts
     }
 
     /// [`Fit::cautions`] in a few words, for a table; empty where there is none.

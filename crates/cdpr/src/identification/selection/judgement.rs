@@ -112,6 +112,11 @@ impl Judgement {
         self.requirements = requirements.iter().map(|requirement| requirement.judge(&self.validation)).collect();
     }
 
+    /// False where the search of the fit ended before its optimum: such a candidate is never recommended.
+    pub(super) fn has_converged(&self) -> bool {
+        self.fit.status != fit::Status::NotConverged
+    }
+
     pub(super) fn meets_requirements(&self) -> bool {
         self.requirements.iter().all(|requirement| requirement.met)
     }

@@ -58,10 +58,10 @@ pub(super) struct Outcome<'a> {
     pub(super) recommended: Option<usize>,
 }
 
-/// Candidates that are compared, with their indices.
+/// Candidates that may be chosen, with their indices.
 fn compared(candidates: &[JudgedCandidate]) -> impl Iterator<Item = (usize, &Judgement)> {
     let judged = candidates.iter().enumerate().filter_map(|(index, one)| Some((index, one.outcome.as_ref().ok()?)));
-    judged.filter(|(_, judgement)| judgement.disqualified.is_none())
+    judged.filter(|(_, judgement)| judgement.disqualified.is_none() && judgement.has_converged())
 }
 
 /// A figure that rates candidates.

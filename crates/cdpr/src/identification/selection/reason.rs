@@ -8,7 +8,11 @@ pub(super) fn nobody(
     names: &[JudgedCandidate],
     criterion: SelectionCriterion,
 ) -> String {
-    let first = judged.iter().find_map(|(index, judgement)| Some((index, judgement.disqualified.as_ref()?)));
+    let obstacle = |own: &Judgement| {
+        let early = (!own.has_converged()).then(|| "its fit did not converge".to_owned());
+        own.disqualified.clone().or(early)
+    };
+    let first = judged.iter().find_map(|(index, judgement)| Some((index, obstacle(judgement)?)));
     let why = first.map_or_else(String::new, |(index, why)| format!("; `{}`: {why}", names[*index].name));
     let instead = match criterion {
         SelectionCriterion::Tension => {
@@ -53,9 +57,18 @@ impl Reason<'_> {
             let why = if rejected.criterion <= self.limit { "but breaks a requirement" } else { "" };
             let has = match &rejected.disqualified {
                 Some(why) => format!("cannot be judged: {why}"),
+                None if !rejected.has_converged() => "did not converge".to_owned(),
                 None => format!("has {} {why}", self.value(rejected)),
             };
             text.push_str(format!("; the next simpler one, `{}`, {has}", name(*other)).trim_end());
+        }
+        let ended_early = |(_, other): &&(usize, &Judgement)| !other.has_converged() && other.criterion <= self.limit;
+        if let Some((other, early)) = judged.iter().find(ended_early) {
+            let value = self.value(early);
+            text.push_str(&format!(
+                "; `{}` has {value}, but its fit did not converge, so that it is not recommended",
+                name(*other)
+            ));
         }
         if index + 1 == self.names.len() && index > 0 {
             text.push_str("; the list of candidates ends here, so that a richer one may be better still");

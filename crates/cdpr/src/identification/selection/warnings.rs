@@ -1,26 +1,40 @@
 //! Everything a reader has to know before using a choice: the one list that text, JSON and page tell.
 
+use serde::{Serialize, Serializer};
+
 use super::{Judgement, Selection, worse};
 use crate::identification::evaluation::ErrorBlocks;
 use crate::identification::fit::Fit;
 use crate::identification::outliers::set_aside_warning;
 use crate::identification::plausibility::Distrust;
+use crate::identification::verdict::{Doubt, DoubtKind, Verdict};
 use crate::measurement::Samples;
 
-/// Warnings in the order in which they are told.
+/// Warnings in the order in which they are told: doubts about the outcome itself, which stand before it, then remarks about data and fit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Warnings {
-    /// All of them.
-    pub list: Vec<String>,
-    /// Number of the first ones that doubt the outcome itself and stand before it; the others are remarks about data and fit.
-    pub doubts: usize,
+    /// Doubts, of which the outcome's [`Verdict`](crate::identification::Verdict) is made.
+    pub doubts: Vec<Doubt>,
+    /// The others.
+    pub remarks: Vec<String>,
 }
 
 impl Warnings {
+    /// All of them in words.
+    pub fn list(&self) -> Vec<String> {
+        self.doubts.iter().map(|doubt| &doubt.words).chain(&self.remarks).cloned().collect()
+    }
+
     /// Adds a doubt, behind those that are there.
-    pub fn doubt(&mut self, words: Option<String>) {
-        self.doubts += usize::from(words.is_some());
-        words.into_iter().for_each(|words| self.list.insert(self.doubts - 1, words));
+    pub fn doubt(&mut self, kind: DoubtKind, words: Option<String>) {
+        self.doubts.extend(words.map(|words| Doubt::new(kind, words)));
+    }
+}
+
+impl Serialize for Warnings {
+    /// The list of sentences.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.list())
     }
 }
 
@@ -35,8 +49,8 @@ impl Fit {
     }
 
     /// The same where nothing compares it with the model as given.
-    pub fn own_warnings(&self, of_data: &Warnings) -> Warnings {
-        self.gathered(&Distrust::default(), None, Vec::new(), of_data)
+    pub fn own_warnings(&self, distrust: &Distrust, of_data: &Warnings) -> Warnings {
+        self.gathered(distrust, None, Vec::new(), of_data)
     }
 
     /// Everything that a fit and its data are warned of: mistakes of the data stand first, for they explain the doubts that follow from them.
@@ -44,22 +58,30 @@ impl Fit {
         &self,
         distrust: &Distrust,
         today: Option<Comparison<'_>>,
-        of_comparison: Vec<String>,
+        of_comparison: Vec<Doubt>,
         of_data: &Warnings,
     ) -> Warnings {
-        let of_outliers = self.outlier_warning.clone();
-        let (of_poses, remarks) = of_data.list.split_at(of_data.doubts);
-        let mut list = of_poses.to_vec();
-        list.extend(distrust.reasons.iter().cloned());
-        list.extend(of_outliers.into_iter().chain(of_comparison).chain(self.doubts()));
-        list.extend(today.and_then(|(name, [before, after])| worse_than(name, before, after)));
-        let doubts = list.len();
-        for remark in remarks.iter().chain(&self.warnings) {
-            if !list.contains(remark) {
-                list.push(remark.clone());
+        let mut doubts = [&of_data.doubts[..], &distrust.reasons].concat();
+        doubts.extend(self.outlier_doubt().into_iter().chain(of_comparison).chain(self.doubts()));
+        let worse = today.and_then(|(name, [before, after])| worse_than(name, before, after));
+        doubts.extend(worse.map(|words| Doubt::new(DoubtKind::WorseThanGiven, words)));
+        let mut remarks: Vec<String> = Vec::new();
+        for remark in of_data.remarks.iter().chain(&self.warnings) {
+            if !remarks.contains(remark) && doubts.iter().all(|doubt| doubt.words != *remark) {
+                remarks.push(remark.clone());
             }
         }
-        Warnings { list, doubts }
+        Warnings { doubts, remarks }
+    }
+}
+
+impl Judgement {
+    /// Verdict on the candidate, recommended or not.
+    pub fn verdict(&self) -> Verdict {
+        let fit = &self.fit;
+        let doubts: Vec<Doubt> =
+            self.distrust.reasons.iter().cloned().chain(fit.outlier_doubt()).chain(fit.doubts()).collect();
+        Verdict::of_fit(&doubts)
     }
 }
 
@@ -87,21 +109,22 @@ impl Selection {
             Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
         });
         let mut of_data = of_data.clone();
-        of_data.doubt(self.frames.clone());
-        of_data.list.extend(unanswered(judgement));
+        of_data.doubt(DoubtKind::Frames, self.frames.clone());
+        of_data.remarks.extend(unanswered(judgement));
         judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), &of_data)
     }
 }
 
 /// Samples that no candidate explains, and those that not all answer.
-fn of_comparison(judgement: &Judgement, samples: &Samples) -> Vec<String> {
+fn of_comparison(judgement: &Judgement, samples: &Samples) -> Vec<Doubt> {
     let places: Vec<usize> = judgement.set_aside.iter().map(|&place| judgement.validation_samples[place]).collect();
     let aside = set_aside_warning(&places, judgement.validation_samples.len(), samples);
     let (compared, all) = (judgement.compared_samples, judgement.validation.samples);
     let is_part = judgement.disqualified.is_none() && compared > 0 && compared < all;
     let partly = is_part
         .then(|| format!("compared on the {compared} of {all} validation samples that all judged candidates answer"));
-    aside.into_iter().chain(partly).collect()
+    let aside = aside.map(|words| Doubt::new(DoubtKind::OutliersLeftOut, words));
+    aside.into_iter().chain(partly.map(|words| Doubt::new(DoubtKind::PartlyCompared, words))).collect()
 }
 
 /// Samples without a pose, with the reason of the first.

@@ -21,6 +21,7 @@ mod written;
 use super::course::CourseStep;
 use super::fit::{Fit, InputError, Settings};
 use super::objective::{Units, report, search};
+use super::plausibility::{Distrust, beyond_length_accuracy};
 use super::worth::joint_worths;
 use crate::geometry::Pose;
 use crate::measurement::{InternalSamples, Samples};
@@ -130,6 +131,20 @@ pub fn self_calibrate(
         samples: found,
         fit,
     })
+}
+
+impl SelfCalibration {
+    /// Reasons not to trust the calibration: length residuals far beyond the accuracy that is stated for them, by what poses and parameters leave to judge by.
+    pub fn distrust(&self) -> Distrust {
+        let of_lengths = self.sensors.iter().find(|fit| fit.sensor == sensor_fit::LENGTH);
+        let left = self.equations.saturating_sub(self.fit.analysis.rank);
+        let deviation = match of_lengths {
+            Some(fit) => fit.deviation(),
+            None if left > 0 => (self.cost_m2 / left as f64).sqrt(),
+            None => f64::NAN,
+        };
+        Distrust { reasons: beyond_length_accuracy(deviation, &self.samples.sigmas).into_iter().collect() }
+    }
 }
 
 impl Question<'_> {

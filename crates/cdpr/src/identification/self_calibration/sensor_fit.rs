@@ -79,9 +79,12 @@ impl Question<'_> {
     }
 }
 
+/// Name of the sensor of lengths.
+pub(super) const LENGTH: &str = "length";
+
 /// Sensors with their names and units.
 pub(super) const SENSORS: [(Sensor, &str, &str); 4] = [
-    (Sensor::Length, "length", "m"),
+    (Sensor::Length, LENGTH, "m"),
     (Sensor::Tension, "tension", "N"),
     (Sensor::Swivel, "swivel", "rad"),
     (Sensor::Pose, "rotation", "rad"),

@@ -5,6 +5,7 @@
 //! 0.5 % of the range for the branches).
 
 mod branches;
+mod doubts;
 mod misfit;
 mod plain;
 mod record;

@@ -110,6 +110,7 @@ pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadEr
         travel: body.travel,
         cables: set.cables,
         reference_checks: Vec::new(),
+        calibration: None,
         obstacles: Vec::new(),
     };
     Ok(Import {
