@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::plant::{LogFormat, Simulation};
+use cdpr::plant::{LogFormat, Simulation, Volume};
 use clap::Args;
 
 use crate::answer::Output;
@@ -105,9 +105,24 @@ impl Arguments {
             "{}: the run would record {rows} rows and about {gigabytes} GB, more than ten million rows or 1 GB",
             self.scenario.display()
         );
-        let record = short(rounded_up(volume.record_interval * times));
+        let record = short(self::record_interval(&volume, cables));
         let help = format!("give [time] a larger record_s, as {record}, and sensors lower rates, or say --yes");
         Err(Failure::input("run::volume", message, help))
+    }
+}
+
+/// Time between rows of a log that stays within the limits, to one digit; pictures of the scene are no fewer until rows are.
+fn record_interval(volume: &Volume, cables: usize) -> f64 {
+    let mut interval = volume.record_interval;
+    loop {
+        let share = volume.record_interval / interval;
+        let rows = (volume.log_rows as f64 * share) as u64;
+        let bytes = volume.bytes as f64 * share + mcap_bytes(cables, rows, volume.duration) as f64;
+        let times = (volume.rows as f64 * share / MOST_ROWS).max(bytes / MOST_BYTES);
+        if times <= 1.0 || interval >= volume.duration {
+            return interval;
+        }
+        interval = rounded_up(interval * times.max(1.1));
     }
 }
 

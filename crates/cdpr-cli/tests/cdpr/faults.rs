@@ -113,7 +113,7 @@ fn two_processes_do_not_mix_their_results_in_one_folder() {
         let children = seeds.map(|seed| {
             let more = if seed < 20 { "" } else { "--candidates standard:frame-anchor" };
             let data = "data/robot.toml data/training.csv --validation data/validation.csv";
-            start(folder.path(), &format!("select {data} --seed {seed} {more} --out result"))
+            start(folder.path(), &format!("select {data} --seed {seed} {more} --accept-untrusted --out result"))
         });
         for mut child in children {
             assert!(child.wait().unwrap().success());

@@ -213,7 +213,7 @@ fn weak_directions_and_bounds_are_told_wherever_a_candidate_is_named() {
         }
         std::fs::write(folder.path().join(name), text).unwrap();
     };
-    write("spot.csv", 0.0005, 1.0);
+    write("spot.csv", 0.001, 1.0);
     let arguments =
         "select square.toml spot.csv --sigma length_m=0.0001 --candidates standard:frame-anchor --criterion length";
     let run = cdpr_in(folder.path(), &format!("{arguments} --out result"));

@@ -120,7 +120,8 @@ fn lengths_far_beyond_their_accuracy_are_not_trusted_without_poses() {
         format!("{heading}\n{}", lines.enumerate().map(row).collect::<String>())
     };
     let folder = folder_with(&noisy(0.02));
-    let command = |sigma: &str| format!("identify square.toml data.csv --free frame-anchor {sigma} --format json");
+    let command =
+        |sigma: &str| format!("identify square.toml data.csv --free frame-anchor,length-offset {sigma} --format json");
     let stated = "--sigma length_m=0.0005";
     let run = cdpr_in(folder.path(), &format!("{} --out out.toml", command(stated)));
     let answer = assert_agreement(&run, "not-trusted");

@@ -74,7 +74,7 @@ impl Violation {
 
 fn words(found: &plant::Violation, robot: &Robot) -> String {
     let (name, worst) = (&robot.cables[found.cable].name, found.worst);
-    let (tension, limit) = (significant(worst, 4), significant(found.bound, 4));
+    let (tension, limit) = (significant(worst, 4), short(found.bound));
     match found.limit {
         None => format!("cable {name} is slack"),
         Some(_) if worst > found.bound => format!("cable {name} up to {tension} N, above its {limit} N"),
