@@ -351,7 +351,8 @@ fn what_sensors_see_identifies_the_machine() {
             parameters[axis]["name"]
         );
     }
-    assert!(answer["train"]["position_error_m"]["mean"].as_f64().unwrap() < 3e-4);
+    // noise of 1 mm in some 120 rows a hold, and what is left of the platform's swing: 0.29 mm
+    assert!(answer["train"]["position_error_m"]["mean"].as_f64().unwrap() < 4e-4);
     // a calibration makes no assumption a measurement
     let assumed = |file: &str| {
         let check = cdpr_in(folder.path(), &format!("check {file} --format json")).json();
