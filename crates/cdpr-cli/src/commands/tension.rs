@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     output.answer(&TensionAnswer::new(&model, &pose, method, found, &limits))
 }
 
-/// What the method says, the limits in force, and how far each tension may go within them.
+/// Answer of the method, the limits in force, and the interval of each tension within them.
 fn find(
     model: &Model,
     pose: &Pose,

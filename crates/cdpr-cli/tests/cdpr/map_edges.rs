@@ -51,7 +51,7 @@ fn lengths_and_poses_go_on_at_the_edge_of_a_map() {
     }
 }
 
-/// A table with poses in the margin has the fading lengths that `ik` tells, says so, and leads back to the poses.
+/// A table with poses in the margin of a map has the lengths of `ik`, warns of the margin, and leads back to the poses.
 #[test]
 fn tables_in_the_margin_lead_back() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Rigid cables whose tensions statics leaves a choice: it is told, with each cable's interval.
+//! Rigid cables whose tensions statics does not determine: answers have a warning and the interval of each cable.
 
 use super::{cdpr_in, file_with};
 

@@ -133,7 +133,7 @@ fn outliers(answer: &Identified, width: Option<usize>) -> String {
     table.text(width) + &more
 }
 
-/// Half width of a 95 % interval, in deviations, from which on it is told: that of twenty degrees of freedom.
+/// Half width of a 95 % interval, in standard deviations, from which on text and page print it: that of twenty degrees of freedom.
 const WIDE: f64 = 2.085;
 
 /// Rank, condition, weak directions.

@@ -137,7 +137,7 @@ impl InverseAnswer {
     }
 }
 
-/// Caution that a map fades at the pose; nothing where it acts as a whole.
+/// Caution that a map fades at the pose; `None` if it acts as a whole.
 fn fading(correction: &Correction) -> Option<String> {
     let reason = correction.reason.as_ref().filter(|_| Beyond::of([correction.share].into_iter()).fading > 0)?;
     Some(format!(

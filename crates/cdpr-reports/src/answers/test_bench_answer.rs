@@ -120,7 +120,7 @@ impl TestBenchAnswer {
 /// A record that begins below this share of its largest tension has the way from no tension.
 const PRELOADED: f64 = 0.01;
 
-/// A polynomial is told to be poor from this many times the error of the one with an intercept.
+/// Ratio of a polynomial's error to that of the one with an intercept from which on an answer warns of it.
 const POOR: f64 = 1.1;
 
 /// Remarks on a record that begins under tension, and on polynomials that are no law.

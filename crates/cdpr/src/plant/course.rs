@@ -1,4 +1,4 @@
-//! Course of a run: what its summary tells in the end.
+//! Course of a run, from which its summary is made.
 
 use super::error::StepError;
 use super::event::Event;

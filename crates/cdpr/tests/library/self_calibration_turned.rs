@@ -137,7 +137,7 @@ fn with_least_change(model: &Model, internal: &InternalSamples, free: &str, star
     self_calibrate(model, internal, &free.parse().unwrap(), &settings, &|| ()).unwrap()
 }
 
-/// What keeps anchors near the file's is no datum: κ of the planar example's anchors over W_T1 by an SVD of the rows alone (16 625 was told), and a noise factor that other starts
+/// Equations that keep anchors near the file's are no data: κ of the planar example's anchors over W_T1 by an SVD of the rows alone (16 625 was told), and a noise factor that other starts
 /// do not change (59 instead of 0.47).
 #[test]
 fn conventions_of_the_gauge_are_no_data() {

@@ -1,4 +1,4 @@
-//! What is recommended was found: candidates whose fit did not converge are none.
+//! Candidates whose fit did not converge: none is recommended.
 
 use super::support::{builtin, measured, simulator};
 use cdpr::identification::candidate::parse_list;

@@ -1,4 +1,4 @@
-//! Errors with a map and without it, and the rules by which it is told to help.
+//! Errors with a map and without it, and the rules that decide whether it helps.
 
 use serde::Serialize;
 

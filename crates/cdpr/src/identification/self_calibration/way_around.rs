@@ -1,6 +1,6 @@
 //! A start for descents that held parameters lead astray.
 //!
-//! Where data hold a shape weakly, the way to its optimum bends it by far, and a frame that hangs on few anchors turns with every one of them: a long, curved valley. Anchors
+//! Data that hold a shape weakly let the way to its optimum bend it by far, and a frame that is fixed by few anchors turns with each of them, so that descents end in a long, curved valley. Anchors
 //! that all move keep the frame where it is, and the way nearly straight.
 
 use nalgebra::DVector;
