@@ -10,7 +10,7 @@ mod clock;
 
 use std::hint::black_box;
 
-use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::equilibrium::{Solutions, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
@@ -102,7 +102,7 @@ fn forward(name: &str, model: &Model, goal: f64) {
     let settings = forward_kinematics::Settings::default();
     let mut solver = forward_kinematics::Solver::new(model, &settings).expect("settings");
     let mut single = forward_kinematics::Solver::new(model, &settings).expect("settings");
-    let mut solutions = forward_kinematics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     let mut all = || solver.solve_batch(black_box(&table), &guesses, &mut solutions).expect("lengths");
     let mut lengths = [0.0; 8];
     let mut one = || {
@@ -128,7 +128,7 @@ fn elastic(name: &str, model: &Model, goal: f64) {
     let settings = elastostatics::Settings::default();
     let mut solver = elastostatics::Solver::new(model, &load, &settings).expect("settings");
     let mut single = elastostatics::Solver::new(model, &load, &settings).expect("settings");
-    let mut solutions = elastostatics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     let mut all = || solver.solve_batch(black_box(&table), &guesses, &mut solutions).expect("lengths");
     let mut one = || {
         for item in 0..POSES {

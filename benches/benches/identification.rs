@@ -5,19 +5,20 @@
 //! their full covariances, poses and tensions corrected along with the parameters. Cartesian: 24 parameters, the frame anchors, from the errors of
 //! 75 predicted poses, beside the fit of the same lengths.
 
-#[path = "../../crates/cdpr/tests/dense/mod.rs"]
+#[path = "../../crates/cdpr-calibration/tests/dense/mod.rs"]
 mod dense;
 
 use std::hint::black_box;
 
-use cdpr::identification::fit::{Prior, Settings, fit, optimal_parameters};
-use cdpr::identification::{Loss, Objective, PathSettings, Penalty, penalty_path};
+use cdpr::calibration::fit::{Prior, Settings, fit, optimal_parameters};
+use cdpr::calibration::{Loss, Objective, PathSettings, Penalty, penalty_path};
+use cdpr::control::simulate::simulate;
+use cdpr::control::winch_offsets;
 use cdpr::measurement::{Samples, SensorSigmas};
-use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::{Study, winch_offsets};
 use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::reading::Keyword;
 use cdpr::robot::{ParameterKind, Robot};
+use cdpr::study::Study;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion};
 use levenberg_marquardt::LevenbergMarquardt;

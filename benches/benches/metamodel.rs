@@ -9,13 +9,14 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use cdpr::control::Initial;
+use cdpr::control::{Driving, winch_offsets};
 use cdpr::geometry::Pose;
-use cdpr::metamodel::reachable::{Reachable, Requirements};
-use cdpr::metamodel::study::Initial;
-use cdpr::metamodel::{Driving, field, winch_offsets};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::UnitQuaternion;
 use cdpr::robot::Robot;
+use cdpr::study::field;
+use cdpr::study::reachable::{Reachable, Requirements};
 use cdpr::tension::Limits;
 use cdpr::workspace::{Archetype, Bounds, Region, hull};
 

@@ -76,7 +76,8 @@ fn main() {
         let mut state = plant.at_rest(&pose, &tensions).expect("a start");
         let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length).collect();
         group.bench_function(format!("{name}: ours"), |bencher| {
-            bencher.iter(|| plant.step(&mut state, &Command::Lengths(&lengths), black_box(1e-3)).expect("a step"));
+            let commands = Command::lengths(&lengths);
+            bencher.iter(|| plant.step(&mut state, &commands, black_box(1e-3)).expect("a step"));
         });
         let inertia = Inertia::new(&model, body);
         let newcomer = Newcomer { model, load, inertia, lengths: lengths.clone() };

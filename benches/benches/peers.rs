@@ -9,10 +9,10 @@ use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use cdpr::equilibrium::{State, closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::calibration::Loss;
+use cdpr::calibration::fit::{self, optimal_parameters};
+use cdpr::equilibrium::{Solutions, State, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Wrench};
-use cdpr::identification::Loss;
-use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::{DMatrix, Vector3};
@@ -152,7 +152,7 @@ fn forward(data: &Data) {
     let model = data.model(Composition::STANDARD);
     let (table, rows) = (data.lengths("fk_q.bin"), data.rows("fk_q.bin", 8));
     let mut solver = forward_kinematics::Solver::new(&model, &Default::default()).expect("settings");
-    let mut solutions = forward_kinematics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     solver.solve_batch(&table, &guesses, &mut solutions).expect("lengths");
     let error = largest_error((0..solutions.len()).map(|item| solutions.pose(item)), &expected);
     let steps = (0..solutions.len()).map(|item| f64::from(solutions.iterations(item))).sum::<f64>();
@@ -173,7 +173,7 @@ fn elastic(data: &Data) {
     let model = data.model(Composition::ELASTIC);
     let (table, rows) = (data.lengths("el_qtheta.bin"), data.rows("el_qtheta.bin", 8));
     let mut solver = elastostatics::Solver::new(&model, &load(), &Default::default()).expect("settings");
-    let mut solutions = elastostatics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     solver.solve_batch(&table, &guesses, &mut solutions).expect("lengths");
     // the closed form's tensions may be negative, which cables cannot have
     let is_near = |item: &usize| largest_error(std::iter::once(solutions.pose(*item)), &expected[*item..]) < 1e-6;

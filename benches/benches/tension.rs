@@ -8,7 +8,7 @@
 //! short rounds of the wall clock; `best` is the least of the rounds, what the machine gives with nothing else on it.
 
 mod clock;
-#[path = "../../crates/cdpr/tests/distribution/mod.rs"]
+#[path = "../../crates/cdpr-model/tests/distribution/mod.rs"]
 mod distribution;
 
 use std::hint::black_box;

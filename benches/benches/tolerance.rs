@@ -10,12 +10,14 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use cdpr::metamodel::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Sensitivity, Setting, Side};
-use cdpr::metamodel::study::{CommandedPose, Distribution, Initial};
-use cdpr::metamodel::tolerance::{Engine, Settings, monte_carlo};
-use cdpr::metamodel::{Operation, Status, Study, winch_offsets};
+use cdpr::control::{CommandedPose, Initial};
+use cdpr::control::{Operation, Status, winch_offsets};
 use cdpr::model::{Composition, Model};
 use cdpr::robot::{ParameterKind, Robot};
+use cdpr::study::Distribution;
+use cdpr::study::Study;
+use cdpr::study::sensitivity::{Kind, Offsets, ParameterDeviation, PoseSensitivity, Sensitivity, Setting, Side};
+use cdpr::study::tolerance::{Engine, Settings, monte_carlo};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};

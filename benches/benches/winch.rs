@@ -2,7 +2,6 @@
 
 use std::hint::black_box;
 
-use cdpr::cable::outlet;
 use cdpr::cable::winch::{Drum, Mounting, Parameters};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::DrumSide;
@@ -26,7 +25,9 @@ fn drum(mounting: Option<Mounting>, groove_length: Option<f64>, layer_height: Op
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     let mut group = criterion.benchmark_group("winch");
-    let point = || black_box(outlet::point::path(black_box([0.1, 0.2, 3.0]), black_box([1.0, 2.0, 0.5])).length);
+    let point = || {
+        black_box(cdpr_model::cable::outlet::point::path(black_box([0.1, 0.2, 3.0]), black_box([1.0, 2.0, 0.5])).length)
+    };
     group.bench_function("length of a point outlet", |bencher| bencher.iter(point));
     let pulley = Vector3::new(0.064, 0.0, 2.0);
     let mounting = Mounting { position: Vector3::zeros(), axis: Vector3::x(), side: DrumSide::Left, pulley };

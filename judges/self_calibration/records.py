@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from elimination import Machine, Poses, lengths
 
-ROBOTS = pathlib.Path(__file__).parents[2] / "crates/cdpr/robots"
+ROBOTS = pathlib.Path(__file__).parents[2] / "crates/cdpr-model/robots"
 CABLES = 8
 # Standard deviations (m): lengths; the file's frame and platform anchors about the machine's, and offsets of its lengths.
 NOISE = 0.5e-3

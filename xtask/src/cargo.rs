@@ -64,6 +64,16 @@ pub(crate) const RELEASE: &[&str] = &[
     "-p",
     "cdpr-core",
     "-p",
+    "cdpr-model",
+    "-p",
+    "cdpr-workspace",
+    "-p",
+    "cdpr-plant",
+    "-p",
+    "cdpr-calibration",
+    "-p",
+    "cdpr-study",
+    "-p",
     "cdpr",
     "-p",
     "cdpr-cli",
@@ -73,21 +83,34 @@ pub(crate) const RELEASE: &[&str] = &[
     "examples",
 ];
 
-/// The tests of the library, from inside and from outside in one program, and those of the tasks. Without the wide vectors, which give the
+/// The tests of the libraries, from inside and from outside, and those of the tasks. Without the wide vectors, which give the
 /// same bits (`xtask/instructions/tests`).
 pub(crate) const PORTABLE_TESTS: &[&str] = &[
     "test",
     "-p",
     "cdpr-core",
     "-p",
+    "cdpr-model",
+    "-p",
+    "cdpr-workspace",
+    "-p",
+    "cdpr-plant",
+    "-p",
+    "cdpr-calibration",
+    "-p",
+    "cdpr-study",
+    "-p",
     "cdpr",
     "-p",
     "xtask",
+    "-p",
+    "golden",
     "--lib",
     "--bins",
+    "--tests",
     "--no-default-features",
     "--features",
-    "cdpr/files,cdpr/parallel,cdpr-core/std",
+    "cdpr/files,cdpr/parallel,cdpr/error-control,cdpr-core/std",
 ];
 
 /// Builds the command for release and tells where it is.

@@ -1,253 +1,86 @@
-//! Circles of files: no file of a room uses another one that leads back to it.
+//! Circles of files: no file of a crate uses another one that leads back to it.
 //!
-//! Uses are read from the text: `use` trees with `crate::`, `super::` or `self::`, and paths through a file's own submodules. A name that a module
-//! hands on is the file's that defines it; what a `mod.rs` only hands on is no use of its own. Tests do not count.
+//! Uses are read from the text: `use` trees, paths in the code, types and functions by their names. Modules that are known by another name,
+//! names that a module hands on and `*` are followed to the file that defines the name; what a module only hands on is no use of its own.
+//! Tests do not count, nor do methods: a call of a method is not seen as a use of the file of its `impl`.
 
-use std::collections::{BTreeMap, BTreeSet};
+pub(crate) mod graph;
+mod known;
+mod names;
+mod scope;
+mod tokens;
+
 use std::path::{Path, PathBuf};
 
-/// Place of a module: the names from the library on.
-type Module = Vec<String>;
+use self::graph::Graph;
+use self::known::{KNOWN, Known};
+use self::scope::Crate;
 
-/// Circles of files in a library, each as the files in it.
-pub(crate) fn circles(source: &Path, files: &[PathBuf]) -> Vec<Vec<String>> {
-    let mut library = Library::default();
+/// Uses of a crate's files by each other. `source` is the folder of `files`.
+pub(crate) fn graph(folder: &str, source: &Path, files: &[PathBuf]) -> Graph {
+    let mut read = Crate::new(folder);
     for path in files {
         let (Ok(inside), Ok(text)) = (path.strip_prefix(source), std::fs::read_to_string(path)) else { continue };
-        library.add(inside, &text);
+        read.add(inside, &text);
     }
-    library.circles()
+    read.graph()
 }
 
-#[derive(Default)]
-struct Library {
-    files: BTreeMap<Module, File>,
+/// Complaints of a crate's circles that are not listed, and of listed uses that are part of no circle.
+pub(crate) fn complaints(folder: &str, graph: &Graph) -> Vec<String> {
+    let mut complaints = ended(folder, graph, KNOWN);
+    complaints.extend(unknown(folder, graph, KNOWN));
+    complaints
 }
 
-struct File {
-    name: String,
-    code: String,
-    /// Names that it defines.
-    defined: BTreeSet<String>,
-    uses: Vec<Use>,
+/// Complaints of listed uses in crates that are not there.
+pub(crate) fn lost(folders: &[String]) -> Vec<String> {
+    let lost = KNOWN.iter().filter(|known| !folders.iter().any(|folder| folder == known.folder));
+    lost.map(|known| format!("{}: this crate of xtask/src/circles/known.rs is not there", known.folder)).collect()
 }
 
-/// One branch of a `use` tree.
-struct Use {
-    path: Vec<String>,
-    /// Name under which it is known here.
-    name: String,
-    hands_on: bool,
+fn ended(folder: &str, graph: &Graph, known: &[Known]) -> Vec<String> {
+    let closes = |known: &&Known| graph.has(known.from, known.to) && graph.shortest(known.to, known.from).is_some();
+    let ended = known.iter().filter(|known| known.folder == folder && !closes(known));
+    ended
+        .map(|known| {
+            let (from, to, reason) = (known.from, known.to, known.reason);
+            format!("{folder}: `{from}` -> `{to}` closes no circle any more ({reason}): remove it from xtask/src/circles/known.rs")
+        })
+        .collect()
 }
 
-impl Library {
-    fn add(&mut self, inside: &Path, text: &str) {
-        let mut module: Module =
-            inside.with_extension("").iter().map(|part| part.to_string_lossy().into_owned()).collect();
-        if module.last().is_some_and(|last| last == "mod") {
-            module.pop();
-        }
-        let is_test = |part: &String| part == "tests" || part == "oracles" || part.ends_with("_tests");
-        if module.iter().any(is_test) {
-            return;
-        }
-        let code = plain_code(text);
-        let file = File { name: inside.display().to_string(), defined: defined(&code), uses: uses(&code), code };
-        self.files.insert(module, file);
+fn unknown(folder: &str, graph: &Graph, known: &[Known]) -> Vec<String> {
+    let mut rest = graph.clone();
+    for known in known.iter().filter(|known| known.folder == folder) {
+        rest.remove(known.from, known.to);
     }
-
-    fn circles(&self) -> Vec<Vec<String>> {
-        let reached: BTreeMap<&Module, BTreeSet<&Module>> =
-            self.files.keys().map(|module| (module, self.reached(module))).collect();
-        let mut found: BTreeSet<Vec<String>> = BTreeSet::new();
-        for (module, targets) in &reached {
-            if targets.contains(*module) {
-                let back = |other: &&&Module| reached[**other].contains(*module);
-                found.insert(targets.iter().filter(back).map(|other| self.files[*other].name.clone()).collect());
-            }
-        }
-        found.into_iter().collect()
-    }
-
-    /// Files of the same room that a file uses, and those that they use.
-    fn reached<'l>(&'l self, from: &Module) -> BTreeSet<&'l Module> {
-        let mut open = vec![from];
-        let mut reached = BTreeSet::new();
-        while let Some(module) = open.pop() {
-            for target in self.used(module) {
-                if target != module && target[0] == from[0] && reached.insert(target) {
-                    open.push(target);
-                }
-            }
-        }
-        reached
-    }
-
-    fn used<'l>(&'l self, module: &Module) -> BTreeSet<&'l Module> {
-        let file = &self.files[module];
-        let own = file.uses.iter().filter(|one| !one.hands_on).filter_map(|one| self.absolute(module, &one.path));
-        let inline = paths(&file.code).into_iter().filter_map(|path| self.absolute(module, &path));
-        own.chain(inline).filter_map(|path| self.resolved(&path, 0)).collect()
-    }
-
-    /// A path from the library on; nothing for other crates and local names.
-    fn absolute(&self, module: &Module, path: &[String]) -> Option<Module> {
-        match path.first()?.as_str() {
-            "crate" => Some(path[1..].to_vec()),
-            "self" => Some([module, &path[1..]].concat()),
-            "super" => {
-                let up = path.iter().take_while(|part| *part == "super").count();
-                let above = module.len().checked_sub(up)?;
-                Some([&module[..above], &path[up..]].concat())
-            }
-            first => {
-                let child = [module.as_slice(), &[first.to_owned()]].concat();
-                self.files.contains_key(&child).then(|| [module, path].concat())
-            }
-        }
-    }
-
-    /// The module whose file defines what a path names.
-    fn resolved(&self, path: &[String], depth: usize) -> Option<&Module> {
-        if path.is_empty() || depth > 20 {
-            return None;
-        }
-        if let Some((module, _)) = self.files.get_key_value(path) {
-            return Some(module);
-        }
-        let (name, parent) = path.split_last()?;
-        let Some((module, file)) = self.files.get_key_value(parent) else { return self.resolved(parent, depth + 1) };
-        if file.defined.contains(name) {
-            return Some(module);
-        }
-        let handed = file.uses.iter().find(|one| one.name == *name);
-        match handed.and_then(|one| self.absolute(module, &one.path)) {
-            Some(target) if target != path => self.resolved(&target, depth + 1).or(Some(module)),
-            _ => Some(module),
-        }
-    }
-}
-
-/// The text without comments, contents of strings and unit tests.
-fn plain_code(text: &str) -> String {
-    let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap_or_default();
-    let mut code = String::new();
-    for line in text.lines() {
-        let (mut in_string, mut is_escaped) = (false, false);
-        let line = if line.trim_start().starts_with("//") { "" } else { line };
-        let mut letters = line.chars().peekable();
-        while let Some(letter) = letters.next() {
-            match letter {
-                '/' if !in_string && letters.peek() == Some(&'/') => break,
-                '"' if !is_escaped => in_string = !in_string,
-                _ if !in_string => code.push(letter),
-                _ => {}
-            }
-            is_escaped = letter == '\\' && !is_escaped;
-        }
-        code.push('\n');
-    }
-    code
-}
-
-fn words(code: &str) -> Vec<&str> {
-    code.split(|letter: char| !(letter.is_alphanumeric() || letter == '_')).filter(|word| !word.is_empty()).collect()
-}
-
-fn defined(code: &str) -> BTreeSet<String> {
-    const KINDS: [&str; 7] = ["fn", "struct", "enum", "trait", "const", "static", "type"];
-    let names = |line: &str| {
-        let all = words(line);
-        let at = all.iter().rposition(|word| KINDS.contains(word))?;
-        all.get(at + 1).map(|name| (*name).to_owned())
+    let told = |circle: Vec<String>| {
+        let way = circle.iter().filter_map(|file| rest.shortest(file, file)).min_by_key(Vec::len).unwrap_or_default();
+        let steps: Vec<String> =
+            way.iter().map(|one| format!("{}:{} uses {} (`{}`)", one.from, one.line, one.to, one.path)).collect();
+        format!(
+            "{folder}: {} files use each other in a circle: {}\n    {}",
+            circle.len(),
+            circle.join(", "),
+            steps.join("\n    ")
+        )
     };
-    let head = |line: &&str| {
-        let first = line.trim_start();
-        ["pub", "fn ", "struct ", "enum ", "trait ", "const ", "static ", "type "]
-            .iter()
-            .any(|word| first.starts_with(word))
-    };
-    code.lines().filter(head).filter_map(|line| names(line.split(['(', '{', '=', ':', '<', ';']).next()?)).collect()
-}
-
-fn uses(code: &str) -> Vec<Use> {
-    let mut all = Vec::new();
-    for statement in code.split(';') {
-        let Some(start) = statement.find("use ").filter(|&start| {
-            let before = statement[..start].trim_end();
-            let line = before.rsplit('\n').next().unwrap_or_default().trim();
-            line.is_empty() || line.starts_with("pub")
-        }) else {
-            continue;
-        };
-        let line = statement[..start].rsplit('\n').next().unwrap_or_default();
-        let hands_on = line.contains("pub");
-        for branch in branches(statement[start + 4..].trim()) {
-            let (path, alias) =
-                branch.split_once(" as ").map_or((branch.as_str(), None), |(path, name)| (path, Some(name)));
-            let path: Vec<String> =
-                path.split("::").map(|part| part.trim().to_owned()).filter(|part| !part.is_empty()).collect();
-            let Some(last) = path.last().cloned() else { continue };
-            all.push(Use { name: alias.map_or(last, |name| name.trim().to_owned()), path, hands_on });
-        }
-    }
-    all
-}
-
-/// `a::{b, c::{d, self}}` as `a::b`, `a::c::d`, `a::c`.
-fn branches(tree: &str) -> Vec<String> {
-    let Some(open) = tree.find('{') else { return vec![tree.trim_end_matches("::self").to_owned()] };
-    let (before, inside) = (&tree[..open], tree[open + 1..].trim_end().trim_end_matches('}'));
-    let (mut depth, mut part, mut parts) = (0_usize, String::new(), Vec::new());
-    for letter in inside.chars() {
-        match letter {
-            '{' => depth += 1,
-            '}' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 => {
-                parts.push(std::mem::take(&mut part));
-                continue;
-            }
-            _ => {}
-        }
-        part.push(letter);
-    }
-    parts.push(part);
-    let whole = |part: &String| match part.matches('{').count() > part.matches('}').count() {
-        true => format!("{part}}}"),
-        false => part.clone(),
-    };
-    let parts = parts.iter().filter(|part| !part.trim().is_empty()).map(whole);
-    parts.flat_map(|part| branches(&format!("{before}{}", part.trim()))).collect()
-}
-
-/// `module::name` in the code itself.
-fn paths(code: &str) -> Vec<Vec<String>> {
-    let is_of_name = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let lines = code.split(';').filter(|statement| !statement.trim_start().trim_start_matches("pub").contains("use "));
-    let mut found = Vec::new();
-    for statement in lines {
-        for (at, _) in statement.match_indices("::") {
-            let first: String = statement[..at].chars().rev().take_while(|letter| is_of_name(*letter)).collect();
-            let first: String = first.chars().rev().collect();
-            let before = statement[..at - first.len()].chars().next_back();
-            let second: String = statement[at + 2..].chars().take_while(|letter| is_of_name(*letter)).collect();
-            let is_module = first.starts_with(|letter: char| letter.is_ascii_lowercase());
-            if is_module && before != Some(':') && !second.is_empty() {
-                found.push(vec![first, second]);
-            }
-        }
-    }
-    found
+    rest.circles().into_iter().map(told).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn graph_of(files: &[(&str, &str)]) -> Graph {
+        let mut read = Crate::new("crates/cdpr-plant");
+        files.iter().for_each(|(name, text)| read.add(Path::new(name), text));
+        read.graph()
+    }
+
     fn found(files: &[(&str, &str)]) -> Vec<Vec<String>> {
-        let mut library = Library::default();
-        files.iter().for_each(|(name, text)| library.add(Path::new(name), text));
-        library.circles()
+        graph_of(files).circles()
     }
 
     #[test]
@@ -260,16 +93,76 @@ mod tests {
     }
 
     #[test]
+    fn a_module_known_by_its_name_or_another_one_is_followed() {
+        let report = ("objective/report.rs", "use crate::fit::estimate;\npub fn fit() { estimate() }\n");
+        let objective = ("objective.rs", "mod report;\npub(crate) use self::report::fit;\n");
+        let of = |text| found(&[report, objective, ("fit.rs", text)]).concat();
+        let circle = ["fit.rs", "objective/report.rs"];
+        assert_eq!(of("use super::objective;\npub fn estimate() { objective::fit() }\n"), circle);
+        assert_eq!(of("use crate::objective as o;\npub fn estimate() { o::fit() }\n"), circle);
+        assert_eq!(of("use crate::objective::report as r;\npub fn estimate() { let f = r::fit; }\n"), circle);
+        assert_eq!(of("pub fn estimate() { use crate::objective; objective::fit() }\n"), circle);
+        assert!(
+            of("use super::objective;\npub fn estimate() {}\n").is_empty(),
+            "a module alone is no use of its items"
+        );
+    }
+
+    #[test]
     fn names_that_a_module_hands_on_are_those_of_the_file_that_defines_them() {
         let module = ("mesh/mod.rs", "mod field;\nmod writing;\npub use field::{Field, Unit as Measure};\n");
         let field = ("mesh/field.rs", "pub struct Field;\npub struct Unit;\n");
-        let writing = ("mesh/writing.rs", "use super::{Field, Measure};\nfn write(field: &Field) {}\n");
+        let writing = ("mesh/writing.rs", "use super::{Field, Measure};\npub fn write(field: &Field) {}\n");
         assert!(found(&[module, field, writing]).is_empty());
         let back = (
             "mesh/field.rs",
             "use crate::mesh::writing;\npub struct Field;\npub struct Unit;\nfn f() { writing::write() }\n",
         );
         assert_eq!(found(&[module, back, writing]).len(), 1);
+    }
+
+    #[test]
+    fn a_chain_of_modules_that_hand_a_name_on_is_followed_to_its_end() {
+        let root = ("lib.rs", "mod laws;\nmod drum;\npub use laws::Law;\n");
+        let laws = ("laws/mod.rs", "mod all;\npub(crate) use all::*;\n");
+        let all = ("laws/all.rs", "pub(super) use super::hooke::Hooke as Law;\n");
+        let hooke = ("laws/hooke.rs", "use crate::drum;\npub struct Hooke;\nfn f() { drum::turn() }\n");
+        let drum = ("drum.rs", "use crate::Law;\npub fn turn() {}\n");
+        assert_eq!(found(&[root, laws, all, hooke, drum]), [["drum.rs", "laws/hooke.rs"]]);
+        let by_all = ("drum.rs", "use crate::laws::*;\npub fn turn() { Law::new(); }\n");
+        assert_eq!(found(&[root, laws, all, hooke, by_all]), [["drum.rs", "laws/hooke.rs"]]);
+        let by_crate = ("drum.rs", "pub fn turn() { cdpr_plant::Law::new(); }\n");
+        assert_eq!(found(&[root, laws, all, hooke, by_crate]), [["drum.rs", "laws/hooke.rs"]]);
+        let itself = ("laws/all.rs", "pub use crate::Law;\n");
+        assert!(found(&[root, laws, itself, drum]).is_empty(), "names that lead nowhere end");
+    }
+
+    #[test]
+    fn a_module_that_hands_a_name_on_and_uses_it_is_a_user() {
+        let module = ("grid.rs", "mod cells;\npub use cells::{Cells, count};\npub struct Grid(Cells);\n");
+        let cells = ("grid/cells.rs", "use super::Grid;\npub struct Cells;\npub fn count(grid: &Grid) {}\n");
+        assert_eq!(found(&[module, cells]), [["grid.rs", "grid/cells.rs"]]);
+        let calling = ("grid.rs", "mod cells;\npub use cells::count;\npub struct Grid;\nfn f() { count(&Grid) }\n");
+        assert_eq!(found(&[calling, cells]).len(), 1);
+        let only = ("grid.rs", "mod cells;\npub use cells::{Cells, count};\npub struct Grid;\n");
+        assert!(found(&[only, cells]).is_empty());
+    }
+
+    #[test]
+    fn methods_of_the_same_name_do_not_hide_what_a_module_hands_on() {
+        let module =
+            ("mesh.rs", "mod write;\npub use write::write;\npub struct Mesh;\nimpl Mesh { fn write(&self) {} }\n");
+        let write = ("mesh/write.rs", "use crate::page::Page;\npub fn write(page: &Page) {}\n");
+        let page = ("page.rs", "use crate::mesh;\npub struct Page;\nfn f(page: &Page) { mesh::write(page) }\n");
+        assert_eq!(found(&[module, write, page]), [["mesh/write.rs", "page.rs"]]);
+    }
+
+    #[test]
+    fn a_function_with_the_name_of_a_module_has_no_names_inside() {
+        let module = ("winch.rs", "mod drum;\nmod numbers;\nuse drum::Drum;\nfn numbers(drum: Drum) {}\n");
+        let drum = ("winch/drum.rs", "use super::numbers::Numbers;\npub struct Drum(Numbers);\n");
+        let numbers = ("winch/numbers.rs", "pub struct Numbers;\n");
+        assert!(found(&[module, drum, numbers]).is_empty());
     }
 
     #[test]
@@ -282,10 +175,33 @@ mod tests {
     }
 
     #[test]
-    fn other_rooms_tests_and_strings_do_not_count() {
-        let one = ("cable/law.rs", "use crate::model::Model;\nconst CODE: &str = \"winch::drum\";\n");
-        let other = ("model/model.rs", "use crate::cable::law;\npub struct Model;\n");
-        let tests = ("cable/tests.rs", "use super::law;\n");
-        assert!(found(&[one, other, tests]).is_empty());
+    fn tests_and_strings_do_not_count_and_other_folders_do() {
+        let one = ("cable/law.rs", "pub struct Law;\nconst CODE: &str = \"crate::model::Model\";\n");
+        let other = ("model/model.rs", "use crate::cable::law::Law;\npub struct Model;\n");
+        let module = ("cable.rs", "pub mod law;\n#[cfg(test)]\nmod laws_judged;\n");
+        let models = ("model.rs", "pub mod model;\n");
+        let tests = ("cable/laws_judged.rs", "use super::law::Law;\nuse crate::model::model::Model;\nfn f() {}\n");
+        assert!(found(&[one, other, module, models, tests]).is_empty());
+        let back = ("cable/law.rs", "use crate::model::model::Model;\npub struct Law(Model);\n");
+        assert_eq!(found(&[back, other, module, models, tests]).len(), 1);
+    }
+
+    #[test]
+    fn a_listed_use_passes_until_its_circle_is_gone_and_a_new_circle_shows_its_uses() {
+        let drum = ("drum.rs", "use super::layers::Layer;\npub struct Drum(Layer);\n");
+        let layers = ("layers.rs", "use super::drum::Drum;\npub struct Layer;\nfn f(drum: &Drum) {}\n");
+        let circle = graph_of(&[drum, layers]);
+        let folder = "crates/cdpr-plant";
+        let known = [Known { folder, from: "layers.rs", to: "drum.rs", reason: "rebuilt next" }];
+        assert!(unknown(folder, &circle, &known).is_empty() && ended(folder, &circle, &known).is_empty());
+        assert_eq!(
+            unknown(folder, &circle, &[]),
+            ["crates/cdpr-plant: 2 files use each other in a circle: drum.rs, layers.rs\n    \
+              drum.rs:1 uses layers.rs (`super::layers::Layer`)\n    layers.rs:1 uses drum.rs (`super::drum::Drum`)"]
+        );
+        let mended = graph_of(&[drum, ("layers.rs", "pub struct Layer;\n")]);
+        assert!(ended(folder, &mended, &known)[0].contains("closes no circle any more (rebuilt next)"));
+        let straight = graph_of(&[("drum.rs", "pub struct Drum;\n"), layers]);
+        assert_eq!(ended(folder, &straight, &known).len(), 1, "a use that leads nowhere back");
     }
 }

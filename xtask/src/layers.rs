@@ -1,95 +1,99 @@
-//! Rules of the libraries: each room uses only rooms left of it, errors are no text, and doc lines begin with a noun or a verb.
+//! Rules of the crates: each room uses only rooms left of it, no file leads back to itself, and crates depend only on those that they may.
 
 use std::path::{Path, PathBuf};
 
-use crate::circles::circles;
+use crate::circles::{self, graph::Graph};
 use crate::outcome::Outcome;
+use crate::sentences;
 
-/// Rooms of a library, left to right; rooms in one entry do not use each other.
-type Rooms = &'static [&'static [&'static str]];
-
-/// The rooms of `crates/cdpr-core/src`.
-const CORE_ROOMS: Rooms = &[&["scalar"], &["geometry", "solve"], &["cable"], &["structure"]];
-
-/// The rooms of `crates/cdpr/src`.
-const ROOMS: Rooms = &[
-    &["notation", "scalar", "reading"],
-    &["geometry", "solve"],
-    &["robot"],
-    &["measurement"],
-    &["cable"],
-    &["model"],
-    &["statics", "tension"],
-    &["equilibrium"],
-    &["workspace", "compensation"],
-    &["metamodel"],
-    &["identification"],
-    &["plant"],
-    &["surrogate"],
-    &["export"],
-    &["error_code"],
+/// Crates whose rooms have an order, by their folders.
+const LIBRARIES: &[Library] = &[
+    Library { folder: "crates/cdpr-core", rooms: &[&["scalar"], &["geometry", "solve"], &["cable"], &["structure"]] },
+    Library {
+        folder: "crates/cdpr-model",
+        rooms: &[
+            &["notation", "scalar", "reading"],
+            &["geometry", "solve"],
+            &["robot"],
+            &["measurement"],
+            &["cable"],
+            &["model"],
+            &["statics", "tension"],
+            &["equilibrium"],
+            &["compensation"],
+            &["control"],
+            &["error_code"],
+        ],
+    },
 ];
 
-/// A library whose rooms have an order.
+/// A crate and its rooms, left to right; rooms in one entry do not use each other.
 struct Library {
     folder: &'static str,
-    rooms: Rooms,
+    rooms: &'static [&'static [&'static str]],
 }
-
-const CORE: Library = Library { folder: "crates/cdpr-core/src", rooms: CORE_ROOMS };
-const CDPR: Library = Library { folder: "crates/cdpr/src", rooms: ROOMS };
-const LIBRARIES: [&Library; 2] = [&CORE, &CDPR];
-/// A library without rooms, whose doc lines follow the same rule.
-const REPORTS: Library = Library { folder: "crates/cdpr-reports/src", rooms: &[] };
 
 /// Each crate of the workspace and the workspace crates that it may depend on.
 const CRATES: &[(&str, &[&str])] = &[
     ("cdpr-core", &[]),
-    ("cdpr", &["cdpr-core"]),
-    ("cdpr-reports", &["cdpr"]),
-    ("cdpr-cli", &["cdpr", "cdpr-reports"]),
+    ("cdpr-model", &["cdpr-core"]),
+    ("cdpr-workspace", &["cdpr-core", "cdpr-model"]),
+    ("cdpr-plant", &["cdpr-core", "cdpr-model"]),
+    ("cdpr-calibration", &["cdpr-core", "cdpr-model"]),
+    ("cdpr-study", &["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration"]),
+    ("cdpr", &["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study"]),
+    ("cdpr-reports", &["cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study"]),
+    ("cdpr-cli", &["cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-reports"]),
+    ("cdpr-testing", &[]),
 ];
 
-/// First words of a doc line that point at its subject instead of naming it.
-const POINTERS: &[&str] = &["What", "Where", "Whose", "That", "Something", "Who", "All that", "How much"];
-
-/// Complains of every use to the right, of rooms that are not listed, of text as an error, of doc lines that do not say what a
-/// thing is, and of crates that depend the wrong way.
+/// Complains of every use to the right, of rooms that are not listed, of circles of files, of text as an error, of doc lines that do
+/// not say what a thing is, and of crates that depend the wrong way.
 pub(crate) fn check(root: &Path) -> Outcome {
-    let mut complaints = Vec::new();
-    for library in LIBRARIES {
-        let source = root.join(library.folder);
+    let folders = crate_folders(root);
+    let mut complaints = circles::lost(&folders);
+    let lost = LIBRARIES.iter().filter(|library| !folders.iter().any(|folder| folder == library.folder));
+    complaints
+        .extend(lost.map(|library| format!("{}: this crate of xtask/src/layers.rs is not there", library.folder)));
+    for folder in &folders {
+        let source = root.join(folder).join("src");
         let files = rust_files(&source);
-        let told = |circle: Vec<String>| {
-            format!("{}: files that use each other in a circle: {}", library.folder, circle.join(", "))
-        };
-        complaints.extend(circles(&source, &files).into_iter().map(told));
-        for path in files {
-            let Ok(inside) = path.strip_prefix(&source) else { continue };
-            match std::fs::read_to_string(&path) {
+        let graph = circles::graph(folder, &source, &files);
+        complaints.extend(circles::complaints(folder, &graph));
+        let library = LIBRARIES.iter().find(|library| library.folder == folder);
+        complaints.extend(library.into_iter().flat_map(|library| library.hidden_uses_to_the_right(&graph)));
+        for path in &files {
+            let inside = path.strip_prefix(&source).unwrap_or(path);
+            let name = format!("{folder}/src/{}", inside.display());
+            match std::fs::read_to_string(path) {
                 Ok(text) => {
-                    complaints.extend(library.uses_to_the_right(inside, &text));
-                    complaints.extend(library.text_as_errors(inside, &text));
-                    complaints.extend(library.pointing_doc_lines(inside, &text));
+                    complaints.extend(library.into_iter().flat_map(|library| library.uses_to_the_right(inside, &text)));
+                    complaints.extend(sentences::complaints(&name, &text));
                 }
-                Err(error) => complaints.push(format!("{}: {error}", path.display())),
+                Err(error) => complaints.push(format!("{name}: {error}")),
             }
         }
+        let manifest = std::fs::read_to_string(root.join(folder).join("Cargo.toml")).unwrap_or_default();
+        complaints.extend(dependencies_to_the_right(folder.trim_start_matches("crates/"), &manifest));
     }
-    for path in rust_files(&root.join(REPORTS.folder)) {
-        let inside = path.strip_prefix(root.join(REPORTS.folder)).unwrap_or(&path);
-        let text = std::fs::read_to_string(&path).unwrap_or_default();
-        complaints.extend(REPORTS.pointing_doc_lines(inside, &text));
-    }
-    complaints.extend(crate_complaints(&root.join("crates")));
     Outcome::of(complaints)
+}
+
+/// Folders of the crates, as `crates/NAME`.
+fn crate_folders(root: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(root.join("crates")).into_iter().flatten().filter_map(Result::ok);
+    let crates = entries.filter(|entry| entry.path().join("Cargo.toml").is_file());
+    let mut folders: Vec<String> =
+        crates.map(|entry| format!("crates/{}", entry.file_name().to_string_lossy())).collect();
+    folders.sort_unstable();
+    folders
 }
 
 impl Library {
     /// `inside` is the file's path in the library. The front page lib.rs may use everything.
     fn uses_to_the_right(&self, inside: &Path, text: &str) -> Vec<String> {
         let Some(room) = room_of(inside) else { return Vec::new() };
-        let file = format!("{}/{}", self.folder, inside.display());
+        let file = format!("{}/src/{}", self.folder, inside.display());
         let Some(place) = self.place(&room) else {
             return vec![format!("{file}: the room `{room}` is not listed in xtask/src/layers.rs and ARCHITECTURE.md")];
         };
@@ -111,30 +115,18 @@ impl Library {
         complaints
     }
 
-    /// Results of the library whose error is text: callers could not tell one from another.
-    fn text_as_errors(&self, inside: &Path, text: &str) -> Vec<String> {
-        let code = text.lines().map(|line| line.split("//").next().unwrap_or_default()).enumerate();
-        let is_text = |code: &str| code.contains("Result<") && code.contains(", String>");
-        let told = |(line, _)| {
-            format!("{}/{}:{}: text as an error; give it a type of its own", self.folder, inside.display(), line + 1)
-        };
-        code.filter(|(_, code)| is_text(code)).map(told).collect()
-    }
-
-    /// First lines of doc comments that begin with one of [`POINTERS`].
-    fn pointing_doc_lines(&self, inside: &Path, text: &str) -> Vec<String> {
+    /// Uses to the right that do not begin with `crate::`: by `super::` or by a name for a module.
+    fn hidden_uses_to_the_right(&self, graph: &Graph) -> Vec<String> {
         let mut complaints = Vec::new();
-        let mut is_first = true;
-        for (line, text) in (1..).zip(text.lines().map(str::trim_start)) {
-            let doc = text.strip_prefix("///").or_else(|| text.strip_prefix("//!"));
-            if let Some(word) = doc.filter(|_| is_first).and_then(pointer) {
+        for one in graph.uses().filter(|one| !one.path.starts_with("crate::")) {
+            let rooms = (room_of(Path::new(&one.from)), room_of(Path::new(&one.to)));
+            let (Some(room), Some(other)) = rooms else { continue };
+            if room != other && self.place(&other) >= self.place(&room) {
                 complaints.push(format!(
-                    "{}/{}:{line}: a doc line begins with `{word}`; say what the thing is: noun or verb first",
-                    self.folder,
-                    inside.display()
+                    "{}/src/{}:{}: `{room}` uses `{other}`, which does not stand left of it",
+                    self.folder, one.from, one.line
                 ));
             }
-            is_first = doc.is_none();
         }
         complaints
     }
@@ -144,17 +136,11 @@ impl Library {
     }
 }
 
-/// The pointer that a doc line begins with, as a whole word.
-fn pointer(doc: &str) -> Option<&'static str> {
-    let is_whole = |rest: &str| !rest.starts_with(|letter: char| letter.is_alphanumeric());
-    POINTERS.iter().copied().find(|word| doc.trim_start().strip_prefix(word).is_some_and(is_whole))
-}
-
-/// `robot/description.rs` and `robot.rs` belong to the room `robot`; lib.rs belongs to none.
+/// `robot/description.rs` and `robot.rs` belong to the room `robot`; lib.rs and main.rs belong to none.
 fn room_of(inside: &Path) -> Option<String> {
     let first = inside.iter().next()?.to_str()?;
     let room = first.strip_suffix(".rs").unwrap_or(first);
-    (room != "lib").then(|| room.to_owned())
+    (room != "lib" && room != "main").then(|| room.to_owned())
 }
 
 struct Used {
@@ -208,18 +194,6 @@ fn branches(group: &str) -> Vec<usize> {
     starts
 }
 
-fn crate_complaints(crates: &Path) -> Vec<String> {
-    let Ok(folders) = std::fs::read_dir(crates) else { return vec![format!("cannot read {}", crates.display())] };
-    let mut complaints = Vec::new();
-    for folder in folders.filter_map(Result::ok) {
-        let name = folder.file_name().to_string_lossy().into_owned();
-        let manifest = std::fs::read_to_string(folder.path().join("Cargo.toml")).unwrap_or_default();
-        complaints.extend(dependencies_to_the_right(&name, &manifest));
-    }
-    complaints.sort_unstable();
-    complaints
-}
-
 /// Names of the workspace begin with `cdpr`; a crate may depend only on those in its line of the table.
 fn dependencies_to_the_right(name: &str, manifest: &str) -> Vec<String> {
     let Some((_, allowed)) = CRATES.iter().find(|(listed, _)| *listed == name) else {
@@ -232,7 +206,8 @@ fn dependencies_to_the_right(name: &str, manifest: &str) -> Vec<String> {
             section = text;
         }
         let key = text.split(['.', '=', ' ']).next().unwrap_or_default();
-        if section.contains("dependencies") && key.starts_with("cdpr") && !allowed.contains(&key) {
+        let is_for_tests = section == "[dev-dependencies]" && key == "cdpr-testing";
+        if section.contains("dependencies") && key.starts_with("cdpr") && !allowed.contains(&key) && !is_for_tests {
             complaints.push(format!("crates/{name}/Cargo.toml:{line}: `{name}` may not depend on `{key}`"));
         }
     }
@@ -256,9 +231,41 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::circles::graph::Use;
+
+    const MODEL: Library = Library {
+        folder: "crates/cdpr-model",
+        rooms: &[
+            &["notation", "reading", "scalar"],
+            &["geometry", "solve"],
+            &["robot"],
+            &["measurement"],
+            &["cable"],
+            &["model"],
+            &["statics", "tension"],
+            &["equilibrium"],
+            &["compensation"],
+            &["control"],
+        ],
+    };
 
     fn complaints(file: &str, text: &str) -> Vec<String> {
-        CDPR.uses_to_the_right(Path::new(file), text)
+        MODEL.uses_to_the_right(Path::new(file), text)
+    }
+
+    #[test]
+    fn a_use_to_the_right_by_super_or_by_a_name_for_a_module_is_seen() {
+        let refused = |path: &str, to: &str| {
+            let mut graph = Graph::default();
+            let (from, to, path) = ("model/lengths.rs".to_owned(), to.to_owned(), path.to_owned());
+            graph.add(Use { from, to, line: 7, path });
+            MODEL.hidden_uses_to_the_right(&graph)
+        };
+        assert_eq!(
+            refused("super::super::tension::Method", "tension/method.rs"),
+            ["crates/cdpr-model/src/model/lengths.rs:7: `model` uses `tension`, which does not stand left of it"]
+        );
+        assert!(refused("winch::Drum", "cable/winch.rs").is_empty());
     }
 
     #[test]
@@ -266,51 +273,22 @@ mod tests {
         assert!(complaints("model/lengths.rs", "use crate::cable::Outlet;\nuse crate::model::Model;\n").is_empty());
         assert_eq!(
             complaints("cable/pulley.rs", "//! Pulley.\n\nuse crate::model::Model;\n"),
-            ["crates/cdpr/src/cable/pulley.rs:3: `cable` uses `model`, which does not stand left of it"]
+            ["crates/cdpr-model/src/cable/pulley.rs:3: `cable` uses `model`, which does not stand left of it"]
         );
     }
 
     #[test]
     fn every_branch_of_a_grouped_use_is_seen_on_its_own_line() {
-        let text = "use crate::{\n    geometry::{Pose, Twist},\n    export::{self, C99},\n    workspace,\n};\n";
+        let text = "use crate::{\n    geometry::{Pose, Twist},\n    control::{self, C99},\n    equilibrium,\n};\n";
         let lines: Vec<String> = complaints("robot.rs", text);
         assert_eq!(lines.len(), 2, "{lines:?}");
-        assert!(lines[0].contains("robot.rs:3: `robot` uses `export`"));
-        assert!(lines[1].contains("robot.rs:4: `robot` uses `workspace`"));
-    }
-
-    #[test]
-    fn text_is_no_error_of_the_library() {
-        let refused = |text: &str| CDPR.text_as_errors(Path::new("robot.rs"), text);
-        assert!(refused("fn f() -> Result<String, Error> {\n/// Result<f64, String>\n").is_empty());
-        assert_eq!(
-            refused("\nfn f() -> Result<Vec<f64>, String> {\n"),
-            ["crates/cdpr/src/robot.rs:2: text as an error; give it a type of its own"]
-        );
-    }
-
-    #[test]
-    fn a_doc_line_that_points_at_its_subject_is_refused() {
-        let refused = |text: &str| CORE.pointing_doc_lines(Path::new("cable/mod.rs"), text);
-        let named =
-            "//! Laws of one cable.\n\n/// Length (m).\n/// Where it is slack, 0.\nfn f() {}\n// What is left.\n";
-        assert!(refused(named).is_empty());
-        assert!(refused("/// Whatever the unit, a length.\n").is_empty(), "a longer word");
-        assert_eq!(
-            refused("//! What one cable does.\n\n    /// Whose.\n    /// All that is told.\n"),
-            [
-                "crates/cdpr-core/src/cable/mod.rs:1: a doc line begins with `What`; say what the thing is: noun or verb first",
-                "crates/cdpr-core/src/cable/mod.rs:3: a doc line begins with `Whose`; say what the thing is: noun or verb first"
-            ]
-        );
-        for word in POINTERS {
-            assert_eq!(refused(&format!("/// {word} is there.\n")).len(), 1, "{word}");
-        }
+        assert!(lines[0].contains("robot.rs:3: `robot` uses `control`"));
+        assert!(lines[1].contains("robot.rs:4: `robot` uses `equilibrium`"));
     }
 
     #[test]
     fn a_path_inside_code_counts_as_a_use() {
-        let text = "fn f() -> f64 {\n    crate::identification::fit()\n}\n";
+        let text = "fn f() -> f64 {\n    crate::control::fit()\n}\n";
         assert_eq!(complaints("geometry/mod.rs", text).len(), 1);
     }
 
@@ -329,13 +307,13 @@ mod tests {
     fn unlisted_rooms_and_names_of_the_crate_root_are_refused() {
         assert!(complaints("helpers/mod.rs", "")[0].contains("not listed"));
         assert!(complaints("model/mod.rs", "use crate::Robot;")[0].contains("is no room"));
-        assert!(complaints("lib.rs", "pub use crate::export::C99;").is_empty());
+        assert!(complaints("lib.rs", "pub use crate::control::Control;").is_empty());
     }
 
     #[test]
     fn the_library_may_not_depend_on_the_command_line() {
         let manifest = "[dependencies]\nnalgebra = \"1\"\ncdpr-cli.workspace = true\n";
         assert_eq!(dependencies_to_the_right("cdpr", manifest).len(), 1);
-        assert!(dependencies_to_the_right("cdpr-cli", "[dependencies]\ncdpr.workspace = true\n").is_empty());
+        assert!(dependencies_to_the_right("cdpr-cli", "[dependencies]\ncdpr-model.workspace = true\n").is_empty());
     }
 }

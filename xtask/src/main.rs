@@ -11,6 +11,7 @@ mod documents;
 mod examples;
 mod format;
 mod generated;
+mod golden;
 mod ground;
 mod instruction_counts;
 mod instructions;
@@ -21,6 +22,7 @@ mod notices;
 mod outcome;
 mod packages;
 mod programs;
+mod sentences;
 mod soak;
 mod steps;
 
@@ -36,6 +38,9 @@ Tasks:
   steps                the steps of `test`
   soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
   soak --poseless N    calibrations without measured poses of N seeds, judged by SciPy; --seed S begins there
+  golden               compare the command's answers to all calls of the corpus with the committed ones
+  golden --part        the part of it that `test` runs; --only GROUP groups of it; --times, --keep to look closer
+  golden --accept      make them the committed ones; --command PATH asks another command than that of the build for release
   layers               what each room of the libraries may use, and how their doc lines begin
   generate             write the generated files (schemas, THIRD-PARTY.txt)
   notices              write THIRD-PARTY.txt alone
@@ -61,6 +66,7 @@ fn main() -> ExitCode {
         }
         ["layers"] => layers::check(&root).into_result(),
         ["generate"] => generated::write(&root),
+        ["golden", words @ ..] => golden::run(&root, words),
         ["notices"] => notices::write(&root),
         ["instructions"] => instructions::check(&root).into_result(),
         ["instructions", "--accept"] => instructions::accept(&root),

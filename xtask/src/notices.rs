@@ -16,7 +16,7 @@ const WORDS_BESIDES: usize = 260;
 const HEAD: &str = "\
 The command cdpr is built from the Rust packages listed second. The reports (report.html) that it writes contain a program that was
 bundled from viewer/; every report shows the licences of that, which come first, at its end. Built-in robots:
-crates/cdpr/robots/NOTICE.md. `cargo xtask generate` writes this file.
+crates/cdpr-model/robots/NOTICE.md. `cargo xtask generate` writes this file.
 
 ";
 

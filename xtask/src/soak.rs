@@ -1,7 +1,7 @@
 //! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`, or records without poses of as many seeds: `cargo xtask soak --poseless N [--seed S]`.
 //!
-//! Rounds of the library's property tests (their cases follow `CDPR_SEED` and `CDPR_CASES`, read by
-//! `crates/cdpr/tests/support/property.rs` alone), of random robots through the command, of calibrations without measured poses that SciPy judges, and of the fuzz targets where
+//! The whole golden corpus once, then rounds of the library's property tests (their cases follow `CDPR_SEED` and `CDPR_CASES`, read by
+//! `crates/cdpr-testing/src/property.rs` alone), of random robots through the command, of calibrations without measured poses that SciPy judges, and of the fuzz targets where
 //! cargo-fuzz and a nightly toolchain are installed. A finding is told with its seed and the smallest case.
 
 mod random;
@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::programs::{self, on_path};
-use crate::{cargo, judge};
+use crate::{cargo, golden, judge};
 use trial::Trial;
 
 /// Tests whose random cases follow `CDPR_SEED`: parts of their names, as `cargo test` filters them.
@@ -79,7 +79,8 @@ pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
     if let Err(reason) = &fuzz {
         println!("the fuzz targets are skipped: {reason}");
     }
-    let (mut findings, mut tried) = (Vec::new(), 0);
+    let mut findings: Vec<String> = golden::check_whole(root, &program).err().into_iter().collect();
+    let mut tried = 0;
     for seed in wishes.seed.. {
         println!("\n── round of seed {seed}");
         findings.extend(properties(root, seed));

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{
-    book, browser, cargo, command, documents, examples, format, generated, ground, instructions, interface, judge,
-    layers,
+    book, browser, cargo, command, documents, examples, format, generated, golden, ground, instructions, interface,
+    judge, layers,
 };
 
 /// One step of the entrance.
@@ -71,6 +71,11 @@ const STEPS: &[Step] = &[
         action: Action::Own(command::check),
         remedy: "run the failing test alone: `cargo test --release -p cdpr-cli NAME`",
     },
+    Step {
+        name: "golden",
+        action: Action::Own(golden::check_part),
+        remedy: "mend what changed the numbers, or list them in CHANGELOG.md with the reason, then `cargo xtask golden --accept`",
+    },
     Step { name: "doc-tests", action: Action::Own(documentation_tests), remedy: "mend the example in the doc comment" },
     Step {
         name: "docs",
@@ -80,7 +85,7 @@ const STEPS: &[Step] = &[
     },
     Step {
         name: "no-default-features",
-        action: Action::Cargo(&["clippy", "-p", "cdpr", "--lib", "--no-default-features", "--", "-D", "warnings"]),
+        action: Action::Own(without_features),
         remedy: "put the code that needs the feature behind `#[cfg(feature = \"…\")]`",
     },
     Step {
@@ -116,21 +121,43 @@ const STEPS: &[Step] = &[
     },
 ];
 
+/// The libraries without their default features, and the command without its own.
+fn without_features(root: &Path) -> Outcome {
+    let libraries = DOCUMENTED.iter().skip(1).flat_map(|package| ["-p", package]);
+    let bare = |packages: Vec<&str>, kind: &str| {
+        let arguments = [&["clippy"], &packages[..], &[kind, "--no-default-features", "--", "-D", "warnings"]].concat();
+        cargo::succeed(root, &arguments)
+    };
+    let mut sum = bare(libraries.collect(), "--lib");
+    sum.add(bare(vec!["-p", "cdpr-cli"], "--bins"));
+    sum
+}
+
 /// The tests in doc comments, with the library of the build for release: `cargo test --doc` would compile another one.
 fn documentation_tests(root: &Path) -> Outcome {
     if let Err(complaint) = cargo::succeed(root, cargo::RELEASE).into_result() {
         return Outcome::of(vec![complaint]);
     }
     let folder = format!("dependency={}", cargo::built(root, "release", "deps").display());
-    let mut sum = Outcome::default();
-    for (package, name) in [("cdpr-core", "cdpr_core"), ("cdpr", "cdpr")] {
+    // examples are written for users: all of them may name the facade
+    let library = |package: &str| {
+        let name = package.replace('-', "_");
         let file = cargo::built(root, "release", &format!("lib{name}")).with_extension("rlib");
-        let library = format!("{name}={}", file.display());
-        let tested = ["rustdoc", "-p", package, "--lib", "--", "--test", "--extern", &library, "-L", &folder];
+        format!("{name}={}", file.display())
+    };
+    let (facade, mut sum) = (library("cdpr"), Outcome::default());
+    for package in DOCUMENTED {
+        let own = library(package);
+        let tested = ["rustdoc", "-p", package, "--lib", "--", "--test", "--extern", &facade, "-L", &folder];
+        let tested = if package == "cdpr" { tested.to_vec() } else { [&tested[..], &["--extern", &own]].concat() };
         sum.add(cargo::count_tests(root, &tested));
     }
     sum
 }
+
+/// Libraries with examples in their documentation.
+const DOCUMENTED: [&str; 7] =
+    ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr"];
 
 /// Steps that need what is fetched ahead.
 const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];

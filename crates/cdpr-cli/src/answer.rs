@@ -1,11 +1,11 @@
-//! What a command answers, and how it is written.
+//! Answers of commands, and how they are written.
 
 use std::cell::RefCell;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Doubt, DoubtKind};
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{Doubt, DoubtKind};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
@@ -42,7 +42,7 @@ pub(crate) struct TrustArguments {
     accept_untrusted: bool,
 }
 
-/// Where answers and remarks go.
+/// Output of a command: its answer and remarks.
 pub(crate) struct Output {
     format: Format,
     /// Name of the robot that is asked about.
@@ -104,7 +104,7 @@ impl Output {
         Warnings { remarks, ..self.doubts() }
     }
 
-    /// All that was told so far besides the answer, for pages and files.
+    /// Remarks so far besides the answer, for pages and files.
     pub(crate) fn remarks(&self) -> Vec<String> {
         self.remarks.borrow().clone()
     }

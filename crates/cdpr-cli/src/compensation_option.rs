@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::compensation::{Compensation, MapError};
-use cdpr::model::Model;
-use cdpr::reading::Size;
+use cdpr_model::compensation::{Compensation, MapError};
+use cdpr_model::model::Model;
+use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::failure::Failure;

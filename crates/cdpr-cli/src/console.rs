@@ -18,7 +18,7 @@ pub(crate) enum ColorChoice {
     Never,
 }
 
-/// What holds for the whole run.
+/// Choices that hold for the whole run.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Console {
     /// When to colour.

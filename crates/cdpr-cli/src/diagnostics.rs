@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use cdpr::reading::{Place, ReadError};
+use cdpr_model::reading::{Place, ReadError};
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 

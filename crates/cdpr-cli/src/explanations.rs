@@ -8,7 +8,7 @@ const PAGES: [&str; 4] = [
     include_str!("explanations/workspaces.md"),
 ];
 
-/// What is to be known about a code.
+/// Explanation of a code.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Explanation {
     /// The code, `area::mistake`.
@@ -56,8 +56,9 @@ mod tests {
             }
         }
         let mut found = Vec::new();
-        for folder in ["src", "../cdpr/src", "../cdpr-reports/src"] {
-            collect(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), &mut found);
+        let crates = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        for member in std::fs::read_dir(crates).unwrap() {
+            collect(&member.unwrap().path().join("src"), &mut found);
         }
         assert!(found.len() > 100, "the sources are not where they were");
         found

@@ -2,8 +2,8 @@
 
 use std::io;
 
-use cdpr::error_code::ErrorCode;
-use cdpr::reading::ReadError;
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::reading::ReadError;
 use serde::Serialize;
 
 /// Why there is no answer.
@@ -15,7 +15,7 @@ pub(crate) enum Failure {
     Input {
         /// Stable short name, explained by `cdpr explain`.
         code: &'static str,
-        /// What is wrong and why.
+        /// Fault and reason.
         message: String,
         /// How to mend it.
         help: Option<String>,
@@ -24,19 +24,31 @@ pub(crate) enum Failure {
     Numerical {
         /// Stable short name.
         code: &'static str,
-        /// What happened.
+        /// The event.
         message: String,
     },
     /// A file that cannot be read or written.
     Io {
         /// Stable short name.
         code: &'static str,
-        /// What was tried, and the system's answer.
+        /// The attempt, and the system's answer.
         message: String,
         /// How to mend it.
         help: Option<String>,
     },
 }
+
+/// Options that mend what the library refuses, by the code of the error.
+const REMEDIES: &[(&str, &str)] = &[
+    ("data::no-validation", "give --validation, a column `set`, or another --split"),
+    (
+        "data::gauge-open",
+        "hold coordinates with --hold, give --known, as level[1,2,3], or choose --gauge anchors or least-change",
+    ),
+    ("limits::missing-key", "add the key to the robot file, or give --min and --max for all cables"),
+    ("load::missing-key", "add the key to the robot file, or give --wrench where the command takes it"),
+    ("plan::priors", "state the accuracies of the sensors with --sigma"),
+];
 
 /// A failure as scripts see it.
 #[derive(Debug, Serialize)]
@@ -66,9 +78,12 @@ impl Failure {
         Self::Input { code, message: message.into(), help: Some(help.into()) }
     }
 
-    /// Input that the library refused, with the argument or file it came from; messages of the library name the cure.
+    /// Input that the library refused, with the argument or file it came from; messages of the library name the cure, and the help the
+    /// options for it.
     pub(crate) fn refused(what: &str, error: &dyn ErrorCode) -> Self {
-        Self::Input { code: error.code(), message: format!("{what}: {error}"), help: None }
+        let code = error.code();
+        let remedy = REMEDIES.iter().find(|(of, _)| *of == code).map(|(_, remedy)| (*remedy).to_owned());
+        Self::Input { code, message: format!("{what}: {error}"), help: remedy }
     }
 
     /// A calculation that overflowed.
@@ -121,7 +136,7 @@ impl Failure {
         }
     }
 
-    /// What is wrong and why, without the place.
+    /// Fault and reason, without the place.
     pub(crate) fn message(&self) -> &str {
         match self {
             Self::File(error) => &error.message,
@@ -166,5 +181,19 @@ fn system_reason(error: &io::Error) -> String {
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
         io::ErrorKind::IsADirectory => "it is a folder".to_owned(),
         _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::explanations;
+
+    #[test]
+    fn remedies_are_those_of_codes_that_are_explained() {
+        for (code, remedy) in REMEDIES {
+            assert!(explanations::all().any(|explanation| explanation.code == *code), "{code}");
+            assert!(remedy.contains("--"), "{code}: {remedy}");
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use cdpr::reading::{FileError, Size, bytes_of};
+use cdpr_model::reading::{FileError, Size, bytes_of};
 use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
@@ -173,7 +173,7 @@ fn temporary_file_beside(target: &Path) -> io::Result<NamedTempFile> {
 mod tests {
     use std::path::Path;
 
-    /// What this file promises holds for every writer only while there is no other.
+    /// Promises of this file hold for every writer only while there is no other.
     #[test]
     fn nothing_else_in_the_command_writes_files() {
         fn check(folder: &Path) {

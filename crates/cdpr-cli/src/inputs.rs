@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::geometry::{Pose, Twist, Wrench};
-use cdpr::model::{Composition, Model};
-use cdpr::reading::{Size, did_you_mean};
-use cdpr::robot::{Robot, builtin};
-use cdpr::statics::Load;
-use cdpr::tension::{Limits, LimitsError};
+use cdpr_model::geometry::{Pose, Twist, Wrench};
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::reading::{Size, did_you_mean};
+use cdpr_model::robot::{LAWS, Robot, builtin};
+use cdpr_model::statics::Load;
+use cdpr_model::tension::{Limits, LimitsError};
 use clap::Args;
 
 use crate::failure::Failure;
@@ -32,8 +32,8 @@ pub(crate) struct ModelArguments {
     #[command(flatten)]
     robot: RobotArgument,
 
-    /// Effects of the model: `standard`, or effects joined by `+`.
     #[arg(long, default_value_t = Composition::STANDARD, value_name = "MODEL")]
+    #[arg(help = model_help(false), long_help = model_help(true))]
     model: Composition,
 }
 
@@ -53,6 +53,20 @@ impl ModelArguments {
     /// The robot with the effects asked for.
     pub(crate) fn read(&self) -> Result<Model, Failure> {
         self.robot.model(self.model)
+    }
+}
+
+/// Words that make up a model; the long help has a line on every law of stretch, too.
+fn model_help(is_long: bool) -> String {
+    let single = Composition::all().filter(|composition| composition.effects().count() == 1);
+    let words: Vec<String> = single.map(|composition| composition.to_string()).collect();
+    let help = format!("Effects of the model: `standard`, or effects joined by `+`: {}", words.join(", "));
+    match is_long {
+        true => {
+            let laws = LAWS.iter().map(|law| format!("{} ({})", law.word, law.summary));
+            format!("{help}. One law of stretch at most: {}.", laws.collect::<Vec<_>>().join(", "))
+        }
+        false => help,
     }
 }
 

@@ -10,7 +10,7 @@ use tempfile::NamedTempFile;
 
 use crate::console;
 
-/// What a shell gives to commands that SIGINT ended: 128 + 2.
+/// Exit code that a shell gives to commands that SIGINT ended: 128 + 2.
 const INTERRUPTED: i32 = 130;
 
 /// Temporary files that exist now.

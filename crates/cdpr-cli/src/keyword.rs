@@ -1,6 +1,6 @@
 //! Choices of the library by their names.
 
-use cdpr::reading::Keyword;
+use cdpr_model::reading::Keyword;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// A choice by its name.

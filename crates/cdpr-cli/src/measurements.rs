@@ -3,16 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use cdpr::measurement::{InternalSamples, Known, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar};
-use cdpr::model::Model;
-use cdpr::reading::Size;
+use cdpr_model::measurement::{
+    InternalSamples, Known, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar,
+};
+use cdpr_model::model::Model;
+use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::IDEAL_WINCH;
-use crate::numbers::number_from_zero;
+use crate::numbers::{Unreadable, number_from_zero};
 
 /// `DATA` and the options that say how measurement files are read.
 #[derive(Clone, Debug, Args)]
@@ -80,7 +82,7 @@ enum Sensor {
 }
 
 impl FromStr for SigmaOption {
-    type Err = String;
+    type Err = Unreadable;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (name, value) = text.split_once('=').ok_or("write NAME=SIGMA, e.g. position_m=0.001")?;
@@ -93,7 +95,8 @@ impl FromStr for SigmaOption {
             other => {
                 return Err(format!(
                     "`{other}` is not a sensor; known are position_m, rotation_rad, length_m, tension_N, swivel_rad"
-                ));
+                )
+                .into());
             }
         };
         Ok(Self { sensor, sigma: number_from_zero(value)? })

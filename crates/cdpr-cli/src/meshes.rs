@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cdpr::workspace::mesh::{Format, Mesh};
+use cdpr_workspace::mesh::{Format, Mesh};
 
 use crate::failure::Failure;
 use crate::files;

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use cdpr::error_code::ErrorCode;
-use cdpr::plant::scenario::located;
-use cdpr::plant::{PlantError, Scenario, Simulation};
-use cdpr::reading::Size;
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::reading::Size;
+use cdpr_plant::scenario::located;
+use cdpr_plant::{PlantError, Scenario, Simulation};
 
 use crate::answer::Output;
 use crate::failure::Failure;

@@ -1,6 +1,6 @@
-//! What the library's statics refuse, as a failure or as a negative answer.
+//! Refusals of the library's statics, as a failure or as a negative answer.
 
-use cdpr::statics::StaticsError;
+use cdpr_model::statics::StaticsError;
 
 use crate::failure::Failure;
 

@@ -3,13 +3,15 @@
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-use cdpr::error_code::ErrorCode;
-use cdpr::geometry::Pose;
-use cdpr::measurement::poses_from_csv;
-use cdpr::metamodel::study::{CommandedPose, TensionMethod};
-use cdpr::metamodel::{Experiment, InputError, Robots, Study};
-use cdpr::reading::Size;
-use cdpr::robot::Robot;
+use cdpr_model::control::CommandedPose;
+use cdpr_model::control::InputError;
+use cdpr_model::geometry::Pose;
+use cdpr_model::measurement::poses_from_csv;
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::reading::Size;
+use cdpr_model::robot::Robot;
+use cdpr_model::tension::Method;
+use cdpr_study::{Experiment, Robots, Study};
 
 use crate::answer::Output;
 use crate::compensation_option::read as read_map;
@@ -61,7 +63,7 @@ impl StudyFile {
     }
 
     /// The study with another way to choose tensions, where one is given.
-    pub(crate) fn with_tension_method(self, method: Option<TensionMethod>) -> Self {
+    pub(crate) fn with_tension_method(self, method: Option<Method>) -> Self {
         Self { experiment: self.experiment.with_tension_method(method), ..self }
     }
 

@@ -1,9 +1,9 @@
 //! The tensions that a question about a pose is asked with.
 
-use cdpr::equilibrium::distribution::{self, DistributionError};
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::tension::{Limits, LimitsError};
+use cdpr_model::equilibrium::distribution::{self, DistributionError};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::tension::{Limits, LimitsError};
 
 use crate::failure::Failure;
 use crate::inputs::load_of;

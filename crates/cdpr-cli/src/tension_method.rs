@@ -2,25 +2,23 @@
 
 use std::str::FromStr;
 
-use cdpr::model::Model;
-use cdpr::tension::{InputError, Method, Options, Reference};
+use cdpr_model::model::Model;
+use cdpr_model::reading::Keyword;
+use cdpr_model::tension::{InputError, Method, Options, Reference};
 use cdpr_reports::answers::is_turn;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::numbers::{NumberList, finite_number, number_from_zero};
+use crate::numbers::{NumberList, Unreadable, finite_number, number_from_zero};
 
 /// `--method` and the wishes that go with it.
 #[derive(Debug, Args)]
 pub(crate) struct MethodArguments {
-    /// How the tensions are chosen: qp | closed-form | improved-closed-form | puncture | dykstra | centroid | minimum |
-    /// maximum | barrier | nearest-wrench.
-    #[arg(long, value_name = "METHOD", default_value_t = Method::Qp)]
+    #[arg(long, value_name = "METHOD", default_value_t = Method::Qp, help = method_help())]
     pub(crate) method: Method,
 
-    /// What qp, closed-form, improved-closed-form, dykstra and nearest-wrench stay near to: middle (of the limits) | previous |
-    /// one tension per cable (N).
     #[arg(long, value_name = "REFERENCE", default_value = "middle", allow_hyphen_values = true)]
+    #[arg(help = reference_help())]
     reference: ReferenceArgument,
 
     /// Tensions of the step before, one per cable (N).
@@ -35,8 +33,8 @@ pub(crate) struct MethodArguments {
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = number_from_zero, allow_hyphen_values = true)]
     time_step: f64,
 
-    /// p of the p-norm that minimum and maximum are about, from 1 (the sum) to 8.
     #[arg(long, value_name = "P", default_value_t = 2.0, value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(help = p_help())]
     p: f64,
 
     /// Length by which nearest-wrench divides moments to weigh them against forces (m); by default the root mean square
@@ -48,11 +46,57 @@ pub(crate) struct MethodArguments {
 /// `--tension-method`: how the control model chooses the tensions that it commands.
 #[derive(Debug, Args)]
 pub(crate) struct TensionMethodArgument {
-    /// How a control model that commands tensions chooses them, within its limits: qp (default) | closed-form |
-    /// improved-closed-form | puncture | dykstra | centroid | minimum | maximum | barrier | nearest-wrench; in place of
-    /// tension_method in [control] of the study.
-    #[arg(long, value_name = "METHOD")]
+    #[arg(long, value_name = "METHOD", help = tension_method_help())]
     pub(crate) tension_method: Option<Method>,
+}
+
+/// Names of the methods for which something holds.
+fn names(holds: impl Fn(Method) -> bool, between: &str) -> String {
+    let methods = Method::ALL.iter().copied().filter(|method| holds(*method));
+    methods.map(Method::name).collect::<Vec<_>>().join(between)
+}
+
+/// "a, b and c"
+fn list(holds: impl Fn(Method) -> bool) -> String {
+    let names = names(holds, ", ");
+    match names.rsplit_once(", ") {
+        Some((others, last)) => format!("{others} and {last}"),
+        None => names,
+    }
+}
+
+/// "minimum from 1, maximum from 1"
+fn least_p() -> String {
+    let methods = Method::ALL.iter().filter_map(|method| Some(format!("{method} from {}", method.least_p()?)));
+    methods.collect::<Vec<_>>().join(", ")
+}
+
+fn method_help() -> String {
+    format!("How the tensions are chosen: {}.", names(|_| true, " | "))
+}
+
+fn reference_help() -> String {
+    let methods = list(Method::stays_near_reference);
+    format!("Tensions that {methods} stay near to: middle (of the limits) | previous | one tension per cable (N).")
+}
+
+fn p_help() -> String {
+    format!("p of the p-norm that a method minimizes, 8 at most: {}. With 1 it is the sum.", least_p())
+}
+
+fn tension_method_help() -> String {
+    let methods = names(|_| true, " | ");
+    format!(
+        "How a control model that commands tensions chooses them, within its limits: {methods} (default {}); in place of \
+         tension_method in [control] of the study.",
+        Method::default()
+    )
+}
+
+/// The methods with the tensions that each chooses, a line each.
+pub(crate) fn methods_in_words() -> String {
+    let lines = Method::ALL.iter().map(|method| format!("{method}: {}", method.summary()));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// `--reference`.
@@ -64,13 +108,16 @@ enum ReferenceArgument {
 }
 
 impl FromStr for ReferenceArgument {
-    type Err = String;
+    type Err = Unreadable;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         match text {
             "middle" => Ok(Self::Middle),
             "previous" => Ok(Self::Previous),
-            _ => text.parse().map(Self::Given).map_err(|why| format!("middle, previous or tensions expected; {why}")),
+            _ => {
+                let given = text.parse().map(Self::Given);
+                given.map_err(|why| format!("middle, previous or tensions expected; {why}").into())
+            }
         }
     }
 }
@@ -136,7 +183,7 @@ fn moment_length(model: &Model) -> f64 {
     if length > 0.0 && length.is_finite() { length } else { 1.0 }
 }
 
-/// What a distribution refused, with the option that it came from.
+/// Refusal of a distribution, with the option that it came from.
 pub(crate) fn refused(error: &InputError) -> Failure {
     match error {
         InputError::NotFinite { .. } => Failure::numerical(error.to_string()),

@@ -5,12 +5,12 @@ use std::error::Error;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
-use cdpr::error_code::ErrorCode;
-use cdpr::identification::candidate::CandidateError;
-use cdpr::identification::fit;
-use cdpr::identification::selection::RequirementError;
-use cdpr::measurement::{KnownError, SplitError};
-use cdpr::model::{CompositionError, ParameterError};
+use cdpr_calibration::candidate::CandidateError;
+use cdpr_calibration::fit;
+use cdpr_calibration::selection::RequirementError;
+use cdpr_model::measurement::{KnownError, SplitError};
+use cdpr_model::model::{CompositionError, ParameterError};
+use cdpr_model::reading::ErrorCode;
 use clap::error::ErrorKind;
 
 use crate::answer::{Format, Output};
@@ -69,7 +69,7 @@ fn write(mut stream: impl Write + IsTerminal, error: &clap::Error) {
     let _ = stream.write_all(text.as_bytes());
 }
 
-/// What clap says before its usage lines, as one line.
+/// Words of clap before its usage lines, as one line.
 fn first_paragraph(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(str::trim).take_while(|line| !line.is_empty()).collect();
     let line = lines.join(" ");

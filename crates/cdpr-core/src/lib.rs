@@ -26,7 +26,3 @@ pub mod geometry;
 pub mod scalar;
 pub mod solve;
 pub mod structure;
-
-#[cfg(test)]
-#[path = "../../cdpr/tests/support/property.rs"]
-mod property;

@@ -1,6 +1,6 @@
 //! Costs of accuracy: the joined rows of a sweep over calibrations.
 
-use cdpr::metamodel::sweep::{CalibrationOutcome, CalibrationPoint, CalibrationTable, Row};
+use cdpr_study::sweep::{CalibrationOutcome, CalibrationPoint, CalibrationTable, Row};
 use serde::Serialize;
 
 use crate::answers::Answer;

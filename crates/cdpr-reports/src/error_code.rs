@@ -1,10 +1,11 @@
 //! Stable short names of what this crate refuses; `cdpr explain` has a page for each.
 
-use cdpr::error_code::ErrorCode;
+use cdpr_model::reading::ErrorCode;
 
 use crate::comparison::UnwritableFile;
 use crate::firmware::FirmwareError;
 use crate::html_page::PageError;
+#[cfg(feature = "recording")]
 use crate::recording::McapError;
 use crate::study_page::StudyPageError;
 use crate::workspace_page::OverlayError;
@@ -15,6 +16,7 @@ impl ErrorCode for PageError {
     }
 }
 
+#[cfg(feature = "recording")]
 impl ErrorCode for McapError {
     fn code(&self) -> &'static str {
         "numerical::unwritable"

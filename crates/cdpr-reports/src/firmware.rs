@@ -4,8 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use cdpr::geometry::MotionPattern;
-use cdpr::robot::{Cable, Robot};
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::robot::{Cable, Robot};
 use thiserror::Error;
 
 /// A firmware.

@@ -1,6 +1,6 @@
 //! The joined rows of a sweep: answer, table and drawing.
 
-use cdpr::metamodel::sweep::Row;
+use cdpr_study::sweep::Row;
 use serde::Serialize;
 
 use crate::answers::{Answer, BEYOND_THE_WHOLE, is_beyond_the_whole};

@@ -1,10 +1,10 @@
 //! The main job in code: virtual measurements, candidates, one recommendation.
 
-use cdpr::identification::candidate;
-use cdpr::identification::selection::{Settings, select};
+use cdpr::calibration::candidate;
+use cdpr::calibration::selection::{Settings, select};
+use cdpr::control::CommandedPose;
+use cdpr::control::simulate::simulate;
 use cdpr::measurement::{SensorSigmas, Split};
-use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::Robot;

@@ -4,10 +4,8 @@
 
 use std::fmt::Write;
 
-use cdpr::cable::stretch::{
-    hysteresis::{Hysteresis, Memory},
-    hysteresis_law,
-};
+use cdpr::cable::stretch::hysteresis::{Hysteresis, Memory};
+use cdpr::cable::stretch::hysteresis_law;
 use cdpr::robot::HysteresisTable;
 
 /// Size of the drawing and of its margin.

@@ -2,10 +2,11 @@
 //!
 //! `judge_cases FILE` writes them; without a file they are computed and counted only.
 
+use cdpr::control;
+use cdpr::control::CommandedPose;
+use cdpr::control::Operation;
 use cdpr::equilibrium::elastostatics::{self, Settings, Status};
 use cdpr::geometry::{Pose, Twist};
-use cdpr::metamodel::study::CommandedPose;
-use cdpr::metamodel::{self, Operation};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::robot::{CableStiffness, Robot, StiffnessBasis};
@@ -140,7 +141,7 @@ fn emerging_states(rng: &mut ChaCha8Rng) -> Result<Vec<Value>, Failure> {
     while states.len() < COMMANDED_STATES {
         let pose = random_pose(robot, 1.5, 0.2, rng);
         let outcome = operation.answer(&CommandedPose::at(pose));
-        assert_eq!(outcome.status, metamodel::Status::Converged, "{:?}", outcome.reason);
+        assert_eq!(outcome.status, control::Status::Converged, "{:?}", outcome.reason);
         let tensions = outcome.tensions.ok_or("an elastic machine has tensions")?;
         states.push(json!({
             "name": format!("{name}, commanded"), "cables": cables(robot, &vec![Vector3::x(); tensions.len()], false),

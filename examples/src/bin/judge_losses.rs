@@ -2,9 +2,9 @@
 //!
 //! `judge_losses FILE` writes them; without a file they are computed and counted only.
 
+use cdpr::calibration::Loss;
+use cdpr::calibration::fit::{Settings, Status, fit};
 use cdpr::geometry::Pose;
-use cdpr::identification::Loss;
-use cdpr::identification::fit::{Settings, Status, fit};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;

@@ -5,12 +5,13 @@
 
 use std::time::Instant;
 
+use cdpr::control::Initial;
+use cdpr::control::initial_tensions;
 use cdpr::geometry::{Pose, Twist};
-use cdpr::metamodel::initial_tensions;
-use cdpr::metamodel::study::Initial;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::{Matrix3, Vector3};
-use cdpr::plant::{Command, Event, Happening, Plant, State, Winches};
+use cdpr::plant::events::CableBreak;
+use cdpr::plant::{Command, Event, Plant, PlantState, Winches};
 use cdpr::robot::{CableStiffness, Robot, StiffnessBasis};
 use serde_json::{Value, json};
 
@@ -86,7 +87,7 @@ fn off_centre(name: &str, stiffness: f64) -> Result<Robot, Failure> {
 }
 
 /// The machine in equilibrium at its home pose with tensions near a level (N).
-fn at_home(plant: &Plant, level: f64) -> Result<State, Failure> {
+fn at_home(plant: &Plant, level: f64) -> Result<PlantState, Failure> {
     let pose = plant.model().robot().home_or_middle();
     let initial = Initial { tensions_N: Some(vec![level; plant.model().cable_count()]), ..Initial::default() };
     let tensions = initial_tensions(&initial, plant.model(), &pose)?;
@@ -126,21 +127,21 @@ fn motion(case: &Case) -> Result<Value, Failure> {
 /// Poses at the samples, and how often each cable was slack.
 fn path(
     plant: &Plant,
-    start: &State,
+    start: &PlantState,
     lengths: &[f64],
     cut: Option<usize>,
     step: f64,
 ) -> Result<(Vec<Value>, Vec<usize>), Failure> {
-    let mut state = start.clone();
+    let (mut state, commands) = (start.clone(), Command::lengths(lengths));
     let (mut poses, mut slack) = (Vec::new(), vec![0; lengths.len()]);
     let every = (SAMPLE / step).round() as usize;
-    let cut = cut.map(|cable| Event { time: 1.0, happening: Happening::CableBreak { cable } });
+    let cut = cut.map(|cable| Event::new(1.0, CableBreak { cable }));
     for sample in 0..(DURATION / SAMPLE).round() as usize {
-        if let Some(event) = cut.filter(|event| (sample as f64 * SAMPLE - event.time).abs() < 1e-9) {
-            plant.apply(&mut state, &event.happening);
+        if let Some(event) = cut.as_ref().filter(|event| (sample as f64 * SAMPLE - event.time).abs() < 1e-9) {
+            plant.apply(&mut state, event.happening.as_ref());
         }
         for _ in 0..every {
-            plant.step(&mut state, &Command::Lengths(lengths), step)?;
+            plant.step(&mut state, &commands, step)?;
             for (count, cable) in slack.iter_mut().zip(&state.cables) {
                 *count += usize::from(cable.tension == 0.0);
             }
@@ -163,12 +164,13 @@ fn timed_step() -> Result<Value, Failure> {
     let mut start = rest.clone();
     start.set_pose(rest.pose.displaced(&Twist::new(0.01, 0.01, -0.01, 0.005, 0.005, 0.005)));
     let lengths: Vec<f64> = rest.cables.iter().map(|cable| cable.controlled_length).collect();
+    let commands = Command::lengths(&lengths);
     let (mut best, count) = (f64::INFINITY, 1000);
     for _ in 0..60 {
         let mut state = start.clone();
         let before = Instant::now();
         for _ in 0..count {
-            plant.step(&mut state, &Command::Lengths(&lengths), 1e-3)?;
+            plant.step(&mut state, &commands, 1e-3)?;
         }
         best = best.min(before.elapsed().as_nanos() as f64 / f64::from(count));
     }

@@ -2,9 +2,9 @@
 //!
 //! `judge_optima FILE` writes them; without a file they are computed and counted only.
 
+use cdpr::calibration::fit::{Fit, Minimizer, Settings, Status, fit};
+use cdpr::calibration::{Loss, Minimize, Objective};
 use cdpr::geometry::Pose;
-use cdpr::identification::fit::{Fit, Minimizer, Settings, Status, fit};
-use cdpr::identification::{Loss, Minimize, Objective};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model};
 use cdpr::nalgebra::Vector3;

@@ -2,9 +2,9 @@
 //!
 //! `judge_paths FILE` writes them; without a file they are computed and counted only.
 
+use cdpr::calibration::fit::{Settings, fit};
+use cdpr::calibration::{Loss, PathSettings, Penalty, Towards, penalty_path};
 use cdpr::geometry::Pose;
-use cdpr::identification::fit::{Settings, fit};
-use cdpr::identification::{Loss, PathSettings, Penalty, Towards, penalty_path};
 use cdpr::measurement::{Samples, SensorSigmas};
 use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::nalgebra::Vector3;

@@ -14,10 +14,10 @@ use cdpr::cable::span::{Shape, State as Span};
 use cdpr::cable::stretch::Stretch;
 use cdpr::cable::{CableInput, CableStateError, Recording};
 use cdpr::equilibrium::distribution;
-use cdpr::metamodel::effects::{Contribution, EffectState, contributions, largest};
 use cdpr::model::{Composition, Model, Supported};
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
+use cdpr::study::effects::{Contribution, EffectState, contributions, largest};
 use cdpr::tension::Limits;
 use examples::drawing::{Grid, Panel, Picture};
 

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::equilibrium::{Solutions, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch};
 use cdpr::model::{Composition, Model};
 use cdpr::scalar::LaneTable;
@@ -66,7 +66,7 @@ fn forward(name: &str, model: &Model) {
     let (lengths, guesses) = problems(model, 0.0);
     let settings = forward_kinematics::Settings::default();
     let mut solver = forward_kinematics::Solver::new(model, &settings).expect("valid settings");
-    let mut solutions = forward_kinematics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     counting::count(&format!("batch, forward kinematics, {name}"), &mut || {
         solver.solve_batch(black_box(&lengths), &guesses, &mut solutions).expect("valid input");
         (0..solutions.len()).filter(|&item| solutions.residual_rms(item) < 1e-9).count()
@@ -79,7 +79,7 @@ fn equilibria() {
     let (lengths, guesses) = problems(&elastic, 0.03);
     let settings = elastostatics::Settings::default();
     let mut solver = elastostatics::Solver::new(&elastic, &load, &settings).expect("valid settings");
-    let mut solutions = elastostatics::batch::Solutions::default();
+    let mut solutions = Solutions::default();
     counting::count("batch, forward problem, elastic", &mut || {
         solver.solve_batch(black_box(&lengths), &guesses, &mut solutions).expect("valid input");
         (0..solutions.len()).filter(|&item| solutions.tension(0, item) > 0.0).count()

@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
+use cdpr::calibration::fit::{Prior, Settings, Status, fit, optimal_parameters};
+use cdpr::calibration::{Loss, self_calibrate};
 use cdpr::geometry::Pose;
-use cdpr::identification::fit::{Prior, Settings, Status, fit, optimal_parameters};
-use cdpr::identification::{Loss, self_calibrate};
 use cdpr::measurement::{InternalSamples, Samples};
 use cdpr::model::{Composition, FreeParameters, Model};
 use cdpr::nalgebra::DVector;

@@ -4,10 +4,10 @@
 //! One test: a limit holds for the whole process.
 #![allow(clippy::unwrap_used, reason = "tests fail by panic")]
 
-use cdpr::equilibrium::{closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::calibration::Loss;
+use cdpr::calibration::fit::{self, optimal_parameters};
+use cdpr::equilibrium::{Solutions, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
-use cdpr::identification::Loss;
-use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::measurement::Samples;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
@@ -131,7 +131,7 @@ fn forward(problems: &Problems) -> Bits {
     let mut bits = Bits::default();
     let settings = forward_kinematics::Settings { max_restarts: 1, ..forward_kinematics::Settings::default() };
     let mut solver = forward_kinematics::Solver::new(&problems.model, &settings).unwrap();
-    let mut batch = forward_kinematics::batch::Solutions::default();
+    let mut batch = Solutions::default();
     solver.solve_batch(&problems.lengths, &problems.guesses, &mut batch).unwrap();
     for item in 0..batch.len() {
         bits.add_pose(&batch.pose(item));
@@ -146,7 +146,7 @@ fn elastic(problems: &Problems) -> Bits {
     let mut bits = Bits::default();
     let settings = elastostatics::Settings { max_restarts: 1, ..elastostatics::Settings::default() };
     let mut solver = elastostatics::Solver::new(&problems.model, &problems.load, &settings).unwrap();
-    let mut batch = elastostatics::batch::Solutions::default();
+    let mut batch = Solutions::default();
     solver.solve_batch(&problems.lengths, &problems.guesses, &mut batch).unwrap();
     for item in 0..batch.len() {
         bits.add_pose(&batch.pose(item));

@@ -198,18 +198,7 @@ fn of_robot(pose: &str, model: &str, [lengths, tensions, wrench]: &[String; 3], 
         format!("advise robot.toml --task {bounds} --accuracy 0.01 --count 2"),
     ]
     .into();
-    for method in [
-        "qp",
-        "closed-form",
-        "improved-closed-form",
-        "puncture",
-        "dykstra",
-        "centroid",
-        "minimum",
-        "maximum",
-        "barrier",
-        "nearest-wrench",
-    ] {
+    for method in tension_methods() {
         commands
             .push(format!("tension robot.toml --pose {pose} --wrench {wrench} --min 0 --max 5000 --method {method}"));
     }
@@ -239,6 +228,14 @@ fn of_robot(pose: &str, model: &str, [lengths, tensions, wrench]: &[String; 3], 
         commands.push(format!("workspace robot.toml --bounds {bounds} --min 1 --max 5000 {words}"));
     }
     commands
+}
+
+/// Names of the methods of tension distribution, from the schema of studies.
+fn tension_methods() -> Vec<&'static str> {
+    let schema = include_str!("../../../schemas/study.schema.json");
+    let choices = schema.split_once("\"Method\": {").map_or("", |(_, behind)| behind);
+    let choices = choices.split_once(']').map_or(choices, |(inside, _)| inside);
+    choices.split("\"const\": \"").skip(1).filter_map(|choice| choice.split('"').next()).collect()
 }
 
 fn of_study(model: &str) -> Vec<String> {

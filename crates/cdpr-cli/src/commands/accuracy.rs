@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::metamodel::accuracy::Assessment;
-use cdpr::metamodel::study::CommandedPose;
+use cdpr_model::control::CommandedPose;
+use cdpr_study::accuracy::Assessment;
 use clap::Args;
 
 use crate::answer::Output;

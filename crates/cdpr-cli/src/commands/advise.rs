@@ -4,13 +4,13 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::advice::{Candidate, advise};
-use cdpr::metamodel::{Control, Operation};
-use cdpr::model::{Composition, Model};
-use cdpr::tension::Method;
-use cdpr::workspace::Bounds;
+use cdpr_model::control::{Control, Operation};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::tension::Method;
 use cdpr_reports::answers::{AdviceAnswer, AdviceTiming};
+use cdpr_study::advice::{Candidate, advise};
+use cdpr_workspace::Bounds;
 use clap::Args;
 
 use crate::answer::Output;
@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             Failure::usage("usage::value", message).with_help("give a positive number in metres, 0.005 for 5 mm")
         );
     }
-    let refused = |error: &dyn cdpr::error_code::ErrorCode| Failure::refused("ROBOT", error);
+    let refused = |error: &dyn cdpr_model::reading::ErrorCode| Failure::refused("ROBOT", error);
     let supported = Composition::supported(&robot).map_err(|error| refused(&error))?;
     let machine = Model::new(robot, supported.richest).map_err(|error| refused(&error))?;
     let task = task(&arguments.task, &machine)?;
@@ -100,7 +100,7 @@ fn poses(task: &Bounds, machine: &Model, count: usize) -> Vec<Pose> {
     let dimension = task.dimension();
     let rotation = machine.robot().home_or_middle().rotation;
     let at = |mut cell: usize| {
-        let mut position = cdpr::nalgebra::Vector3::zeros();
+        let mut position = nalgebra::Vector3::zeros();
         for (axis, direction) in machine.axes().iter().enumerate() {
             let share = (cell % count) as f64 / (count - 1) as f64;
             cell /= count;

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::identification::benchmark::{BenchmarkRules, benchmark};
-use cdpr::model::Composition;
-use cdpr::robot::{Robot, builtin};
+use cdpr_model::model::Composition;
+use cdpr_model::robot::{Robot, builtin};
+use cdpr_study::benchmark::{BenchmarkRules, benchmark};
 use clap::Args;
 
 use crate::answer::Output;

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::identification::campaign::{CampaignError, Order};
-use cdpr::measurement::{Samples, SensorSigmas};
-use cdpr::metamodel::study::CampaignRecord;
-use cdpr::reading::Size;
+use cdpr_model::measurement::{Samples, SensorSigmas};
+use cdpr_model::reading::Size;
+use cdpr_study::campaign::{CampaignError, Order};
+use cdpr_study::study::CampaignRecord;
 use clap::Args;
 
 use crate::answer::Output;

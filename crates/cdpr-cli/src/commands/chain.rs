@@ -11,8 +11,8 @@ use crate::files;
 use crate::numbers::NumberList;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
-use cdpr::geometry::Pose;
-use cdpr::metamodel::study::CommandedPose;
+use cdpr_model::control::CommandedPose;
+use cdpr_model::geometry::Pose;
 use cdpr_reports::answers::ChainAnswer;
 
 const EXAMPLES: &str = "\

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::model::{Composition, Model};
+use cdpr_model::model::{Composition, Model};
 use clap::Args;
 
 use crate::answer::Output;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::identification::compensation::compensate;
-use cdpr::measurement::Split;
+use cdpr_calibration::compensation::compensate;
+use cdpr_model::measurement::Split;
 use clap::Args;
 
 use crate::answer::Output;

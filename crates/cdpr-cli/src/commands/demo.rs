@@ -3,15 +3,15 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::error_code::ErrorCode;
-use cdpr::identification::fit::Prior;
-use cdpr::identification::selection::Warnings;
-use cdpr::measurement::Samples;
-use cdpr::metamodel::{Experiment, Robots, Study};
-use cdpr::model::place_pulleys;
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::{ParameterKind, Robot};
+use cdpr_calibration::fit::Prior;
+use cdpr_calibration::selection::Warnings;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::place_pulleys;
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::robot::{ParameterKind, Robot};
+use cdpr_study::{Experiment, Robots, Study};
 use clap::Args;
+use nalgebra::Vector3;
 
 use crate::answer::{Output, TrustArguments};
 use cdpr_reports::NamedFile;
@@ -40,7 +40,7 @@ const MACHINE_FILE: &str = "machine.toml";
 /// Cable between winch and pulley of the machine (m).
 const HIDDEN_LENGTH: f64 = 8.0;
 
-/// What the drawings of the platform promise where no --prior is given (m).
+/// Standard deviation of the drawings of the platform where no --prior is given (m).
 const PLATFORM_ANCHORS: Prior = Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 };
 
 /// Show the main job on virtual measurements of the CableRobot Simulator.

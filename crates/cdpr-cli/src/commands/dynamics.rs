@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use cdpr::plant::{Inertia, Plant, Winches};
-use cdpr::robot::Body;
+use cdpr_model::robot::Body;
+use cdpr_plant::{Inertia, Plant, Winches};
 use clap::Args;
 
 use crate::answer::Output;

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::compensation::Beyond;
-use cdpr::identification::compensation::evaluate_compensated;
-use cdpr::identification::{Evaluation, evaluate, evaluate_lengths};
-use cdpr::measurement::Samples;
-use cdpr::model::Model;
+use cdpr_calibration::compensation::evaluate_compensated;
+use cdpr_calibration::{Evaluation, evaluate, evaluate_lengths};
+use cdpr_model::compensation::Beyond;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
 use clap::Args;
 
 use crate::answer::{Output, TrustArguments};

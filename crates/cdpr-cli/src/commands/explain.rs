@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::reading::did_you_mean;
+use cdpr_model::reading::did_you_mean;
 use clap::Args;
 use serde::Serialize;
 

@@ -10,11 +10,11 @@ use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
-use cdpr::error_code::ErrorCode;
-use cdpr::measurement::poses_from_csv;
-use cdpr::metamodel::Control;
-use cdpr::model::{Composition, Model};
-use cdpr::reading::Size;
+use cdpr_model::control::Control;
+use cdpr_model::measurement::poses_from_csv;
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::reading::Size;
 use cdpr_reports::NamedFile;
 use cdpr_reports::answers::{ExportAnswer, FirmwareAnswer, SkippedFigure, TableAnswer};
 use cdpr_reports::firmware::{Configuration, Firmware, configuration};
@@ -40,8 +40,8 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// What to write.
     #[arg(value_enum, value_name = "svg|csv|reprapfirmware|klipper|lengths", hide_possible_values = true)]
+    #[arg(help = "What to write")]
     kind: Kind,
 
     /// Folder that `select` or `demo` wrote, or a file with the JSON answer of `select`, `demo` or `identify`; for firmware and lengths a robot, its file or name.

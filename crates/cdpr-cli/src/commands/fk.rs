@@ -2,13 +2,13 @@
 
 use std::process::ExitCode;
 
-use cdpr::equilibrium::{
+use cdpr_model::equilibrium::{
     ForwardError, ForwardProblem, ForwardSettings, Solution, Start, State, Status, forward_statics,
 };
-use cdpr::geometry::Pose;
-use cdpr::model::{Cables, Model};
-use cdpr::statics::Load;
-use cdpr::tension::{Intervals, intervals};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Cables, Model};
+use cdpr_model::statics::Load;
+use cdpr_model::tension::{Intervals, intervals};
 use clap::Args;
 
 use crate::answer::Output;

@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use cdpr::equilibrium::{InverseSolution, State};
-use cdpr::model::{Composition, Model, StretchEffect};
-use cdpr::statics::check_tensions;
+use cdpr_model::equilibrium::{InverseSolution, State};
+use cdpr_model::model::{Composition, Model, StretchEffect};
+use cdpr_model::statics::check_tensions;
 use clap::Args;
 
 use crate::answer::{Answer, Output};

@@ -4,19 +4,19 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::str::FromStr;
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::InputError;
-use cdpr::metamodel::initial_tension::{approach, fit, optimum};
-use cdpr::metamodel::initial_tensions;
-use cdpr::metamodel::study::Initial;
-use cdpr::tension::Method;
-use cdpr::workspace::WorkspaceError;
-use cdpr::workspace::grid::{self, Grid};
+use cdpr_model::control::Initial;
+use cdpr_model::control::InputError;
+use cdpr_model::control::initial_tension::{approach, fit, optimum};
+use cdpr_model::control::initial_tensions;
+use cdpr_model::geometry::Pose;
+use cdpr_model::tension::Method;
+use cdpr_workspace::WorkspaceError;
+use cdpr_workspace::grid::{self, Grid};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
-use crate::numbers::NumberList;
+use crate::numbers::{NumberList, Unreadable};
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::answers::{InitialTensionAnswer, WinchState};
@@ -62,12 +62,12 @@ enum TargetArgument {
 }
 
 impl FromStr for TargetArgument {
-    type Err = String;
+    type Err = Unreadable;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, Unreadable> {
         match text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) {
             true => NumberList::from_str(text).map(|numbers| Self::Tensions(numbers.0)),
-            false => Method::from_str(text).map(Self::Method).map_err(|error| error.to_string()),
+            false => Method::from_str(text).map(Self::Method).map_err(|error| error.to_string().into()),
         }
     }
 }

@@ -7,7 +7,7 @@ use clap::Args;
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, PoseArgument};
-use crate::numbers::NumberList;
+use crate::numbers::{NumberList, Unreadable};
 use crate::statics_failure::refused;
 use cdpr_reports::answers::LoadAnswer;
 
@@ -46,15 +46,15 @@ pub(crate) struct Arguments {
 }
 
 /// A named group of cables by their numbers from 1, `upper=1,3,5,7`.
-fn group(text: &str) -> Result<(String, Vec<usize>), String> {
+fn group(text: &str) -> Result<(String, Vec<usize>), Unreadable> {
     let form = "a name, `=` and cable numbers expected, e.g. upper=1,3,5,7";
     let (name, numbers) = text.split_once('=').ok_or(form)?;
     if name.trim().is_empty() || numbers.trim().is_empty() {
-        return Err(form.to_owned());
+        return Err(form.into());
     }
     let number = |word: &str| match word.trim().parse::<usize>() {
         Ok(number) if number > 0 => Ok(number),
-        _ => Err(format!("`{}` is not a cable number; cables are counted from 1", word.trim())),
+        _ => Err(Unreadable::from(format!("`{}` is not a cable number; cables are counted from 1", word.trim()))),
     };
     Ok((name.trim().to_owned(), numbers.split(',').map(number).collect::<Result<_, _>>()?))
 }

@@ -2,10 +2,10 @@
 
 use std::process::ExitCode;
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::effects::{EffectState, contributions};
-use cdpr::model::{Composition, Model};
-use cdpr::statics::{Load, LoadError, balanced_wrench};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::statics::{Load, LoadError, balanced_wrench};
+use cdpr_study::effects::{EffectState, contributions};
 use clap::Args;
 
 use crate::answer::Output;
@@ -73,7 +73,7 @@ fn tensions(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Chosen,
     tensions_of(model, pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())
 }
 
-/// What given tensions balance, or the load asked for.
+/// Load that given tensions balance, or the one asked for.
 fn load(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Result<Load, LoadError>, Failure> {
     match &arguments.tensions {
         Some(NumberList(tensions)) => {

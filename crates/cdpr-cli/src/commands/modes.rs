@@ -2,9 +2,9 @@
 
 use std::process::ExitCode;
 
-use cdpr::model::Composition;
-use cdpr::plant::{Plant, PlantError, Winches};
-use cdpr::statics::wrench_residual;
+use cdpr_model::model::Composition;
+use cdpr_model::statics::wrench_residual;
+use cdpr_plant::{Plant, PlantError, Winches};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 

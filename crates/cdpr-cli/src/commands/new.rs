@@ -5,7 +5,7 @@ mod material;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::reading::{Size, did_you_mean};
+use cdpr_model::reading::{Size, did_you_mean};
 use clap::Args;
 use serde::Serialize;
 

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::model::place_pulleys;
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr_model::model::place_pulleys;
+use cdpr_model::robot::Robot;
 use clap::Args;
+use nalgebra::Vector3;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -74,7 +74,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let robot = arguments.robot.read()?;
     let axes = swivel_axes(&robot, &arguments.axes)?;
     let pose = pose_or_home(&robot, "--pose", arguments.pose.as_ref())?;
-    let radius = |(index, cable): (usize, &cdpr::robot::Cable)| {
+    let radius = |(index, cable): (usize, &cdpr_model::robot::Cable)| {
         arguments.radius.or(cable.pulley_radius()).map(|radius| (radius, axes[index])).ok_or_else(|| {
             let message = format!("cable {} (\"{}\") has no pulley_radius_m", index + 1, cable.name);
             Failure::input(

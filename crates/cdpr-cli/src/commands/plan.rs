@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::identification::fit::{Prior, Settings};
-use cdpr::identification::{Candidates, DesignCriterion, PlanSettings, Predicted, plan};
-use cdpr::measurement::{Samples, SensorSigmas, poses_from_csv};
-use cdpr::model::{FreeParameters, Model};
-use cdpr::reading::Keyword;
-use cdpr::reading::Size;
+use cdpr_calibration::fit::{Prior, Settings};
+use cdpr_calibration::{Candidates, DesignCriterion, PlanSettings, Predicted, plan};
+use cdpr_model::measurement::{Samples, SensorSigmas, poses_from_csv};
+use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::reading::Keyword;
+use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::answer::Output;
@@ -109,7 +109,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
     output.about(&model.robot().name);
-    let refused = |error: &cdpr::identification::PlanError| Failure::refused("cdpr plan", error);
+    let refused = |error: &cdpr_calibration::PlanError| Failure::refused("cdpr plan", error);
     let mut sigmas = SensorSigmas::default();
     arguments.sigma.iter().for_each(|option| option.apply(&mut sigmas));
     let given = arguments.given.as_ref().map(|path| read_measured(path, &model, output)).transpose()?;
@@ -183,6 +183,7 @@ impl Arguments {
         let study = StudyFile::read(&path)?;
         // tension tests tell nothing of rigid cables
         let poses = if model.needs_tensions() { study.commands(self.seed)? } else { study.poses(self.seed)? };
-        Candidates::reached(model, (&study, &poses), self.tension_levels, sigmas).map_err(|error| study.refused(&error))
+        let reached = study.reachable_candidates(model, &poses, self.tension_levels, sigmas);
+        reached.map_err(|error| study.refused(&error))
     }
 }

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::metamodel::reachable::{Census, Image, Reachable, image_of};
-use cdpr::metamodel::sensitivity::{Offsets, ParameterDeviation};
-use cdpr::model::Model;
-use cdpr::workspace::grid::{self, Grid};
-use cdpr::workspace::hull::Hull;
-use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Bounds, Cells, Point, Region, hull};
+use cdpr_model::model::Model;
 use cdpr_reports::reachable::{Found, Picture, ReachableAnswer, differential};
+use cdpr_study::reachable::{Census, Image, Reachable, image_of};
+use cdpr_study::sensitivity::{Offsets, ParameterDeviation};
+use cdpr_workspace::grid::{self, Grid};
+use cdpr_workspace::hull::Hull;
+use cdpr_workspace::mesh::Mesh;
+use cdpr_workspace::{Bounds, Cells, Point, Region, hull};
 use clap::{Args, ValueEnum};
 
 use crate::answer::Output;
@@ -99,7 +99,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NAME", requires = "change")]
     vary: Option<String>,
 
-    /// How much it changes, in its unit; stiffness and length scale as a share.
+    #[arg(help = "How much it changes, in its unit; stiffness and length scale as a share")]
     #[arg(long, value_name = "AMOUNT", value_parser = finite_number, allow_hyphen_values = true, requires = "vary")]
     change: Option<f64>,
 }
@@ -169,7 +169,7 @@ fn thresholds(arguments: &Arguments) -> Result<Vec<f64>, Failure> {
     Ok(list.to_vec())
 }
 
-/// Where and about what.
+/// Search for the boundary: the region, its box and centre.
 struct Search<'a> {
     study_file: &'a StudyFile,
     region: &'a Region<'a>,
@@ -286,7 +286,7 @@ impl Search<'_> {
         found
     }
 
-    /// What stands in the way at the center; where that is reached, the box or its cells are to blame.
+    /// Reason that stands in the way at the center; where that is reached, the box or its cells are to blame.
     fn why_nothing(&self) -> String {
         let at_center = self.region.judge(&self.center);
         if let Some(why) = at_center.reason {

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use cdpr::robot::{Robot, builtin};
+use cdpr_model::robot::{Robot, builtin};
 use clap::Args;
 use serde::Serialize;
 

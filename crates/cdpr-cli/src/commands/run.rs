@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::plant::{LogFormat, Simulation, Volume};
+use cdpr_plant::sensors::SENSORS;
+use cdpr_plant::{LogFormat, Simulation, Volume};
 use clap::Args;
 
 use crate::answer::Output;
@@ -32,8 +33,8 @@ const MOST_BYTES: f64 = 1e9;
 /// Files of a complete run.
 const RESULTS: [&str; 5] = ["result.json", "report.html", "log.mcap", "tensions.svg", "pose.svg"];
 
-/// Files of sensors; `measurements.csv` has a sidecar with the accuracies.
-const SENSED: [&str; 4] = ["measurements.csv", SIDECAR, "tracker.csv", "imu.csv"];
+/// File of sensors that has a sidecar with the accuracies.
+const MEASUREMENTS: &str = "measurements.csv";
 const SIDECAR: &str = "measurements.meta.toml";
 
 /// Let a machine move: from its start through the commands and events of a scenario.
@@ -66,7 +67,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let _own = OwnFolder::make(&arguments.out)?;
     let at = |name: &str| arguments.out.join(name);
     // results beside the log of another run would belong to nothing
-    RESULTS.iter().chain(&SENSED).try_for_each(|name| files::remove(&at(name)))?;
+    let of_sensors = SENSORS.iter().map(|sensor| sensor.file).chain([SIDECAR]);
+    RESULTS.into_iter().chain(of_sensors).try_for_each(|name| files::remove(&at(name)))?;
     let progress = Progress::spinner("moving");
     let format = LogFormat::new(simulation.plant.model());
     let robot = simulation.plant.model().robot().clone();
@@ -95,7 +97,7 @@ impl Arguments {
     fn check_volume(&self, simulation: &Simulation) -> Result<(), Failure> {
         let volume = simulation.volume;
         let cables = simulation.plant.model().cable_count();
-        let bytes = volume.bytes.saturating_add(mcap_bytes(cables, volume.log_rows, volume.duration));
+        let bytes = volume.bytes.saturating_add(recorded_bytes(cables, volume.log_rows, volume.duration));
         let times = (volume.rows as f64 / MOST_ROWS).max(bytes as f64 / MOST_BYTES);
         if self.yes || times <= 1.0 {
             return Ok(());
@@ -117,13 +119,18 @@ fn record_interval(volume: &Volume, cables: usize) -> f64 {
     loop {
         let share = volume.record_interval / interval;
         let rows = (volume.log_rows as f64 * share) as u64;
-        let bytes = volume.bytes as f64 * share + mcap_bytes(cables, rows, volume.duration) as f64;
+        let bytes = volume.bytes as f64 * share + recorded_bytes(cables, rows, volume.duration) as f64;
         let times = (volume.rows as f64 * share / MOST_ROWS).max(bytes / MOST_BYTES);
         if times <= 1.0 || interval >= volume.duration {
             return interval;
         }
         interval = rounded_up(interval * times.max(1.1));
     }
+}
+
+/// Bytes of log.mcap; none where the command is built without the feature `recording`.
+fn recorded_bytes(cables: usize, moments: u64, duration: f64) -> u64 {
+    if cfg!(feature = "recording") { mcap_bytes(cables, moments, duration) } else { 0 }
 }
 
 /// The number of one digit next above.
@@ -145,14 +152,26 @@ impl Shown<'_> {
     fn write(&self, answer: &RunAnswer, result: &str) -> Result<(), Failure> {
         let Self { recording, violations, .. } = *self;
         let page = self.page(answer)?;
-        let mcap = recording.mcap(violations).map_err(|error| Failure::unwritable("the recording", &error))?;
         let drawings = [recording.tension_figure(violations), recording.pose_figure(violations)];
         let [tensions, pose] = drawings.map(|figure| figure.map(|figure| figure.file().into_bytes()));
-        let contents = [Some(result.to_owned().into_bytes()), Some(page.into_bytes()), Some(mcap), tensions, pose];
+        let contents = [Some(result.to_owned().into_bytes()), Some(page.into_bytes()), self.mcap()?, tensions, pose];
         let own = RESULTS.into_iter().zip(contents).filter_map(|(name, content)| Some((name, content?)));
         let all = own.chain(self.sensed().into_iter().map(|(name, text)| (name, text.into_bytes())));
         let all: Vec<_> = all.map(|(name, content)| (self.arguments.out.join(name), content)).collect();
         files::write_all(&all.iter().map(|(path, content)| (path.as_path(), content.as_slice())).collect::<Vec<_>>())
+    }
+
+    /// The run as MCAP.
+    #[cfg(feature = "recording")]
+    fn mcap(&self) -> Result<Option<Vec<u8>>, Failure> {
+        let bytes = self.recording.mcap(self.violations);
+        bytes.map(Some).map_err(|error| Failure::unwritable("the recording", &error))
+    }
+
+    /// `None`: the command is built without the feature `recording`.
+    #[cfg(not(feature = "recording"))]
+    fn mcap(&self) -> Result<Option<Vec<u8>>, Failure> {
+        Ok(None)
     }
 
     /// Records of the sensors, with a sidecar for measurement files.
@@ -161,7 +180,7 @@ impl Shown<'_> {
         let logs = sensors.logs(&self.simulation.plant);
         let source = format!("cdpr run {}", self.arguments.scenario.display());
         let sidecar = || sensors.sidecar(&self.simulation.plant, source).to_toml();
-        let beside = logs.iter().any(|log| log.name == SENSED[0]).then(|| (SIDECAR, sidecar()));
+        let beside = logs.iter().any(|log| log.name == MEASUREMENTS).then(|| (SIDECAR, sidecar()));
         logs.into_iter().map(|log| (log.name, log.csv)).chain(beside).collect()
     }
 

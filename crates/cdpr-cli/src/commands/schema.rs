@@ -32,7 +32,7 @@ enum FileFormat {
     Scenario,
     /// Sweep (TOML): a study and the parameters that change.
     Sweep,
-    /// What is known about a measurement file (TOML beside the CSV, whose columns the description tells).
+    #[value(help = "What is known about a measurement file (TOML beside the CSV, whose columns the description tells)")]
     Measurement,
 }
 
@@ -52,11 +52,11 @@ impl Answer for Schema {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let schema = match arguments.of {
-        FileFormat::Robot => cdpr::robot::schema(),
-        FileFormat::Study => cdpr::metamodel::study::schema(),
-        FileFormat::Scenario => cdpr::plant::scenario::schema(),
-        FileFormat::Sweep => cdpr::metamodel::sweep::schema(),
-        FileFormat::Measurement => cdpr::measurement::schema(),
+        FileFormat::Robot => cdpr_model::robot::schema(),
+        FileFormat::Study => cdpr_study::study::schema(),
+        FileFormat::Scenario => cdpr_plant::scenario::schema(),
+        FileFormat::Sweep => cdpr_study::sweep::schema(),
+        FileFormat::Measurement => cdpr_model::measurement::schema(),
     };
     let schema = schema.to_value();
     let words = serde_json::to_string_pretty(&schema).map_err(|error| Failure::unwritable("the schema", &error))?;

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::measurement::{Samples, Split};
-use cdpr::model::{Composition, Model};
-use cdpr::reading::Size;
-use cdpr::robot::Robot;
+use cdpr_model::measurement::{Samples, Split};
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::reading::Size;
+use cdpr_model::robot::Robot;
 use clap::Args;
 
 use crate::answer::{Output, TrustArguments};

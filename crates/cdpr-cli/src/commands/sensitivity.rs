@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::metamodel::sensitivity::Offsets;
-use cdpr::metamodel::tolerance::{DeviationSettings, Engine};
-use cdpr::reading::Keyword;
+use cdpr_model::reading::Keyword;
 use cdpr_reports::sensitivity::{SensitivityAnswer, tables};
+use cdpr_study::sensitivity::Offsets;
+use cdpr_study::tolerance::{DeviationSettings, Engine};
 use clap::Args;
 
 use crate::answer::Output;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::metamodel::simulate::Simulation;
+use cdpr_model::control::simulate::Simulation;
 use clap::Args;
 
 use crate::answer::Output;

@@ -2,8 +2,8 @@
 
 use std::process::ExitCode;
 
-use cdpr::model::{Composition, StretchEffect};
-use cdpr::statics::{Stiffness, wrench_residual};
+use cdpr_model::model::{Composition, StretchEffect};
+use cdpr_model::statics::{Stiffness, wrench_residual};
 use clap::Args;
 
 use crate::answer::Output;
@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     robot: RobotArgument,
 
-    /// Effects of the model, joined by `+`; `elastic` must be among them, since rigid cables do not give way.
+    /// Effects of the model, joined by `+`; cables must stretch, since rigid ones do not give way.
     #[arg(long, default_value_t = Composition::ELASTIC, value_name = "MODEL")]
     model: Composition,
 

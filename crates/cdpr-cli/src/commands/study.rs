@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::field::{Field, field};
-use cdpr::reading::Size;
+use cdpr_model::geometry::Pose;
+use cdpr_model::reading::Size;
+use cdpr_study::field::{Field, field};
 use clap::Args;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -46,7 +46,7 @@ pub(crate) struct Arguments {
     seed: u64,
 }
 
-/// What made the folder.
+/// Provenance of the folder.
 #[derive(Serialize)]
 struct Run<'a> {
     version: &'a str,
@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let commands = study_file.poses(arguments.seed)?;
     let poses: Vec<Pose> = commands.iter().map(|command| command.pose).collect();
     if poses.is_empty() {
-        return Err(study_file.refused(&cdpr::metamodel::InputError::NoPoses));
+        return Err(study_file.refused(&cdpr_model::control::InputError::NoPoses));
     }
     let driving = study_file.accepted(study_file.driving())?;
     let progress = Progress::spinner("commanding the poses");

@@ -6,9 +6,9 @@ mod merged;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use cdpr::metamodel::Study;
-use cdpr::metamodel::sweep::{PreparedSweep, Subjects, Sweep, check};
-use cdpr::reading::Size;
+use cdpr_model::reading::Size;
+use cdpr_study::Study;
+use cdpr_study::sweep::{PreparedSweep, Subjects, Sweep, check};
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
 use merged::merge;
@@ -16,6 +16,7 @@ use merged::merge;
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
+use crate::numbers::Unreadable;
 use crate::progress::Progress;
 use crate::study_file::robot_of_study;
 use cdpr_reports::sweep_progress::SweepProgress;
@@ -87,11 +88,11 @@ struct Shard {
     count: usize,
 }
 
-fn shard(text: &str) -> Result<Shard, String> {
+fn shard(text: &str) -> Result<Shard, Unreadable> {
     let parts = text.split_once('/').and_then(|(number, count)| Some((number.parse().ok()?, count.parse().ok()?)));
     match parts {
         Some((number, count)) if (1..=count).contains(&number) => Ok(Shard { number, count }),
-        _ => Err(format!("`{text}` is no shard: write 1/2 for the first of two")),
+        _ => Err(format!("`{text}` is no shard: write 1/2 for the first of two").into()),
     }
 }
 

@@ -2,20 +2,20 @@
 
 use std::process::ExitCode;
 
-use cdpr::cable::GeometryError;
-use cdpr::equilibrium::distribution::{self, DistributionError};
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::{Load, StaticsError};
-use cdpr::tension::{Intervals, Limits, Method, Solver, Status, intervals};
+use cdpr_model::cable::GeometryError;
+use cdpr_model::equilibrium::distribution::{self, DistributionError};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::{Load, StaticsError};
+use cdpr_model::tension::{Intervals, Limits, Method, Solver, Status, intervals};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::inputs::{ModelArguments, PoseArgument, limits_of, load_of};
 use crate::numbers::{NumberList, finite_number, number_from_zero};
-use crate::tension_method::{MethodArguments, Wishes, refused};
-use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, is_shown, undetermined_words};
+use crate::tension_method::{MethodArguments, Wishes, methods_in_words, refused};
+use cdpr_reports::answers::{TensionAnswer, TensionsFound as Found, undetermined_words};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -27,15 +27,8 @@ Examples:
   cdpr tension planar-example --pose 0,5.2 --reference previous --previous 5000,5000,3000,3000 --rate 20000 --time-step 0.05";
 
 /// Tension distribution: cable tensions that balance the load at a pose within their limits.
-///
-/// qp: the tensions nearest to a reference, exactly, or which cables cannot.
-/// closed-form: the nearest ones that balance the load (eq. 3.41), whether or not they keep the limits.
-/// improved-closed-form: the same, with cables that break their limits put on them (may find none where there are some).
-/// puncture: low tensions on the way to these. dykstra: those of qp by alternating projections.
-/// centroid: the middle of all allowed tensions. barrier: far from all limits, smooth along a path.
-/// minimum, maximum: the lowest and highest tensions. nearest-wrench: the most of the load that the limits permit.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES, verbatim_doc_comment)]
+#[command(after_help = EXAMPLES, long_about = long_about())]
 pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
@@ -58,6 +51,11 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     choice: MethodArguments,
+}
+
+fn long_about() -> String {
+    let intent = "Tension distribution: cable tensions that balance the load at a pose within their limits, or which cables exclude it";
+    format!("{intent}.\n\n{}", methods_in_words())
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -95,7 +93,7 @@ fn find(
     // what sagging cables pull follows their tensions: the method is asked until both agree
     let balance = distribution::balance(model, pose, &wrench, &mut |matrix, wrench| {
         let answer = solver.solve(matrix, wrench, &limits, &options)?;
-        Ok(is_shown(answer).then(|| answer.tensions.clone()).filter(|f| f.iter().all(|tension| *tension >= 0.0)))
+        Ok(answer.has_tensions().then(|| answer.tensions.clone()).filter(|f| f.iter().all(|tension| *tension >= 0.0)))
     });
     let balance = match balance {
         Ok(balance) => balance,
@@ -117,9 +115,9 @@ fn find(
         return Err(Failure::numerical(answer.reason().unwrap_or_default()));
     }
     let found = Found::of(answer, wrench);
-    let found = match method {
-        Method::NearestWrench => found.lacking(model, answer, wishes.moment_length(model)),
-        _ => found,
+    let found = match method.may_leave_load() {
+        true => found.lacking(model, answer, wishes.moment_length(model)),
+        false => found,
     };
     let limits = answer.limits.clone();
     // the pull of a sagging cable follows its tension: its balance holds at these tensions only

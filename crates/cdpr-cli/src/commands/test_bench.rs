@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::identification::test_bench::{Record, Settings, identify};
-use cdpr::reading::Size;
+use cdpr_calibration::test_bench::{Record, Settings, identify};
+use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::answer::{Output, TrustArguments};
 use crate::failure::Failure;
 use crate::files;
-use crate::numbers::finite_number;
+use crate::numbers::{Unreadable, finite_number};
 use cdpr_reports::answers::{TestBenchAnswer, cable_keys, preload_remarks};
 
 const EXAMPLES: &str = "\
@@ -46,10 +46,10 @@ pub(crate) struct Arguments {
     trust: TrustArguments,
 }
 
-fn positive_length(text: &str) -> Result<f64, String> {
+fn positive_length(text: &str) -> Result<f64, Unreadable> {
     match finite_number(text)? {
         length if length > 0.0 => Ok(length),
-        length => Err(format!("{length} is no length of a sample: it must be above 0")),
+        length => Err(format!("{length} is no length of a sample: it must be above 0").into()),
     }
 }
 

@@ -5,16 +5,16 @@ mod objectives;
 
 use std::time::Instant;
 
-use cdpr::identification::candidate::{self, Candidate, CandidateError, Ladder};
-use cdpr::identification::fit::{self, Prior};
-use cdpr::identification::selection::{
+use cdpr_calibration::candidate::{self, Candidate, CandidateError, Ladder};
+use cdpr_calibration::fit::{self, Prior};
+use cdpr_calibration::selection::{
     JudgedCandidate, Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
 };
-use cdpr::identification::{Loss, Objective};
-use cdpr::measurement::{Samples, Split};
-use cdpr::model::FreeParameters;
-use cdpr::reading::Keyword;
-use cdpr::robot::ParameterKind;
+use cdpr_calibration::{Loss, Objective};
+use cdpr_model::measurement::{Samples, Split};
+use cdpr_model::model::FreeParameters;
+use cdpr_model::reading::Keyword;
+use cdpr_model::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
 use clap::Args;
 use clap::builder::TypedValueParser;

@@ -1,7 +1,7 @@
 //! Options that say what a fit makes small.
 
-use cdpr::identification::{Minimize, Objective, fit};
-use cdpr::reading::Keyword;
+use cdpr_calibration::{Minimize, Objective, fit};
+use cdpr_model::reading::Keyword;
 use clap::Args;
 
 use crate::keyword::keyword;

@@ -2,9 +2,9 @@
 
 mod names;
 
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::tolerance::Deviations;
 use cdpr_reports::sensitivity;
+use cdpr_study::Experiment;
+use cdpr_study::tolerance::Deviations;
 
 use crate::failure::Failure;
 pub(crate) use names::place_of;

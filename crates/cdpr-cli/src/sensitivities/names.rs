@@ -1,7 +1,7 @@
 //! Numbers of models and winches by their names.
 
-use cdpr::metamodel::sensitivity::ParameterDeviation;
-use cdpr::model::Model;
+use cdpr_model::model::Model;
+use cdpr_study::sensitivity::ParameterDeviation;
 
 use crate::failure::Failure;
 

@@ -46,6 +46,23 @@ fn every_key_that_a_reader_knows_stands_in_its_chapter() {
     }
 }
 
+/// The tables of effects and of keys are those of the list of laws, and the help of `--model` names each.
+#[test]
+fn every_law_of_stretch_stands_in_the_tables_of_the_book_and_in_the_help() {
+    let (effects, keys) = (chapter("effects.md"), chapter("robot-files.md"));
+    // without the breaks of lines
+    let [help, free] = ["ik --help", "identify --help"]
+        .map(|command| cdpr(command).stdout.split_whitespace().collect::<Vec<_>>().join(" "));
+    for law in cdpr_model::robot::LAWS {
+        let is_row = |line: &&str| line.starts_with('|') && line.contains(&format!("| `{}` |", law.word));
+        let row = effects.lines().find(is_row).unwrap_or_else(|| panic!("effects.md has no row of `{}`", law.word));
+        assert!(row.contains(law.keys[0]), "{row}");
+        assert!(law.keys.iter().all(|key| keys.contains(key)), "robot-files.md lacks a key of `{}`", law.word);
+        assert!(help.contains(law.word) && help.contains(law.summary), "{}: {help}", law.word);
+        assert!(law.numbers.iter().all(|number| free.contains(number.name)), "{}: {free}", law.word);
+    }
+}
+
 /// The lines `$ cdpr …` of console blocks, continued lines joined.
 fn commands(text: &str) -> Vec<String> {
     let mut found = Vec::new();

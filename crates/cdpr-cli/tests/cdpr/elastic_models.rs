@@ -89,7 +89,7 @@ fn rigid_and_elastic_candidates_are_ranked_together_by_position_and_by_tension()
 /// What elastic models lack is told by key, column or row, and nothing is written.
 #[test]
 fn what_elastic_models_lack_is_named() {
-    let robot = cdpr::robot::Robot::builtin(NOMINAL).unwrap().to_toml();
+    let robot = cdpr_model::robot::Robot::builtin(NOMINAL).unwrap().to_toml();
     let without = |key: &str| -> String {
         robot.lines().filter(|line| !line.starts_with(key)).map(|line| format!("{line}\n")).collect()
     };

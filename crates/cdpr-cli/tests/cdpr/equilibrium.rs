@@ -83,7 +83,7 @@ fn what_the_forward_problem_lacks_is_named() {
 fn all_commands_agree_on_which_robots_have_a_forward_solution() {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
-    let mut robot = cdpr::robot::Robot::builtin("cogiro").unwrap();
+    let mut robot = cdpr_model::robot::Robot::builtin("cogiro").unwrap();
     robot.cables = [0, 2, 4, 6].map(|cable| robot.cables[cable].clone()).to_vec();
     robot.home.as_mut().unwrap().position.z = 2.0;
     write("four.toml", &robot.to_toml());

@@ -16,7 +16,7 @@ fn every_cable_may_have_its_own_swivel_axis() {
     let run = place(axes);
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let placed =
-        cdpr::robot::Robot::from_toml(&std::fs::read_to_string(folder.path().join("placed.toml")).unwrap(), "p")
+        cdpr_model::robot::Robot::from_toml(&std::fs::read_to_string(folder.path().join("placed.toml")).unwrap(), "p")
             .unwrap();
     let found: Vec<[f64; 2]> =
         placed.cables.iter().map(|cable| cable.pulley_swivel_axis().unwrap()).map(|axis| [axis.x, axis.y]).collect();

@@ -164,10 +164,10 @@ rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 
 /// Robot file and run of a hanging platform: lengths, tensions and swivels at equilibria, to a tenth of a millimetre.
 fn hanging_run() -> tempfile::TempDir {
-    use cdpr::equilibrium::elastostatics::{Settings, Solver, Status};
-    use cdpr::model::{Composition, Model};
-    use cdpr::nalgebra::Vector3;
-    use cdpr::robot::Robot;
+    use cdpr_model::equilibrium::elastostatics::{Settings, Solver, Status};
+    use cdpr_model::model::{Composition, Model};
+    use cdpr_model::robot::Robot;
+    use nalgebra::Vector3;
     let corners = [(1.0, -1.1), (1.1, 1.0), (-1.0, 1.2), (-1.2, -1.0)];
     let cable = |(x, y): (f64, f64)| {
         format!(
@@ -181,7 +181,7 @@ fn hanging_run() -> tempfile::TempDir {
     let text = HANGING.to_owned() + &corners.map(cable).concat();
     let robot = Robot::from_toml(&text, "hanging.toml").unwrap();
     let model = Model::new(robot, Composition { pulley: true, ..Composition::STANDARD }).unwrap();
-    let load = cdpr::statics::Load::of(model.robot()).unwrap();
+    let load = cdpr_model::statics::Load::of(model.robot()).unwrap();
     let mut solver = Solver::new(&model, &load, &Settings::default()).unwrap();
     let mut table = String::new();
     for (stem, count) in [("cable_length_m", 4), ("tension_N", 4), ("swivel_rad", 4)] {

@@ -230,7 +230,7 @@ fn a_pose_without_an_answer_is_a_negative_answer_with_the_reason() {
     let text = std::fs::read_to_string(folder.path().join("study.toml")).unwrap();
     let (kept, _) = text.split_at(text.find("[poses.grid]").unwrap());
     std::fs::write(folder.path().join("study.toml"), kept).unwrap();
-    let robot = cdpr::robot::Robot::builtin("cablerobot-simulator-helicopter").unwrap();
+    let robot = cdpr_model::robot::Robot::builtin("cablerobot-simulator-helicopter").unwrap();
     let on_the_anchor = robot.cables[0].frame_anchor - robot.cables[0].platform_anchor;
     let table = format!(
         "x_m,y_m,z_m,qx,qy,qz,qw\n0,0,1.5,0,0,0,1\n{},{},{},0,0,0,1\n",
@@ -276,7 +276,7 @@ fn a_study_leaves_its_errors_in_a_folder() {
 /// A folder with the planar example on cables with hysteresis, `robot.toml`.
 pub(crate) fn folder_with_hysteresis() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let robot = include_str!("../../../cdpr/robots/planar-example.toml");
+    let robot = include_str!("../../../cdpr-model/robots/planar-example.toml");
     let table = "axial_stiffness_EA_N = 200000.0\n\n[cable.hysteresis]\nstrain = [0.0, 0.02, 0.1]\nloading_N = [0.0, 4500.0, 22000.0]\n\
                  unloading_N = [0.0, 3800.0, 22000.0]\ntransition_strain = [0.002]\n";
     std::fs::write(folder.path().join("robot.toml"), robot.replace("axial_stiffness_EA_N = 200000.0\n", table))

@@ -75,7 +75,7 @@ fn shards_and_threads_do_not_change_a_sweep() {
 #[test]
 fn sweeps_and_hulls_of_machines_that_remember_agree_with_what_is_reached() {
     let folder = tempfile::tempdir().unwrap();
-    let robot = include_str!("../../../cdpr/robots/planar-example.toml");
+    let robot = include_str!("../../../cdpr-model/robots/planar-example.toml");
     let table = "axial_stiffness_EA_N = 200000.0\n\n[cable.hysteresis]\nstrain = [0.0, 0.02, 0.1]\nloading_N = [0.0, 4500.0, 22000.0]\n\
                  unloading_N = [0.0, 3800.0, 22000.0]\ntransition_strain = [0.002]\n";
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();

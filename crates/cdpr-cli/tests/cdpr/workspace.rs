@@ -26,10 +26,10 @@ fn the_three_methods_give_the_area_of_the_planar_example_within_their_bounds() {
 fn the_library_answers_the_command_s_question_in_one_line() {
     for (name, key) in [("planar-example", "area_m2"), ("cogiro", "volume_m3")] {
         let answer = cdpr(&format!("workspace {name} --format json")).json();
-        let robot = ::cdpr::Robot::builtin(name).unwrap();
-        let load = ::cdpr::Load::of(&robot).unwrap();
-        let model = ::cdpr::Model::new(robot, "standard".parse().unwrap()).unwrap();
-        let found = model.workspace(&load).wrench_feasible().volume().unwrap();
+        let robot = cdpr_model::robot::Robot::builtin(name).unwrap();
+        let load = cdpr_model::statics::Load::of(&robot).unwrap();
+        let model = cdpr_model::model::Model::new(robot, "standard".parse().unwrap()).unwrap();
+        let found = cdpr_workspace::Workspace::of(&model, &load).wrench_feasible().volume().unwrap();
         assert_eq!(answer[key].as_f64(), Some(found.size), "{name}");
         assert_eq!(answer["error_bound"].as_f64(), Some(found.error_bound), "{name}");
         assert_eq!(answer["reaches_bounds"].as_bool(), Some(found.reaches_bounds), "{name}");

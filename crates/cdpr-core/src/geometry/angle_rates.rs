@@ -42,7 +42,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::property;
+    use cdpr_testing::property;
 
     type Dual = DualVec<f64, Const<3>>;
 

@@ -8,9 +8,15 @@ use super::Lanes;
 /// ones; `None` when a pivot is not positive, with `right` spoilt.
 #[inline(always)]
 pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -> Option<f64> {
+    solve_leading(N, matrix, right)
+}
+
+/// [`solve`] of the leading `n` unknowns, with its bits.
+#[inline(always)]
+pub fn solve_leading<const N: usize>(n: usize, matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -> Option<f64> {
     let mut smallest = 1.0_f64;
     let mut inverse_pivot = [0.0; N];
-    for column in 0..N {
+    for column in 0..n {
         let diagonal = matrix[column][column];
         // row of L times the pivots
         let mut weighted = [0.0; N];
@@ -26,7 +32,7 @@ pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -
         smallest = smallest.min(pivot / diagonal);
         matrix[column][column] = pivot;
         inverse_pivot[column] = 1.0 / pivot;
-        for row in column + 1..N {
+        for row in column + 1..n {
             let mut entry = matrix[row][column];
             for k in 0..column {
                 entry -= matrix[row][k] * weighted[k];
@@ -34,14 +40,14 @@ pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -
             matrix[row][column] = entry * inverse_pivot[column];
         }
     }
-    for row in 0..N {
+    for row in 0..n {
         for k in 0..row {
             right[row] -= matrix[row][k] * right[k];
         }
     }
-    for row in (0..N).rev() {
+    for row in (0..n).rev() {
         right[row] *= inverse_pivot[row];
-        for k in row + 1..N {
+        for k in row + 1..n {
             right[row] -= matrix[k][row] * right[k];
         }
     }

@@ -1,11 +1,12 @@
 //! Errors of a control model that drives a machine.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::ErrorBlocks;
-use cdpr::metamodel::accuracy::{Accuracy, Assessment};
-use cdpr::metamodel::branches::Branches;
-use cdpr::metamodel::study::{History, Reach};
-use cdpr::metamodel::{Experiment, Status};
+use cdpr_calibration::ErrorBlocks;
+use cdpr_model::control::Status;
+use cdpr_model::control::{History, Reach};
+use cdpr_model::geometry::MotionPattern;
+use cdpr_study::Experiment;
+use cdpr_study::accuracy::{Accuracy, Assessment};
+use cdpr_study::branches::Branches;
 use serde::Serialize;
 
 use super::error_table::{Source, convergence_remark, error_table};

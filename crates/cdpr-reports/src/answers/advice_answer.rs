@@ -1,10 +1,10 @@
 //! The answer of what control model a task needs.
 
-use cdpr::metamodel::advice::{Advice, Candidate};
-use cdpr::metamodel::effects;
-use cdpr::metamodel::errors::PoseErrorStatistics;
-use cdpr::model::Model;
-use cdpr::workspace::Bounds;
+use cdpr_model::control::error_statistics::PoseErrorStatistics;
+use cdpr_model::model::Model;
+use cdpr_study::advice::{Advice, Candidate};
+use cdpr_study::effects;
+use cdpr_workspace::Bounds;
 use serde::Serialize;
 
 /// Control models for a task, judged against a machine; keys and units as in JSON.

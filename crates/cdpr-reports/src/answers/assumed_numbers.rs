@@ -1,6 +1,6 @@
 //! Numbers of a robot that nobody printed or measured, as answers tell them.
 
-use cdpr::robot::Assumption;
+use cdpr_model::robot::Assumption;
 
 /// A section for people; empty where nothing is assumed.
 pub(super) fn section(heading: &str, assumptions: &[Assumption]) -> String {

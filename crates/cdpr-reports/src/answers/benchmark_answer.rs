@@ -1,6 +1,6 @@
 //! Robots and control models under the same rules, beside what is printed of real machines.
 
-use cdpr::identification::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
+use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use minijinja::{Value, context};
 use serde::Serialize;
 

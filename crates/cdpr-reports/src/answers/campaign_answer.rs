@@ -1,9 +1,9 @@
 //! Rounds of planned measurements: errors, reach and uncertainty over the rounds.
 
-use cdpr::identification::campaign::{Campaign, CampaignStatus, Round};
-use cdpr::identification::fit::Status;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::accuracy::Accuracy;
+use cdpr_calibration::fit::Status;
+use cdpr_study::Experiment;
+use cdpr_study::accuracy::Accuracy;
+use cdpr_study::campaign::{Campaign, CampaignStatus, Round};
 use minijinja::{Value, context};
 use serde::Serialize;
 

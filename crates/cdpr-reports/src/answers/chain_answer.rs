@@ -1,7 +1,7 @@
 //! The chain of chapter 6, stage by stage, beside what the dissertation prints.
 
-use cdpr::identification::chain::{Chain, ChainStep};
-use cdpr::metamodel::Experiment;
+use cdpr_study::Experiment;
+use cdpr_study::chain::{Chain, ChainStep};
 use minijinja::{Value, context};
 use serde::Serialize;
 

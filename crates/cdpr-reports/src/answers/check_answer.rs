@@ -1,14 +1,14 @@
 //! Facts about a robot that does not move.
 
-use cdpr::cable::GeometryError;
-use cdpr::equilibrium::ForwardProblem;
-use cdpr::geometry::Pose;
-use cdpr::model::{Model, Supported};
-use cdpr::nalgebra::DMatrix;
-use cdpr::robot::{Assumption, Robot};
-use cdpr::statics::Load;
-use cdpr::tension::Limits;
-use cdpr::tension::quadratic::{self, Status};
+use cdpr_model::cable::GeometryError;
+use cdpr_model::equilibrium::ForwardProblem;
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Model, Supported};
+use cdpr_model::robot::{Assumption, Robot};
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Limits;
+use cdpr_model::tension::quadratic::{self, Status};
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
@@ -157,8 +157,8 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
         warn(outside, "the home pose lies outside the [workspace] box");
     }
     warnings_about_size(robot).iter().for_each(|text| warn(true, text));
-    let some = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().any(has);
-    let all = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().all(has);
+    let some = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().any(has);
+    let all = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().all(has);
     warn(
         !all(|cable| cable.tension_min.is_some() && cable.tension_max.is_some()),
         "tension limits are missing (tension_min_N, tension_max_N)",

@@ -1,10 +1,10 @@
 //! A smooth correction of lengths, and what it is worth on samples held out.
 
-use cdpr::compensation::Extent;
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::compensation::{Compensated, Judged};
-use cdpr::identification::selection::Warnings;
-use cdpr::model::Model;
+use cdpr_calibration::compensation::{Compensated, Judged};
+use cdpr_calibration::selection::Warnings;
+use cdpr_model::compensation::Extent;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::model::Model;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};

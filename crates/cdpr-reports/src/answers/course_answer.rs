@@ -1,7 +1,7 @@
 //! Course of a fit: JSON, words, table and figure.
 
-use cdpr::identification::CourseStep;
-use cdpr::identification::fit::Estimate;
+use cdpr_calibration::CourseStep;
+use cdpr_calibration::fit::Estimate;
 use serde::Serialize;
 
 use super::uncertainty_answer::shown;

@@ -1,9 +1,9 @@
 //! Two controllers on one machine: the difference of their errors as a table and as a map.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::difference::{Difference, ErrorChange};
-use cdpr::metamodel::study::CommandedPose;
+use cdpr_model::control::CommandedPose;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_study::Experiment;
+use cdpr_study::difference::{Difference, ErrorChange};
 use serde::Serialize;
 
 use super::{axis_names, control_title};

@@ -1,10 +1,10 @@
 //! Forward and inverse dynamics of a platform on its cables.
 
-use cdpr::geometry::{Pose, Twist, Wrench};
-use cdpr::model::Model;
-use cdpr::plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
-use cdpr::robot::{Assumption, Body, Robot};
-use cdpr::statics::{Load, StaticsError, balanced_wrench};
+use cdpr_model::geometry::{Pose, Twist, Wrench};
+use cdpr_model::model::Model;
+use cdpr_model::robot::{Assumption, Body, Robot};
+use cdpr_model::statics::{Load, StaticsError, balanced_wrench};
+use cdpr_plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
 use serde::Serialize;
 
 use super::modes_answer::rows;

@@ -1,9 +1,9 @@
 //! Changes by each effect that a robot supports, at a pose.
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::effects::{Contribution, Displacement, DisplacementMethod, cost, largest, parameter_count};
-use cdpr::model::{Model, Supported};
-use cdpr::robot::Robot;
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Model, Supported};
+use cdpr_model::robot::Robot;
+use cdpr_study::effects::{Contribution, Displacement, DisplacementMethod, cost, largest, parameter_count};
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};

@@ -1,7 +1,7 @@
 //! Error blocks side by side, for people: mm, degrees, N.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::ErrorBlocks;
+use cdpr_calibration::ErrorBlocks;
+use cdpr_model::geometry::MotionPattern;
 
 use crate::number_format::{cell, decimals_for};
 use crate::table::Table;

@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use cdpr::compensation::Beyond;
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{ErrorBlocks, Evaluation, Verdict, distrust};
-use cdpr::measurement::Samples;
-use cdpr::model::Model;
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{ErrorBlocks, Evaluation, Verdict, distrust};
+use cdpr_model::compensation::Beyond;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};

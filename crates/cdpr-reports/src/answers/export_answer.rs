@@ -1,7 +1,7 @@
 //! Figures of a result, configurations of firmware and tables for controllers, as they were written.
 
-use cdpr::measurement::Samples;
-use cdpr::model::Model;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
 use serde::Serialize;
 
 use super::Answer;

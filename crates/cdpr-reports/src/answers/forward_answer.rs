@@ -1,10 +1,10 @@
 //! The pose behind lengths or tensions, whichever forward problem gave it.
 
-use cdpr::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::Stability;
-use cdpr::tension::Intervals;
+use cdpr_model::equilibrium::{ForwardProblem, Solution, Start, Status, forward_kinematics, forward_statics};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::Stability;
+use cdpr_model::tension::Intervals;
 use serde::Serialize;
 
 use super::stiffness_answer::word;

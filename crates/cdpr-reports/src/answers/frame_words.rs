@@ -1,6 +1,6 @@
 //! Frames of tracker and marker in sentences.
 
-use cdpr::identification::{FrameEstimate, RecordingFrames};
+use cdpr_calibration::{FrameEstimate, RecordingFrames};
 
 /// A line for each frame with its deviations, and what fixes the robot's own frame.
 pub(super) fn frame_words(frames: &RecordingFrames) -> String {

@@ -1,23 +1,22 @@
 //! Parameters identified from measurements, and what they are worth.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::fit::{Estimate, Fit};
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{
+use cdpr_calibration::fit::{Estimate, Fit};
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{
     Analysis, Doubt, DoubtKind, ErrorBlocks, Loss, Outlier, RecordingFrames, Starts, StoppedBy, Verdict, distrust,
 };
-use cdpr::measurement::SensorSigmas;
-use cdpr::model::Model;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::measurement::SensorSigmas;
+use cdpr_model::model::Model;
 use serde::Serialize;
 
+use super::UncertaintyAnswer;
 use super::course_answer::CourseAnswer;
 use super::error_table::convergence_remark;
-use super::identification_words as words;
 use super::objective_answer::ObjectiveAnswer;
 use super::path_answer::PathAnswer;
 use super::reduction_answer::ReductionAnswer;
 use super::scaling_answer::ScalingAnswer;
-use super::{Answer, UncertaintyAnswer};
 use crate::report::Addition;
 
 /// Parameters of a model with errors before and after.
@@ -224,19 +223,5 @@ impl IdentificationAnswer {
     /// Reason of the status.
     pub fn reason(&self) -> &str {
         &self.reason
-    }
-}
-
-impl Answer for IdentificationAnswer {
-    fn is_negative(&self) -> bool {
-        self.verdict.is_negative()
-    }
-
-    fn may_be_accepted(&self) -> bool {
-        self.verdict.may_be_accepted()
-    }
-
-    fn words(&self, width: Option<usize>) -> String {
-        words::of(self, width)
     }
 }

@@ -1,9 +1,10 @@
 //! An identification in tables and sentences.
 
-use cdpr::identification::fit::Estimate;
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Doubt, Verdict};
+use cdpr_calibration::fit::Estimate;
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{Analysis, Doubt, Verdict};
 
+use super::Answer;
 use super::error_table::{Source, error_table};
 use super::frame_words::frame_words;
 use super::identification_answer::IdentificationAnswer as Identified;
@@ -12,7 +13,21 @@ use super::start_words::start_words;
 use crate::number_format::{cell, decimals_for};
 use crate::table::Table;
 
-pub(super) fn of(answer: &Identified, width: Option<usize>) -> String {
+impl Answer for Identified {
+    fn is_negative(&self) -> bool {
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        of(self, width)
+    }
+}
+
+fn of(answer: &Identified, width: Option<usize>) -> String {
     let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
     let status = verdict_words(answer.verdict);
     let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");

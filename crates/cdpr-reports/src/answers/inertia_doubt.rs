@@ -1,9 +1,9 @@
 //! Inertias that no body has: one principal moment exceeds the sum of the two others.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::nalgebra::{Matrix3, SymmetricEigen};
-use cdpr::plant::{Happening, Simulation};
-use cdpr::robot::{Body, Robot};
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::robot::{Body, Robot};
+use cdpr_plant::Simulation;
+use nalgebra::{Matrix3, SymmetricEigen};
 
 use crate::number_format::{short, significant};
 
@@ -25,8 +25,8 @@ pub(super) fn of_run(simulation: &Simulation) -> Vec<String> {
         return doubts;
     };
     for event in &simulation.events {
-        let Happening::Load { mass, place } = event.happening else { continue };
-        let Some(next) = body.with_point_mass(mass, &place) else { break };
+        let Some(load) = event.happening.load_change() else { continue };
+        let Some(next) = body.with_point_mass(load.mass, &load.place) else { break };
         body = next;
         let when = || format!("after the event at {} s", short(event.time));
         doubts.extend(impossible_moments(&body.inertia).map(|moments| words(&when(), moments)));
@@ -52,7 +52,7 @@ fn words(when: &str, moments: [f64; 3]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use cdpr::nalgebra::{Rotation3, Vector3};
+    use nalgebra::{Rotation3, Vector3};
 
     use super::*;
 

@@ -1,7 +1,7 @@
 //! Initial tensions that suit the poses of a study, and the way to them.
 
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::initial_tension::{Approach, Fit, Optimum};
+use cdpr_model::control::initial_tension::{Approach, Fit, Optimum};
+use cdpr_study::Experiment;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -64,7 +64,7 @@ impl InitialTensionAnswer {
             json!({ "winch_offsets_m": state.offsets, "rms_N": rms, "largest_N": largest, "poses": poses,
                     "poses_outside_limits": outside, "poses_without_rest": from_one(without_rest), size: state.reached })
         };
-        let stage = |stage: &cdpr::metamodel::initial_tension::Stage| {
+        let stage = |stage: &cdpr_model::control::initial_tension::Stage| {
             let moves = stage.moves.iter();
             let moves =
                 moves.map(|each| json!({ "cable": each.cable + 1, "by_m": each.by, "tensions_N": each.tensions }));
@@ -111,7 +111,7 @@ impl InitialTensionAnswer {
     fn stages(
         &self,
         width: Option<usize>,
-        number: impl Fn(&cdpr::metamodel::initial_tension::Stage, usize) -> String,
+        number: impl Fn(&cdpr_model::control::initial_tension::Stage, usize) -> String,
     ) -> String {
         let heading = std::iter::once("stage".to_owned()).chain(self.names.iter().map(|name| format!("cable {name}")));
         let mut table = Table::with_heading(heading.collect());

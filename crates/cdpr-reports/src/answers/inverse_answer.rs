@@ -1,12 +1,12 @@
 //! Cable lengths and directions at a pose, and the lengths that winches must pay out.
 
-use cdpr::compensation::{Beyond, Compensation, Correction, MapError};
-use cdpr::equilibrium::{CableCommand, InverseSolution};
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::Cable;
-use cdpr::statics::StaticsError;
+use cdpr_model::compensation::{Beyond, Compensation, Correction, MapError};
+use cdpr_model::equilibrium::{CableCommand, InverseSolution};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::robot::Cable;
+use cdpr_model::statics::StaticsError;
+use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::jacobians_answer::Jacobians;

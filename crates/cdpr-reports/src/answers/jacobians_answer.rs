@@ -1,11 +1,11 @@
 //! Jacobians of an inverse kinematics problem: of lengths, arcs and contact points by the pose, and of the pose's angles.
 
 use super::{components, degrees_of_freedom};
-use cdpr::cable::CableEnd;
-use cdpr::cable::outlet::Contact;
-use cdpr::geometry::{MotionPattern, Pose, Twist};
-use cdpr::model::Model;
-use cdpr::nalgebra::{Matrix3, Vector3};
+use cdpr_model::cable::CableEnd;
+use cdpr_model::cable::outlet::Contact;
+use cdpr_model::geometry::{MotionPattern, Pose, Twist};
+use cdpr_model::model::Model;
+use nalgebra::{Matrix3, Vector3};
 use serde::Serialize;
 
 use crate::number_format::cell;

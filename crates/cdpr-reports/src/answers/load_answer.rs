@@ -1,8 +1,8 @@
 //! Load that tensions balance, and their internal and external part.
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer, WrenchAnswer, has_no_path};

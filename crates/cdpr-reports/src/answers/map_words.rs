@@ -1,9 +1,9 @@
 //! Maps that correct a control model's lengths, in words.
 
-use cdpr::compensation::Beyond;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::errors::PoseErrorStatistics;
-use cdpr::metamodel::field::Field;
+use cdpr_model::compensation::Beyond;
+use cdpr_model::control::error_statistics::PoseErrorStatistics;
+use cdpr_study::Experiment;
+use cdpr_study::field::Field;
 
 use super::title;
 

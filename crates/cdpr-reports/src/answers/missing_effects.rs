@@ -1,6 +1,6 @@
 //! Effects that a robot's file does not support.
 
-use cdpr::model::Supported;
+use cdpr_model::model::Supported;
 use serde::Serialize;
 
 /// An effect, and the key that the file lacks for it.

@@ -100,7 +100,7 @@ pub use singular_pose::has_no_path;
 pub(crate) use start_words::summary as start_summary;
 pub use stiffness_answer::StiffnessAnswer;
 pub use study_answer::{StudyAnswer, unanswered};
-pub use tension_answer::{Found as TensionsFound, TensionAnswer, is_shown, is_turn};
+pub use tension_answer::{Found as TensionsFound, TensionAnswer, is_turn};
 pub use tension_intervals::undetermined_words;
 pub use test_bench_answer::{TestBenchAnswer, cable_keys, preload_remarks};
 pub use uncertainty_answer::UncertaintyAnswer;

@@ -1,11 +1,11 @@
 //! Natural frequencies and mode shapes of small motions, and the linear system behind them.
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::nalgebra::DMatrix;
-use cdpr::plant::{Linearization, Mode, Plant, State};
-use cdpr::robot::Assumption;
-use cdpr::statics::Stability;
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::robot::Assumption;
+use cdpr_model::statics::Stability;
+use cdpr_plant::{Linearization, Mode, Plant, PlantState};
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::stiffness_answer::{counts_as_none, word};
@@ -84,7 +84,7 @@ pub(super) fn rows(matrix: &DMatrix<f64>) -> Rows {
 
 impl ModesAnswer {
     /// Modes of a machine at a pose, whose tensions leave a residual wrench in the degrees of freedom (N, N·m).
-    pub fn new(plant: &Plant, (pose, residual): (&Pose, &[f64]), state: &State, linear: &Linearization) -> Self {
+    pub fn new(plant: &Plant, (pose, residual): (&Pose, &[f64]), state: &PlantState, linear: &Linearization) -> Self {
         let model: &Model = plant.model();
         let modes = linear.modes().unwrap_or_default();
         let (status, reason) = verdict(&modes, linear.indifferent_stiffness);

@@ -1,9 +1,10 @@
 //! Objective of a fit, the errors that it does not look at, and the optima of other objectives.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::{Certificate, ErrorBlocks, JudgedOptimum, Loss, Minimize, Objective, ObjectiveValues};
-use cdpr::metamodel::accuracy::Accuracy;
-use cdpr::reading::Keyword;
+use cdpr_calibration::{Certificate, ErrorBlocks, Loss, Minimize, Objective, ObjectiveValues};
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::reading::Keyword;
+use cdpr_study::JudgedOptimum;
+use cdpr_study::accuracy::Accuracy;
 use serde::Serialize;
 
 use crate::figures::{ErrorPanel, ErrorRows};

@@ -1,8 +1,8 @@
 //! Path of a penalty: JSON, words and figure.
 
-use cdpr::identification::selection::SelectionCriterion;
-use cdpr::identification::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards};
-use cdpr::model::FreeParameters;
+use cdpr_calibration::selection::SelectionCriterion;
+use cdpr_calibration::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards};
+use cdpr_model::model::FreeParameters;
 use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};

@@ -1,10 +1,10 @@
 //! Planned measurements: the poses, and what they will tell.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::{Candidates, DesignCriterion, Plan, Predicted};
-use cdpr::metamodel::study::Shortening;
-use cdpr::model::{Model, StretchEffect};
-use cdpr::reading::Keyword;
+use cdpr_calibration::{Candidates, DesignCriterion, Plan, Predicted};
+use cdpr_model::control::Shortening;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::model::Model;
+use cdpr_model::reading::Keyword;
 use serde::Serialize;
 
 use super::Answer;
@@ -107,7 +107,7 @@ impl PlanAnswer {
                 .map(|own| own + 0.0)
                 .collect()
         };
-        let remembers = model.composition().stretch == StretchEffect::Hysteresis;
+        let remembers = model.composition().stretch.remembers();
         let mut answer = Self {
             robot: robot.name.clone(),
             model: model.composition().to_string(),

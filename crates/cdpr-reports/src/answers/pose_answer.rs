@@ -1,9 +1,9 @@
 //! Poses and vectors in the components of a motion pattern.
 
-use cdpr::geometry::{MotionPattern, Pose};
-use cdpr::model::Model;
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr_model::geometry::{MotionPattern, Pose};
+use cdpr_model::model::Model;
+use cdpr_model::robot::Robot;
+use nalgebra::Vector3;
 use serde::Serialize;
 
 /// A pose as the contract writes it.

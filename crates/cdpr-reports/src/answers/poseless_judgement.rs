@@ -1,7 +1,7 @@
 //! Errors of a model on samples without poses that it was not fitted to.
 
-use cdpr::identification::ErrorBlocks;
-use cdpr::measurement::Split;
+use cdpr_calibration::ErrorBlocks;
+use cdpr_model::measurement::Split;
 use serde::Serialize;
 
 use crate::number_format::significant;

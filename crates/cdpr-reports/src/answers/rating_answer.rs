@@ -1,12 +1,9 @@
 //! Candidates rated by several criteria side by side.
 
-use cdpr::identification::selection::{Preference, Rating, SelectionCriterion};
+use cdpr_calibration::selection::{Preference, Rating, SelectionCriterion};
 use serde::Serialize;
 
-use super::SelectionAnswer;
 use crate::number_format::{NONE, significant};
-use crate::report::value_and_error;
-use crate::table::Table;
 
 /// Choices of all criteria, and whether they agree.
 #[derive(Serialize)]
@@ -48,36 +45,4 @@ pub(crate) fn largest(criteria: &[Preference], kind: SelectionCriterion, candida
 pub(crate) fn has_others(criteria: &[Preference]) -> bool {
     let decides = |one: &&Preference| !["one-standard-error", "least-error"].contains(&one.name);
     criteria.iter().filter(decides).any(|one| one.values.iter().any(|value| value.is_finite()))
-}
-
-/// The candidates by all criteria, for people; nothing where none rates them.
-pub(super) fn table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String> {
-    let criteria = &answer.rating.criteria;
-    if !has_others(criteria) || answer.candidates.len() < 2 {
-        return None;
-    }
-    let turns = largest(criteria, SelectionCriterion::Rotation, 0).is_some();
-    let regions =
-        answer.candidates.iter().any(|one| one.judged.as_ref().is_some_and(|own| own.leave_region_out.is_some()));
-    let unit = answer.criterion.unit();
-    let mut heading = vec!["candidate".to_owned(), "ΔAIC".to_owned(), "ΔBIC".to_owned(), "relative %".to_owned()];
-    heading.push("largest mm".to_owned());
-    heading.extend(turns.then(|| "largest °".to_owned()));
-    heading.extend(regions.then(|| format!("regions {unit}")));
-    heading.extend(regions.then(|| format!("± std. error {unit}")));
-    let mut table = Table::with_heading(heading);
-    for (index, candidate) in answer.candidates.iter().enumerate() {
-        let Some(own) = &candidate.judged else { continue };
-        let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
-        let relative = own.relative_position_error.map_or_else(|| NONE.to_owned(), |share| significant(1e2 * share, 3));
-        let mut cells = vec![format!("{marker}{}", candidate.name)];
-        cells.extend([above_least(criteria, "aic", index), above_least(criteria, "bic", index), relative]);
-        cells.push(largest(criteria, SelectionCriterion::Position, index).unwrap_or_else(|| NONE.to_owned()));
-        cells.extend(largest(criteria, SelectionCriterion::Rotation, index).filter(|_| turns));
-        if let Some(held) = own.leave_region_out {
-            cells.extend(<[String; 2]>::from(value_and_error(answer.criterion, held.criterion, held.standard_error)));
-        }
-        table.row(cells);
-    }
-    Some(format!("rated by other criteria (ΔAIC, ΔBIC: above the least of the same rows)\n\n{}", table.text(width)))
 }

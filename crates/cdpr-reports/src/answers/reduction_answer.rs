@@ -1,7 +1,7 @@
 //! Smaller model that a fit proposes: JSON and words.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::identification::{Evidence, Reduction};
+use cdpr_calibration::{Evidence, Reduction};
+use cdpr_model::geometry::MotionPattern;
 use serde::Serialize;
 
 use crate::number_format::{decimals_for, fixed};

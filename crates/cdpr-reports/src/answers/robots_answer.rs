@@ -1,6 +1,6 @@
 //! Robots that are built in.
 
-use cdpr::robot::Robot;
+use cdpr_model::robot::Robot;
 use serde::Serialize;
 
 use super::Answer;

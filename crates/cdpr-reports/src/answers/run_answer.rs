@@ -1,10 +1,10 @@
 //! Answer of a run: how it ended, where the machine is, and what happened on the way.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::model::Model;
-use cdpr::plant::scenario::Integrator;
-use cdpr::plant::{End, Event, Happening, Plant, Simulation, State, Summary, Winches};
-use cdpr::robot::Assumption;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::model::Model;
+use cdpr_model::robot::Assumption;
+use cdpr_plant::scenario::Integrator;
+use cdpr_plant::{End, Event, Plant, PlantState, Simulation, Summary, Winches};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
@@ -236,7 +236,7 @@ fn warnings(simulation: &Simulation, violations: &[Violation]) -> Vec<String> {
 }
 
 impl FinalState {
-    fn new(model: &Model, state: &State) -> Self {
+    fn new(model: &Model, state: &PlantState) -> Self {
         let (robot, twist) = (model.robot(), state.twist());
         let rates: Vec<f64> = model.twist_basis().iter().map(|basis| basis.dot(&twist) + 0.0).collect();
         let (velocity, turning) = rates.split_at(robot.motion_pattern.translations());
@@ -257,11 +257,7 @@ impl FinalState {
 
 impl EventAnswer {
     fn new(event: &Event) -> Self {
-        Self {
-            time_s: event.time,
-            kind: event.happening.kind(),
-            cable: Happening::cable(&event.happening).map(|cable| cable + 1),
-        }
+        Self { time_s: event.time, kind: event.happening.kind(), cable: event.happening.cable().map(|cable| cable + 1) }
     }
 
     fn words(&self) -> String {

@@ -1,7 +1,7 @@
 //! Condition of a Jacobian, its scales and influences: JSON, words and map.
 
-use cdpr::identification::{ConditionMap, Conditioning};
-use cdpr::robot::ParameterKind;
+use cdpr_calibration::{ConditionMap, Conditioning};
+use cdpr_model::robot::ParameterKind;
 use serde::Serialize;
 
 use crate::figures::{ConditionCells, Figure};

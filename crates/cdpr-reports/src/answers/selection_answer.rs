@@ -1,10 +1,10 @@
 //! The answer of a comparison of candidates.
 
-use cdpr::identification::fit::Estimate;
-use cdpr::identification::selection::{
+use cdpr_calibration::fit::Estimate;
+use cdpr_calibration::selection::{
     HeldOut, JudgedCandidate, Judgement, RequirementOutcome, Selection, SelectionCriterion,
 };
-use cdpr::identification::{Coverage, ErrorBlocks, Information, Loss, Outlier, RecordingFrames, Verdict, coverage};
+use cdpr_calibration::{Coverage, ErrorBlocks, Information, Loss, Outlier, RecordingFrames, Verdict, coverage};
 use serde::Serialize;
 
 use super::RatingAnswer;

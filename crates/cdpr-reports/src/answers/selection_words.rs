@@ -1,11 +1,13 @@
 //! The answer of a comparison, for people.
 
-use cdpr::identification::Verdict;
+use cdpr_calibration::Verdict;
+use cdpr_calibration::selection::SelectionCriterion;
 
 use super::error_table::convergence_remark;
 use super::frame_words::frame_words;
-use super::{Answer, AsGiven, SelectionAnswer, rating_answer};
-use crate::number_format::{condition, significant};
+use super::rating_answer::{above_least, has_others, largest};
+use super::{Answer, AsGiven, SelectionAnswer};
+use crate::number_format::{NONE, condition, significant};
 use crate::report::{times, value_and_error};
 use crate::table::Table;
 
@@ -45,7 +47,7 @@ impl Answer for SelectionAnswer {
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
         }
-        if let Some(table) = rating_answer::table(self, width) {
+        if let Some(table) = rating_table(self, width) {
             text.push_str(&format!("\n{table}"));
         }
         for (index, remark) in remarks.iter().enumerate() {
@@ -118,4 +120,36 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
         }
     }
     text
+}
+
+/// The candidates by all criteria, for people; nothing where none rates them.
+fn rating_table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String> {
+    let criteria = &answer.rating.criteria;
+    if !has_others(criteria) || answer.candidates.len() < 2 {
+        return None;
+    }
+    let turns = largest(criteria, SelectionCriterion::Rotation, 0).is_some();
+    let regions =
+        answer.candidates.iter().any(|one| one.judged.as_ref().is_some_and(|own| own.leave_region_out.is_some()));
+    let unit = answer.criterion.unit();
+    let mut heading = vec!["candidate".to_owned(), "ΔAIC".to_owned(), "ΔBIC".to_owned(), "relative %".to_owned()];
+    heading.push("largest mm".to_owned());
+    heading.extend(turns.then(|| "largest °".to_owned()));
+    heading.extend(regions.then(|| format!("regions {unit}")));
+    heading.extend(regions.then(|| format!("± std. error {unit}")));
+    let mut table = Table::with_heading(heading);
+    for (index, candidate) in answer.candidates.iter().enumerate() {
+        let Some(own) = &candidate.judged else { continue };
+        let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
+        let relative = own.relative_position_error.map_or_else(|| NONE.to_owned(), |share| significant(1e2 * share, 3));
+        let mut cells = vec![format!("{marker}{}", candidate.name)];
+        cells.extend([above_least(criteria, "aic", index), above_least(criteria, "bic", index), relative]);
+        cells.push(largest(criteria, SelectionCriterion::Position, index).unwrap_or_else(|| NONE.to_owned()));
+        cells.extend(largest(criteria, SelectionCriterion::Rotation, index).filter(|_| turns));
+        if let Some(held) = own.leave_region_out {
+            cells.extend(<[String; 2]>::from(value_and_error(answer.criterion, held.criterion, held.standard_error)));
+        }
+        table.row(cells);
+    }
+    Some(format!("rated by other criteria (ΔAIC, ΔBIC: above the least of the same rows)\n\n{}", table.text(width)))
 }

@@ -1,9 +1,9 @@
 //! A robot calibrated without measured poses: JSON and words.
 
-use cdpr::identification::fit::Estimate;
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy, Verdict};
-use cdpr::model::Model;
+use cdpr_calibration::fit::Estimate;
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy, Verdict};
+use cdpr_model::model::Model;
 use serde::Serialize;
 
 use super::Answer;
@@ -76,7 +76,7 @@ impl SelfCalibrationAnswer {
         let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge, .. } =
             found;
         let axes = model.axes();
-        let anchor = |cable: &cdpr::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
+        let anchor = |cable: &cdpr_model::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),

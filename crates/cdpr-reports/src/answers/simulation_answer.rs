@@ -1,8 +1,8 @@
 //! Virtual measurements that were written.
 
-use cdpr::compensation::Beyond;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::study::CommandedPose;
+use cdpr_model::compensation::Beyond;
+use cdpr_model::control::CommandedPose;
+use cdpr_study::Experiment;
 use serde::Serialize;
 
 use super::{Answer, beyond_map, control_title};

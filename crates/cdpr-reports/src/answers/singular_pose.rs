@@ -1,7 +1,7 @@
 //! Poses at which a cable has no unique path.
 
-use cdpr::cable::GeometryError;
-use cdpr::statics::StaticsError;
+use cdpr_model::cable::GeometryError;
+use cdpr_model::statics::StaticsError;
 
 /// True where the pose is at fault: a negative answer, not an error of whoever asked.
 pub fn has_no_path(error: &StaticsError) -> bool {

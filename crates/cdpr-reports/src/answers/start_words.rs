@@ -1,6 +1,6 @@
 //! Starts of a fit and the optima they led to, in words.
 
-use cdpr::identification::Starts;
+use cdpr_calibration::Starts;
 
 use crate::number_format::{cell, significant};
 use crate::table::Table;

@@ -1,9 +1,9 @@
 //! Stiffness and compliance of the platform at a pose.
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::nalgebra::DMatrix;
-use cdpr::statics::{Stability, Stiffness};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::{Stability, Stiffness};
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::tension_doubts::tension_doubts;

@@ -1,7 +1,7 @@
 //! Errors over the poses of a study, in short.
 
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::field::{Field, Summary};
+use cdpr_study::Experiment;
+use cdpr_study::field::{Field, Summary};
 use serde::Serialize;
 
 use super::{Answer, control_title, gain_words, title};

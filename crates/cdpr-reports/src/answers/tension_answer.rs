@@ -1,9 +1,9 @@
 //! Tensions that balance a load within limits, or a proof that none do.
 
-use cdpr::geometry::{Pose, Twist};
-use cdpr::model::Model;
-use cdpr::tension::quadratic::Certificate;
-use cdpr::tension::{self, Intervals, Limits, Method, Status};
+use cdpr_model::geometry::{Pose, Twist};
+use cdpr_model::model::Model;
+use cdpr_model::tension::quadratic::Certificate;
+use cdpr_model::tension::{self, Intervals, Limits, Method, Status};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
@@ -50,7 +50,7 @@ pub struct Found {
     iterations: Option<u32>,
 }
 
-/// Difference of the nearest wrench from the one asked for (N, N·m).
+/// Difference of the wrench of the tensions from the one asked for (N, N·m).
 #[derive(Serialize)]
 struct Missing {
     #[serde(rename = "missing_wrench")]
@@ -61,16 +61,6 @@ struct Missing {
     moment: f64,
     #[serde(rename = "moment_length_m")]
     moment_length: Option<f64>,
-}
-
-/// True of tensions that a user may look at: those to be used, those that a closed form always gives, and those that do most
-/// for the load.
-pub fn is_shown(answer: &tension::Answer) -> bool {
-    match answer.method {
-        Method::ClosedForm => true,
-        Method::NearestWrench => answer.status == Status::Feasible || answer.certificate().is_some(),
-        _ => answer.status == Status::Feasible,
-    }
 }
 
 impl TensionAnswer {
@@ -103,7 +93,7 @@ impl Found {
             Status::Infeasible => ("infeasible", Some(true)),
             _ => ("infeasible", Some(false)),
         };
-        let is_shown = is_shown(answer);
+        let is_shown = answer.has_tensions();
         Self {
             status,
             reason: answer.reason(),
@@ -128,7 +118,7 @@ impl Found {
         Self { intervals: Some(intervals.ranges.clone()), ..self }
     }
 
-    /// The same with what the nearest wrench lacks, its moments weighed by a length (m).
+    /// The same with the part of the load that the tensions lack, moments weighed by a length (m).
     pub fn lacking(self, model: &Model, answer: &tension::Answer, moment_length: Option<f64>) -> Self {
         let wrench = answer.missing_wrench();
         let norm = |turns: bool| {
@@ -161,7 +151,7 @@ impl Answer for TensionAnswer {
             text.push_str(&format!("{reason}\n"));
         }
         if let (Some(Missing { force, moment, moment_length, .. }), Some(_)) = (missing, reason) {
-            text.push_str(&format!("the nearest wrench lacks {force:.3} N"));
+            text.push_str(&format!("these tensions lack {force:.3} N of the load"));
             if let Some(length) = moment_length {
                 text.push_str(&format!(" and {moment:.3} N·m (moments divided by {length:.3} m)"));
             }

@@ -1,6 +1,6 @@
 //! Doubts about a pose that come with the tensions asked about.
 
-use cdpr::model::Model;
+use cdpr_model::model::Model;
 
 /// Residual wrench, as a share of the largest tension, from which tensions are out of balance: sensors are good for about one percent.
 const OUT_OF_BALANCE: f64 = 0.01;

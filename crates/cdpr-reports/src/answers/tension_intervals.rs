@@ -1,7 +1,7 @@
 //! Tensions that statics alone does not determine, in words.
 
-use cdpr::model::Model;
-use cdpr::tension::Intervals;
+use cdpr_model::model::Model;
+use cdpr_model::tension::Intervals;
 
 use crate::number_format::significant;
 

@@ -1,9 +1,9 @@
 //! Laws of a cable's stretch from a record of a test bench.
 
-use cdpr::identification::Verdict;
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::test_bench::{Misfit, Solution};
-use cdpr::robot::HysteresisTable;
+use cdpr_calibration::Verdict;
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::test_bench::{Misfit, Solution};
+use cdpr_model::robot::HysteresisTable;
 use serde::Serialize;
 
 use super::Answer;

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use cdpr::geometry::Pose;
-use cdpr::identification::fit::{Fit, Profile};
-use cdpr::identification::{PoseBand, Resampled};
-use cdpr::model::Model;
+use cdpr_calibration::fit::{Fit, Profile};
+use cdpr_calibration::{PoseBand, Resampled};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
 use serde::Serialize;
 
 use crate::NamedFile;
@@ -213,7 +213,7 @@ impl UncertaintyAnswer {
 
 fn curves(profile: &Profile) -> ProfileCurves {
     let (unit, factor) = shown(profile.unit);
-    let of = |read: fn(&cdpr::identification::fit::ProfilePoint) -> f64, factor: f64| {
+    let of = |read: fn(&cdpr_calibration::fit::ProfilePoint) -> f64, factor: f64| {
         profile.points.iter().map(|point| factor * read(point)).collect::<Vec<f64>>()
     };
     ProfileCurves {

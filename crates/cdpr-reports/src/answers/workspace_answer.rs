@@ -1,12 +1,12 @@
 //! Sizes of workspaces with what is known of their errors.
 
-use cdpr::model::Model;
-use cdpr::workspace::grid::{Count, Grid};
-use cdpr::workspace::hull::{Hull, Status};
-use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::octree::Octree;
-use cdpr::workspace::refine::{Goal, Refined};
-use cdpr::workspace::{Audit, Bounds, CONFIDENCE, Point, Region, Side, largest_rank};
+use cdpr_model::model::Model;
+use cdpr_workspace::grid::{Count, Grid};
+use cdpr_workspace::hull::{Hull, Status};
+use cdpr_workspace::mesh::Mesh;
+use cdpr_workspace::octree::Octree;
+use cdpr_workspace::refine::{Goal, Refined};
+use cdpr_workspace::{Audit, Bounds, CONFIDENCE, Point, Region, Side, largest_rank};
 use serde::Serialize;
 
 use super::Answer;

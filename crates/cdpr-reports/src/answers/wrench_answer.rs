@@ -1,7 +1,7 @@
 //! Wrenches in the components of a motion pattern.
 
-use cdpr::geometry::{MotionPattern, Wrench};
-use cdpr::robot::Robot;
+use cdpr_model::geometry::{MotionPattern, Wrench};
+use cdpr_model::robot::Robot;
 use serde::Serialize;
 
 use super::pose_answer::{axis_names, components};

@@ -1,6 +1,6 @@
 //! Samples parted into those of the fits and those of the validation.
 
-use cdpr::measurement::{DataError, Fold, InternalSamples, Samples, Split, SplitError};
+use cdpr_model::measurement::{DataError, Fold, InternalSamples, Samples, Split, SplitError};
 
 /// Samples, folds and words for the way validation data were chosen.
 pub struct DataDivision {

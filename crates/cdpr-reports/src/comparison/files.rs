@@ -1,16 +1,13 @@
 //! Files of a result: `result.json`, `run.toml`, tables, calibrated robots, `report.html`.
 
-use std::fmt::Write;
-
-use cdpr::identification::selection::{JudgedCandidate, Judgement};
-use cdpr::reading::Keyword;
+use cdpr_model::reading::Keyword;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use thiserror::Error;
 
-use super::{Comparison, figure_tables};
+use super::{Comparison, tables};
 use crate::NamedFile;
-use crate::answers::{Envelope, axis_names, components};
+use crate::answers::Envelope;
 use crate::report::render;
 
 /// A file of a result that could not be put together.
@@ -34,13 +31,13 @@ impl Comparison {
     pub fn files(&self) -> Result<Vec<NamedFile>, UnwritableFile> {
         let mut all = vec![
             NamedFile::new("run.toml", run_file(self)?),
-            NamedFile::new("candidates.csv", candidates_table(self)),
-            NamedFile::new("parameters.csv", parameters_table(self)),
-            NamedFile::new("validation-errors.csv", errors_table(self)),
-            NamedFile::new("outliers.csv", outliers_table(self)),
-            NamedFile::new("singular-values.csv", figure_tables::singular_values(self)),
-            NamedFile::new("convergence.csv", figure_tables::convergence(self)),
-            NamedFile::new("correlations.csv", figure_tables::correlations(self)),
+            NamedFile::new("candidates.csv", tables::candidates(self)),
+            NamedFile::new("parameters.csv", tables::parameters(self)),
+            NamedFile::new("validation-errors.csv", tables::errors(self)),
+            NamedFile::new("outliers.csv", tables::outliers(self)),
+            NamedFile::new("singular-values.csv", tables::singular_values(self)),
+            NamedFile::new("convergence.csv", tables::convergence(self)),
+            NamedFile::new("correlations.csv", tables::correlations(self)),
         ];
         all.extend(calibrated_robots(self));
         all.push(NamedFile::new("report.html", report(self)?));
@@ -134,114 +131,4 @@ fn result(comparison: &Comparison) -> Result<String, UnwritableFile> {
 
 fn report(comparison: &Comparison) -> Result<String, UnwritableFile> {
     render(&comparison.report()).map_err(|error| UnwritableFile::new("report.html", error))
-}
-
-/// Judged candidates with their names.
-pub(super) fn judged(comparison: &Comparison) -> impl Iterator<Item = (&JudgedCandidate, &Judgement)> {
-    comparison.selection.candidates.iter().filter_map(|candidate| Some((candidate, candidate.outcome.as_ref().ok()?)))
-}
-
-/// A field of a table; empty where there is no number.
-fn field(value: f64) -> String {
-    if value.is_nan() { String::new() } else { value.to_string() }
-}
-
-fn candidates_table(comparison: &Comparison) -> String {
-    let mut text = String::from(
-        "candidate,parameter_count,criterion,standard_error,train_position_mean_m,validation_position_mean_m,\
-         validation_rotation_mean_rad,validation_length_rms_m,rank,condition,validation_samples,answered,at_bound,\
-         weak_direction_count,weak_direction_deviation_m,loss,outliers\n",
-    );
-    for (candidate, judgement) in judged(comparison) {
-        let (train, validation, analysis) = (&judgement.train, &judgement.validation, &judgement.fit.analysis);
-        let errors = [
-            judgement.criterion,
-            judgement.standard_error,
-            train.position_error_m.mean,
-            validation.position_error_m.mean,
-            validation.rotation_error_rad.mean,
-            validation.length_error_m.rms,
-        ];
-        let _ = writeln!(
-            text,
-            "\"{}\",{},{},{},{},{},{},{},{},{},{},{}",
-            candidate.name,
-            judgement.fit.parameters.len(),
-            errors.map(field).join(","),
-            analysis.rank,
-            analysis.condition,
-            validation.samples,
-            validation.answered,
-            judgement.fit.at_bound().count(),
-            analysis.weak_direction_count,
-            analysis.weak_deviation,
-            judgement.fit.loss.name(),
-            judgement.fit.outliers.len(),
-        );
-    }
-    text
-}
-
-fn parameters_table(comparison: &Comparison) -> String {
-    let mut text = String::from("candidate,parameter,unit,start,value,sigma,change,prior_sigma,at_bound\n");
-    let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
-    for (candidate, judgement) in judged(comparison) {
-        for estimate in &judgement.fit.parameters {
-            let _ = writeln!(
-                text,
-                "\"{}\",{},{},{},{},{},{},{},{}",
-                candidate.name,
-                estimate.name,
-                estimate.unit,
-                estimate.start,
-                estimate.value,
-                optional(estimate.sigma),
-                estimate.change,
-                optional(estimate.prior_sigma),
-                estimate.at_bound,
-            );
-        }
-    }
-    text
-}
-
-/// Outliers of every judged candidate's fit.
-fn outliers_table(comparison: &Comparison) -> String {
-    let mut text = String::from("candidate,sample,line,residual_m,weight,reason\n");
-    for (candidate, judgement) in judged(comparison) {
-        for outlier in &judgement.fit.outliers {
-            let line = outlier.line.map(|line| line.to_string()).unwrap_or_default();
-            let (sample, residual, weight) = (outlier.sample, field(outlier.residual_m), outlier.weight);
-            let _ = writeln!(text, "\"{}\",{sample},{line},{residual},{weight},\"{}\"", candidate.name, outlier.reason);
-        }
-    }
-    text
-}
-
-/// Errors of the recommended (else the best) candidate, one row per validation sample; of a planar robot along the axes of its plane.
-fn errors_table(comparison: &Comparison) -> String {
-    let robot = &comparison.data.robot;
-    let count = robot.cable_count();
-    let lengths: Vec<String> = (1..=count).map(|cable| format!("length_error_m_{cable}")).collect();
-    let axes = axis_names(robot);
-    let named = |before: &str| axes.iter().map(|axis| format!("{before}{axis}_m")).collect::<Vec<_>>().join(",");
-    let (place, shift, lengths) = (named(""), named("d"), lengths.join(","));
-    let mut text = format!("sample,{place},position_error_m,{shift},rotation_error_rad,{lengths}\n");
-    let Some(judgement) = shown(comparison) else { return text };
-    let errors = &judgement.validation_errors;
-    for (row, sample) in judgement.validation_samples.iter().enumerate() {
-        let fields = |vector| components(robot, &vector).into_iter().map(field).collect::<Vec<_>>().join(",");
-        let (place, shift) =
-            (fields(comparison.data.samples.poses[*sample].position), fields(errors.position_vector[row].into()));
-        let lengths: Vec<String> = errors.length[row * count..][..count].iter().map(|&error| field(error)).collect();
-        let (position, rotation) = (field(errors.position[row]), field(errors.rotation[row]));
-        let _ = writeln!(text, "{},{place},{position},{shift},{rotation},{}", sample + 1, lengths.join(","));
-    }
-    text
-}
-
-/// The candidate that tables by sample and by pairs of parameters are about: the recommended, else the best one.
-pub(super) fn shown(comparison: &Comparison) -> Option<&Judgement> {
-    let index = comparison.selection.recommended.or(comparison.selection.best)?;
-    comparison.selection.candidates[index].outcome.as_ref().ok()
 }

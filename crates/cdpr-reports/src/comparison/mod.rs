@@ -1,13 +1,13 @@
 //! A comparison of candidates with all that its folder holds.
 
 mod division;
-mod figure_tables;
 mod files;
+mod tables;
 
-use cdpr::identification::candidate::Candidate;
-use cdpr::identification::selection::{Selection, Settings, Warnings};
-use cdpr::measurement::{Fold, InternalSamples, Samples};
-use cdpr::robot::Robot;
+use cdpr_calibration::candidate::Candidate;
+use cdpr_calibration::selection::{Selection, Settings, Warnings};
+use cdpr_model::measurement::{Fold, InternalSamples, Samples};
+use cdpr_model::robot::Robot;
 
 use crate::NamedFile;
 use crate::answers::SelectionAnswer;

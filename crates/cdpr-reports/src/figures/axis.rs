@@ -164,6 +164,13 @@ fn round_step(raw: f64) -> f64 {
     mantissa * power
 }
 
+/// Smallest and largest of the finite values.
+pub(super) fn finite_range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+    let mut finite = values.into_iter().filter(|value| value.is_finite());
+    let first = finite.next()?;
+    Some(finite.fold((first, first), |(low, high), value| (low.min(value), high.max(value))))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

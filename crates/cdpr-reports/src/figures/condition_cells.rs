@@ -1,10 +1,9 @@
 //! Condition over the scales of two kinds of parameters (Fig. 4.12): cells coloured by the power of ten.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::colour;
 use super::drawing::{Anchor, Drawing, Rectangle};
 use super::figure::Figure;
-use super::finite_range;
 use crate::number_format::condition;
 
 /// Map of a condition.

@@ -1,9 +1,8 @@
 //! The cost after each step of a fit.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::Drawing;
 use super::figure::Figure;
-use super::finite_range;
 use crate::number_format::significant;
 
 const WIDTH: f64 = 860.0;

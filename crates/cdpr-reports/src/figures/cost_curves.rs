@@ -1,9 +1,9 @@
 //! Errors over the number of poses, one curve for each sensor and model.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
+use super::end_names;
 use super::figure::Figure;
-use super::{end_names, finite_range};
 
 const WIDTH: f64 = 860.0;
 const LEFT: f64 = 80.0;

@@ -1,9 +1,9 @@
 //! Course of a fit: panels of curves over its steps.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
+use super::end_names;
 use super::figure::Figure;
-use super::{end_names, finite_range};
 
 /// Curves over the steps of a fit that share a unit.
 pub struct CoursePanel {

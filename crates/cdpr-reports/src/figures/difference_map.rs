@@ -1,10 +1,10 @@
 //! Two controllers on one machine: where one is better (green discs) and where it is worse (red triangles), by shape, lightness and size as
 //! well as by colour.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing, LINE, title_width};
 use super::figure::Figure;
-use super::{Frame, finite_range};
+use super::frame::Frame;
 use crate::number_format::significant;
 
 /// A pose.

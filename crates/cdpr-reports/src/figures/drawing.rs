@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::figure::Figure;
+use super::markup::{coordinate, escape};
 
 /// Height of a line of a title or legend (pixels).
 pub(super) const LINE: f64 = 18.0;
@@ -172,28 +173,4 @@ impl Drawing {
         let Self { body, width, height, label, own_style, attributes } = self;
         Figure { body, width, height, label, own_style, attributes }
     }
-}
-
-/// The text with the characters of markup written out, and those that XML does not allow as boxes.
-pub(super) fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            '\u{fffe}' | '\u{ffff}' => escaped.push('\u{fffd}'),
-            other if other.is_control() => escaped.push('\u{fffd}'),
-            other => escaped.push(other),
-        }
-    }
-    escaped
-}
-
-/// A tenth of a pixel is as exact as the eye.
-pub(super) fn coordinate(value: f64) -> String {
-    let text = format!("{value:.1}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

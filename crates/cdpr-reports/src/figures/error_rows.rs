@@ -1,9 +1,8 @@
 //! Errors of several models or stages: a row each, a panel for each kind of error.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 use crate::number_format::significant;
 
 /// A kind of error.

@@ -1,7 +1,7 @@
 //! A finished figure: as a file of its own, and as a part of a page.
 
-use super::drawing::escape;
-use super::{colour, correlations, penalty_path, timeline, tracking};
+use super::colour;
+use super::markup::{coordinate, escape};
 
 /// Width of the text of a page of A4 (mm).
 const PAGE_WIDTH: f64 = 180.0;
@@ -13,7 +13,7 @@ const MILLIMETRES_PER_PIXEL: f64 = 0.21;
 const LEAST_WIDTH: f64 = 540.0;
 
 /// Looks of all figures; a rule stands in one line.
-const STYLE: &str = include_str!("figures.css");
+pub(super) const STYLE: &str = include_str!("figures.css");
 
 /// One drawing. Its file and its part of a page have the same shapes, texts and places, and differ in colours by the page alone, which is light
 /// or dark.
@@ -37,8 +37,7 @@ impl Figure {
         let label = escape(&self.label);
         // as wide as the text of a page of A4 unless that would blow it up
         let millimetres = (width * MILLIMETRES_PER_PIXEL).min(PAGE_WIDTH);
-        let (wide, tall) =
-            (super::drawing::coordinate(millimetres), super::drawing::coordinate(millimetres * height / width));
+        let (wide, tall) = (coordinate(millimetres), coordinate(millimetres * height / width));
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" \
              viewBox=\"0 0 {width} {height}\" width=\"{wide}mm\" height=\"{tall}mm\">\n<title>{label}</title>\n\
@@ -46,7 +45,7 @@ impl Figure {
         )
     }
 
-    /// An element of a page whose style has [`page_style`]; at most as wide as the drawing, and never too narrow to read.
+    /// An element of a page whose style has [`super::page_style`]; at most as wide as the drawing, and never too narrow to read.
     pub fn inline(&self) -> String {
         let Self { width, height, attributes, .. } = self;
         let (label, body) = (escape(&self.label), colour::of_page(&self.body));
@@ -55,35 +54,5 @@ impl Figure {
             "<svg class=\"figure\" role=\"img\" aria-label=\"{label}\" viewBox=\"0 0 {width} {height}\" \
              style=\"min-width:{least}px;max-width:{width}px\"{attributes}>\n{body}</svg>"
         )
-    }
-}
-
-/// Looks of figures in pages, whose colours are variables of the page (CSS).
-pub fn page_style() -> String {
-    let rules = STYLE
-        .lines()
-        .chain(correlations::STYLE.lines())
-        .chain(tracking::STYLE.lines())
-        .chain(penalty_path::STYLE.lines())
-        .chain(timeline::STYLE.lines())
-        .map(|rule| colour::of_page(&format!(".figure {rule}\n")));
-    // curves in tones that pages do not have stand in none
-    rules.filter(|rule| !(rule.contains(".tone-") && rule.contains('#'))).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A page in dark colours would show a colour of its own as it is on white paper.
-    #[test]
-    fn no_colour_of_a_figure_is_left_in_a_page() {
-        let style = page_style();
-        assert!(!style.contains('#'), "{style}");
-        assert!(style.lines().all(|rule| rule.starts_with(".figure ") && rule.ends_with('}')), "a rule in a line");
-        let names = ["a", "b"].map(str::to_owned);
-        let figure = super::super::correlations(&names, &[vec![1.0], vec![f64::NAN, 1.0]]).unwrap();
-        assert!(!figure.inline().contains("=\"#"), "{}", figure.inline());
-        assert!(figure.file().contains("fill=\"#00477d\"") && figure.inline().contains("fill=\"var(--diverging-4)\""));
     }
 }

@@ -1,11 +1,10 @@
 //! Candidates against the criterion, with bars of one standard error.
 
-use cdpr::identification::selection::SelectionCriterion;
+use cdpr_calibration::selection::SelectionCriterion;
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 use crate::report::within;
 
 /// One candidate.

@@ -1,10 +1,11 @@
 //! Errors and sensitivities over the workspace: discs at the positions, coloured by size, and arrows.
 
 use super::arrow;
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
+use super::colour;
 use super::drawing::{Anchor, Drawing, LINE, title_width};
 use super::figure::Figure;
-use super::{Frame, colour, finite_range};
+use super::frame::Frame;
 
 /// One sample.
 pub struct MapPoint {

@@ -19,7 +19,9 @@ mod figure;
 mod frame;
 mod ladder;
 mod map;
+mod markup;
 mod outlines;
+mod page_style;
 mod penalty_path;
 mod profiles;
 mod residuals;
@@ -28,8 +30,6 @@ mod spectrum;
 mod timeline;
 mod tracking;
 
-use frame::Frame;
-
 pub use condition_cells::ConditionCells;
 pub use convergence::convergence;
 pub use correlations::correlations;
@@ -37,10 +37,11 @@ pub use cost_curves::{CostCurve, CostCurves};
 pub use course::{CourseHeight, CoursePanel, course, rounds};
 pub use difference_map::{DifferenceMap, DifferencePoint};
 pub use error_rows::{ErrorPanel, ErrorRows};
-pub use figure::{Figure, page_style};
+pub use figure::Figure;
 pub use ladder::{Ladder, Rung};
 pub use map::{Map, MapPoint};
 pub use outlines::{Look, Outline, Outlines};
+pub use page_style::page_style;
 pub use penalty_path::PathCurves;
 pub use profiles::{ProfileCurves, profiles};
 pub use residuals::residuals;
@@ -48,10 +49,3 @@ pub use shares::{ShareCurve, Shares};
 pub use spectrum::spectrum;
 pub use timeline::{TimePanel, Timeline};
 pub use tracking::{TrackedCable, tension_tracking};
-
-/// Smallest and largest of the finite values.
-fn finite_range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
-    let mut finite = values.into_iter().filter(|value| value.is_finite());
-    let first = finite.next()?;
-    Some(finite.fold((first, first), |(low, high), value| (low.min(value), high.max(value))))
-}

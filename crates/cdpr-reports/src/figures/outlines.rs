@@ -1,10 +1,10 @@
 //! Outlines of regions over one another, and how one of them moves.
 
 use super::arrow;
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing, LINE, title_width};
 use super::figure::Figure;
-use super::{Frame, finite_range};
+use super::frame::Frame;
 
 const STYLE: &str = include_str!("outlines.css");
 

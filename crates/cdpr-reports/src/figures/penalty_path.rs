@@ -1,9 +1,9 @@
 //! Parameters over a penalty (Figs. 4.9, 4.32, 4.38), and the error on data held out below them.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
+use super::end_names;
 use super::figure::Figure;
-use super::{end_names, finite_range};
 use crate::number_format::significant;
 
 /// Path of a penalty, in units for people.

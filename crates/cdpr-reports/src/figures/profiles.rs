@@ -1,9 +1,8 @@
 //! Profiles of parameters: the rise of the weighted squares over a shift, the others held and refitted, and the residuals beside it.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 
 /// Profile of one parameter, in units for people.
 pub struct ProfileCurves {

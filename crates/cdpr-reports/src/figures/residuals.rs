@@ -1,9 +1,8 @@
 //! Length residuals of every cable against the sample number, as small multiples on one scale.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 
 const COLUMNS: usize = 2;
 const PANEL: (f64, f64) = (350.0, 90.0);

@@ -1,9 +1,8 @@
 //! Shares of a workspace over a parameter, one curve for each required accuracy.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 
 const WIDTH: f64 = 860.0;
 const LEFT: f64 = 80.0;

@@ -1,9 +1,8 @@
 //! Singular values of the Jacobian on a logarithmic axis.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::Drawing;
 use super::figure::Figure;
-use super::finite_range;
 
 const WIDTH: f64 = 860.0;
 const LEFT: f64 = 80.0;

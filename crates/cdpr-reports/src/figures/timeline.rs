@@ -1,10 +1,10 @@
 //! Quantities over time: panels above each other with one axis of time, events and broken limits marked through all of them.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::colour::CABLES;
 use super::drawing::{Anchor, Drawing};
+use super::end_names;
 use super::figure::Figure;
-use super::{end_names, finite_range};
 
 /// Curves over time that share a unit.
 pub struct TimePanel {

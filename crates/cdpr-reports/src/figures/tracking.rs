@@ -1,9 +1,8 @@
 //! Commanded and emerging tension of every cable over the poses of a path, and their difference below, as small multiples on one scale each.
 
-use super::axis::Axis;
+use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::finite_range;
 
 pub(super) const STYLE: &str = include_str!("tracking.css");
 

@@ -1,7 +1,7 @@
 //! A cable between frame and platform, as pages draw it.
 
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::Cable;
+use cdpr_model::robot::Cable;
+use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::{digits, plain};

@@ -1,6 +1,6 @@
 //! The plane of a planar robot, as pages draw it.
 
-use cdpr::robot::Robot;
+use cdpr_model::robot::Robot;
 use serde::Serialize;
 
 /// Letters and world directions of a planar robot's axes.

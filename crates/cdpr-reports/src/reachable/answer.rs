@@ -1,10 +1,11 @@
 //! The answer of what is reached.
 
-use cdpr::metamodel::reachable::{Census, Image, Reachable, emerging_size};
-use cdpr::metamodel::{Experiment, MapEffect};
-use cdpr::workspace::grid::{self, Grid};
-use cdpr::workspace::hull::Hull;
-use cdpr::workspace::{Bounds, Point, Region, components};
+use cdpr_model::control::MapEffect;
+use cdpr_study::Experiment;
+use cdpr_study::reachable::{Census, Image, Reachable, emerging_size};
+use cdpr_workspace::grid::{self, Grid};
+use cdpr_workspace::hull::Hull;
+use cdpr_workspace::{Bounds, Point, Region, components};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 

@@ -1,10 +1,11 @@
 //! The differential hull: how what is reached changes with one number.
 
-use cdpr::metamodel::reachable::{Reachable, Varied, differential_hull};
-use cdpr::metamodel::sensitivity::ParameterDeviation;
-use cdpr::metamodel::{Experiment, InputError};
-use cdpr::workspace::hull::{self, Hull};
-use cdpr::workspace::{Bounds, Region};
+use cdpr_model::control::InputError;
+use cdpr_study::Experiment;
+use cdpr_study::reachable::{Reachable, Varied, differential_hull};
+use cdpr_study::sensitivity::ParameterDeviation;
+use cdpr_workspace::hull::{self, Hull};
+use cdpr_workspace::{Bounds, Region};
 use serde::Serialize;
 
 /// A change of one number, and the hull with it.

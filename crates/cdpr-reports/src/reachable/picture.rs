@@ -1,9 +1,9 @@
 //! Outlines of what is reached, and how a change moves them, as a picture.
 
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::reachable::Image;
-use cdpr::workspace::Point;
-use cdpr::workspace::hull::Hull;
+use cdpr_study::Experiment;
+use cdpr_study::reachable::Image;
+use cdpr_workspace::Point;
+use cdpr_workspace::hull::Hull;
 
 use super::Differential;
 use crate::answers::{axis_names, components, control_title, title};

@@ -9,23 +9,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use super::messages::{self, Topic, nanoseconds};
-use super::{Recording, Stretch, Violation};
-
-/// Pictures of the scene in a second, at most: a reader sees no more, and they are the largest messages.
-const SCENES_PER_SECOND: f64 = 30.0;
-
-/// Bytes of the messages of a moment without a scene, and for each cable; of a scene, and for each cable: those of runs of a planar robot with four cables and a spatial one with
-/// eight, whose numbers have all their digits.
-const MOMENT: [f64; 2] = [556.0, 47.0];
-const SCENE: [f64; 2] = [361.0, 291.0];
-
-/// Bytes of the file of a record of so many moments that takes a time (s), about.
-pub fn mcap_bytes(cables: usize, moments: u64, duration: f64) -> u64 {
-    let every = (moments as f64 / (SCENES_PER_SECOND * duration)).ceil().max(1.0);
-    let scenes = (moments as f64 / every).ceil();
-    let of = |[fixed, each]: [f64; 2]| fixed + each * cables as f64;
-    (moments as f64 * of(MOMENT) + scenes * of(SCENE)) as u64
-}
+use super::{Recording, SCENES_PER_SECOND, Stretch, Violation};
 
 /// A recording that could not be written.
 #[derive(Debug, Error)]
@@ -101,10 +85,10 @@ impl File {
 
 #[cfg(test)]
 mod tests {
-    use cdpr::geometry::Pose;
-    use cdpr::nalgebra::Vector3;
-    use cdpr::plant;
-    use cdpr::robot::Robot;
+    use cdpr_model::geometry::Pose;
+    use cdpr_model::robot::Robot;
+    use cdpr_plant as plant;
+    use nalgebra::Vector3;
 
     use super::super::{Moment, Occurrence, Recording, Violation, mcap_bytes};
 

@@ -1,7 +1,7 @@
 //! Messages of a recording in the words of Foxglove's schemas, as JSON; frames `world` and `platform`.
 
-use cdpr::geometry::Pose;
-use cdpr::nalgebra::Vector3;
+use cdpr_model::geometry::Pose;
+use nalgebra::Vector3;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -148,6 +148,20 @@ pub(super) fn event(time: f64, words: &str, level: u8) -> Value {
 }
 
 impl Recording<'_> {
+    /// Least and largest tension of the colours of each cable (N): its limits, or nothing and the largest tension of the record.
+    pub(super) fn tension_range(&self) -> Vec<(f64, f64)> {
+        if !self.limits.is_empty() {
+            return self.limits.clone();
+        }
+        let largest = self.moments.iter().flat_map(|moment| &moment.tensions).copied().fold(0.0, f64::max);
+        vec![(0.0, largest); self.robot.cables.len()]
+    }
+
+    /// True after an event that took the cable away.
+    fn is_broken(&self, cable: usize, time: f64) -> bool {
+        self.events.iter().any(|event| event.breaks && event.cable == Some(cable) && event.time < time)
+    }
+
     /// Frame anchors and platform, which stand still in their frames.
     pub(super) fn standing_scene(&self, time: f64) -> Value {
         let cables = &self.robot.cables;

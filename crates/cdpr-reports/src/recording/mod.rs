@@ -1,18 +1,37 @@
 //! Moments of a machine's run, as pages, figures and files show them.
 
+#[cfg(feature = "recording")]
 mod mcap_file;
+#[cfg(feature = "recording")]
 mod messages;
 mod violation;
 
-use cdpr::Limits;
-use cdpr::geometry::Pose;
-use cdpr::plant::{Event, Happening, State};
-use cdpr::robot::Robot;
+use cdpr_model::geometry::Pose;
+use cdpr_model::robot::Robot;
+use cdpr_model::tension::Limits;
+use cdpr_plant::{Event, PlantState};
 
 use crate::number_format::significant;
-pub use mcap_file::{McapError, mcap_bytes};
+#[cfg(feature = "recording")]
+pub use mcap_file::McapError;
 pub(crate) use violation::{OTHERS, sentence, stretches_of_limits};
 pub use violation::{Stretch, Violation};
+
+/// Pictures of the scene in a second, at most: a reader sees no more, and they are the largest messages.
+const SCENES_PER_SECOND: f64 = 30.0;
+
+/// Bytes of the messages of a moment without a scene, and for each cable; of a scene, and for each cable: those of runs of a planar robot with four cables and a spatial one with
+/// eight, whose numbers have all their digits.
+const MOMENT: [f64; 2] = [556.0, 47.0];
+const SCENE: [f64; 2] = [361.0, 291.0];
+
+/// Bytes of the file of a record of so many moments that takes a time (s), about.
+pub fn mcap_bytes(cables: usize, moments: u64, duration: f64) -> u64 {
+    let every = (moments as f64 / (SCENES_PER_SECOND * duration)).ceil().max(1.0);
+    let scenes = (moments as f64 / every).ceil();
+    let of = |[fixed, each]: [f64; 2]| fixed + each * cables as f64;
+    (moments as f64 * of(MOMENT) + scenes * of(SCENE)) as u64
+}
 
 /// State of the machine at a time.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,22 +61,8 @@ impl Occurrence {
     fn of(event: &Event, robot: &Robot) -> Self {
         let cable = event.happening.cable();
         let name = cable.map(|cable| format!("cable {}", robot.cables[cable].name)).unwrap_or_default();
-        let words = match &event.happening {
-            Happening::CableBreak { .. } => format!("{name} breaks"),
-            Happening::WinchStop { .. } => format!("the winch of {name} stands still"),
-            Happening::Slip { length, .. } => format!("{name} slips by {} mm", significant(1e3 * length, 3)),
-            Happening::Load { mass, .. } if *mass < 0.0 => format!("{} kg are taken off", significant(-mass, 4)),
-            Happening::Load { mass, .. } => format!("{} kg are taken up", significant(*mass, 4)),
-            Happening::Wrench(wrench) => {
-                let force = significant(wrench.fixed_rows::<3>(0).norm(), 4);
-                format!(
-                    "a wrench acts: force {force} N, moment {} N·m",
-                    significant(wrench.fixed_rows::<3>(3).norm(), 4)
-                )
-            }
-            other => other.kind().to_owned(),
-        };
-        Self { time: event.time, words, cable, breaks: matches!(event.happening, Happening::CableBreak { .. }) }
+        let words = event.happening.words(&name, &significant);
+        Self { time: event.time, words, cable, breaks: event.happening.takes_cable() }
     }
 }
 
@@ -83,7 +88,7 @@ impl<'a> Recording<'a> {
     }
 
     /// Adds the state of the machine.
-    pub fn note(&mut self, state: &State) {
+    pub fn note(&mut self, state: &PlantState) {
         self.moments.push(Moment {
             time: state.time,
             pose: state.pose,
@@ -95,19 +100,5 @@ impl<'a> Recording<'a> {
     pub fn happened(&mut self, events: &[Event]) {
         let robot = self.robot;
         self.events.extend(events.iter().map(|event| Occurrence::of(event, robot)));
-    }
-
-    /// Least and largest tension of the colours of each cable (N): its limits, or nothing and the largest tension of the record.
-    fn tension_range(&self) -> Vec<(f64, f64)> {
-        if !self.limits.is_empty() {
-            return self.limits.clone();
-        }
-        let largest = self.moments.iter().flat_map(|moment| &moment.tensions).copied().fold(0.0, f64::max);
-        vec![(0.0, largest); self.robot.cables.len()]
-    }
-
-    /// True after an event that took the cable away.
-    fn is_broken(&self, cable: usize, time: f64) -> bool {
-        self.events.iter().any(|event| event.breaks && event.cable == Some(cable) && event.time < time)
     }
 }

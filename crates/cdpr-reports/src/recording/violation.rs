@@ -1,7 +1,7 @@
 //! Broken limits of a run in words, and cables that were slack.
 
-use cdpr::plant;
-use cdpr::robot::Robot;
+use cdpr_model::robot::Robot;
+use cdpr_plant as plant;
 
 use crate::number_format::{short, significant};
 

@@ -1,7 +1,7 @@
 //! The ladder of candidates as table and chart.
 
-use cdpr::identification::ErrorBlocks;
-use cdpr::identification::selection::Judgement;
+use cdpr_calibration::ErrorBlocks;
+use cdpr_calibration::selection::Judgement;
 use minijinja::Value;
 
 use super::table::{Cell, Table};

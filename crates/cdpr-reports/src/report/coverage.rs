@@ -1,6 +1,6 @@
 //! Coverage of the fit: the box of its poses, and errors beyond it against those inside.
 
-use cdpr::identification::coverage as covered;
+use cdpr_calibration::coverage as covered;
 use minijinja::{Value, context};
 
 use super::table::{Cell, Table};

@@ -1,6 +1,6 @@
 //! The criterion as two numbers of a table, in the units of the report: mm, degrees or N.
 
-use cdpr::identification::selection::SelectionCriterion;
+use cdpr_calibration::selection::SelectionCriterion;
 
 use crate::number_format::{decimals_for, fixed, significant};
 

@@ -1,7 +1,7 @@
 //! Error tables: before and after, and fold by fold.
 
-use cdpr::identification::ErrorBlocks;
-use cdpr::metamodel::errors::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
+use cdpr_calibration::ErrorBlocks;
+use cdpr_model::control::error_statistics::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use minijinja::Value;
 
 use super::table::{Cell, Table};

@@ -40,7 +40,7 @@ fn scene(shown: &Shown<'_>) -> &'static str {
 /// The criterion of the model as given and of the one shown.
 fn errors(report: &Report<'_>, shown: &Shown<'_>) -> String {
     let kind = report.criterion;
-    let value = |judgement: &cdpr::identification::selection::Judgement| match judgement.validation.samples {
+    let value = |judgement: &cdpr_calibration::selection::Judgement| match judgement.validation.samples {
         0 => within(kind, kind.of_blocks(&judgement.train), f64::NAN),
         _ => within(kind, judgement.criterion, judgement.standard_error),
     };
@@ -53,7 +53,7 @@ fn errors(report: &Report<'_>, shown: &Shown<'_>) -> String {
 
 fn candidates(report: &Report<'_>) -> String {
     let all = &report.selection.candidates;
-    let judged = |outcome: &Result<cdpr::identification::selection::Judgement, _>| {
+    let judged = |outcome: &Result<cdpr_calibration::selection::Judgement, _>| {
         outcome.as_ref().is_ok_and(|judgement| judgement.disqualified.is_none())
     };
     let unjudged = all.iter().filter(|candidate| !judged(&candidate.outcome)).count();

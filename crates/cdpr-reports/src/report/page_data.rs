@@ -3,10 +3,10 @@
 //! SI units, named in the keys. The block holds `result.json` without wall times and the marks of a JSON answer, and what charts need
 //! besides: the robot as given and calibrated, and the judged samples with the errors of both models. No physics is left to the script.
 
-use cdpr::cable::winch::Winch;
-use cdpr::geometry::Pose;
-use cdpr::identification::Evaluation;
-use cdpr::robot::Cable;
+use cdpr_calibration::Evaluation;
+use cdpr_model::cable::winch::Winch;
+use cdpr_model::geometry::Pose;
+use cdpr_model::robot::Cable;
 use serde::Serialize;
 
 use super::{Purpose, Report, Shown};
@@ -215,7 +215,7 @@ fn rows(report: &Report<'_>, shown: &Shown<'_>) -> Vec<Row> {
 fn samples(report: &Report<'_>, shown: &Shown<'_>) -> SampleData {
     let rows = rows(report, shown);
     let data = report.samples;
-    let is_outside = cdpr::identification::coverage(report.robot, data, report.folds).is_outside;
+    let is_outside = cdpr_calibration::coverage(report.robot, data, report.folds).is_outside;
     let pose = |row: &Row| -> &Pose { &data.poses[row.sample] };
     let change = |row: &Row| {
         let before = data.lengths_of(row.sample.checked_sub(1)?);

@@ -1,6 +1,6 @@
 //! The identified parameters and how well the data determine them.
 
-use cdpr::identification::fit::{Estimate, Fit, Status};
+use cdpr_calibration::fit::{Estimate, Fit, Status};
 use minijinja::{Value, context};
 
 use super::Shown;

@@ -1,6 +1,6 @@
 //! Candidates by several criteria side by side.
 
-use cdpr::identification::selection::SelectionCriterion;
+use cdpr_calibration::selection::SelectionCriterion;
 use minijinja::{Value, context};
 
 use super::table::{Cell, Table};

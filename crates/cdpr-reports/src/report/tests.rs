@@ -2,13 +2,13 @@
 
 use std::sync::LazyLock;
 
-use cdpr::geometry::{MotionPattern, Plane, Pose};
-use cdpr::identification::candidate::parse_list;
-use cdpr::identification::selection::{Settings, Warnings, select};
-use cdpr::measurement::Fold;
-use cdpr::model::{Composition, Model};
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::{Cable, Groove, Platform};
+use cdpr_calibration::candidate::parse_list;
+use cdpr_calibration::selection::{Selection, SelectionCriterion, Settings, Warnings, select};
+use cdpr_model::geometry::{MotionPattern, Plane, Pose};
+use cdpr_model::measurement::{Fold, Samples};
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::robot::{Cable, Groove, Platform, Robot};
+use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};

@@ -1,7 +1,7 @@
 //! The answer in one line, its warnings, the limits, the reason.
 
-use cdpr::identification::Verdict;
-use cdpr::identification::selection::{Judgement, RequirementOutcome};
+use cdpr_calibration::Verdict;
+use cdpr_calibration::selection::{Judgement, RequirementOutcome};
 use minijinja::{Value, context};
 
 use super::table::Cell;

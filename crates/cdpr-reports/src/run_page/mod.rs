@@ -4,7 +4,7 @@ mod page_data;
 #[cfg(test)]
 mod tests;
 
-use cdpr::geometry::Pose;
+use cdpr_model::geometry::Pose;
 use minijinja::{Value, context};
 
 use crate::answers::{axis_names, components};

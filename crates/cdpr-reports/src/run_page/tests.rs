@@ -1,7 +1,7 @@
 //! Pages of runs: well formed, complete and silent towards the network.
 
-use cdpr::plant;
-use cdpr::robot::Robot;
+use cdpr_model::robot::Robot;
+use cdpr_plant as plant;
 
 use super::RunPage;
 use crate::recording::{Moment, Occurrence, Recording, Violation};

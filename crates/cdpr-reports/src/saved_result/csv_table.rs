@@ -1,6 +1,6 @@
 //! A table of a result's folder, read back.
 
-use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
+use cdpr_model::reading::{Place, ReadError, Size, text_from_bytes};
 
 use crate::NamedFile;
 

@@ -2,94 +2,18 @@
 
 mod csv_table;
 mod drawings;
+mod numbers;
 mod tables;
 
-use cdpr::identification::selection::SelectionCriterion;
-use cdpr::reading::{Place, ReadError, Size, text_from_bytes};
-use cdpr::robot::Robot;
+use cdpr_calibration::selection::SelectionCriterion;
+use cdpr_model::reading::{Place, ReadError, Size, text_from_bytes};
+use cdpr_model::robot::Robot;
 use serde::Deserialize;
-use serde_json::Value;
 
 use crate::NamedFile;
 use csv_table::CsvTable;
-
-/// Letters of the world's axes.
-const AXES: [&str; 3] = ["x", "y", "z"];
-
-/// A drawing or a table of a result, or the reason why there is none.
-pub struct FigureFile {
-    /// Name of the file.
-    pub name: &'static str,
-    /// Its text.
-    pub content: Option<String>,
-    /// Reason why there is none, in words.
-    pub why_not: &'static str,
-}
-
-/// Numbers of a result that figures show.
-pub struct SavedResult {
-    criterion: SelectionCriterion,
-    /// The candidates, from simple to complex; none for an identification.
-    candidates: Vec<CandidateData>,
-    /// Name of the robot.
-    pub robot: Option<String>,
-    best: Option<String>,
-    recommended: Option<String>,
-    /// Name of the candidate that all other figures are about.
-    pub shown: Option<String>,
-    rank: usize,
-    parameters: Vec<ParameterData>,
-    singular_values: Vec<f64>,
-    convergence: Vec<f64>,
-    /// Names and rows of the matrix.
-    correlations: Option<(Vec<String>, Vec<Vec<f64>>)>,
-    samples: Vec<SampleData>,
-    /// Axes of positions, as indices of world coordinates: of a planar robot those of its plane.
-    axes: Vec<usize>,
-    /// Names of the cables, as figures show them.
-    cables: Vec<String>,
-}
-
-/// One candidate of `result.json`.
-#[derive(Clone, Debug, Deserialize)]
-struct CandidateData {
-    name: String,
-    model: String,
-    free: String,
-    parameter_count: Option<usize>,
-    #[serde(default)]
-    train: Value,
-    criterion: Option<f64>,
-    standard_error: Option<f64>,
-    rank: Option<usize>,
-    condition: Option<f64>,
-    failure: Option<String>,
-}
-
-/// One identified parameter.
-#[derive(Clone, Debug, Deserialize)]
-struct ParameterData {
-    name: String,
-    unit: String,
-    start: Option<f64>,
-    value: Option<f64>,
-    sigma: Option<f64>,
-    prior_sigma: Option<f64>,
-    at_bound: bool,
-}
-
-/// Errors at one validation sample (SI); NaN where they are not known.
-struct SampleData {
-    /// Number in the data, from 1.
-    sample: usize,
-    /// Measured position (world, m); 0 along an axis that a planar robot does not have.
-    position: [f64; 3],
-    position_error: f64,
-    position_vector: [f64; 3],
-    rotation_error: f64,
-    /// Modelled minus recorded, per cable (m).
-    lengths: Vec<f64>,
-}
+use numbers::{AXES, CandidateData, ParameterData, SampleData};
+pub use numbers::{FigureFile, SavedResult};
 
 /// The keys of a JSON answer that figures need; those of an identification stand at the top.
 #[derive(Deserialize)]

@@ -1,6 +1,6 @@
 //! The numbers behind the figures, one CSV table each; SI units in the heading.
 
-use cdpr::identification::selection::SelectionCriterion;
+use cdpr_calibration::selection::SelectionCriterion;
 
 use super::{AXES, CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
 

@@ -1,10 +1,9 @@
 //! Influences, tolerances and allowances as one answer.
 
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::sensitivity::{Kind, KindInfluence, Offsets, Side, rank, rank_kinds};
-use cdpr::metamodel::study::{AccuracyOf, Distribution, Tolerances};
-use cdpr::metamodel::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
-use cdpr::model::StretchEffect;
+use cdpr_study::Experiment;
+use cdpr_study::sensitivity::{Kind, KindInfluence, Offsets, Side, rank, rank_kinds};
+use cdpr_study::study::{AccuracyOf, Distribution, Tolerances};
+use cdpr_study::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
 use serde::Serialize;
 
 use crate::answers::title;
@@ -192,7 +191,7 @@ fn answer(
         seed: settings.seed,
         told: usize::MAX,
         has_rotation: experiment.machine.robot().motion_pattern.has_rotation(),
-        remembers: experiment.machine.composition().stretch == StretchEffect::Hysteresis,
+        remembers: experiment.machine.composition().stretch.remembers(),
     }
 }
 

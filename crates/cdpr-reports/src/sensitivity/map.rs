@@ -1,10 +1,10 @@
 //! How one number moves the platform over the poses, as a picture.
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::tolerance::Deviations;
-use cdpr::model::Model;
-use cdpr::nalgebra::Vector3;
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_study::Experiment;
+use cdpr_study::tolerance::Deviations;
+use nalgebra::Vector3;
 
 use super::step;
 use super::tables::in_world;

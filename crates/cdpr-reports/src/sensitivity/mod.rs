@@ -5,8 +5,8 @@ mod map;
 pub mod tables;
 mod words;
 
-use cdpr::metamodel::sensitivity::Kind;
-use cdpr::robot::ParameterKind;
+use cdpr_model::robot::ParameterKind;
+use cdpr_study::sensitivity::Kind;
 
 pub use answer::{AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer};
 pub use map::map;

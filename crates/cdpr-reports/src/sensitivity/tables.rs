@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use cdpr::geometry::{Pose, Twist};
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::tolerance::{Deviations, Quantiles};
-use cdpr::model::Model;
+use cdpr_model::geometry::{Pose, Twist};
+use cdpr_model::model::Model;
+use cdpr_study::Experiment;
+use cdpr_study::tolerance::{Deviations, Quantiles};
 
 /// ∂(pose, tensions) by every parameter at every pose, a row each; poses without an answer have none.
 pub fn derivatives(found: &Deviations, experiment: &Experiment) -> String {

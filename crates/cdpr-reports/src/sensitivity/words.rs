@@ -1,9 +1,9 @@
 //! Sensitivities and tolerances for people.
 
 use super::{AllowedAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
-use cdpr::metamodel::sensitivity::{KindInfluence, Offsets};
-use cdpr::metamodel::study::AccuracyOf;
-use cdpr::metamodel::tolerance::Quantiles;
+use cdpr_study::sensitivity::{KindInfluence, Offsets};
+use cdpr_study::study::AccuracyOf;
+use cdpr_study::tolerance::Quantiles;
 
 use crate::answers::Answer;
 use crate::number_format::{NONE, significant};

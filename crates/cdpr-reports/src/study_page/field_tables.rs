@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use cdpr::geometry::{MotionPattern, Twist};
-use cdpr::metamodel::field::{Field, Sample};
-use cdpr::model::Model;
-use cdpr::robot::Robot;
+use cdpr_model::geometry::{MotionPattern, Twist};
+use cdpr_model::model::Model;
+use cdpr_model::robot::Robot;
+use cdpr_study::field::{Field, Sample};
 
 use crate::NamedFile;
 use crate::answers::axis_names;

@@ -2,6 +2,7 @@
 //!
 //! Everything the page shows was computed here: its program draws, and subtracts vectors that it shows side by side.
 
+mod contents;
 mod field_tables;
 mod page_data;
 mod region;
@@ -9,57 +10,20 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-use cdpr::geometry::PatternError;
-use cdpr::metamodel::field::{Field, Sample, Summary};
-use cdpr::metamodel::{Experiment, InputError};
-use cdpr::model::Model;
-use cdpr::workspace::WorkspaceError;
+use cdpr_model::model::Model;
+use cdpr_study::Experiment;
+use cdpr_study::field::{Field, Sample, Summary};
 use minijinja::{Value, context};
-use thiserror::Error;
 
-use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::html_page::{Page, PageKind, plain, prose};
 use crate::number_format::{short, significant};
+pub use contents::{StudyPage, StudyPageError};
 pub(crate) use field_tables::{SAME_HEIGHT, levels};
 pub use field_tables::{error_maps, errors_table, tracking_figure};
 use region::Region;
 pub use tables::{ErrorRow, error_rows};
 
 const TEMPLATE: &str = include_str!("study.html");
-
-/// Reasons why a study has no page.
-#[derive(Debug, Error)]
-pub enum StudyPageError {
-    /// The experiment cannot be run.
-    #[error(transparent)]
-    Experiment(#[from] InputError),
-    /// There is no box around the robot.
-    #[error(transparent)]
-    Region(#[from] WorkspaceError),
-    /// Poses of a region that the robot cannot have.
-    #[error(transparent)]
-    Pose(#[from] PatternError),
-    /// The page cannot be put together.
-    #[error(transparent)]
-    Page(#[from] PageError),
-}
-
-/// Contents of a page.
-pub struct StudyPage<'a> {
-    /// Control model, machine and winches.
-    pub experiment: &'a Experiment,
-    /// Name of the study.
-    pub name: &'a str,
-    /// The errors of its poses.
-    pub found: &'a Field,
-    /// Warnings; text between backticks is shown as code.
-    pub warnings: &'a [String],
-    /// The command that makes the same page again.
-    pub command: &'a str,
-    /// Seed of random poses.
-    pub seed: u64,
-    /// Version of the program.
-    pub version: &'a str,
-}
 
 /// Computes the regions; HTML of the page.
 pub fn render(page: &StudyPage<'_>) -> Result<String, StudyPageError> {

@@ -2,10 +2,10 @@
 //!
 //! SI units, named in the keys; positions and vectors along the axes of the robot's files. No physics is left to the program.
 
-use cdpr::geometry::{MotionPattern, Twist};
-use cdpr::metamodel::field::{Sample, Summary};
-use cdpr::nalgebra::Vector3;
-use cdpr::robot::Robot;
+use cdpr_model::geometry::{MotionPattern, Twist};
+use cdpr_model::robot::Robot;
+use cdpr_study::field::{Sample, Summary};
+use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::StudyPage;
@@ -97,7 +97,7 @@ struct RegionData {
 /// The block as text that may stand inside a `script` element.
 pub(super) fn json(page: &StudyPage<'_>, regions: &[Region]) -> String {
     let robot = page.experiment.machine.robot();
-    let cable = |cable: &cdpr::robot::Cable| CableData {
+    let cable = |cable: &cdpr_model::robot::Cable| CableData {
         name: plain(&cable.name),
         frame_anchor_m: short(components(robot, &cable.frame_anchor), 7),
     };

@@ -1,10 +1,10 @@
 //! Regions with errors on a regular grid, which the page draws contours through: of the plane of a planar robot, and slices through
 //! the poses of a spatial one.
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::Experiment;
-use cdpr::metamodel::field::{Field, Sample, field};
-use cdpr::workspace::{Bounds, Criterion};
+use cdpr_model::geometry::Pose;
+use cdpr_study::Experiment;
+use cdpr_study::field::{Field, Sample, field};
+use cdpr_workspace::{Bounds, Criterion};
 
 use super::StudyPageError;
 use crate::answers::axis_names;

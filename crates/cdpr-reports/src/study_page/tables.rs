@@ -1,7 +1,7 @@
 //! The tables of the page, which need no script.
 
-use cdpr::metamodel::errors::PoseErrorStatistics;
-use cdpr::metamodel::field::{Sample, Summary};
+use cdpr_model::control::error_statistics::PoseErrorStatistics;
+use cdpr_study::field::{Sample, Summary};
 use minijinja::{Value, context};
 
 use super::StudyPage;

@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
-use cdpr::geometry::Pose;
-use cdpr::metamodel::field::{Sample, field};
-use cdpr::metamodel::{Robots, Study};
-use cdpr::robot::Robot;
-use cdpr::workspace::Criterion;
+use cdpr_model::geometry::Pose;
+use cdpr_model::robot::Robot;
+use cdpr_study::field::{Sample, field};
+use cdpr_study::{Robots, Study};
+use cdpr_workspace::Criterion;
 use serde_json::Value as Json;
 
 use super::*;
@@ -72,7 +72,7 @@ fn the_poses_of_the_page_hold_what_the_library_computes() {
         assert_eq!(data["samples"]["number"].as_array().unwrap().len(), found.samples.len());
         for (index, sample) in found.samples.iter().enumerate() {
             let of = |key: &str| numbers(&data["samples"][key][index]);
-            let shift = |twist: &cdpr::geometry::Twist| twist.as_slice()[..axes].to_vec();
+            let shift = |twist: &cdpr_model::geometry::Twist| twist.as_slice()[..axes].to_vec();
             assert!(agree(&of("error_m"), &shift(&sample.exact.unwrap()), 6));
             assert!(agree(&of("linear_m"), &shift(&sample.linear.unwrap()), 6));
             assert!(agree(&of("tensions_N"), sample.outcome.tensions.as_ref().unwrap(), 6));

@@ -1,12 +1,12 @@
 //! The page of a search.
 
-use cdpr::geometry::Pose;
-use cdpr::nalgebra::{UnitQuaternion, Vector3};
-use cdpr::statics::Load;
-use cdpr::tension::Limits;
-use cdpr::workspace::hull::Hull;
-use cdpr::workspace::mesh::Mesh;
-use cdpr::workspace::{Bounds, Point, Region, Side};
+use cdpr_model::geometry::Pose;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Limits;
+use cdpr_workspace::hull::Hull;
+use cdpr_workspace::mesh::Mesh;
+use cdpr_workspace::{Bounds, Point, Region, Side};
+use nalgebra::{UnitQuaternion, Vector3};
 
 use super::{Finding, Shape, WorkspacePage, render};
 use crate::PageError;

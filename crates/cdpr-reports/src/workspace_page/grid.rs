@@ -1,9 +1,9 @@
 //! The grid of poses that the page interpolates between: verdict, reason and tensions at each node.
 
-use cdpr::equilibrium::distribution;
-use cdpr::geometry::Pose;
-use cdpr::nalgebra::Vector3;
-use cdpr::workspace::Verdict;
+use cdpr_model::equilibrium::distribution;
+use cdpr_model::geometry::Pose;
+use cdpr_workspace::Verdict;
+use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::WorkspacePage;

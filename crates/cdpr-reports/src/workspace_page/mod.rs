@@ -3,6 +3,7 @@
 //!
 //! Everything the page shows was computed here: its program interpolates between the nodes of the grid and says so.
 
+mod contents;
 mod found;
 mod grid;
 mod overlay;
@@ -11,97 +12,17 @@ mod sentences;
 #[cfg(test)]
 mod tests;
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::Load;
-use cdpr::tension::Limits;
-use cdpr::workspace::Verdict;
-use cdpr::workspace::mesh::Mesh;
 use minijinja::{Value, context};
 
 use crate::answers::PoseAnswer;
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
-use crate::number_format::significant;
 use grid::Grid;
 
+pub use contents::{Finding, Shape, WorkspacePage};
 pub use found::{FoundWorkspace, Outline};
 pub use overlay::{OverlayError, findings_of};
 
 const TEMPLATE: &str = include_str!("workspace.html");
-
-/// Contents of a page.
-pub struct WorkspacePage<'a> {
-    /// Robot and effects.
-    pub model: &'a Model,
-    /// Name of what has to hold at a pose.
-    pub criterion: &'a str,
-    /// Unit of its margin; `1` for none.
-    pub unit: &'a str,
-    /// The full answer at a pose; of a set of orientations whatever the set says of the position.
-    pub judge: &'a (dyn Fn(&Pose) -> Verdict + Sync),
-    /// Load and limits of the tensions that are shown; `None` shows none.
-    pub statics: Option<(&'a Load, &'a Limits)>,
-    /// Pose of the platform when the page is opened, and how it is turned at every pose of the grid.
-    pub start: &'a Pose,
-    /// Box of the grid, least and largest coordinate (m): along x, y and z, or along the two axes of a planar robot.
-    pub bounds: &'a [[f64; 2]],
-    /// Results: the one that the command found first, if it found one, then those to compare it with.
-    pub findings: &'a [Finding],
-    /// True where the first result is the command's own: its size is the headline.
-    pub is_found: bool,
-    /// Facts that the results depend on, as pairs of words.
-    pub facts: &'a [(&'a str, String)],
-    /// Warnings; text between backticks is shown as code.
-    pub warnings: &'a [String],
-    /// The command that makes the same page again.
-    pub command: &'a str,
-    /// Version of the program.
-    pub version: &'a str,
-}
-
-/// A workspace that was found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
-    /// Name that tells it from others: criterion and limits, say.
-    pub name: String,
-    /// Its volume (m³) or area (m²).
-    pub measure: f64,
-    /// The measure is known to ± this (m³, m²).
-    pub error_bound: Option<f64>,
-    /// Its form.
-    pub shape: Shape,
-}
-
-/// The form of a finding.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    /// The surface of a volume, with margin and limiting cable at its vertices where they are known.
-    Surface {
-        /// The surface.
-        mesh: Mesh,
-        /// The method that found it: a hull, or the cells of a grid or an octree.
-        method: String,
-    },
-    /// Closed lines in the coordinates of the plane's axes (m); a point belongs to the area when an odd number encloses it.
-    Areas(Vec<Vec<[f64; 2]>>),
-    /// Only the measure is known: from a grid, say.
-    Unknown,
-}
-
-impl Finding {
-    fn unit(&self, is_planar: bool) -> &'static str {
-        match (&self.shape, is_planar) {
-            (Shape::Areas(_), _) | (Shape::Unknown, true) => "m²",
-            _ => "m³",
-        }
-    }
-
-    /// E.g. "243.1 ± 0.8 m³".
-    fn words(&self, is_planar: bool) -> String {
-        let bound = self.error_bound.map(|bound| format!(" ± {}", significant(bound, 2))).unwrap_or_default();
-        format!("{}{bound} {}", significant(self.measure, 4), self.unit(is_planar))
-    }
-}
 
 /// Computes the grid; HTML of the page.
 pub fn render(page: &WorkspacePage<'_>) -> Result<String, PageError> {

@@ -2,7 +2,7 @@
 //!
 //! SI units, named in the keys. No physics is left to the program.
 
-use cdpr::workspace::mesh::{Field, Mesh};
+use cdpr_workspace::mesh::{Field, Mesh};
 use serde::{Deserialize, Serialize};
 
 use super::grid::Grid;

@@ -1,15 +1,18 @@
 //! Pages on robots made up here: well-formed, self-contained, and telling what the library computes.
 
-use cdpr::equilibrium::distribution;
-use cdpr::error_code::ErrorCode;
-use cdpr::model::Composition;
-use cdpr::robot::Robot;
-use cdpr::workspace::Criterion;
-use cdpr::workspace::criterion::WrenchFeasible;
+use cdpr_model::equilibrium::distribution;
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::{Composition, Model};
+use cdpr_model::reading::ErrorCode;
+use cdpr_model::robot::Robot;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Limits;
+use cdpr_workspace::Criterion;
+use cdpr_workspace::criterion::WrenchFeasible;
 
-use cdpr::nalgebra::Vector3;
+use nalgebra::Vector3;
 
-use cdpr::workspace::mesh::Field;
+use cdpr_workspace::mesh::{Field, Mesh};
 
 use super::*;
 use crate::html_page::reading::{assert_stands_alone, data, markup};

@@ -1,8 +1,8 @@
 //! The reader of CASPR's models meets damage made for XML: values between marks replaced, elements repeated, files cut.
 
 use super::readers::caspr::{BODIES, CABLES, check};
-use super::support::property;
 use cdpr::robot::caspr::{self, Files, Options};
+use cdpr_testing::property;
 use proptest::prelude::*;
 
 /// One small damage to a file; positions are shares of its length.

@@ -4,12 +4,13 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
+use cdpr::calibration::fit::{self, optimal_parameters};
 use cdpr::equilibrium::{self, State, closed_form, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
-use cdpr::identification::fit::{self, optimal_parameters};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
-use cdpr::plant::{Command, Happening, Plant, Winches};
+use cdpr::plant::events::CableBreak;
+use cdpr::plant::{Command, Plant, Winches};
 use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::scalar::LaneTable;
@@ -178,7 +179,7 @@ fn a_reused_solver_of_any_method_allocates_nothing() {
     let matrices: Vec<_> = samples.poses.iter().map(|pose| model.structure_matrix(pose).unwrap()).collect();
     let lengths = [1.0, 1.0, 1.0, 0.8, 0.8, 0.8];
     for &method in Method::ALL {
-        for p in [1.0, 2.0, 3.0] {
+        for p in [1.0, 2.0, 3.0].into_iter().filter(|p| method.least_p().is_none_or(|least| least <= *p)) {
             let mut solver = tension::Solver::new(method, 8, 6);
             let mut previous = [4000.0; 8];
             let mut found = [0, 0];
@@ -265,8 +266,7 @@ fn a_repeated_batch_allocates_nothing() {
     let mut kinematic = forward_kinematics::Solver::new(&model, &forward_kinematics::Settings::default()).unwrap();
     let mut elastic = elastostatics::Solver::new(&model, &load, &elastostatics::Settings::default()).unwrap();
     let mut verdicts = feasibility::Solver::new(&model, &load, &limits).unwrap();
-    let (mut found, mut held) =
-        (forward_kinematics::batch::Solutions::default(), elastostatics::batch::Solutions::default());
+    let (mut found, mut held) = (cdpr::equilibrium::Solutions::default(), cdpr::equilibrium::Solutions::default());
     let mut answers = vec![false; samples.poses.len()];
     let mut work = || {
         poses.fill(&samples.poses);
@@ -319,15 +319,15 @@ fn a_step_in_time_allocates_nothing() {
             // cables go slack and taut
             state.set_twist(&Twist::new(0.5, -0.3, 0.2, 0.5, 0.8, -0.6));
         }
+        let commands = match winches {
+            Winches::Drums => Command::torques(&told),
+            _ => Command::lengths(&lengths),
+        };
         let work = || {
             for step in 0..20 {
-                let command = match winches {
-                    Winches::Drums => Command::Torques(&told),
-                    _ => Command::Lengths(&lengths),
-                };
-                plant.step(&mut state, &command, 1e-3).unwrap();
+                plant.step(&mut state, &commands, 1e-3).unwrap();
                 if step == 10 {
-                    plant.apply(&mut state, &Happening::CableBreak { cable: 1 });
+                    plant.apply(&mut state, &CableBreak { cable: 1 });
                 }
             }
         };

@@ -3,22 +3,24 @@
 //!
 //! Readers refuse most of these; programs that build a robot in memory do not pass through a reader.
 
-use super::support::{builtin, operate, property, simulator, with_pulleys};
+use super::support::{builtin, operate, simulator, with_pulleys};
+use cdpr::calibration::candidate::{Ladder, defaults};
+use cdpr::calibration::fit::Prior;
+use cdpr::calibration::selection::{self, select};
+use cdpr::calibration::{evaluate, fit};
+use cdpr::control::CommandedPose;
+use cdpr::control::simulate::simulate;
 use cdpr::equilibrium::{elastostatics, forward_kinematics, forward_statics};
 use cdpr::geometry::{Pose, Twist, Wrench};
-use cdpr::identification::candidate::{Ladder, defaults};
-use cdpr::identification::selection::{self, select};
-use cdpr::identification::{Prior, evaluate, fit};
 use cdpr::measurement::{Samples, SensorSigmas, Split};
-use cdpr::metamodel::accuracy::assess;
-use cdpr::metamodel::simulate::simulate;
-use cdpr::metamodel::study::CommandedPose;
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::Vector3;
 use cdpr::reading::Keyword;
 use cdpr::robot::{CableStiffness, ParameterKind, Robot};
 use cdpr::statics::{Load, Stiffness, balanced_wrench, controlled_lengths, section_wrench, split, wrench_residual};
+use cdpr::study::accuracy::assess;
 use cdpr::tension::{Limits, Method, Options, Reference, closed_form, quadratic, solve};
+use cdpr_testing::property;
 use proptest::prelude::*;
 
 /// Numbers that are usual, extreme or none.

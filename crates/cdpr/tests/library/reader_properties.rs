@@ -1,9 +1,10 @@
 //! Readers meet arbitrary bytes: they never panic, and what they accept is finite and comes back unchanged.
 
 use super::readers::{READERS, check_robot, mutated};
-use super::support::{builtin, property};
+use super::support::builtin;
 use cdpr::measurement::Samples;
 use cdpr::robot::{self, Robot};
+use cdpr_testing::property;
 use proptest::prelude::*;
 
 /// Damaged files by the number of their seed; `cargo run --release -p examples --bin mutate_readers` goes on from there.

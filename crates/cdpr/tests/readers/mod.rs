@@ -8,12 +8,12 @@ mod mutation;
 
 use std::sync::LazyLock;
 
+use cdpr::calibration::compensation::compensate;
 use cdpr::compensation::Compensation;
-use cdpr::identification::compensation::compensate;
 use cdpr::measurement::{Reading, Samples, Sidecar, Split};
-use cdpr::metamodel::Study;
 use cdpr::model::{Composition, Model};
 use cdpr::robot::{Robot, builtin};
+use cdpr::study::Study;
 #[allow(unused_imports, reason = "fuzz targets damage files themselves")]
 pub(crate) use mutation::mutated;
 

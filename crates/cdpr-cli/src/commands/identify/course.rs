@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use cdpr::identification::CourseStep;
-use cdpr::identification::fit::Fit;
+use cdpr_calibration::CourseStep;
+use cdpr_calibration::fit::Fit;
 use cdpr_reports::answers::CourseAnswer;
 use clap::Args;
 

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use cdpr::metamodel::InputError;
-use cdpr::metamodel::accuracy::Accuracy;
-use cdpr::metamodel::study::CommandedPose;
-use cdpr::model::Model;
+use cdpr_model::control::CommandedPose;
+use cdpr_model::control::InputError;
+use cdpr_model::model::Model;
+use cdpr_study::accuracy::Accuracy;
 use clap::Args;
 
 use crate::failure::Failure;

@@ -2,52 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::identification::fit::Fit;
-use cdpr::identification::{PathSettings, Penalty, PenaltyPath, Towards, penalty_path, propose_reduction};
-use cdpr::measurement::{Samples, Split};
-use cdpr::model::FreeParameters;
-use cdpr::reading::Keyword;
+use cdpr_calibration::fit::Fit;
+use cdpr_calibration::{PathSettings, PenaltyPath, penalty_path, propose_reduction};
+use cdpr_model::measurement::{Samples, Split};
 use cdpr_reports::answers::{PathAnswer, ReductionAnswer};
-use clap::Args;
 
+use super::options::PathArguments;
 use super::task::Task;
 use crate::failure::Failure;
-use crate::keyword::keyword;
 use cdpr_reports::comparison::DataDivision;
 
 /// Parts that take turns where neither a split nor other data are named.
 const PARTS: usize = 5;
 
-/// Options of a path.
-#[derive(Clone, Debug, Args)]
-pub(super) struct PathArguments {
-    /// Follow a penalty on the free parameters from one that holds them all down to none: ridge, lasso (parameters leave one by one) or group-lasso
-    /// (whole anchors leave). λ is chosen by cross-validation with the rule of one standard error, on --split, --validation or five blocks.
-    #[arg(long, value_name = "PENALTY", value_parser = keyword::<Penalty>())]
-    path: Option<Penalty>,
-
-    /// Values from which changes are penalised: those of the file, or zero (ratios: one).
-    #[arg(long, value_name = "CENTRE", default_value = Towards::default().name(), value_parser = keyword::<Towards>(), requires = "path")]
-    towards: Towards,
-
-    /// Free parameters that the penalty acts on, e.g. platform-anchor. Default: all.
-    #[arg(long, value_name = "LIST", default_value = "", hide_default_value = true, requires = "path")]
-    shrink: FreeParameters,
-
-    /// Figure of the path to write (SVG): parameters and held-out error over λ.
-    #[arg(long, value_name = "FILE", requires = "path")]
-    path_figure: Option<PathBuf>,
-
-    /// Robot file at the chosen λ to write; `--out` is that of λ = 0, the fit.
-    #[arg(long, value_name = "FILE", requires = "path")]
-    out_path: Option<PathBuf>,
-
-    /// Robot file of the smaller model to write that the rank, the noise of orientations or the path show.
-    #[arg(long, value_name = "FILE")]
-    out_reduced: Option<PathBuf>,
-}
-
-/// What the options ask for, with the files to write.
+/// Answers that the options ask for, with the files to write.
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) path: Option<PathAnswer>,
@@ -109,10 +77,6 @@ fn division(task: &Task<'_>, other: Option<&Samples>) -> Result<DataDivision, Fa
 }
 
 impl PathArguments {
-    pub(super) fn is_asked(&self) -> bool {
-        self.path.is_some() || self.out_reduced.is_some()
-    }
-
     /// Follows the path that is asked for, if any.
     fn follow(
         &self,

@@ -1,9 +1,9 @@
 //! The report of an identification: that of a comparison with the model as given.
 
-use cdpr::identification::Candidate;
-use cdpr::identification::selection::{SelectionCriterion, Settings, Warnings, select, select_without_poses};
-use cdpr::measurement::{Fold, InternalSamples, Samples};
-use cdpr::model::FreeParameters;
+use cdpr_calibration::Candidate;
+use cdpr_calibration::selection::{SelectionCriterion, Settings, Warnings, select, select_without_poses};
+use cdpr_model::measurement::{Fold, InternalSamples, Samples};
+use cdpr_model::model::FreeParameters;
 
 use super::task::Task;
 use crate::command_line;

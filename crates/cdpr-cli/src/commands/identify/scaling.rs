@@ -2,41 +2,13 @@
 
 use std::path::PathBuf;
 
-use cdpr::identification::fit::{Fit, InputError, RowWeights, Settings};
-use cdpr::identification::{KindScale, condition_map, conditioning, scaled_kind};
+use cdpr_calibration::fit::{Fit, InputError};
+use cdpr_calibration::{KindScale, condition_map, conditioning, scaled_kind};
 use cdpr_reports::answers::ScalingAnswer;
-use clap::Args;
 
+use super::options::ScalingArguments;
 use super::task::Task;
 use crate::failure::Failure;
-
-/// Options of scales and weights.
-#[derive(Clone, Debug, Args)]
-pub(super) struct ScalingArguments {
-    /// Tell the condition of the Jacobian with parameters counted in these units (SI), e.g. compliance=1e-6,wrench=1e3, or in those of the least condition
-    /// (auto), and what makes it large. axial-stiffness counts compliances by 1/compliance. The fit does not depend on it.
-    #[arg(long, value_name = "NAME=UNIT,…|auto", value_delimiter = ',')]
-    scale: Vec<String>,
-
-    /// Weights of the rows of an elastic model in place of accuracies: length=W (1/m), wrench=W (1/N). Poses and tensions count as exact.
-    #[arg(long, value_name = "NAME=WEIGHT,…")]
-    row_weight: Option<RowWeights>,
-
-    /// Map of the condition over the units of two kinds (SVG), e.g. compliance,wrench map.svg.
-    #[arg(long, value_names = ["A,B", "FILE"], num_args = 2)]
-    condition_map: Option<Vec<String>>,
-}
-
-impl ScalingArguments {
-    pub(super) fn is_asked(&self) -> bool {
-        !self.scale.is_empty() || self.row_weight.is_some() || self.condition_map.is_some()
-    }
-
-    /// Settings of a fit with these weights.
-    pub(super) fn of(&self, settings: Settings) -> Settings {
-        Settings { row_weights: self.row_weight, ..settings }
-    }
-}
 
 /// Answer and file of what the options ask for.
 pub(super) type Found = (Option<ScalingAnswer>, Option<(PathBuf, Vec<u8>)>);

@@ -2,56 +2,25 @@
 
 use std::process::ExitCode;
 
-use cdpr::error_code::ErrorCode;
-use cdpr::identification::{
-    Comparison, GaugeConvention, Loss, Objective, SelfCalibration, cross_validate, evaluate_lengths, self_calibrate,
+use cdpr_calibration::{
+    Comparison, Loss, Objective, SelfCalibration, cross_validate, evaluate_lengths, self_calibrate,
 };
-use cdpr::measurement::{Fold, InternalSamples, Known, Split};
-use cdpr::model::Model;
-use cdpr::reading::Keyword;
+use cdpr_model::measurement::{Fold, InternalSamples, Split};
+use cdpr_model::model::Model;
+use cdpr_model::reading::ErrorCode;
 use cdpr_reports::answers::{PoselessJudgement, SelfCalibrationAnswer};
-use clap::Args;
 
+use super::options::FrameArguments;
 use super::task::Task;
 use super::{Arguments, report};
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
-use crate::keyword::keyword;
 use crate::measurements::{BY_REGIONS, NO_OUTLIER, NO_POSE, refuse_without_poses};
 use crate::progress::Progress;
 
-/// Convention for the frame of a robot whose poses nobody measured, facts known of it, and a robot to compare with.
-#[derive(Debug, Args)]
-pub(super) struct FrameArguments {
-    /// Convention that fixes what data without poses leave free: anchors holds coordinates at the file's values, least-change keeps all anchors as near to the
-    /// file's as the data let them be, known refuses data that leave a motion free.
-    #[arg(long, value_name = "GAUGE", default_value = GaugeConvention::default().name(), value_parser = keyword::<GaugeConvention>())]
-    pub(super) gauge: GaugeConvention,
-
-    /// Fact known besides samples without poses: distance[1,2]=2.412, length[1]=1.597 (where changes count from), plane[1,2,3,4], wall-x[1,2], wall-y[1,2],
-    /// level[1,2,3], equal-drum-radius[1,2]; each with a standard deviation in metres, e.g. distance[1,2]=2.412+-0.002 (without: 1 mm). May be repeated.
-    #[arg(long, value_name = "FACT")]
-    known: Vec<Known>,
-
-    /// Robot whose frame anchors the calibrated ones are compared with, after the motion that brings them together best (Procrustes).
-    #[arg(long, value_name = "ROBOT")]
-    compare: Option<String>,
-}
-
 impl FrameArguments {
-    /// The first of them that is asked for.
-    pub(super) fn asked(&self) -> Option<&'static str> {
-        [
-            ("--gauge", self.gauge != GaugeConvention::default()),
-            ("--known", !self.known.is_empty()),
-            ("--compare", self.compare.is_some()),
-        ]
-        .into_iter()
-        .find_map(|(option, is_asked)| is_asked.then_some(option))
-    }
-
     /// The anchors beside those of the other robot.
     fn comparison(&self, found: &SelfCalibration) -> Result<Option<Comparison>, Failure> {
         let Some(name) = &self.compare else { return Ok(None) };

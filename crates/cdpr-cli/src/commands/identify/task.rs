@@ -1,15 +1,16 @@
 //! One identification: its fits, and errors on data that they saw and did not see.
 
-use cdpr::identification::fit::{self, Fit, descent_count, fit_observed};
-use cdpr::identification::selection::Warnings;
-use cdpr::identification::{
-    CourseStep, DoubtKind, Driven, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning,
-    compare_objectives, course, evaluate_fitted, frame_warning,
+use cdpr_calibration::fit::{self, Fit, descent_count, fit_observed};
+use cdpr_calibration::selection::Warnings;
+use cdpr_calibration::{
+    CourseStep, DoubtKind, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, course,
+    evaluate_fitted, frame_warning,
 };
-use cdpr::measurement::{Samples, Split};
-use cdpr::model::Model;
-use cdpr::robot::ParameterKind;
+use cdpr_model::measurement::{Samples, Split};
+use cdpr_model::model::Model;
+use cdpr_model::robot::ParameterKind;
 use cdpr_reports::answers::{self, IdentificationAnswer, ObjectiveAnswer};
+use cdpr_study::{Driven, compare_objectives};
 
 use super::Arguments;
 use super::driving::Drive;
@@ -193,7 +194,7 @@ impl Task<'_> {
         })
     }
 
-    /// What the validation errors are of.
+    /// Data of the validation errors.
     pub(super) fn validation_name(&self) -> Option<String> {
         let Arguments { validation, split, .. } = self.arguments;
         let file = validation.as_ref().map(|path| path.display().to_string());

@@ -2,15 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::geometry::Pose;
-use cdpr::identification::fit::{Fit, profiles};
-use cdpr::identification::resampled;
-use cdpr::measurement::Samples;
-use cdpr::model::Model;
+use cdpr_calibration::fit::{Fit, profiles};
+use cdpr_calibration::resampled;
+use cdpr_model::geometry::Pose;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
 use cdpr_reports::NamedFile;
 use cdpr_reports::answers::UncertaintyAnswer;
-use clap::Args;
 
+use super::options::UncertaintyArguments;
 use super::task::Task;
 use crate::failure::Failure;
 use crate::files;
@@ -19,28 +19,7 @@ use crate::files;
 const PLACES: [usize; 3] = [9, 9, 3];
 const BEYOND: f64 = 0.25;
 
-/// Options of profiles and bootstrap.
-#[derive(Clone, Debug, Args)]
-pub(super) struct UncertaintyArguments {
-    /// Profiles over these parameters, the others held and refitted, with 95 % intervals of the profile likelihood: a kind
-    /// (`compliance`), a cable's (`frame-anchor[1]`), one number (`frame-anchor[1].x`), or `all`.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',', conflicts_with = "split")]
-    profile: Vec<String>,
-
-    /// Standard deviations by a bootstrap of so many data sets of blocks of consecutive samples, beside the linear ones.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(10..=100_000), conflicts_with = "split")]
-    bootstrap: Option<u32>,
-
-    /// Folder for tables and figures: profiles, bootstrap, and maps of the deviation of the pose that the calibrated model drives to.
-    #[arg(long, value_name = "DIR", conflicts_with = "split")]
-    uncertainty: Option<PathBuf>,
-}
-
 impl UncertaintyArguments {
-    pub(super) fn is_asked(&self) -> bool {
-        !self.profile.is_empty() || self.bootstrap.is_some() || self.uncertainty.is_some()
-    }
-
     /// Writes the folder, where one is asked for.
     pub(super) fn write(&self, all: &[NamedFile]) -> Result<(), Failure> {
         let Some(folder) = &self.uncertainty else { return Ok(()) };
@@ -81,7 +60,7 @@ impl UncertaintyArguments {
 /// Profiles, deviations and bands that the options ask for.
 pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<UncertaintyAnswer, Failure> {
     let options = &task.arguments.uncertainty;
-    let refused = |error: cdpr::identification::fit::InputError| Failure::refused(&task.arguments.data.name(), &error);
+    let refused = |error: cdpr_calibration::fit::InputError| Failure::refused(&task.arguments.data.name(), &error);
     let (settings, samples) = (task.settings(), task.samples);
     let chosen = options.chosen(fit)?;
     let profiles = profiles(task.model, samples, (fit, &settings), &chosen).map_err(refused)?;

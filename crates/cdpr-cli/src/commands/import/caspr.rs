@@ -3,14 +3,15 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use cdpr::reading::Size;
-use cdpr::robot::caspr::{Files, Finding, Import, Loss, Options, import};
+use cdpr_model::reading::Size;
+use cdpr_model::robot::caspr::{Files, Finding, Import, Loss, Options, import};
 use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 use crate::files;
+use crate::numbers::Unreadable;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -52,9 +53,9 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-fn one_word(text: &str) -> Result<String, String> {
+fn one_word(text: &str) -> Result<String, Unreadable> {
     let is_word = !text.is_empty() && !text.contains(char::is_whitespace);
-    if is_word { Ok(text.to_owned()) } else { Err("a name is one word; use hyphens for spaces".to_owned()) }
+    if is_word { Ok(text.to_owned()) } else { Err("a name is one word; use hyphens for spaces".into()) }
 }
 
 #[derive(Serialize)]
@@ -63,9 +64,9 @@ struct Imported {
     motion_pattern: &'static str,
     out: String,
     taken: Taken,
-    /// What acts in CASPR and is not in the robot.
+    /// Forces and parts that act in CASPR and are not in the robot.
     refused: Vec<Finding>,
-    /// What was taken in part, or does not act.
+    /// Parts that were taken incompletely, or do not act.
     reported: Vec<Finding>,
     warnings: Vec<String>,
 }
@@ -106,7 +107,7 @@ impl Imported {
     fn new(import: Import, out: String) -> Self {
         let (refused, reported) = import.findings.into_iter().partition(|finding| finding.loss == Loss::LeftOut);
         let robot = import.robot;
-        let count = |has: fn(&cdpr::robot::Cable) -> bool| robot.cables.iter().filter(|cable| has(cable)).count();
+        let count = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().filter(|cable| has(cable)).count();
         Self {
             motion_pattern: robot.motion_pattern.name(),
             taken: Taken {

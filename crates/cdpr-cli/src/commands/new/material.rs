@@ -1,7 +1,7 @@
 //! Files that come with the command: templates of robots and the studies of the book.
 
-use cdpr::reading::ReadError;
-use cdpr::robot::Robot;
+use cdpr_model::reading::ReadError;
+use cdpr_model::robot::Robot;
 
 /// A file with its path in the folder that it is written to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use cdpr::metamodel::Study;
-use cdpr::metamodel::sweep::{Row, Subjects, Sweep};
-use cdpr::reading::Size;
-use cdpr::robot::Robot;
+use cdpr_model::reading::Size;
+use cdpr_model::robot::Robot;
+use cdpr_study::Study;
+use cdpr_study::sweep::{Row, Subjects, Sweep};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use cdpr::metamodel::sweep::Row;
 use cdpr_reports::answers::Answer;
 use cdpr_reports::cost_result::CostResult;
 use cdpr_reports::sweep_result::SweepResult;
+use cdpr_study::sweep::Row;
 
 use super::folder::{Plan, RowFile};
 use crate::answer::Output;

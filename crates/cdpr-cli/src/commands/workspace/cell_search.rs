@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use cdpr::workspace::grid::{Count, Grid};
-use cdpr::workspace::refine::{Search, step_after};
-use cdpr::workspace::{Cells, Point, Region};
+use cdpr_workspace::grid::{Count, Grid};
+use cdpr_workspace::refine::{Search, step_after};
+use cdpr_workspace::{Cells, Point, Region};
 
 use super::counting;
 use super::question::Question;

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cdpr::reading::Size;
-use cdpr::workspace::grid::{Count, Grid};
-use cdpr::workspace::{Cells, Region};
+use cdpr_model::reading::Size;
+use cdpr_workspace::grid::{Count, Grid};
+use cdpr_workspace::{Cells, Region};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

@@ -1,10 +1,10 @@
 //! The orientations that count.
 
-use cdpr::geometry::MotionPattern;
-use cdpr::model::Model;
-use cdpr::nalgebra::UnitQuaternion;
-use cdpr::workspace::{Archetype, WorkspaceError};
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::model::Model;
+use cdpr_workspace::{Archetype, WorkspaceError};
 use clap::{Args, ValueEnum};
+use nalgebra::UnitQuaternion;
 
 use crate::failure::Failure;
 use crate::numbers::NumberList;

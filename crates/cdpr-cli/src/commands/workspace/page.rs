@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cdpr::reading::Size;
+use cdpr_model::reading::Size;
 
 use super::Arguments;
 use crate::failure::Failure;

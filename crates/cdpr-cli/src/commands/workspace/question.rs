@@ -1,13 +1,13 @@
-//! What is asked: robot, criteria, orientations and box.
+//! The question: robot, criteria, orientations and box.
 
-use cdpr::geometry::Pose;
-use cdpr::model::Model;
-use cdpr::statics::Load;
-use cdpr::tension::Limits;
-use cdpr::workspace::criterion::registry::{self, CriterionRequest, Setting};
-use cdpr::workspace::hull::{self, Center};
-use cdpr::workspace::refine::Goal;
-use cdpr::workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Limits;
+use cdpr_workspace::criterion::registry::{self, CriterionRequest, Setting};
+use cdpr_workspace::hull::{self, Center};
+use cdpr_workspace::refine::Goal;
+use cdpr_workspace::{Archetype, Bounds, Criterion, Point, Region, WorkspaceError};
 
 use super::{Arguments, Method};
 use crate::failure::Failure;
@@ -93,7 +93,7 @@ impl<'a> Question<'a> {
         Ok(())
     }
 
-    /// Where rays start: the point given, the home pose where it belongs to the region, or the middle of a coarse grid.
+    /// Point from which rays start: the one given, the home pose where it belongs to the region, or the middle of a coarse grid.
     pub(super) fn center(&self, region: &Region<'_>) -> Result<Center, Failure> {
         if let Some(pose) = &self.given {
             return Ok(Center::At(region.point(&pose.position)));

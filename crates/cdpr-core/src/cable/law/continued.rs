@@ -2,7 +2,6 @@
 
 use super::{CableLaw, Kind};
 use crate::cable::elasticity::Tension;
-use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Memory;
 
 /// Newton steps and halvings of the strain; a stiffening law in series with a compliance takes about six.
@@ -55,19 +54,5 @@ impl CableLaw {
         let (value, slope) = self.stretch.tension(strain, memory)?;
         let by_length = slope / (series * slope + unstrained);
         Some(Tension { value, by_length, by_controlled_length: -by_length * (1.0 + strain) })
-    }
-}
-
-impl Stretch {
-    /// T(ε) and ∂T/∂ε (N), from a memory or that of the law; nothing for cables that keep their length.
-    #[inline]
-    pub fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
-        match self {
-            Self::Rigid => None,
-            Self::Linear(compliance) if *compliance == 0.0 => None,
-            Self::Linear(compliance) => Some((strain / compliance, 1.0 / compliance)),
-            Self::Polynomial(law) => Some(law.tension(strain)),
-            Self::Hysteresis(law, own) => Some(law.tension(strain, memory.unwrap_or(own))),
-        }
     }
 }

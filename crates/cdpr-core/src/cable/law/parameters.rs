@@ -3,6 +3,7 @@
 use super::matrix4::Matrix4;
 use super::{CableLaw, Kind};
 use crate::cable::elasticity::StiffnessBasis;
+use crate::cable::span::Shape;
 use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Motion;
@@ -19,6 +20,8 @@ pub enum LawParameter {
     Compliance,
     /// q_h (m).
     HiddenLength,
+    /// Number of the law of stretch, counted from 0.
+    Stretch(usize),
 }
 
 /// Change of a cable per unit of a parameter, at fixed platform anchor and tension at the outlet.
@@ -39,7 +42,7 @@ impl CableLaw {
                 let path = self.path(state.end.anchor);
                 let side = Self::chord(&path).map_or(1.0, |chord| chord.side);
                 let evaluation = self.evaluate(shape, &state.span, side);
-                let (end, length) = self.sagging_change(state, parameter, side);
+                let (end, length) = self.sagging_change(shape, state, parameter, side);
                 self.held_change(state, &evaluation.by_state, end, length)
             }
             (_, LawParameter::PulleyRadius) => match self.outlet.pulley() {
@@ -74,12 +77,18 @@ impl CableLaw {
                 );
                 length_change(match parameter {
                     LawParameter::Compliance => controlled.by_compliance,
-                    _ => controlled.by_hidden_length,
+                    LawParameter::HiddenLength => controlled.by_hidden_length,
+                    _ => 0.0,
                 })
             }
             (Kind::Stretching, LawParameter::HiddenLength) => {
                 let (strain, _) = self.stretch.strain(state.outlet_tension);
                 length_change(1.0 / (1.0 + strain) - 1.0)
+            }
+            (Kind::Stretching, LawParameter::Stretch(number)) => {
+                let (strain, _) = self.stretch.strain(state.outlet_tension);
+                let by_number = self.stretch.strain_by_number(state.outlet_tension, number);
+                length_change(-(state.controlled_length + self.hidden_length) / (1.0 + strain) * by_number)
             }
             (Kind::Rigid | Kind::Linear(..) | Kind::Stretching, _) => length_change(0.0),
         }
@@ -93,7 +102,7 @@ impl CableLaw {
     }
 
     /// Changes of end and controlled length at a fixed state.
-    fn sagging_change(&self, cable: &CableState, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
+    fn sagging_change(&self, shape: Shape, cable: &CableState, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
         let state = &cable.span;
         let frame = self.frame_end(state, side);
         let ratio = frame.ratio;
@@ -115,6 +124,11 @@ impl CableLaw {
                 (scale(state.length, middle), -frame.outside * ratio * ratio * cable.outlet_tension)
             }
             (LawParameter::HiddenLength, _) => ([0.0; 3], ratio - 1.0),
+            (LawParameter::Stretch(number), _) => {
+                let by_number = self.stretch.strain_by_number(cable.outlet_tension, number);
+                let end = shape.by_stretch_number(state, self.weight, &self.stretch, number);
+                (end, -frame.outside * ratio * ratio * by_number)
+            }
         }
     }
 

@@ -12,7 +12,8 @@ use super::{Change, State};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale};
 
-fn node(element: usize, count: usize) -> Node {
+/// The middle of an element, with its share of the length.
+pub(super) fn node(element: usize, count: usize) -> Node {
     let share = 1.0 / count as f64;
     Node { at: (element as f64 + 0.5) * share, weight: share }
 }

@@ -53,4 +53,16 @@ impl Shape {
             Self::FiniteElements(count) => finite_elements::with_derivatives(state, weight, stretch, count, changes),
         }
     }
+
+    /// ∂S/∂p at a fixed state by a number of the law of stretch, counted from 0.
+    pub fn by_stretch_number(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch, number: usize) -> [f64; 3] {
+        let change = |tension| stretch.strain_by_number(tension, number);
+        match self {
+            Self::Catenary => stretched::by_number(stretched::nodes(stretch).iter().copied(), state, weight, change),
+            Self::FiniteElements(count) => {
+                let nodes = (0..count).map(|element| finite_elements::node(element, count));
+                stretched::by_number(nodes, state, weight, change)
+            }
+        }
+    }
 }

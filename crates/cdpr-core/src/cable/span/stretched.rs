@@ -24,7 +24,8 @@ const GAUSS: [Node; 3] = [
 /// The middle, which is exact for linear laws and the one point of laws with a memory.
 const MIDDLE: [Node; 1] = [Node { at: 0.5, weight: 1.0 }];
 
-fn nodes(stretch: &Stretch) -> &'static [Node] {
+/// Points of the sum along a whole span.
+pub(super) fn nodes(stretch: &Stretch) -> &'static [Node] {
     match stretch.is_pointwise() {
         true => &GAUSS,
         false => &MIDDLE,
@@ -59,6 +60,20 @@ pub(super) fn along_chord_derivative(
         let tau = at(state.force, state.length, weight, node);
         let (e, slope) = stretch.secant_compliance(dot(tau, tau).sqrt());
         add(sum, node_derivative(state, weight, node, change, (e, slope)))
+    })
+}
+
+/// ∫ e(|τ|) τ/|τ| ds at these nodes, with e the change of the strain at a tension.
+pub(super) fn by_number(
+    nodes: impl Iterator<Item = Node>,
+    state: &State<f64>,
+    weight: [f64; 3],
+    strain_change: impl Fn(f64) -> f64,
+) -> [f64; 3] {
+    nodes.fold([0.0; 3], |sum, node| {
+        let tau = at(state.force, state.length, weight, &node);
+        let tension = dot(tau, tau).sqrt();
+        add(sum, scale(node.weight * state.length * strain_change(tension) / tension, tau))
     })
 }
 

@@ -3,15 +3,19 @@
 //! Each law rises strictly, so every tension has one strain. Below strain 0 and beyond its end each goes on straight,
 //! so that iterations may pass through any number. Strain is the lengthening divided by the length it is counted from,
 //! dimensionless.
+//!
+//! A law is a file with its formula, a variant of [`Stretch`], and a line in its method `answer`.
 
 pub mod hysteresis;
 mod inverse;
+mod law;
 pub mod polynomial;
 mod table;
 
 pub use table::Table;
 
 use hysteresis::{Hysteresis, Memory};
+use law::{Inextensible, IsPointwise, Law, Proportional, Question, SecantCompliance, Strain, StrainByNumber, Tension};
 use polynomial::Polynomial;
 
 /// The stretch of a piece of cable by its unstrained length, at a memory where it has one. Immutable, and copied without allocation:
@@ -28,10 +32,39 @@ pub enum Stretch {
     Hysteresis(Hysteresis, Memory),
 }
 
-/// Tension below which ε(T)/T is taken as its limit (N).
-const TINY_TENSION: f64 = 1e-9;
+/// A law with a memory, and where that led to.
+struct Remembering<'a> {
+    law: &'a Hysteresis,
+    memory: &'a Memory,
+}
+
+impl Law for Remembering<'_> {
+    // one strain for a piece of cable, since it has one memory
+    const IS_POINTWISE: bool = false;
+
+    #[inline(always)]
+    fn strain(&self, tension: f64) -> (f64, f64) {
+        self.law.strain(tension, self.memory)
+    }
+
+    #[inline(always)]
+    fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
+        Some(self.law.tension(strain, memory.unwrap_or(self.memory)))
+    }
+}
 
 impl Stretch {
+    /// Answer of the law to a question: the one place that names every law.
+    #[inline(always)]
+    fn answer<Q: Question>(&self, question: Q) -> Q::Answer {
+        match self {
+            Self::Rigid => question.put(&Inextensible),
+            Self::Linear(compliance) => question.put(&Proportional(*compliance)),
+            Self::Polynomial(law) => question.put(law),
+            Self::Hysteresis(law, memory) => question.put(&Remembering { law, memory }),
+        }
+    }
+
     /// True when cables keep their length.
     #[inline]
     pub fn is_rigid(&self) -> bool {
@@ -41,33 +74,31 @@ impl Stretch {
     /// True when the strain at a point of the cable follows from the tension there, and not linearly.
     #[inline]
     pub fn is_pointwise(&self) -> bool {
-        matches!(self, Self::Polynomial(_))
+        self.answer(IsPointwise)
     }
 
     /// ε(T) and ∂ε/∂T (1/N).
     #[inline(always)]
     pub fn strain(&self, tension: f64) -> (f64, f64) {
-        match self {
-            Self::Rigid => (0.0, 0.0),
-            Self::Linear(compliance) => (compliance * tension, *compliance),
-            Self::Polynomial(law) => law.strain(tension),
-            Self::Hysteresis(law, memory) => law.strain(tension, memory),
-        }
+        self.answer(Strain(tension))
+    }
+
+    /// T(ε) and ∂T/∂ε (N), from a memory or that of the law; `None` for cables that keep their length.
+    #[inline]
+    pub fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
+        self.answer(Tension(strain, memory))
     }
 
     /// ε(T)/T (1/N) and its derivative.
     #[inline(always)]
     pub fn secant_compliance(&self, tension: f64) -> (f64, f64) {
-        match self {
-            Self::Rigid => (0.0, 0.0),
-            Self::Linear(compliance) => (*compliance, 0.0),
-            _ if tension < TINY_TENSION => (self.strain(0.0).1, 0.0),
-            _ => {
-                let (strain, slope) = self.strain(tension);
-                let secant = strain / tension;
-                (secant, (slope - secant) / tension)
-            }
-        }
+        self.answer(SecantCompliance(tension))
+    }
+
+    /// ∂ε/∂p at fixed tension by a number of the law, counted from 0; 0 for a number that it does not have.
+    #[inline]
+    pub fn strain_by_number(&self, tension: f64, number: usize) -> f64 {
+        self.answer(StrainByNumber(tension, number))
     }
 
     /// Memory of the cable after a monotone motion to this tension (N); nothing for laws without one.

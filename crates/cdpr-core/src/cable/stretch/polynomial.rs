@@ -4,7 +4,9 @@
 //! c₁ is the stiffness at zero tension (N), and with it alone the law is the linear one with E·A = c₁.
 
 use super::Table;
+use super::hysteresis::Memory;
 use super::inverse::strain_of_tension;
+use super::law::Law;
 use crate::scalar::Select;
 
 /// A polynomial that rises from strain 0 to its end, and goes on straight on both sides with the slopes there.
@@ -61,5 +63,19 @@ impl Polynomial {
         let (strain, slope) = strain_of_tension(tension.max(zero), start, 1e-8, |strain| self.tension(strain));
         let pushes = tension.is_less(zero);
         ((tension * at_zero).select(pushes, strain), at_zero.select(pushes, one / slope))
+    }
+}
+
+impl Law for Polynomial {
+    const IS_POINTWISE: bool = true;
+
+    #[inline(always)]
+    fn strain(&self, tension: f64) -> (f64, f64) {
+        self.strain(tension)
+    }
+
+    #[inline(always)]
+    fn tension(&self, strain: f64, _: Option<&Memory>) -> Option<(f64, f64)> {
+        Some(self.tension(strain))
     }
 }

@@ -5,8 +5,8 @@ use num_dual::DualVec;
 use proptest::prelude::*;
 
 use super::*;
-use crate::property;
 use crate::scalar::rotate;
+use cdpr_testing::property;
 
 /// Derivatives by the platform anchor.
 type Dual = DualVec<f64, Const<3>>;

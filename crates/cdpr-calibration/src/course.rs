@@ -1,0 +1,94 @@
+//! Course of a fit: parameters, residuals and condition at every step (Figs. 4.13–4.15, 6.7, 6.20).
+
+use serde::Serialize;
+
+use super::evaluation::evaluate_fitted;
+use super::fit::{Fit, InputError, Settings};
+use super::identifiability::{rank_and_condition, singular_values, with_unit_columns};
+use super::objective::Objective;
+use super::plain_rows::{PlainRows, RowKind};
+use super::worth::joint_worths;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
+use cdpr_model::robot::Parameter;
+use cdpr_model::scalar::TriangularFactor;
+use cdpr_model::solve::minimizer;
+
+/// A step of a fit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CourseStep {
+    /// Values of the free parameters after the step, in their order (SI).
+    pub values: Vec<f64>,
+    /// Largest change of a parameter by the step in metres of cable, the measure of the step rule; `None` at the start.
+    pub step_m: Option<f64>,
+    /// Root mean square of the length rows (m).
+    pub length_rms_m: f64,
+    /// The same of the force rows (N); `None` of rigid models.
+    #[serde(rename = "force_rms_N")]
+    pub force_rms: Option<f64>,
+    /// The same of the moment rows (N·m); `None` of rigid models and where nothing turns.
+    #[serde(rename = "moment_rms_Nm")]
+    pub moment_rms: Option<f64>,
+    /// Root mean square of the predicted position error (m), where predicted poses are made small.
+    pub position_rms_m: Option<f64>,
+    /// Rank of the rows' Jacobian.
+    pub rank: usize,
+    /// κ of the rows' Jacobian in SI units (eq. 4.23), rows by their weights.
+    pub condition: f64,
+    /// κ with columns of length one.
+    pub condition_scaled: f64,
+}
+
+/// Course of a fit that kept it, from the start to the optimum; empty of one that did not ([`Settings::keeps_course`]) or had nothing to find.
+///
+/// `samples` and settings are those of the fit. Outliers of a robust loss are left out of the residuals. Cables that are identified apart step side by
+/// side, of several starts each has the way from its best one.
+pub fn course(samples: &Samples, (fit, settings): (&Fit, &Settings)) -> Result<Vec<CourseStep>, InputError> {
+    let samples = fit.as_fitted(samples).subset(&fit.trusted_samples(samples.len()));
+    let parameters: Vec<Parameter> = fit.parameters.iter().map(|estimate| estimate.parameter).collect();
+    let mut places = fit.trail.places().to_vec();
+    if places.is_empty() || parameters.is_empty() {
+        return Ok(Vec::new());
+    }
+    // the last step is taken without asking what it helped
+    places.push(fit.parameters.iter().map(|estimate| estimate.value).collect());
+    places.dedup();
+    let tensions = samples.tensions.as_deref().unwrap_or_default();
+    let worths = joint_worths(&fit.model, &parameters, &samples.lengths, tensions);
+    let mut steps: Vec<CourseStep> = Vec::with_capacity(places.len());
+    for values in places {
+        let model = fit.model.with_parameters(&parameters, &values).ok_or(InputError::NotFinite)?;
+        let changes = steps.last().map(|before| values.iter().zip(&before.values).map(|(now, before)| now - before));
+        let step_m = changes.map(|changes| minimizer::size(&changes.collect::<Vec<f64>>(), &worths));
+        let recorded = model.with_lengths(&samples)?;
+        steps.push(step((&model, &parameters), &recorded, settings, (values, step_m))?);
+    }
+    Ok(steps)
+}
+
+/// Step to these values.
+fn step(
+    (model, parameters): (&Model, &[Parameter]),
+    samples: &Samples,
+    settings: &Settings,
+    (values, step_m): (Vec<f64>, Option<f64>),
+) -> Result<CourseStep, InputError> {
+    let rows = PlainRows::of(model, samples, parameters, settings.row_weights.unwrap_or_default())?;
+    let errors = if settings.objective == Objective::Length { None } else { evaluate_fitted(model, samples).ok() };
+    let (length, force, moment) = (rows.rms(RowKind::Length), rows.rms(RowKind::Force), rows.rms(RowKind::Moment));
+    let count = rows.jacobian.nrows();
+    let factor = TriangularFactor::of(&rows.jacobian).into_matrix();
+    let (rank, condition) = rank_and_condition(&singular_values(factor.clone()), count);
+    let (_, condition_scaled) = rank_and_condition(&singular_values(with_unit_columns(factor)), count);
+    Ok(CourseStep {
+        values,
+        step_m,
+        length_rms_m: length.unwrap_or(f64::NAN),
+        force_rms: force,
+        moment_rms: moment,
+        position_rms_m: errors.map(|errors| errors.blocks().position_error_m.rms),
+        rank,
+        condition,
+        condition_scaled,
+    })
+}

@@ -1,0 +1,105 @@
+//! Questions that a fit asks of its model and samples before and after.
+
+use super::input_error::InputError;
+use super::settings::{Settings, prior_sigma};
+use crate::elastostatic;
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::robot::Parameter;
+use cdpr_model::solve::not_positive;
+
+/// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
+/// without tensions, cable by cable.
+pub(crate) fn explains_tensions(model: &Model) -> bool {
+    model.needs_tensions()
+}
+
+/// The free parameters, where model, samples and settings allow a fit of them.
+pub(crate) fn checked_parameters(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+) -> Result<Vec<Parameter>, InputError> {
+    check_question(model, samples, settings)?;
+    let parameters = free.parameters(model, &settings.hold)?;
+    check_motor_angles(&parameters, samples)?;
+    check_rows(model, samples, &parameters, settings)?;
+    Ok(parameters)
+}
+
+/// Refuses settings that mean nothing, and samples that are none of the model's.
+pub(crate) fn check_question(model: &Model, samples: &Samples, settings: &Settings) -> Result<(), InputError> {
+    let positive = [("tolerance", settings.tolerance), ("weak_direction_limit", settings.weak_direction_limit)];
+    if let Some((name, value)) = not_positive(positive) {
+        return Err(InputError::Setting { name, value });
+    }
+    if settings.row_weights.is_some() && (!explains_tensions(model) || settings.is_other_objective()) {
+        let words = if explains_tensions(model) { "another objective" } else { "the lengths of rigid cables" };
+        return Err(InputError::RowWeightCost { words: words.to_owned() });
+    }
+    if samples.is_empty() {
+        return Err(InputError::NoSamples);
+    }
+    let (robot, data) = (model.cable_count(), samples.cable_count);
+    if robot != data {
+        return Err(InputError::CableCount { robot, data });
+    }
+    Ok(())
+}
+
+/// Refuses parameters of drums where no motor angles are recorded.
+pub(crate) fn check_motor_angles(parameters: &[Parameter], samples: &Samples) -> Result<(), InputError> {
+    let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
+    if let Some(kind) = of_drum.filter(|_| samples.motor_angles.is_none()) {
+        return Err(InputError::NoMotorAngles { kind });
+    }
+    Ok(())
+}
+
+/// Refuses more parameters than rows at measured poses.
+fn check_rows(
+    model: &Model,
+    samples: &Samples,
+    parameters: &[Parameter],
+    settings: &Settings,
+) -> Result<(), InputError> {
+    let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
+    if explains_tensions(model) {
+        let (rows, count) =
+            (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
+        return match count > rows {
+            true => Err(InputError::TooFewRows { parameters: count, rows, samples: samples.len() }),
+            false => Ok(()),
+        };
+    }
+    for cable in 0..model.cable_count() {
+        let without_prior = |p: &&Parameter| p.cable == cable && prior_sigma(settings, p.kind).is_none();
+        let count = parameters.iter().filter(without_prior).count();
+        if count > samples.len() {
+            return Err(InputError::TooFewSamples { cable: cable + 1, parameters: count, samples: samples.len() });
+        }
+    }
+    Ok(())
+}
+
+/// Modelled minus recorded lengths of a sample (from 0) at its measured pose, of elastic models at its measured tensions (m).
+pub(crate) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
+    if explains_tensions(model) {
+        return elastostatic::length_residuals(model, samples, sample);
+    }
+    let modelled = |cable: usize| {
+        let path = model.path(cable, &samples.poses[sample]);
+        path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))
+    };
+    samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
+}
+
+/// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.
+const AT_BOUND: f64 = 1e-9;
+
+/// True where a value lies on one of its bounds, to rounding.
+pub(super) fn is_at_bound(value: f64, start: f64, (lower, upper): (f64, f64)) -> bool {
+    let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(start.abs());
+    value <= lower || value >= upper || near(lower) || near(upper)
+}

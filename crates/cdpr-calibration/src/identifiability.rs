@@ -1,0 +1,365 @@
+//! Identifiability of parameters from data: rank, condition, standard deviations, weak directions, correlations.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use serde::Serialize;
+
+use super::autocorrelation::correlation_time;
+use super::blocks::Block;
+use super::fit::{Settings, prior_sigma};
+use super::noise::Noise;
+use super::norms::Norms;
+use super::pose_lanes::{CableValues, PoseLanes};
+use super::words::{Direction, describe};
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::Model;
+use cdpr_model::robot::{Parameter, ParameterKind};
+use cdpr_model::scalar::TriangularFactor;
+use cdpr_model::scalar::decomposition::svd;
+
+/// Two parameters that the data hardly separate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Correlation {
+    /// Name of the one.
+    pub first: String,
+    /// Name of the other.
+    pub second: String,
+    /// Correlation coefficient of their errors.
+    pub coefficient: f64,
+}
+
+/// Identifiability of a fit.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Analysis {
+    /// Rank of the Jacobian of all residuals by all free parameters.
+    pub rank: usize,
+    /// Its singular values in SI units, from large to small (eq. 4.23).
+    pub singular_values: Vec<f64>,
+    /// Ratio of the largest to the smallest singular value; infinite below full rank.
+    pub condition: f64,
+    /// The same with columns scaled to length one.
+    pub condition_scaled: f64,
+    /// Directions in parameter space that the data leave open or nearly so, in words.
+    pub weak_directions: Vec<String>,
+    /// Number of those directions; sentences tell several at once.
+    pub weak_direction_count: usize,
+    /// Largest standard deviation along any of them (m, scales times the mean length and the like); infinite where one is not
+    /// determined at all, 0 without any.
+    #[serde(rename = "weak_direction_deviation_m")]
+    pub weak_deviation: f64,
+    /// Cables whose stiffness the data leave open, in words.
+    #[serde(skip)]
+    pub unknown_stiffness: Option<String>,
+    /// Pairs of parameters with a correlation above 0.95.
+    pub correlations: Vec<Correlation>,
+    /// Correlation coefficients of all pairs: row i holds those of parameter i with the parameters 0 to i. NaN where one of the
+    /// two is not determined, 0 between cables that are identified apart.
+    #[serde(skip)]
+    pub correlation_rows: Vec<Vec<f64>>,
+    /// Directions that neither data nor priors determine.
+    #[serde(skip)]
+    pub(super) undetermined: usize,
+    /// Standard deviation per free parameter.
+    #[serde(skip)]
+    pub(super) sigmas: Vec<Option<f64>>,
+    /// Half width of a 95 % interval of a parameter, in standard deviations: 1.96, or Student's t where residuals tell the noise.
+    pub quantile_95: f64,
+    /// Factor of the deviations that the rows' weights give.
+    #[serde(skip)]
+    pub(super) inflation: f64,
+    #[serde(skip)]
+    pub(super) warnings: Vec<String>,
+}
+
+impl Analysis {
+    /// Writes the directions with their number and the largest deviation.
+    pub(super) fn set_weak_directions(&mut self, model: &Model, directions: Vec<Direction>) {
+        self.weak_direction_count = directions.len();
+        self.weak_deviation = directions.iter().map(Direction::deviation).fold(0.0, f64::max);
+        self.weak_directions = describe(model, directions);
+    }
+
+    /// Writes all coefficients (row i: with the parameters 0 to i) and the pairs above the limit.
+    pub(super) fn set_correlations(&mut self, rows: Vec<Vec<f64>>, name: &dyn Fn(usize) -> String) {
+        let pairs =
+            rows.iter().enumerate().flat_map(|(i, row)| row[..i].iter().enumerate().map(move |(j, c)| (i, j, *c)));
+        let strong = pairs.filter(|(_, _, coefficient)| coefficient.abs() > CORRELATION_LIMIT);
+        let named = |(i, j, coefficient)| Correlation { first: name(j), second: name(i), coefficient };
+        self.correlations = strong.map(named).collect();
+        self.correlation_rows = rows;
+    }
+}
+
+/// Correlations above this are reported.
+const CORRELATION_LIMIT: f64 = 0.95;
+
+/// Singular values with their right singular vectors.
+pub(super) struct Spectrum {
+    pub(super) values: Vec<f64>,
+    vectors: DMatrix<f64>,
+}
+
+/// Cables of a kinematic model at their optimum.
+pub(super) struct KinematicState<'a> {
+    pub(super) model: &'a Model,
+    pub(super) samples: &'a Samples,
+    pub(super) poses: &'a PoseLanes,
+    pub(super) blocks: &'a [Block],
+    pub(super) values: &'a [CableValues],
+}
+
+/// Analyses all blocks at their optimum and tells their residuals, whitened by the weights. `noise` is that of every row in units of the weights.
+pub(super) fn analyse(
+    state: &KinematicState<'_>,
+    norms: &Norms,
+    noise: &Noise,
+    settings: &Settings,
+) -> (Analysis, Vec<Vec<f64>>) {
+    let KinematicState { model, samples, poses, blocks, values } = *state;
+    let mut analysis = Analysis::default();
+    let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
+    let (mut directions, mut rows, mut parameters) = (Vec::new(), Vec::new(), Vec::<Parameter>::new());
+    let mut longest_time = 1.0_f64;
+    let mut series = Vec::with_capacity(blocks.len());
+    for (block, values) in blocks.iter().zip(values) {
+        let (mut residuals, columns) = block.rows(poses, values, samples.len());
+        series.push(residuals.clone());
+        if block.parameters.is_empty() {
+            continue;
+        }
+        norms.weigh(&mut residuals);
+        let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
+        let mut plain = TriangularFactor::new(columns.len());
+        for (row, weight) in weighted.row_iter().zip(block.weights()) {
+            plain.push(row.iter().map(|entry| entry / *weight));
+        }
+        let plain = plain.into_matrix();
+        plain_values.extend(singular_values(plain.clone()));
+        scaled_values.extend(singular_values(with_unit_columns(plain)));
+
+        let time = correlation_time(&residuals);
+        longest_time = longest_time.max(time);
+        let factor = noise.inflation * time.sqrt();
+        let priors = prior_weights(&block.parameters, settings);
+        let mut weighted = TriangularFactor::of(&weighted);
+        weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
+        let posterior = spectrum(weighted);
+        let uncertainty = Uncertainty::new(&posterior, factor, &priors);
+        analysis.undetermined += uncertainty.undetermined;
+        rows.extend(uncertainty.correlation_rows(rows.len()));
+        parameters.extend(&block.parameters);
+        let rotation = mean_rotation(samples);
+        let scale = |p: &Parameter| block.scale(p.kind);
+        let named = Named {
+            parameters: &block.parameters,
+            axes: model.axes(),
+            cables: block.cable..block.cable + 1,
+            scale: DVector::from_iterator(block.parameters.len(), block.parameters.iter().map(scale)),
+        };
+        directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
+        analysis.sigmas.extend(uncertainty.sigmas);
+    }
+    analysis.set_correlations(rows, &|k| parameters[k].name(model.robot()));
+    analysis.inflation = noise.inflation * longest_time.sqrt();
+    analysis.quantile_95 = noise.quantile(longest_time);
+    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
+    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
+    plain_values.sort_by(|a, b| b.total_cmp(a));
+    analysis.singular_values = plain_values;
+    analysis.set_weak_directions(model, directions);
+    if longest_time > 1.0 {
+        analysis.warnings.push(format!(
+            "residuals of consecutive samples repeat each other (correlation time up to {longest_time:.0} samples): standard \
+             deviations are enlarged by up to {:.1} to account for it",
+            longest_time.sqrt()
+        ));
+    }
+    (analysis, series)
+}
+
+/// Singular values with right singular vectors of rows with this triangular factor.
+pub(super) fn spectrum(factor: TriangularFactor) -> Spectrum {
+    let factor = factor.into_matrix();
+    let columns = factor.ncols();
+    let Some(decomposition) = svd(factor, false, true) else {
+        // nothing is known of any direction
+        return Spectrum { values: vec![0.0; columns], vectors: DMatrix::identity(columns, columns) };
+    };
+    let vectors = decomposition.v_t.map(|v_t| v_t.transpose()).unwrap_or_else(|| DMatrix::identity(columns, columns));
+    Spectrum { values: decomposition.singular_values.iter().copied().collect(), vectors }
+}
+
+/// Singular values of a matrix with no fewer rows than columns, from large to small; zeros where a number is not finite.
+pub(super) fn singular_values(matrix: DMatrix<f64>) -> Vec<f64> {
+    let columns = matrix.ncols();
+    svd(matrix, false, false).map_or_else(|| vec![0.0; columns], |found| found.singular_values.as_slice().to_vec())
+}
+
+pub(super) fn with_unit_columns(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
+    for mut column in matrix.column_iter_mut() {
+        let norm = column.norm();
+        if norm > 0.0 {
+            column /= norm;
+        }
+    }
+    matrix
+}
+
+/// 1/σ² of each parameter's prior, 0 without one.
+pub(super) fn prior_weights(parameters: &[Parameter], settings: &Settings) -> Vec<f64> {
+    let weight =
+        |parameter: &Parameter| prior_sigma(settings, parameter.kind).map_or(0.0, |sigma| 1.0 / (sigma * sigma));
+    parameters.iter().map(weight).collect()
+}
+
+/// Relative size below which a singular value is rounding.
+fn rank_tolerance(rows: usize) -> f64 {
+    10.0 * rows as f64 * f64::EPSILON
+}
+
+pub(super) fn rank_and_condition(values: &[f64], rows: usize) -> (usize, f64) {
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let rank = values.iter().filter(|&&value| value > rank_tolerance(rows) * largest).count();
+    let condition = if rank == values.len() { largest / smallest } else { f64::INFINITY };
+    (rank, if values.is_empty() { 1.0 } else { condition })
+}
+
+pub(super) fn mean_rotation(samples: &Samples) -> Matrix3<f64> {
+    let sum: Matrix3<f64> = samples.poses.iter().map(|pose| pose.rotation_matrix()).sum();
+    sum / samples.len() as f64
+}
+
+/// Posterior of parameters that are judged together.
+pub(super) struct Uncertainty {
+    /// Covariance in the determined directions.
+    covariance: DMatrix<f64>,
+    pub(super) sigmas: Vec<Option<f64>>,
+    pub(super) undetermined: usize,
+    /// Standard deviation along each singular vector; infinite where undetermined.
+    deviations: Vec<f64>,
+    vectors: DMatrix<f64>,
+}
+
+impl Uncertainty {
+    /// Posterior of rows whose noise is `factor` times what their weights say, and of priors with these weights (1/σ², 0
+    /// without one).
+    ///
+    /// The estimate is that of the weights as they are, P Jᵀ W r with P = (JᵀWJ + Λ)⁻¹, so its covariance is
+    /// P (g JᵀWJ + Λ) P = g P − (g − 1) P Λ P, g the square of the factor: what a prior tells does not become less certain
+    /// because the data do.
+    pub(super) fn new(posterior: &Spectrum, factor: f64, prior_weights: &[f64]) -> Self {
+        let count = posterior.values.len();
+        let largest = posterior.values.iter().copied().fold(0.0, f64::max);
+        let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
+        let mut open = vec![false; count];
+        // V/s in the determined directions: P is its square
+        let mut root = posterior.vectors.clone();
+        for (mut vector, &value) in root.column_iter_mut().zip(&posterior.values) {
+            if determined(value) {
+                vector /= value;
+                continue;
+            }
+            (0..count).filter(|&k| vector[k].abs() > 1e-6).for_each(|k| open[k] = true);
+            vector.fill(0.0);
+        }
+        let plain = &root * root.transpose();
+        let inflation = factor * factor;
+        let mut of_priors = plain.clone();
+        for (mut column, &weight) in of_priors.column_iter_mut().zip(prior_weights) {
+            column *= weight;
+        }
+        let covariance = &plain * inflation - of_priors * &plain * (inflation - 1.0);
+        // along a singular vector v the same by v alone: P v = v/s²
+        let deviation = |(j, &value): (usize, &f64)| match determined(value) {
+            true => {
+                let vector = posterior.vectors.column(j);
+                let squares = vector.iter().zip(prior_weights).map(|(v, weight)| weight * v * v);
+                let of_priors = squares.sum::<f64>() / (value * value);
+                (inflation - (inflation - 1.0) * of_priors).max(0.0).sqrt() / value
+            }
+            false => f64::INFINITY,
+        };
+        let deviations: Vec<f64> = posterior.values.iter().enumerate().map(deviation).collect();
+        let sigmas = (0..count).map(|k| (!open[k]).then(|| covariance[(k, k)].max(0.0).sqrt())).collect();
+        let undetermined = deviations.iter().filter(|deviation| deviation.is_infinite()).count();
+        Self { covariance, sigmas, undetermined, deviations, vectors: posterior.vectors.clone() }
+    }
+
+    /// The lower triangle of correlation coefficients, after so many parameters that these have nothing to do with.
+    pub(super) fn correlation_rows(&self, before: usize) -> Vec<Vec<f64>> {
+        let coefficient = |i: usize, j: usize| match (self.sigmas[i], self.sigmas[j]) {
+            (Some(first), Some(second)) => self.covariance[(i, j)] / (first * second),
+            _ => f64::NAN,
+        };
+        let row = |i: usize| (0..before).map(|_| 0.0).chain((0..=i).map(|j| coefficient(i, j))).collect();
+        (0..self.sigmas.len()).map(row).collect()
+    }
+
+    /// Directions whose standard deviation exceeds the limit (m, by what the parameters are worth): first the translations
+    /// of frame anchor and platform anchor together that explain them, then what is left, each as coefficients.
+    pub(super) fn weak_directions(&self, named: &Named<'_>, rotation: &Matrix3<f64>, limit: f64) -> Vec<Direction> {
+        let mut open: Vec<(DVector<f64>, f64)> = Vec::new(); // orthonormal but for the worth of parameters
+        for (j, &deviation) in self.deviations.iter().enumerate() {
+            let direction = self.vectors.column(j).component_mul(&named.scale);
+            let deviation = deviation * direction.norm();
+            if deviation > limit {
+                open.push((direction.normalize(), deviation));
+            }
+        }
+        let mut found = Vec::new();
+        let mut rest: Vec<(DVector<f64>, f64)> = open.clone();
+        for (cable, axis) in named.cables.clone().flat_map(|cable| (0..3).map(move |axis| (cable, axis))) {
+            let Some(together) = named.anchors_together(cable, axis, rotation) else { continue };
+            let inside: f64 = open.iter().map(|(vector, _)| vector.dot(&together).powi(2)).sum();
+            if inside < 0.9 {
+                continue;
+            }
+            // the deviation along it, from the open directions it is made of
+            let variance: f64 = open.iter().map(|(vector, s)| (vector.dot(&together) * s).powi(2)).sum();
+            found.push(Direction::AnchorsTogether { cable, axis, deviation: variance.sqrt() });
+            rest.iter_mut().for_each(|(vector, _)| *vector -= &together * vector.dot(&together));
+        }
+        // as many directions are left as the translations do not explain: those that keep most of their length
+        rest.sort_by(|a, b| b.0.norm().total_cmp(&a.0.norm()));
+        rest.truncate(open.len().saturating_sub(found.len()));
+        for (vector, deviation) in rest {
+            let coefficients = named.parameters.iter().copied().zip(vector.normalize().iter().copied()).collect();
+            found.push(Direction::Combination { coefficients, deviation });
+        }
+        found
+    }
+}
+
+/// Parameters that are judged together, and what gives their directions names.
+pub(super) struct Named<'a> {
+    pub(super) parameters: &'a [Parameter],
+    /// Axes of the motion pattern (world and platform).
+    pub(super) axes: &'a [Vector3<f64>],
+    /// Cables that the parameters belong to.
+    pub(super) cables: Range<usize>,
+    /// Metres that one unit of each parameter is worth.
+    pub(super) scale: DVector<f64>,
+}
+
+impl Named<'_> {
+    /// Unit direction that moves frame anchor and platform anchor of a cable together along one of the pattern's axes, for
+    /// a platform that keeps this rotation; `None` unless all components of both are free.
+    fn anchors_together(&self, cable: usize, axis: usize, rotation: &Matrix3<f64>) -> Option<DVector<f64>> {
+        let count = |kind| self.parameters.iter().filter(|p| p.cable == cable && p.kind == kind).count();
+        let (frame, platform) = (ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor);
+        if axis >= self.axes.len() || count(frame) < self.axes.len() || count(platform) < self.axes.len() {
+            return None;
+        }
+        let in_platform = rotation.transpose() * self.axes[axis];
+        let component = |parameter: &Parameter| match parameter.kind {
+            _ if parameter.cable != cable => 0.0,
+            ParameterKind::FrameAnchor => f64::from(u8::from(parameter.axis == axis)),
+            ParameterKind::PlatformAnchor => self.axes[parameter.axis].dot(&in_platform),
+            _ => 0.0,
+        };
+        let direction = DVector::from_iterator(self.parameters.len(), self.parameters.iter().map(component));
+        Some(direction.normalize())
+    }
+}

@@ -1,0 +1,93 @@
+//! From measurements to calibrated models, their uncertainty, and the choice between them.
+//!
+//! Rigid models have residuals in joint space: modelled minus recorded cable lengths at the measured poses (eq. 4.8). Every
+//! parameter belongs to one cable, so the problem falls into one small block per cable. Elastic models have rows of wrenches
+//! besides (eq. 4.38), which tie the cables together.
+
+mod autocorrelation;
+mod blocks;
+mod bootstrap;
+pub mod candidate;
+mod clock;
+mod clock_test;
+pub mod compensation;
+mod course;
+pub mod coverage;
+mod design;
+mod elastostatic;
+mod error_code;
+pub mod evaluation;
+pub mod fit;
+mod further;
+mod further_columns;
+mod gauge_convention;
+mod identifiability;
+mod joint_analysis;
+mod joint_descent;
+mod likelihood;
+mod loss;
+mod misfit;
+mod noise;
+mod normal_equations;
+mod norms;
+mod objective;
+mod outliers;
+mod path;
+mod plain_rows;
+mod plausibility;
+mod point_robot;
+mod pose_band;
+mod pose_lanes;
+mod quadratic;
+mod recorded;
+#[cfg(test)]
+mod recorded_curves;
+mod recordings;
+mod reduction;
+mod resampling;
+mod scaling;
+pub mod selection;
+mod self_calibration;
+mod starts;
+mod stopping;
+mod student;
+pub mod test_bench;
+mod trail;
+mod verdict;
+mod weights;
+mod words;
+mod worth;
+
+pub use bootstrap::standard_error;
+pub use candidate::Candidate;
+pub use clock::ClockOffset;
+pub use clock_test::clock_warning;
+pub use course::{CourseStep, course};
+pub use coverage::{Coverage, coverage};
+pub use design::{
+    Candidates, CurvePoint, DesignCriterion, GridComparison, ParameterPrediction, Plan, PlanError, PlanSettings,
+    PosePrediction, Predicted, plan,
+};
+pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
+pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
+pub use gauge_convention::GaugeConvention;
+pub use identifiability::{Analysis, Correlation};
+pub use likelihood::{Information, NoiseSource};
+pub use loss::Loss;
+pub use objective::{ActiveSample, Certificate, Minimize, Objective, ObjectiveValues};
+pub use outliers::Outlier;
+pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards, penalty_path};
+pub use plausibility::{Distrust, distrust};
+pub use point_robot::{point_pattern, without_rotation};
+pub use pose_band::PoseBand;
+pub use reduction::{Evidence, Reduction, propose_reduction};
+pub use resampling::{Resampled, ResampledDeviation, resampled};
+pub use scaling::{
+    ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
+};
+pub use self_calibration::{
+    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate, evaluate_lengths, self_calibrate,
+};
+pub use starts::{StartOptimum, Starts};
+pub use stopping::{StoppedBy, StoppingRule};
+pub use verdict::{Doubt, DoubtKind, Verdict};

@@ -1,0 +1,224 @@
+//! The simplest control model that is good enough, on data it was not fitted to.
+
+mod comparison;
+mod criterion;
+mod judge;
+mod judgement;
+mod preferences;
+mod rating;
+mod reason;
+mod requirement;
+mod settings;
+mod untried;
+mod warnings;
+mod without_poses;
+mod worse;
+
+pub use criterion::SelectionCriterion;
+pub(super) use judge::reported_part;
+pub use judgement::{CandidateFailure, HeldOut, JudgedCandidate, Judgement};
+pub use preferences::Preference;
+pub use rating::Rating;
+use reason::{Reason, nobody};
+pub use requirement::{Requirement, RequirementError, RequirementOutcome};
+pub use settings::Settings;
+use thiserror::Error;
+pub use warnings::Warnings;
+pub use without_poses::select_without_poses;
+
+use super::candidate::Candidate;
+use super::clock_test::clock_warning;
+use super::fit::{self, frames_that_fit};
+use super::plausibility::distrust;
+use cdpr_model::measurement::{Fold, Samples, SplitError};
+use cdpr_model::model::{Composition, RecordingParameter};
+use cdpr_model::robot::Robot;
+
+/// The comparison and its result.
+#[derive(Clone, Debug)]
+pub struct Selection {
+    /// The candidates in the order given: from simple to complex.
+    pub candidates: Vec<JudgedCandidate>,
+    /// Index of the candidate with the smallest criterion.
+    pub best: Option<usize>,
+    /// Index of the recommended candidate; `None` when none meets the requirements.
+    pub recommended: Option<usize>,
+    /// The reason in words and numbers.
+    pub reason: String,
+    /// The same candidates by other criteria, and whether these agree.
+    pub rating: Rating,
+    /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
+    pub untried: Vec<String>,
+    /// Frames of tracker and marker that were freed in every candidate, since the poses fit the robot no other way, in words.
+    pub frames: Option<String>,
+}
+
+impl Selection {
+    /// Adds a warning to the recommended, else the best candidate, where the clocks of poses and lengths differ.
+    fn test_clock(&mut self, samples: &Samples, settings: &fit::Settings) {
+        let Some(index) = self.recommended.or(self.best) else { return };
+        let judged = &mut self.candidates[index];
+        if let Ok(judgement) = &mut judged.outcome {
+            let warning = clock_warning(&judgement.fit, samples, &judged.candidate.free, settings);
+            judgement.fit.warnings.extend(warning);
+        }
+    }
+
+    /// The model that a robot runs before any calibration, as far as it is among the candidates: point outlets with nothing
+    /// freed, else the first with nothing freed.
+    pub fn as_given(&self) -> Option<usize> {
+        let is_given = |judged: &JudgedCandidate| judged.candidate.free.leaves_robot() && judged.outcome.is_ok();
+        let is_plain = |judged: &JudgedCandidate| judged.candidate.composition == Composition::STANDARD;
+        let plain = self.candidates.iter().position(|judged| is_given(judged) && is_plain(judged));
+        plain.or_else(|| self.candidates.iter().position(is_given))
+    }
+
+    fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
+        let rating = Rating::default();
+        Self { candidates, best, recommended, reason, rating, untried: Vec::new(), frames: None }
+    }
+}
+
+/// A comparison that cannot be made.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum InputError {
+    /// No candidates.
+    #[error("there are no candidates to compare")]
+    NoCandidates,
+    /// No validation data.
+    #[error("there are no validation samples: no other data, no column `set`, and a split that leaves none")]
+    NoValidation,
+    /// Regions that cannot be left out.
+    #[error("regions to leave out: {0}")]
+    Regions(#[from] SplitError),
+    /// Every candidate failed.
+    #[error("no candidate could be identified; {name}: {reason}")]
+    AllFailed {
+        /// The first candidate.
+        name: String,
+        /// Its failure.
+        reason: CandidateFailure,
+    },
+}
+
+impl InputError {
+    /// The failure of the first candidate where all of them failed.
+    fn where_all_failed(judged: &[JudgedCandidate]) -> Option<Self> {
+        let JudgedCandidate { name, outcome: Err(reason), .. } = judged.first()? else { return None };
+        let all = judged.iter().all(|judged| judged.outcome.is_err());
+        all.then(|| Self::AllFailed { name: name.clone(), reason: reason.clone() })
+    }
+}
+
+/// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
+/// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
+///
+/// Validation samples that no candidate explains, beyond 8 robust standard deviations for all of them, are set aside for all alike unless
+/// the loss is squared: an outlier in the data is nobody's error.
+///
+/// With one fold the reported fit is that of its training part; with several, of all samples. `progress` is called after
+/// each fit, from any thread; there are [`fit_count`] of them when every candidate can be fitted.
+pub fn select(
+    robot: &Robot,
+    candidates: &[Candidate],
+    samples: &Samples,
+    folds: &[Fold],
+    settings: &Settings,
+    progress: &(dyn Fn() + Sync),
+) -> Result<Selection, InputError> {
+    if candidates.is_empty() {
+        return Err(InputError::NoCandidates);
+    }
+    if folds.iter().all(|fold| fold.validation.is_empty()) {
+        return Err(InputError::NoValidation);
+    }
+    let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
+    let candidates = &candidates[..];
+    let regions = judge::regions(samples, folds, settings.regions)?;
+    let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress };
+    let judge_one = |candidate: &Candidate| {
+        let outcome = problem.judge(candidate);
+        JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
+    };
+    let mut judged = map_all(candidates, judge_one);
+    if let Some(error) = InputError::where_all_failed(&judged) {
+        return Err(error);
+    }
+    comparison::compare(&mut judged, settings);
+    for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
+        judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
+    }
+    rating::inform((robot, samples), &mut judged, settings);
+    let mut selection = recommend(judged, settings.criterion);
+    let (best, recommended) = (selection.best, selection.recommended);
+    selection.rating =
+        rating::rate(preferences::Outcome { candidates: &selection.candidates, best, recommended }, settings);
+    selection.test_clock(samples, &settings.fit);
+    selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
+    selection.frames = frames;
+    Ok(selection)
+}
+
+/// The candidates with frames of tracker and marker free where the poses fit the robot in no other way and none names them, and the words
+/// that tell it.
+fn in_needed_frames(
+    robot: &Robot,
+    candidates: &[Candidate],
+    samples: &Samples,
+    folds: &[Fold],
+    settings: &Settings,
+) -> (Vec<Candidate>, Option<String>) {
+    let names_frames = |candidate: &Candidate| {
+        RecordingParameter::FRAMES.into_iter().any(|frame| candidate.free.names_recording(frame))
+    };
+    let train = samples.subset(&folds[0].train);
+    // frames are found by squares of lengths
+    let needed = match candidates.iter().any(names_frames) || settings.fit.is_other_objective() {
+        true => None,
+        false => frames_that_fit(robot, &train, &settings.fit.hold),
+    };
+    let Some((freed, words)) = needed else { return (candidates.to_vec(), None) };
+    let with_frames =
+        |candidate: &Candidate| Candidate { free: candidate.free.with_recording(&freed), ..candidate.clone() };
+    let words = format!("{words}: free in every candidate, and the calibrated robot stays in the frame of its file");
+    (candidates.iter().map(with_frames).collect(), Some(words))
+}
+
+/// Fits that [`select`] makes: one of each candidate and fold, one of all samples where there are several folds, and one of each region
+/// left out besides.
+pub fn fit_count(candidates: &[Candidate], folds: &[Fold], settings: &Settings) -> usize {
+    let of_one = if folds.len() == 1 { 1 } else { folds.len() + 1 };
+    candidates.len() * (of_one + settings.regions)
+}
+
+#[cfg(feature = "parallel")]
+fn map_all<T: Send>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    candidates.par_iter().map(work).collect()
+}
+
+#[cfg(not(feature = "parallel"))]
+fn map_all<T>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T) -> Vec<T> {
+    candidates.iter().map(work).collect()
+}
+
+fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {
+    let judged: Vec<(usize, &Judgement)> =
+        candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
+    // parameters on the way to an optimum are those of no model, however good their errors are
+    let finite = || judged.iter().filter(|(_, own)| own.criterion.is_finite() && own.has_converged());
+    let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
+        let reason = nobody(&judged, &candidates, criterion);
+        return Selection::of(candidates, [None, None], reason);
+    };
+    let error = if best_judgement.standard_error.is_finite() { best_judgement.standard_error } else { 0.0 };
+    let limit = best_judgement.criterion + error;
+    let near = |judgement: &Judgement| judgement.criterion <= limit;
+    let chosen = finite().find(|(_, judgement)| near(judgement) && judgement.meets_requirements());
+    let text = Reason { names: &candidates, criterion, best, limit };
+    let (recommended, reason) = match chosen {
+        Some(&(index, judgement)) => (Some(index), text.for_choice(index, judgement, &judged)),
+        None => (None, text.for_none(&judged)),
+    };
+    Selection::of(candidates, [Some(best), recommended], reason)
+}

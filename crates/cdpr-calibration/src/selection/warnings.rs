@@ -1,0 +1,141 @@
+//! Everything a reader has to know before using a choice: the one list that text, JSON and page tell.
+
+use serde::{Serialize, Serializer};
+
+use super::{Judgement, Selection, worse};
+use crate::evaluation::ErrorBlocks;
+use crate::fit::Fit;
+use crate::outliers::set_aside_warning;
+use crate::plausibility::Distrust;
+use crate::verdict::{Doubt, DoubtKind, Verdict};
+use cdpr_model::measurement::Samples;
+
+/// Warnings in the order in which they are told: doubts about the outcome itself, which stand before it, then remarks about data and fit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Warnings {
+    /// Doubts, of which the outcome's [`Verdict`](crate::Verdict) is made.
+    pub doubts: Vec<Doubt>,
+    /// The others.
+    pub remarks: Vec<String>,
+}
+
+impl Warnings {
+    /// All of them in words.
+    pub fn list(&self) -> Vec<String> {
+        self.doubts.iter().map(|doubt| &doubt.words).chain(&self.remarks).cloned().collect()
+    }
+
+    /// Adds a doubt, behind those that are there.
+    pub fn doubt(&mut self, kind: DoubtKind, words: Option<String>) {
+        self.doubts.extend(words.map(|words| Doubt::new(kind, words)));
+    }
+}
+
+impl Serialize for Warnings {
+    /// The list of sentences.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.list())
+    }
+}
+
+/// The name of the model as given, its errors and those of the fitted one.
+type Comparison<'a> = (&'a str, [&'a ErrorBlocks; 2]);
+
+impl Fit {
+    /// Warnings about this fit alone: rules of plausibility that its errors break, the model as given by name with its errors and
+    /// those of the fitted one, and what those warn of who read the samples.
+    pub fn warnings_with(&self, distrust: &Distrust, today: Comparison<'_>, of_data: &Warnings) -> Warnings {
+        self.gathered(distrust, Some(today), Vec::new(), of_data)
+    }
+
+    /// The same where nothing compares it with the model as given.
+    pub fn own_warnings(&self, distrust: &Distrust, of_data: &Warnings) -> Warnings {
+        self.gathered(distrust, None, Vec::new(), of_data)
+    }
+
+    /// Everything that a fit and its data are warned of: mistakes of the data stand first, for they explain the doubts that follow from them.
+    fn gathered(
+        &self,
+        distrust: &Distrust,
+        today: Option<Comparison<'_>>,
+        of_comparison: Vec<Doubt>,
+        of_data: &Warnings,
+    ) -> Warnings {
+        let mut doubts = [&of_data.doubts[..], &distrust.reasons].concat();
+        doubts.extend(self.outlier_doubt().into_iter().chain(of_comparison).chain(self.doubts()));
+        let worse = today.and_then(|(name, [before, after])| worse_than(name, before, after));
+        doubts.extend(worse.map(|words| Doubt::new(DoubtKind::WorseThanGiven, words)));
+        let mut remarks: Vec<String> = Vec::new();
+        for remark in of_data.remarks.iter().chain(&self.warnings) {
+            if !remarks.contains(remark) && doubts.iter().all(|doubt| doubt.words != *remark) {
+                remarks.push(remark.clone());
+            }
+        }
+        Warnings { doubts, remarks }
+    }
+}
+
+impl Judgement {
+    /// Verdict on the candidate, recommended or not.
+    pub fn verdict(&self) -> Verdict {
+        let fit = &self.fit;
+        let doubts: Vec<Doubt> =
+            self.distrust.reasons.iter().cloned().chain(fit.outlier_doubt()).chain(fit.doubts()).collect();
+        Verdict::of_fit(&doubts)
+    }
+}
+
+fn worse_than(today: &str, before: &ErrorBlocks, after: &ErrorBlocks) -> Option<String> {
+    let worse = worse::worse(before, after);
+    (!worse.is_empty())
+        .then(|| format!("worse than with `{today}` as given, which the robot runs today: {}", worse.join("; ")))
+}
+
+impl Selection {
+    /// Index of the candidate that an answer is about: the recommended one, else the best, else the first that could be identified.
+    pub fn shown(&self) -> Option<usize> {
+        let judged = |index: &usize| self.candidates.get(*index).is_some_and(|candidate| candidate.outcome.is_ok());
+        self.recommended.or(self.best).filter(judged).or_else(|| (0..self.candidates.len()).find(judged))
+    }
+
+    /// Warnings about the candidate of [`Selection::shown`]; `of_data` is what those warn of who read the samples.
+    pub fn warnings(&self, samples: &Samples, of_data: &Warnings) -> Warnings {
+        let judged = |index: usize| self.candidates[index].outcome.as_ref().ok();
+        let Some(judgement) = self.shown().and_then(judged) else {
+            return of_data.clone();
+        };
+        let given = self.as_given().filter(|_| self.recommended.is_some());
+        let today = given.and_then(|given| {
+            Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
+        });
+        let mut of_data = of_data.clone();
+        of_data.doubt(DoubtKind::Frames, self.frames.clone());
+        of_data.remarks.extend(unanswered(judgement));
+        judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), &of_data)
+    }
+}
+
+/// Samples that no candidate explains, and those that not all answer.
+fn of_comparison(judgement: &Judgement, samples: &Samples) -> Vec<Doubt> {
+    let places: Vec<usize> = judgement.set_aside.iter().map(|&place| judgement.validation_samples[place]).collect();
+    let aside = set_aside_warning(&places, judgement.validation_samples.len(), samples);
+    let (compared, all) = (judgement.compared_samples, judgement.validation.samples);
+    let is_part = judgement.disqualified.is_none() && compared > 0 && compared < all;
+    let partly = is_part
+        .then(|| format!("compared on the {compared} of {all} validation samples that all judged candidates answer"));
+    let aside = aside.map(|words| Doubt::new(DoubtKind::OutliersLeftOut, words));
+    aside.into_iter().chain(partly.map(|words| Doubt::new(DoubtKind::PartlyCompared, words))).collect()
+}
+
+/// Samples without a pose, with the reason of the first.
+fn unanswered(judgement: &Judgement) -> Option<String> {
+    let missing = &judgement.validation_errors.not_converged;
+    let (row, reason) = missing.first()?;
+    let sample = judgement.validation_samples.get(*row).unwrap_or(row) + 1;
+    Some(format!(
+        "the forward problem of {} of {} validation samples has no answer, so that they have no error of the pose; the first is sample \
+         {sample}: {reason}",
+        missing.len(),
+        judgement.validation_samples.len()
+    ))
+}

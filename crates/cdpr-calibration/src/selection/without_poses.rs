@@ -1,0 +1,118 @@
+//! Candidates compared without measured poses, by what they predict of a machine's own sensors.
+
+use super::judge::reported_part;
+use super::settings::Settings;
+use super::{CandidateFailure, InputError, JudgedCandidate, Judgement, Selection, SelectionCriterion};
+use super::{comparison, map_all, preferences, rating, recommend, untried};
+use crate::candidate::Candidate;
+use crate::evaluation::Evaluation;
+use crate::fit;
+use crate::plausibility::distrust;
+use crate::self_calibration::{Calibrated, Calibrations};
+use cdpr_model::measurement::{Fold, InternalSamples, Samples};
+use cdpr_model::model::Model;
+use cdpr_model::robot::Robot;
+
+/// Identifies every candidate on the training part of each fold without measured poses, judges it by what it predicts of the sensors on the validation part, and
+/// recommends one as [`select`](super::select) does; with the samples at the poses that the candidate shown finds.
+///
+/// Each validation sample has the pose that its own rows tell, by the model as it is; its errors are residuals scaled for what the pose takes up of them. Models that
+/// stand within one standard error of the best are named as not told apart.
+pub fn select_without_poses(
+    robot: &Robot,
+    candidates: &[Candidate],
+    internal: &InternalSamples,
+    folds: &[Fold],
+    settings: &Settings,
+    progress: &(dyn Fn() + Sync),
+) -> Result<(Selection, Samples), InputError> {
+    if candidates.is_empty() {
+        return Err(InputError::NoCandidates);
+    }
+    if folds.iter().all(|fold| fold.validation.is_empty()) {
+        return Err(InputError::NoValidation);
+    }
+    let fit = fit::Settings { starts: settings.fit.starts.max(STARTS), ..settings.fit.clone() };
+    let problem = Problem { robot, internal, folds, settings: &fit, progress };
+    let outcomes = map_all(candidates, |candidate| (candidate.clone(), problem.judge(candidate)));
+    let mut found = Vec::new();
+    let mut judged = Vec::new();
+    for (candidate, outcome) in outcomes {
+        let (outcome, samples) = outcome.map_or_else(|error| (Err(error), None), |(own, at)| (Ok(own), Some(at)));
+        judged.push(JudgedCandidate { name: candidate.to_string(), candidate, outcome });
+        found.push(samples);
+    }
+    if let Some(error) = InputError::where_all_failed(&judged) {
+        return Err(error);
+    }
+    comparison::compare(&mut judged, settings);
+    for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
+        judgement.distrust = distrust(robot, &internal.samples.sigmas, &judgement.validation);
+    }
+    let mut selection = recommend(judged, settings.criterion);
+    let outcome = preferences::Outcome {
+        candidates: &selection.candidates,
+        best: selection.best,
+        recommended: selection.recommended,
+    };
+    selection.rating = rating::rate(outcome, settings);
+    selection.untried = untried::untried(robot, candidates, internal.samples.tensions.is_some());
+    selection.reason.extend(not_told_apart(&selection, settings.criterion));
+    let shown = selection.shown().and_then(|index| found.swap_remove(index));
+    Ok((selection, shown.unwrap_or_else(|| internal.samples.clone())))
+}
+
+/// Starts of every fit, at least: lengths alone have local optima.
+const STARTS: u32 = 5;
+
+struct Problem<'a> {
+    robot: &'a Robot,
+    internal: &'a InternalSamples,
+    folds: &'a [Fold],
+    settings: &'a fit::Settings,
+    progress: &'a (dyn Fn() + Sync),
+}
+
+impl Problem<'_> {
+    /// The candidate judged, and all samples at the poses of its reported fit.
+    fn judge(&self, candidate: &Candidate) -> Result<(Judgement, Samples), CandidateFailure> {
+        let Self { internal, folds, settings, .. } = *self;
+        let model = Model::new(self.robot.clone(), candidate.composition)?;
+        let calibrations = Calibrations { model: &model, internal, free: &candidate.free, settings };
+        let calibrated = |part: &[usize]| {
+            let found = calibrations.from(part, &|| ());
+            (self.progress)();
+            found
+        };
+        let part = reported_part(&internal.samples, folds);
+        let reported = calibrated(&part)?;
+        let train = reported.predict(&internal.subset(&part))?.blocks();
+        let mut errors = Evaluation::default();
+        for fold in folds {
+            let own: Option<Calibrated> = if folds.len() == 1 { None } else { Some(calibrated(&fold.train)?) };
+            errors.extend(&own.as_ref().unwrap_or(&reported).predict(&internal.subset(&fold.validation))?);
+        }
+        let places = folds.iter().flat_map(|fold| fold.validation.iter().copied()).collect();
+        let sizes = folds.iter().map(|fold| (fold.name.clone(), fold.validation.len())).collect();
+        let samples = reported.samples(internal)?;
+        Ok((Judgement::new(reported.fit, train, errors, (places, sizes)), samples))
+    }
+}
+
+/// Words for the candidates that validation data do not tell from the best.
+fn not_told_apart(selection: &Selection, criterion: SelectionCriterion) -> Option<String> {
+    let judged = || {
+        let outcomes = selection.candidates.iter().map(|one| (&one.name, one.outcome.as_ref().ok()));
+        outcomes.filter_map(|(name, judgement)| Some((name, judgement.filter(|own| own.criterion.is_finite())?)))
+    };
+    let best = selection.candidates.get(selection.best?)?.outcome.as_ref().ok()?;
+    let limit = best.criterion + Some(best.standard_error).filter(|error| error.is_finite()).unwrap_or(0.0);
+    let names: Vec<String> =
+        judged().filter(|(_, own)| own.criterion <= limit).map(|(name, _)| format!("`{name}`")).collect();
+    (names.len() > 1).then(|| {
+        format!(
+            "; these data do not tell apart {}: the {criterion} of each is within one standard error of the best",
+            names.join(", ")
+        )
+    })
+}

@@ -1,0 +1,182 @@
+//! Calibration by sensors inside the machine, at poses that nobody measured: lengths or their changes, tensions, swivel angles, inclinometers.
+//!
+//! Every pose takes the place where its measurements agree best and leaves as many equations for the parameters as there are more of them than unknowns (sec. 4.1). What
+//! moves or mirrors the robot as a whole changes none: such gauge motions are found, named, and fixed by parameters that stay at the file's values.
+
+mod accuracies;
+mod cells;
+mod comparison;
+mod course;
+mod equations;
+mod evaluation;
+mod found;
+mod gauge;
+mod question;
+mod sensor_fit;
+mod validation;
+mod vectors;
+mod way_around;
+mod written;
+
+use super::course::CourseStep;
+use super::fit::{Fit, InputError, Settings};
+use super::objective::{Units, report, search};
+use super::plausibility::{Distrust, beyond_length_accuracy};
+use super::worth::joint_worths;
+use cdpr_model::geometry::Pose;
+use cdpr_model::measurement::{InternalSamples, Samples};
+use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::robot::Parameter;
+pub use comparison::Comparison;
+pub use evaluation::evaluate_lengths;
+use found::as_found;
+use gauge::Gauge;
+pub use gauge::GaugeFixing;
+use question::Question;
+pub use sensor_fit::SensorFit;
+pub use validation::cross_validate;
+pub(super) use validation::{Calibrated, Calibrations};
+use vectors::PoseVectors;
+use written::{Written, stacked};
+
+/// A robot calibrated without measured poses.
+#[must_use = "check the status of the fit before using the parameters"]
+#[derive(Clone, Debug)]
+pub struct SelfCalibration {
+    /// The fit; parameters that the gauge holds are none of its own.
+    pub fit: Fit,
+    /// The samples with the poses at which their measurements agree best, lengths counted from nothing.
+    pub samples: Samples,
+    /// Σ of the squared length residuals (m²).
+    pub cost_m2: f64,
+    /// Their root mean square (m).
+    pub length_rms_m: f64,
+    /// Residuals of each sensor.
+    pub sensors: Vec<SensorFit>,
+    /// Equations that the poses leave for the parameters.
+    pub equations: usize,
+    /// Free parameters, those that the gauge holds included.
+    pub parameter_count: usize,
+    /// Motions of everything that the data leave free, and parameters that fix them.
+    pub gauge: GaugeFixing,
+    /// True where lengths count from those at the world's origin; false for lengths, and for changes that offsets make lengths.
+    pub counts_changes: bool,
+    /// Course of the fit where it was kept ([`Settings::keeps_course`]); residuals are those at the poses of each step.
+    pub course: Vec<CourseStep>,
+}
+
+/// Identifies parameters of a model from what a machine's own sensors recorded at unknown poses; `progress` is called after each start.
+pub fn self_calibrate(
+    model: &Model,
+    internal: &InternalSamples,
+    free: &FreeParameters,
+    settings: &Settings,
+    progress: &dyn Fn(),
+) -> Result<SelfCalibration, InputError> {
+    let mut question = Question::of(model, internal, free, settings)?;
+    let equations = question.count_equations();
+    let start = question.rows(&question.model, &question.parameters, None)?;
+    let lengths = start.lengths(&question.sensing);
+    let gauge = Gauge::of(&question.model, &question.parameters, (&start.stacked, &lengths));
+    let kept = question.fix(&gauge)?;
+    let parameters = question.parameters.len() - gauge.held.len();
+    if parameters > equations + question.prior_count(&kept) {
+        return Err(InputError::TooFewEquations { parameters, equations, samples: internal.samples.len() });
+    }
+    question.agree_on_accuracies(&kept, &start.poses)?;
+    let Question { model: start_model, internal: data, .. } = &question;
+    let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
+    let worths = question.scale(&kept, &vectors.poses())?;
+    let optimum_of = (start_model, &kept[..]);
+    let mut search_from = |from: Option<&[f64]>| {
+        search(&mut vectors, optimum_of, question.units(worths.clone()), (settings, progress), from)
+    };
+    let mut optimum = search_from(None)?;
+    if !optimum.end().converged()
+        && let Some(from) = question.way_around(&gauge, &start.poses)?
+    {
+        optimum = search_from(Some(&from))?;
+    }
+    let stacked = optimum.stacked(&mut vectors)?;
+    let unsettled = vectors.unsettled();
+    let calibrated = optimum.calibrated().clone();
+    let end = question.rows(&calibrated, &question.parameters, Some(&vectors.poses()))?;
+    let sensors = question.sensor_fits(&end);
+    let sigma = question.sensing.length_sigma();
+    let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
+    let mut found = as_found(&calibrated, data, &end.poses)?;
+    let mut fit = report((optimum, &stacked), &found, &kept, settings);
+    let course = question.course(&mut vectors, (&fit, &kept, &worths))?;
+    // angles from a common start are those of no start length
+    found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
+    if unsettled > 0 {
+        fit.tell_unsettled(unsettled);
+    }
+    fit.tell_nominal_values(model);
+    fit.warnings.extend(sensor_fit::warnings(&sensors));
+    fit.warnings.extend(cells::warning(&fit, settings));
+    fit.warnings.extend(question.unused_tensions());
+    if let Some(words) = gauge.scale_warning() {
+        fit.warnings.insert(0, words);
+    }
+    Ok(SelfCalibration {
+        cost_m2,
+        length_rms_m: (cost_m2 / internal.samples.lengths.len() as f64).sqrt(),
+        sensors,
+        equations,
+        parameter_count: question.parameters.len(),
+        gauge: gauge.told(model, &question.parameters, (data, settings.gauge)),
+        course,
+        counts_changes: data.are_changes,
+        samples: found,
+        fit,
+    })
+}
+
+impl SelfCalibration {
+    /// Reasons not to trust the calibration: length residuals far beyond the accuracy that is stated for them, by what poses and parameters leave to judge by.
+    pub fn distrust(&self) -> Distrust {
+        let of_lengths = self.sensors.iter().find(|fit| fit.sensor == sensor_fit::LENGTH);
+        let left = self.equations.saturating_sub(self.fit.analysis.rank);
+        let deviation = match of_lengths {
+            Some(fit) => fit.deviation(),
+            None if left > 0 => (self.cost_m2 / left as f64).sqrt(),
+            None => f64::NAN,
+        };
+        Distrust { reasons: beyond_length_accuracy(deviation, &self.samples.sigmas).into_iter().collect() }
+    }
+}
+
+impl Question<'_> {
+    /// Rows at a model's values, poses searched from some that were found before.
+    fn rows(&self, model: &Model, parameters: &[Parameter], near: Option<&[Pose]>) -> Result<Written, InputError> {
+        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| vectors.begin_at(poses));
+        let stacked = stacked(&mut vectors, model, parameters)?;
+        Ok(Written { stacked, poses: vectors.poses(), leverages: vectors.leverages() })
+    }
+
+    /// Vectors of some of the parameters, written at their start.
+    fn start<'a>(
+        &'a self,
+        model: &'a Model,
+        parameters: &'a [Parameter],
+        near: Option<&[Pose]>,
+    ) -> Result<PoseVectors<'a>, InputError> {
+        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| vectors.begin_at(poses));
+        stacked(&mut vectors, model, parameters)?;
+        Ok(vectors)
+    }
+
+    /// Metres of one unit of each parameter.
+    fn scale(&self, parameters: &[Parameter], poses: &[Pose]) -> Result<Vec<f64>, InputError> {
+        let lengths = as_found(&self.model, &self.internal, poses)?.lengths;
+        Ok(joint_worths(&self.model, parameters, &lengths, self.tensions()))
+    }
+
+    fn units(&self, scale: Vec<f64>) -> Units {
+        let (unit, absolute) = (self.sensing.unit(), self.are_stated());
+        Units { scale, unit, absolute, mean_tension: self.mean_tension() }
+    }
+}

@@ -1,0 +1,90 @@
+//! Answer of an inverse problem.
+
+use crate::geometry::Pose;
+use crate::model::WinchError;
+use crate::statics::StaticsError;
+
+/// One cable of an inverse problem; numbers are NaN where the cable has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CableCommand {
+    /// Strained length from frame anchor to platform anchor, wrapped part included (m).
+    pub length: f64,
+    /// Controlled length q_θ (m).
+    pub controlled_length: f64,
+    /// Length that the robot records: length_scale · q_θ + length_offset (m).
+    pub recorded_length: f64,
+    /// Direction of the pull at the platform anchor (unit vector, world).
+    pub direction: [f64; 3],
+    /// Wrap angle β on the pulley (rad); 0 without one.
+    pub wrap_angle: f64,
+    /// Tension at the outlet (N); NaN where none was given.
+    pub outlet_tension: f64,
+    /// Tension at the platform anchor (N) of a cable with weight; that of others is the one at the outlet.
+    pub platform_tension: Option<f64>,
+    /// Motor angle (rad); nothing without the effect `drum`.
+    pub motor_angle: Option<f64>,
+    /// Encoder counts of the motor angle; nothing where the file does not say how its encoder counts.
+    pub encoder_counts: Option<f64>,
+}
+
+impl CableCommand {
+    pub(super) const NONE: Self = Self {
+        length: f64::NAN,
+        controlled_length: f64::NAN,
+        recorded_length: f64::NAN,
+        direction: [f64::NAN; 3],
+        wrap_angle: f64::NAN,
+        outlet_tension: f64::NAN,
+        platform_tension: None,
+        motor_angle: None,
+        encoder_counts: None,
+    };
+}
+
+/// Answer of an inverse problem.
+#[must_use = "check `failures` before using the lengths"]
+#[derive(Clone, Debug, PartialEq)]
+pub struct InverseSolution {
+    /// Pose that was asked.
+    pub pose: Pose,
+    /// Every cable.
+    pub cables: Vec<CableCommand>,
+    /// Why cables have no path, or no length for their tension; none where the problem is solved.
+    pub failures: Vec<StaticsError>,
+    /// Why drums have no angle for a length; none without the effect `drum`.
+    pub winch_failures: Vec<WinchError>,
+}
+
+impl InverseSolution {
+    /// Room for this many cables.
+    pub(super) fn unsolved(cables: usize) -> Self {
+        Self {
+            pose: Pose::identity(),
+            cables: vec![CableCommand::NONE; cables],
+            failures: Vec::new(),
+            winch_failures: Vec::new(),
+        }
+    }
+
+    /// Controlled lengths q_θ of all cables (m), or why the first of them has none.
+    pub fn controlled_lengths(&self) -> Result<Vec<f64>, StaticsError> {
+        self.numbers(|cable| cable.controlled_length)
+    }
+
+    /// Recorded lengths of all cables (m), or why the first of them has none.
+    pub fn recorded_lengths(&self) -> Result<Vec<f64>, StaticsError> {
+        self.numbers(|cable| cable.recorded_length)
+    }
+
+    /// True where a cable on its path has no controlled length for want of a tension.
+    pub fn needs_tensions(&self) -> bool {
+        self.cables.iter().any(|cable| cable.length.is_finite() && cable.controlled_length.is_nan())
+    }
+
+    fn numbers(&self, of: impl Fn(&CableCommand) -> f64) -> Result<Vec<f64>, StaticsError> {
+        match self.failures.first() {
+            Some(failure) => Err(failure.clone()),
+            None => Ok(self.cables.iter().map(of).collect()),
+        }
+    }
+}

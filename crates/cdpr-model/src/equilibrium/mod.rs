@@ -1,0 +1,27 @@
+//! Forward problems: which pose follows from the cables.
+
+pub mod closed_form;
+
+pub mod distribution;
+pub mod elastostatics;
+pub mod feasibility;
+pub mod forward_kinematics;
+pub mod forward_problem;
+pub mod forward_statics;
+mod inverse;
+mod inverse_solution;
+mod pose_step;
+mod restarts;
+mod scratch;
+mod solution;
+mod start;
+mod state;
+
+pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings};
+pub use inverse_solution::{CableCommand, InverseSolution};
+pub use pose_step::turned;
+pub use restarts::restart_poses;
+use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
+pub use solution::{NoSolution, Solution, Solutions, Status};
+pub use start::Start;
+pub use state::State;

@@ -1,0 +1,13 @@
+//! Poses, twists, wrenches and motion patterns; nothing here knows of a robot.
+
+mod composed;
+mod nearest_rotation;
+mod pattern;
+mod pose_batch;
+
+pub use cdpr_core::geometry::{Pose, Twist, Wrench};
+pub use composed::{inverse, product};
+pub use nearest_rotation::nearest_rotation;
+pub use pattern::{MotionPattern, PatternError, Plane};
+pub use pose_batch::PoseBatch;
+pub use pose_batch::{POSE_ROWS, in_lanes, rotation_rows, transpose};

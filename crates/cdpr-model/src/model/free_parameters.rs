@@ -1,0 +1,375 @@
+//! The `--free` language: which parameters identification may change.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Serialize, Serializer};
+use thiserror::Error;
+
+use super::{Composition, Model, StretchEffect};
+use crate::robot::{Head, Parameter, ParameterKind};
+
+/// Selection of parameters, free or held: kinds, each for all cables or for some.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FreeParameters {
+    /// Kind and 0-based cables; `None` means every cable.
+    selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
+    /// Free quantities of the recording, in the order of [`RecordingParameter::ALL`].
+    recording: Vec<RecordingParameter>,
+}
+
+/// Quantity of a recording and not of its robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RecordingParameter {
+    /// Offset of the clocks of winches and tracker (s).
+    ClockOffset,
+    /// Pose of the tracker's world in the robot's frame.
+    TrackerFrame,
+    /// Pose of the tracked marker on the platform.
+    MarkerFrame,
+}
+
+impl RecordingParameter {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::ClockOffset, Self::TrackerFrame, Self::MarkerFrame];
+    /// Those that turn measured poses into poses of the platform.
+    pub const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
+
+    /// Name in lists of parameters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ClockOffset => "clock-offset",
+            Self::TrackerFrame => "tracker-frame",
+            Self::MarkerFrame => "marker-frame",
+        }
+    }
+}
+
+/// A list of parameters that cannot be understood or does not fit the model.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ParameterError {
+    /// Not a parameter.
+    #[error("`{name}` is not a parameter; known are {}{}", known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
+    UnknownName {
+        /// The word found.
+        name: String,
+    },
+    /// Text around the brackets that makes no sense.
+    #[error("cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1")]
+    Syntax {
+        /// The item.
+        item: String,
+    },
+    /// A cable the robot does not have.
+    #[error("`{kind}[{cable}]`: the robot has cables 1 to {cable_count}")]
+    NoSuchCable {
+        /// Name of the parameter.
+        kind: ParameterKind,
+        /// The number asked for, from 1.
+        cable: usize,
+        /// Number of cables.
+        cable_count: usize,
+    },
+    /// A parameter of an effect that the model does not have.
+    #[error("`{kind}` is free, but the model is `{model}`; choose a model with the effect `{effect}`")]
+    NotInModel {
+        /// The parameter.
+        kind: ParameterKind,
+        /// The model's composition.
+        model: String,
+        /// The effect it belongs to.
+        effect: &'static str,
+    },
+    /// Two parameters that shift the recorded lengths of a cable alike.
+    #[error(
+        "`start-length[{cable}]` and `length-offset[{cable}]` are both free, but they shift the recorded lengths of cable {cable} alike, \
+         so that no data tell them apart: free one of them"
+    )]
+    StartLengthTwice {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// A cable whose law has no specific compliance.
+    #[error(
+        "`{kind}[{cable}]` is free, but cable {cable} has a constant spring (`spring_constant_N_per_m`), which has no {kind}; state `axial_stiffness_EA_N` instead, or restrict the list to other cables"
+    )]
+    ConstantSpring {
+        /// The parameter.
+        kind: ParameterKind,
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// The axis of a drum whose guide makes it mean nothing.
+    #[error(
+        "`drum-axis[{cable}]` is free, but the guide of cable {cable} travels with the contact point (`drum_guided`), so that no length tells \
+         where the drum's axis points: restrict the list to other cables, or leave `drum-axis` out"
+    )]
+    GuidedDrum {
+        /// Number of the cable, from 1.
+        cable: usize,
+    },
+    /// The wrench belongs to no cable.
+    #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
+    WrenchOfCable,
+}
+
+/// The kind of this name that identification may free.
+pub fn identified_kind(name: &str) -> Result<ParameterKind, ParameterError> {
+    let kind = ParameterKind::IDENTIFIED.into_iter().find(|kind| kind.name() == name);
+    kind.ok_or_else(|| ParameterError::UnknownName { name: name.to_owned() })
+}
+
+/// Name of the effect without which a composition has no parameter of this kind; `None` where it has one.
+pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&'static str> {
+    match kind {
+        ParameterKind::PulleyRadius | ParameterKind::SwivelAxis if !composition.pulley => Some("pulley"),
+        kind if kind.needs_motor_angles() && !kind.is_of_ideal_winch() && !composition.drum => Some("drum"),
+        ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => Some("elastic"),
+        ParameterKind::HiddenLength if !composition.is_elastic() => Some("elastic"),
+        ParameterKind::Stretch(number) if composition.stretch != number.law().effect => Some(number.law().word),
+        kind if kind.needs_elasticity() && !composition.needs_tensions() => Some("elastic"),
+        _ => None,
+    }
+}
+
+/// Names of all parameters that may be free.
+fn known_names() -> impl Iterator<Item = &'static str> {
+    let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
+    of_recording.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
+}
+
+fn suggestion(name: &str) -> String {
+    let close = |known: &&str| strsim::jaro_winkler(known, name);
+    match known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
+        Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),
+        _ => String::new(),
+    }
+}
+
+impl FreeParameters {
+    /// These kinds for every cable.
+    pub fn of(kinds: &[ParameterKind]) -> Self {
+        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), recording: Vec::new() }
+    }
+
+    /// True when nothing is free.
+    pub fn is_empty(&self) -> bool {
+        self.selections.is_empty() && self.recording.is_empty()
+    }
+
+    /// True when nothing of the robot is free.
+    pub fn leaves_robot(&self) -> bool {
+        self.selections.is_empty()
+    }
+
+    /// True when this of the recording is free.
+    pub fn names_recording(&self, parameter: RecordingParameter) -> bool {
+        self.recording.contains(&parameter)
+    }
+
+    /// The same without these of the recording.
+    pub fn without_recording(&self, parameters: &[RecordingParameter]) -> Self {
+        let recording = self.recording.iter().copied().filter(|free| !parameters.contains(free)).collect();
+        Self { recording, ..self.clone() }
+    }
+
+    /// The same with these of the recording.
+    pub fn with_recording(&self, parameters: &[RecordingParameter]) -> Self {
+        let is_free = |free: &RecordingParameter| self.recording.contains(free) || parameters.contains(free);
+        Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
+    }
+
+    /// True where this kind of a cable (0-based) is named.
+    pub fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
+        let covers = |cables: &Option<Vec<usize>>| cables.as_ref().is_none_or(|list| list.contains(&cable));
+        self.selections.iter().any(|(other, cables)| *other == kind && covers(cables))
+    }
+
+    /// Start length and length offset are never both free.
+    fn check_start_lengths(parameters: &[Parameter]) -> Result<(), ParameterError> {
+        let is_free =
+            |cable, kind| parameters.iter().any(|parameter| parameter.cable == cable && parameter.kind == kind);
+        let of_start = parameters.iter().filter(|parameter| parameter.kind == ParameterKind::StartLength);
+        let mut cables = of_start.map(|parameter| parameter.cable);
+        cables
+            .find(|&cable| is_free(cable, ParameterKind::LengthOffset))
+            .map_or(Ok(()), |cable| Err(ParameterError::StartLengthTwice { cable: cable + 1 }))
+    }
+
+    /// The single parameters of a model that are free and not held, ordered by cable, kind and axis.
+    pub fn parameters(&self, model: &Model, hold: &Self) -> Result<Vec<Parameter>, ParameterError> {
+        self.parameters_with(model, hold, model.needs_tensions())
+    }
+
+    /// The same where recorded tensions are explained, which those of rigid cables are by their equilibrium.
+    pub fn parameters_with(
+        &self,
+        model: &Model,
+        hold: &Self,
+        explains_tensions: bool,
+    ) -> Result<Vec<Parameter>, ParameterError> {
+        self.check(model, explains_tensions)?;
+        hold.check_cables(model)?;
+        let mut parameters = Vec::new();
+        for cable in 0..model.cable_count() {
+            for kind in ParameterKind::IDENTIFIED.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
+                if self.contains(kind, cable) && !hold.contains(kind, cable) {
+                    parameters.extend(Parameter::identified(kind, model.robot(), cable));
+                }
+            }
+        }
+        let kind = ParameterKind::Wrench;
+        if self.contains(kind, 0) && !hold.contains(kind, 0) {
+            parameters.extend((0..model.dof()).map(|axis| Parameter { cable: 0, kind, axis }));
+        }
+        Self::check_start_lengths(&parameters)?;
+        Ok(parameters)
+    }
+
+    /// True when this kind is free for some cable.
+    pub fn names(&self, kind: ParameterKind) -> bool {
+        self.selections.iter().any(|(other, _)| *other == kind)
+    }
+
+    fn check(&self, model: &Model, explains_tensions: bool) -> Result<(), ParameterError> {
+        self.check_cables(model)?;
+        let composition = model.composition();
+        for &(kind, _) in &self.selections {
+            let is_of_equilibrium =
+                matches!(kind, ParameterKind::TensionScale | ParameterKind::TensionOffset | ParameterKind::Wrench);
+            if is_of_equilibrium && explains_tensions {
+                continue;
+            }
+            if let Some(effect) = missing_effect(kind, composition) {
+                return Err(ParameterError::NotInModel { kind, model: composition.to_string(), effect });
+            }
+        }
+        let is_guided = |cable: &usize| model.robot().cables[*cable].winch.guided == Some(true);
+        let mut turned = (0..model.cable_count()).filter(|&cable| self.contains(ParameterKind::DrumAxis, cable));
+        if let Some(cable) = turned.find(is_guided) {
+            return Err(ParameterError::GuidedDrum { cable: cable + 1 });
+        }
+        for kind in [ParameterKind::Compliance, ParameterKind::HiddenLength] {
+            let is_spring = |cable: &usize| model.robot().cables[*cable].spring_constant().is_some();
+            if let Some(cable) = (0..model.cable_count()).find(|cable| self.contains(kind, *cable) && is_spring(cable))
+            {
+                return Err(ParameterError::ConstantSpring { kind, cable: cable + 1 });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_cables(&self, model: &Model) -> Result<(), ParameterError> {
+        let cable_count = model.cable_count();
+        for (kind, cables) in &self.selections {
+            if *kind == ParameterKind::Wrench && cables.is_some() {
+                return Err(ParameterError::WrenchOfCable);
+            }
+            if let Some(&cable) = cables.iter().flatten().find(|&&cable| cable >= cable_count) {
+                return Err(ParameterError::NoSuchCable { kind: *kind, cable: cable + 1, cable_count });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for FreeParameters {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (kind, cables)) in self.selections.iter().enumerate() {
+            let comma = if index > 0 { "," } else { "" };
+            write!(f, "{comma}{kind}")?;
+            if let Some(cables) = cables {
+                let numbers: Vec<String> = cables.iter().map(|cable| (cable + 1).to_string()).collect();
+                write!(f, "[{}]", numbers.join(","))?;
+            }
+        }
+        for (index, parameter) in self.recording.iter().enumerate() {
+            let comma = if index > 0 || !self.selections.is_empty() { "," } else { "" };
+            write!(f, "{comma}{}", parameter.name())?;
+        }
+        Ok(())
+    }
+}
+
+impl Serialize for FreeParameters {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl FromStr for FreeParameters {
+    type Err = ParameterError;
+
+    /// Reads `frame-anchor[1,3],length-offset`; empty text frees nothing.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (mut selections, mut recording) = (Vec::new(), Vec::new());
+        let mut rest = text.trim();
+        while !rest.is_empty() {
+            let end = rest.find([',', '[']).unwrap_or(rest.len());
+            let word = rest[..end].trim();
+            if let Some(parameter) = RecordingParameter::ALL.into_iter().find(|parameter| parameter.name() == word) {
+                recording.push(parameter);
+                rest = &rest[end..];
+            } else {
+                let kind = identified_kind(word)?;
+                let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
+                let head = Head::read(rest).ok_or_else(syntax)?;
+                let cables = head.cables;
+                rest = head.rest.trim_start();
+                selections.push((kind, cables));
+            }
+            rest = match rest.strip_prefix(',') {
+                Some(after) if !after.trim().is_empty() => after.trim_start(),
+                Some(_) => return Err(ParameterError::Syntax { item: text.to_owned() }),
+                None if rest.is_empty() => rest,
+                None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
+            };
+        }
+        Ok(Self { selections, recording: Vec::new() }.with_recording(&recording))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_free_language_survives_the_round_trip() {
+        for text in [
+            "",
+            "frame-anchor",
+            "frame-anchor[1,3],length-offset",
+            "length-scale,pulley-radius[8]",
+            "compliance,wrench",
+            "clock-offset",
+            "frame-anchor[2],clock-offset",
+            "tracker-frame",
+            "frame-anchor,clock-offset,tracker-frame,marker-frame",
+        ] {
+            let free: FreeParameters = text.parse().unwrap();
+            assert_eq!(free.to_string(), text);
+        }
+    }
+
+    #[test]
+    fn what_is_not_the_language_is_refused() {
+        for text in [
+            "frame",
+            "frame-anchor[",
+            "frame-anchor[0]",
+            "frame-anchor[a]",
+            "frame-anchor]",
+            "length-offset,",
+            "frame-anchor[1]x",
+            "complience",
+            ",",
+            "clock-offset[1]",
+            "marker-frame[1]",
+            "tracker",
+            "frame-anchor[-1]",
+            "frame-anchor[99999999999999999999999]",
+        ] {
+            assert!(text.parse::<FreeParameters>().is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,298 @@
+//! The model type and what it answers at one pose.
+
+use nalgebra::Vector3;
+
+use super::CableGroup;
+use super::composition::{Cables, Composition, StretchEffect};
+use super::error::{ModelError, require};
+use super::laws;
+use super::winches::winches_of;
+use crate::cable::elasticity::{Elasticity, linear_elasticity};
+use crate::cable::law::CableLaw;
+use crate::cable::outlet::{self, Contact, Outlet};
+use crate::cable::stretch::hysteresis::Memory;
+use crate::cable::winch::Winch;
+use crate::cable::wrench::wrench;
+use crate::cable::{CableEnd, CableInput, CablePath, CableState, CableStateError, GeometryError};
+use crate::geometry::{Pose, Twist};
+use crate::robot::{Cable, Law, Robot, TensionPlace};
+use crate::scalar::LANES;
+
+/// A robot with chosen effects. Immutable: a changed parameter makes a new model.
+#[derive(Clone, Debug)]
+pub struct Model {
+    robot: Robot,
+    composition: Composition,
+    twist_basis: Vec<Twist>,
+    axes: Vec<Vector3<f64>>,
+    groups: Vec<CableGroup>,
+    elasticity: Vec<Elasticity<f64>>,
+    laws: Vec<CableLaw>,
+    /// See [`Model::winch`].
+    pub(super) winches: Vec<Option<Winch>>,
+}
+
+impl Model {
+    /// A model of this robot with these effects.
+    pub fn new(robot: Robot, composition: Composition) -> Result<Self, ModelError> {
+        if robot.cables.is_empty() {
+            return Err(ModelError::NoCables { robot: robot.name });
+        }
+        if composition.pulley {
+            for (index, cable) in robot.cables.iter().enumerate() {
+                let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
+                require(cable.pulley_swivel_axis().is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
+                require(cable.pulley_radius().is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
+            }
+            check_wrap_sides(&robot)?;
+        }
+        let elasticity = match composition.stretch.law().filter(|law| law.effect == StretchEffect::Linear) {
+            Some(linear) => elasticity_of(&robot, linear)?,
+            None => vec![Elasticity::RIGID; robot.cables.len()],
+        };
+        let twist_basis = robot.motion_pattern.twist_basis(robot.plane);
+        let axes =
+            twist_basis[..robot.motion_pattern.translations()].iter().map(|t| t.fixed_rows::<3>(0).into()).collect();
+        let laws = laws::laws(&robot, composition, &elasticity)?;
+        let chunks = robot.cables.chunks(LANES).zip(laws.chunks(LANES)).zip(elasticity.chunks(LANES));
+        let groups = chunks.map(|((cables, laws), linear)| group(cables, laws, linear)).collect();
+        let winches = winches_of(&robot, composition.drum)?;
+        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
+    }
+
+    /// The model whose cables come from these memories, one per cable; without effect where their laws have none.
+    pub fn with_memories(&self, memories: &[Memory]) -> Self {
+        let mut model = self.clone();
+        for (law, memory) in model.laws.iter_mut().zip(memories) {
+            law.stretch = law.stretch.with_memory(memory);
+        }
+        model
+    }
+
+    /// The robot.
+    pub fn robot(&self) -> &Robot {
+        &self.robot
+    }
+
+    /// The effects.
+    pub fn composition(&self) -> Composition {
+        self.composition
+    }
+
+    /// Laws that the cables obey.
+    pub fn cables(&self) -> Cables {
+        self.composition.cables()
+    }
+
+    /// True where a controlled length belongs to a tension, see `Composition::needs_tensions`.
+    pub fn needs_tensions(&self) -> bool {
+        self.composition.needs_tensions()
+    }
+
+    /// Frame and platform anchors of cables that run straight from one to the other (world, m; platform, m); nothing for pulleys and for
+    /// cables with weight.
+    pub fn straight_lines(&self) -> Option<impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)>> {
+        let is_straight = !self.composition.pulley && self.cables().has_fixed_directions();
+        is_straight.then(|| self.robot.cables.iter().map(|cable| (&cable.frame_anchor, &cable.platform_anchor)))
+    }
+
+    /// Number of cables m.
+    pub fn cable_count(&self) -> usize {
+        self.robot.cables.len()
+    }
+
+    /// Number of degrees of freedom n.
+    pub fn dof(&self) -> usize {
+        self.twist_basis.len()
+    }
+
+    /// The n directions a pose can move in (columns of twists).
+    pub fn twist_basis(&self) -> &[Twist] {
+        &self.twist_basis
+    }
+
+    /// World directions in which an anchor of this pattern can lie: e₁, e₂ of a planar robot, else x, y, z.
+    pub fn axes(&self) -> &[Vector3<f64>] {
+        &self.axes
+    }
+
+    /// Elasticity of one cable (0-based); [`Elasticity::RIGID`] in a model without the effect `elastic`.
+    pub fn elasticity(&self, cable: usize) -> &Elasticity<f64> {
+        &self.elasticity[cable]
+    }
+
+    /// The law of one cable (0-based) with all its effects.
+    pub fn law(&self, cable: usize) -> &CableLaw {
+        &self.laws[cable]
+    }
+
+    /// One cable (0-based) at rest at a pose, with one more quantity given.
+    ///
+    /// Asks nothing of the path of its straight cable beyond a length ([`Model::path`] does).
+    pub fn cable_state(&self, cable: usize, pose: &Pose, input: CableInput) -> Result<CableState, CableStateError> {
+        self.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
+    }
+
+    /// End of one cable (0-based) on a platform given by position and rotation rows.
+    #[inline(always)]
+    pub fn cable_end(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> CableEnd<f64> {
+        CableEnd::at(position, rotation, self.robot.cables[cable].platform_anchor.into())
+    }
+
+    /// A tension as robots measure it, at the outlet, or where the file says.
+    pub fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
+        match self.robot.cables[cable].tension_at {
+            Some(TensionPlace::Platform) => CableInput::PlatformTension(tension),
+            _ => CableInput::OutletTension(tension),
+        }
+    }
+
+    /// Cables in groups of eight lanes.
+    pub fn groups(&self) -> &[CableGroup] {
+        &self.groups
+    }
+
+    /// CablePath and moment arm b = R b_P of one cable (0-based) at a pose, or why it has none.
+    pub fn path(&self, cable: usize, pose: &Pose) -> Result<(CablePath<f64>, Vector3<f64>), GeometryError> {
+        let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((path, end.moment_arm.into()))
+    }
+
+    /// Contact point of one straight cable (0-based) with its pulley at a pose, how free length, arc and contact point follow the
+    /// platform (eq. 2.83–2.87), and the cable's end; or why there is no path. A model without pulleys has the frame anchor as contact point.
+    pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), GeometryError> {
+        let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
+        Ok((self.laws[cable].outlet.contact(end.anchor, &path), end))
+    }
+
+    /// [`Model::path`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who
+    /// asks for a length alone pays for no derivative.
+    #[inline(always)]
+    pub fn checked_path(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> Result<(CablePath<f64>, CableEnd<f64>), GeometryError> {
+        let (path, end) = self.path_at(cable, position, rotation);
+        match self.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &path) {
+            Some(reason) => Err(reason),
+            None => Ok((path, end)),
+        }
+    }
+
+    /// [`Model::path`] without the question whether it exists: numbers that are not finite where it does not.
+    pub fn path_or_nan(&self, cable: usize, pose: &Pose) -> (CablePath<f64>, Vector3<f64>) {
+        let (path, end) = self.path_at(cable, pose.position.into(), &pose.rotation_rows());
+        (path, end.moment_arm.into())
+    }
+
+    /// [`Model::path_or_nan`] and end for a pose given by position and rotation rows, when many cables share it.
+    #[inline(always)]
+    pub fn path_at(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> (CablePath<f64>, CableEnd<f64>) {
+        let end = self.cable_end(cable, position, rotation);
+        (self.laws[cable].outlet.path(end.anchor), end)
+    }
+
+    /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
+    /// (−π, π] (rad): what an encoder at the swivel measures.
+    ///
+    /// `None` in a model without pulleys, for one that does not swivel, and where the angle is not determined: the platform anchor or the reference lies on
+    /// the swivel axis.
+    pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
+        let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.laws[cable].outlet else { return None };
+        let anchor = pose.transform(&self.robot.cables[cable].platform_anchor);
+        outlet::pulley::swivel_angle(frame_anchor, swivel_axis, (*reference).into(), anchor.into())
+    }
+
+    /// [`Model::structure_column`] for a pose given by position and rotation rows.
+    pub(super) fn checked_structure_column(
+        &self,
+        cable: usize,
+        position: [f64; 3],
+        rotation: &[[f64; 3]; 3],
+    ) -> Result<Twist, GeometryError> {
+        let (path, end) = self.checked_path(cable, position, rotation)?;
+        Ok(wrench(end.moment_arm, path.direction).into())
+    }
+
+    /// \[u; b × u\] of one cable (0-based; world).
+    pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, GeometryError> {
+        let (path, moment_arm) = self.path(cable, pose)?;
+        Ok(wrench(moment_arm.into(), path.direction).into())
+    }
+
+    /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
+    pub fn recorded_length(&self, cable: usize, length: f64) -> f64 {
+        self.laws[cable].recording.length(length)
+    }
+
+    /// Controlled length q_θ behind a recorded one: the inverse of [`Model::recorded_length`] (m).
+    pub fn controlled_length(&self, cable: usize, recorded: f64) -> f64 {
+        self.laws[cable].recording.controlled_length(recorded)
+    }
+
+    /// Tension that the robot records for a real one: tension_scale · f + tension_offset (N).
+    pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
+        self.laws[cable].recording.tension(tension)
+    }
+
+    /// Real tension behind a recorded one: the inverse of `Model::recorded_tension` (N).
+    pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
+        self.laws[cable].recording.real_tension(recorded)
+    }
+
+    /// Mean distance of the platform anchors from the platform origin (m): what makes an angle a length.
+    ///
+    /// 1 for a platform without extent.
+    pub fn platform_radius(&self) -> f64 {
+        let sum: f64 = self.robot.cables.iter().map(|cable| cable.platform_anchor.norm()).sum();
+        let mean = sum / self.cable_count() as f64;
+        if mean > 0.0 { mean } else { 1.0 }
+    }
+}
+
+/// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.
+fn check_wrap_sides(robot: &Robot) -> Result<(), ModelError> {
+    let with_side = |cable: &Cable| cable.pulley_wrap_side.is_some();
+    let Some(first) = robot.cables.iter().position(with_side) else { return Ok(()) };
+    if !robot.motion_pattern.is_planar() {
+        return Err(ModelError::SpatialWrapSide { cable: first + 1, name: robot.cables[first].name.clone() });
+    }
+    let hint = ": the pulleys of a robot all swivel or none does";
+    robot
+        .cables
+        .iter()
+        .enumerate()
+        .try_for_each(|(index, cable)| require(with_side(cable), ("pulley", "pulley_wrap_side", hint), index, cable))
+}
+
+fn elasticity_of(robot: &Robot, entry: &Law) -> Result<Vec<Elasticity<f64>>, ModelError> {
+    let law = |(index, cable): (usize, &Cable)| {
+        let law = linear_elasticity(cable);
+        require(law.is_some(), (entry.word, entry.keys[0], entry.hint), index, cable)?;
+        Ok(law.unwrap_or(Elasticity::RIGID))
+    };
+    robot.cables.iter().enumerate().map(law).collect()
+}
+
+/// Packs up to eight cables; the last one fills the rest with weight 0.
+fn group(cables: &[Cable], laws: &[CableLaw], linear: &[Elasticity<f64>]) -> CableGroup {
+    let at = |lane: usize| lane.min(cables.len() - 1);
+    let outlets: Vec<Outlet<f64>> = laws.iter().map(|law| law.outlet).collect();
+    CableGroup {
+        outlet: Outlet::pack(&outlets),
+        platform_anchor: [0, 1, 2].map(|axis| std::array::from_fn(|lane| cables[at(lane)].platform_anchor[axis])),
+        weight: std::array::from_fn(|lane| if lane < cables.len() { 1.0 } else { 0.0 }),
+        elasticity: [
+            std::array::from_fn(|lane| linear[at(lane)].by_length),
+            std::array::from_fn(|lane| linear[at(lane)].by_controlled_length),
+            std::array::from_fn(|lane| linear[at(lane)].constant),
+        ],
+    }
+}

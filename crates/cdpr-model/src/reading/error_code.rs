@@ -1,0 +1,27 @@
+//! Stable short names of everything that the library refuses, for scripts and for looking up.
+//!
+//! A code is `area::mistake` in words. One mistake has one code, whichever function met it: an error that only carries
+//! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
+
+use super::{FileError, ReadError};
+
+/// An error with a stable short name.
+pub trait ErrorCode: std::error::Error {
+    /// The name, e.g. `data::all-equal`.
+    fn code(&self) -> &'static str;
+}
+
+impl ErrorCode for ReadError {
+    fn code(&self) -> &'static str {
+        self.code
+    }
+}
+
+impl ErrorCode for FileError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "io::read",
+            Self::Refused(error) => error.code(),
+        }
+    }
+}

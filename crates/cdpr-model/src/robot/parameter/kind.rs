@@ -1,0 +1,381 @@
+//! Kinds of parameters: the one list of a robot's numbers, with their names, keys in files, units and ranges.
+
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+#[cfg(feature = "files")]
+use crate::reading::MAGNITUDE_LIMIT;
+use crate::robot::stretch::registry::StretchNumber;
+
+/// Kind of a parameter; of what a cable has there is one for every cable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum ParameterKind {
+    /// Frame anchor a (world, m); entry point D of a pulley.
+    FrameAnchor,
+    /// Platform anchor b (platform frame, m).
+    PlatformAnchor,
+    /// Pulley radius r_p (m).
+    PulleyRadius,
+    /// q_recorded = length_scale · q_θ + length_offset (m).
+    LengthOffset,
+    /// See [`ParameterKind::LengthOffset`]; without unit.
+    LengthScale,
+    /// Radius of the winch's drum to the cable's centre line (m); data of motor angles tell it.
+    DrumRadius,
+    /// Controlled length at the drum's start angle (m); data of motor angles tell it. It shifts lengths as the length offset
+    /// does: one of the two is free, never both.
+    StartLength,
+    /// Specific stiffness EA (N).
+    AxialStiffness,
+    /// Strained length between winch and outlet q_h (m).
+    HiddenLength,
+    /// Constant external force on the platform (world, N).
+    Force,
+    /// Constant external moment about the platform origin (world, N·m).
+    Moment,
+    /// Mass of the platform (kg).
+    Mass,
+    /// Centre of mass (platform frame, m).
+    CenterOfMass,
+    /// Specific compliance 1/EA (1/N): its inverse, the stiffness, runs away where data say little (see the book).
+    Compliance,
+    /// f_recorded = tension_scale · f + tension_offset; without unit.
+    TensionScale,
+    /// See [`ParameterKind::TensionScale`] (N).
+    TensionOffset,
+    /// Constant external wrench in world axes, weight included (N, N·m).
+    Wrench,
+    /// Spring constant that does not depend on the length (N/m).
+    SpringConstant,
+    /// Further compliance in series with the cable (m/N).
+    SeriesCompliance,
+    /// Mass per length of the unstrained cable (kg/m).
+    LinearDensity,
+    /// Diameter of the cable (m).
+    Diameter,
+    /// Least tension allowed (N).
+    TensionMin,
+    /// Largest tension allowed (N).
+    TensionMax,
+    /// Least geometric length allowed (m).
+    LengthMin,
+    /// Largest geometric length allowed (m).
+    LengthMax,
+    /// Least wrap angle on the pulley (rad).
+    WrapMin,
+    /// Largest wrap angle on the pulley (rad).
+    WrapMax,
+    /// Pitch of the drum's groove (m per turn).
+    DrumPitch,
+    /// Drum angle at which the controlled length is the start length (rad).
+    StartAngle,
+    /// Length of the groove along the drum's axis (m).
+    GrooveLength,
+    /// Radius that each further layer of cable adds (m).
+    LayerHeight,
+    /// Motor angle = gear ratio · drum angle; without unit.
+    GearRatio,
+    /// Counts of the motor's encoder in one turn of the motor; without unit.
+    EncoderCounts,
+    /// Gravity (world, m/s²).
+    Gravity,
+    /// Squared radius that a spool gains with every metre wound on it (m); data of motor angles tell it.
+    SpoolBuildUp,
+    /// Length on the drum over length of the cable, as tackle makes it; without unit.
+    MechanicalAdvantage,
+    /// Damping of the cable per rate of its elongation (N·s/m).
+    CableDamping,
+    /// Damping time η of the cable: damping over stiffness (s).
+    CableDampingTime,
+    /// Inertia of the drum about its axis (kg·m²).
+    DrumInertia,
+    /// Inertia of the motor's rotor about its axis (kg·m²).
+    RotorInertia,
+    /// Dry friction at the drum (N·m).
+    CoulombFriction,
+    /// Friction at the drum per speed (N·m·s/rad).
+    ViscousFriction,
+    /// Dry friction of a drum that stands (N·m).
+    StaticFriction,
+    /// Speed over which a drum's dry friction falls from the static one to Coulomb's (rad/s).
+    StribeckSpeed,
+    /// Friction coefficient of the pulley, its bearing included; without unit.
+    PulleyFriction,
+    /// Inertia of the pulley about its axis (kg·m²).
+    PulleyInertia,
+    /// Damping of the platform's velocity D_lin (N·s/m).
+    PlatformDamping,
+    /// Damping of its angular velocity D_rot (N·m·s/rad).
+    RotationalDamping,
+    /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
+    DrumAxis,
+    /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
+    /// normal (rad).
+    SwivelAxis,
+    /// Number of a law of stretch, by the list of all laws.
+    Stretch(StretchNumber),
+}
+
+/// Owner of a parameter: the table of the robot file in which it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Owner {
+    /// Every `[[cable]]` has its own.
+    Cable,
+    /// `[platform]`.
+    Platform,
+    /// `[external_wrench]`.
+    ExternalWrench,
+    /// The keys above the first table.
+    Robot,
+}
+
+/// Range of the values that a robot file may state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Range {
+    /// Any number.
+    Real,
+    /// Zero or more.
+    NotNegative,
+    /// Above zero.
+    Positive,
+    /// Any number but zero.
+    NotZero,
+}
+
+impl Range {
+    /// True for a value that a robot file may state.
+    #[cfg(feature = "files")]
+    pub(crate) fn contains(self, value: f64) -> bool {
+        // what is not finite is refused by the first comparison
+        value.abs() <= MAGNITUDE_LIMIT
+            && match self {
+                Self::Real => true,
+                Self::NotNegative => value >= 0.0,
+                Self::Positive => value >= 1.0 / MAGNITUDE_LIMIT,
+                Self::NotZero => value != 0.0,
+            }
+    }
+}
+
+/// Everything that is said of a kind once.
+struct Entry {
+    name: &'static str,
+    owner: Owner,
+    key: &'static str,
+    unit: &'static str,
+    range: Range,
+}
+
+/// Kinds, and behind them the numbers of all laws of stretch.
+const fn with_stretch<const N: usize, const M: usize>(kinds: [ParameterKind; N]) -> [ParameterKind; M] {
+    let mut all = [ParameterKind::FrameAnchor; M];
+    let mut k = 0;
+    while k < M {
+        all[k] = if k < N { kinds[k] } else { ParameterKind::Stretch(StretchNumber::at(k - N)) };
+        k += 1;
+    }
+    all
+}
+
+const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static str, range: Range) -> Entry {
+    Entry { name, owner, key, unit, range }
+}
+
+impl ParameterKind {
+    /// Every kind.
+    pub(crate) const ALL: [Self; 50 + StretchNumber::COUNT] = with_stretch([
+        Self::FrameAnchor,
+        Self::PlatformAnchor,
+        Self::PulleyRadius,
+        Self::LengthOffset,
+        Self::LengthScale,
+        Self::DrumRadius,
+        Self::StartLength,
+        Self::AxialStiffness,
+        Self::HiddenLength,
+        Self::Force,
+        Self::Moment,
+        Self::Mass,
+        Self::CenterOfMass,
+        Self::Compliance,
+        Self::TensionScale,
+        Self::TensionOffset,
+        Self::Wrench,
+        Self::SpringConstant,
+        Self::SeriesCompliance,
+        Self::LinearDensity,
+        Self::Diameter,
+        Self::TensionMin,
+        Self::TensionMax,
+        Self::LengthMin,
+        Self::LengthMax,
+        Self::WrapMin,
+        Self::WrapMax,
+        Self::DrumPitch,
+        Self::StartAngle,
+        Self::GrooveLength,
+        Self::LayerHeight,
+        Self::GearRatio,
+        Self::EncoderCounts,
+        Self::Gravity,
+        Self::DrumAxis,
+        Self::SwivelAxis,
+        Self::SpoolBuildUp,
+        Self::MechanicalAdvantage,
+        Self::CableDamping,
+        Self::CableDampingTime,
+        Self::DrumInertia,
+        Self::RotorInertia,
+        Self::CoulombFriction,
+        Self::ViscousFriction,
+        Self::StaticFriction,
+        Self::StribeckSpeed,
+        Self::PulleyFriction,
+        Self::PulleyInertia,
+        Self::PlatformDamping,
+        Self::RotationalDamping,
+    ]);
+
+    /// Kinds that identification may free, in the order of a parameter vector.
+    pub const IDENTIFIED: [Self; 17 + StretchNumber::COUNT] = with_stretch([
+        Self::FrameAnchor,
+        Self::PlatformAnchor,
+        Self::LengthOffset,
+        Self::LengthScale,
+        Self::PulleyRadius,
+        Self::SwivelAxis,
+        Self::DrumRadius,
+        Self::SpoolBuildUp,
+        Self::DrumPitch,
+        Self::DrumAxis,
+        Self::StartLength,
+        Self::StartAngle,
+        Self::Compliance,
+        Self::HiddenLength,
+        Self::TensionScale,
+        Self::TensionOffset,
+        Self::Wrench,
+    ]);
+
+    fn entry(self) -> Entry {
+        use Owner::{Cable, ExternalWrench, Platform};
+        use Range::{NotNegative, NotZero, Positive, Real};
+        match self {
+            Self::FrameAnchor => of(Cable, "frame-anchor", "frame_anchor_m", "m", Real),
+            Self::PlatformAnchor => of(Cable, "platform-anchor", "platform_anchor_m", "m", Real),
+            Self::PulleyRadius => of(Cable, "pulley-radius", "pulley_radius_m", "m", NotNegative),
+            Self::LengthOffset => of(Cable, "length-offset", "length_offset_m", "m", Real),
+            Self::LengthScale => of(Cable, "length-scale", "length_scale", "", Positive),
+            Self::DrumRadius => of(Cable, "drum-radius", "drum_radius_m", "m", Positive),
+            Self::StartLength => of(Cable, "start-length", "drum_start_length_m", "m", Real),
+            Self::AxialStiffness => of(Cable, "axial-stiffness", "axial_stiffness_EA_N", "N", Positive),
+            Self::HiddenLength => of(Cable, "hidden-length", "hidden_length_m", "m", NotNegative),
+            Self::Force => of(ExternalWrench, "force", "force_N", "N", Real),
+            Self::Moment => of(ExternalWrench, "moment", "moment_Nm", "N·m", Real),
+            Self::Mass => of(Platform, "mass", "mass_kg", "kg", NotNegative),
+            Self::PlatformDamping => of(Platform, "platform-damping", "damping_N_s_per_m", "N·s/m", NotNegative),
+            Self::RotationalDamping => {
+                of(Platform, "rotational-damping", "rotational_damping_Nm_s_per_rad", "N·m·s/rad", NotNegative)
+            }
+            Self::CenterOfMass => of(Platform, "center-of-mass", "center_of_mass_m", "m", Real),
+            Self::Compliance => of(Cable, "compliance", "axial_compliance_per_N", "1/N", NotNegative),
+            Self::TensionScale => of(Cable, "tension-scale", "tension_scale", "", Positive),
+            Self::TensionOffset => of(Cable, "tension-offset", "tension_offset_N", "N", Real),
+            // force and moment are its keys
+            Self::Wrench => of(ExternalWrench, "wrench", "", "N", Real),
+            Self::SpringConstant => of(Cable, "spring-constant", "spring_constant_N_per_m", "N/m", Positive),
+            Self::SeriesCompliance => of(Cable, "series-compliance", "series_compliance_m_per_N", "m/N", NotNegative),
+            Self::LinearDensity => of(Cable, "linear-density", "linear_density_kg_per_m", "kg/m", NotNegative),
+            Self::Diameter => of(Cable, "diameter", "diameter_m", "m", Positive),
+            Self::TensionMin => of(Cable, "tension-min", "tension_min_N", "N", NotNegative),
+            Self::TensionMax => of(Cable, "tension-max", "tension_max_N", "N", NotNegative),
+            Self::LengthMin => of(Cable, "length-min", "length_min_m", "m", NotNegative),
+            Self::LengthMax => of(Cable, "length-max", "length_max_m", "m", NotNegative),
+            Self::WrapMin => of(Cable, "wrap-min", "pulley_wrap_min_rad", "rad", NotNegative),
+            Self::WrapMax => of(Cable, "wrap-max", "pulley_wrap_max_rad", "rad", NotNegative),
+            Self::DrumPitch => of(Cable, "drum-pitch", "drum_pitch_m", "m", NotNegative),
+            Self::StartAngle => of(Cable, "start-angle", "drum_start_angle_rad", "rad", Real),
+            Self::GrooveLength => of(Cable, "groove-length", "drum_groove_length_m", "m", Positive),
+            Self::LayerHeight => of(Cable, "layer-height", "drum_layer_height_m", "m", Positive),
+            Self::GearRatio => of(Cable, "gear-ratio", "gear_ratio", "", NotZero),
+            Self::SpoolBuildUp => of(Cable, "spool-build-up", "spool_build_up_m", "m", NotNegative),
+            Self::MechanicalAdvantage => of(Cable, "mechanical-advantage", "mechanical_advantage", "", Positive),
+            Self::CableDamping => of(Cable, "cable-damping", "cable_damping_N_s_per_m", "N·s/m", NotNegative),
+            Self::CableDampingTime => of(Cable, "cable-damping-time", "cable_damping_time_s", "s", NotNegative),
+            Self::DrumInertia => of(Cable, "drum-inertia", "drum_inertia_kg_m2", "kg·m²", Positive),
+            Self::RotorInertia => of(Cable, "rotor-inertia", "rotor_inertia_kg_m2", "kg·m²", NotNegative),
+            Self::CoulombFriction => of(Cable, "coulomb-friction", "drum_coulomb_friction_Nm", "N·m", NotNegative),
+            Self::ViscousFriction => {
+                of(Cable, "viscous-friction", "drum_viscous_friction_Nm_s_per_rad", "N·m·s/rad", NotNegative)
+            }
+            Self::StaticFriction => of(Cable, "static-friction", "drum_static_friction_Nm", "N·m", NotNegative),
+            Self::StribeckSpeed => of(Cable, "stribeck-speed", "drum_stribeck_speed_rad_per_s", "rad/s", Positive),
+            Self::PulleyFriction => of(Cable, "pulley-friction", "pulley_friction", "", NotNegative),
+            Self::PulleyInertia => of(Cable, "pulley-inertia", "pulley_inertia_kg_m2", "kg·m²", NotNegative),
+            Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
+            // the file states unit vectors, drum_axis and pulley_swivel_axis
+            Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),
+            Self::SwivelAxis => of(Cable, "swivel-axis", "", "rad", Real),
+            Self::Stretch(number) => {
+                let number = number.entry();
+                of(Cable, number.name, number.key, number.unit, Positive)
+            }
+            Self::Gravity => of(Owner::Robot, "gravity", "gravity_m_s2", "m/s²", Real),
+        }
+    }
+
+    /// Name in options and results, e.g. `frame-anchor`.
+    pub fn name(self) -> &'static str {
+        self.entry().name
+    }
+
+    /// Key in the robot file; empty for the wrench, whose keys are those of force and moment, and for turns of axes, whose keys are vectors.
+    pub(crate) fn key(self) -> &'static str {
+        self.entry().key
+    }
+
+    pub(crate) fn owner(self) -> Owner {
+        self.entry().owner
+    }
+
+    pub(crate) fn range(self) -> Range {
+        self.entry().range
+    }
+
+    /// Unit of the value, empty for a ratio; a wrench is in N, its moments in N·m.
+    pub fn unit(self) -> &'static str {
+        self.entry().unit
+    }
+
+    /// True for the anchors, which have a component along each axis of the pattern.
+    pub fn is_anchor(self) -> bool {
+        matches!(self, Self::FrameAnchor | Self::PlatformAnchor)
+    }
+
+    /// True for turns of an axis.
+    pub(crate) fn is_turn(self) -> bool {
+        matches!(self, Self::DrumAxis | Self::SwivelAxis)
+    }
+
+    /// Value of a robot that states none: a scale of 1, an offset of 0.
+    pub(crate) fn neutral(self) -> f64 {
+        match self {
+            Self::LengthScale | Self::TensionScale | Self::GearRatio | Self::MechanicalAdvantage => 1.0,
+            _ => 0.0,
+        }
+    }
+}
+
+impl fmt::Display for ParameterKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Serialize for ParameterKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}

@@ -1,0 +1,374 @@
+//! Parameters: every number of a robot by one type, with its value, name, unit and bounds.
+//!
+//! Robot files, `--free` lists, sensitivities, tolerances and sweeps mean the same numbers; each of them is a [`Parameter`].
+
+mod kind;
+mod naming;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Vector3;
+
+use super::{Axis, Cable, CableStiffness, ExternalWrench, Robot};
+use crate::geometry::Wrench;
+pub use kind::ParameterKind;
+pub(crate) use kind::{Owner, Range};
+pub use naming::{Head, axis_name};
+
+/// Largest turn of an axis (rad): what is mounted farther from its drawing is drawn wrong.
+const LARGEST_TURN: f64 = 0.5;
+
+/// One number of a robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Parameter {
+    /// Cable it belongs to, from 0; 0 for a number of the platform, which belongs to none.
+    pub cable: usize,
+    /// Kind.
+    pub kind: ParameterKind,
+    /// Component of a vector along the pattern's axes (turns for moments), of the wrench along its degrees of freedom, or of an axis' turn,
+    /// from 0; 0 for the rest.
+    pub axis: usize,
+}
+
+impl ParameterKind {
+    /// Components that a parameter of this kind has in a robot.
+    pub fn components(self, robot: &Robot) -> usize {
+        let (dof, translations) = (robot.dof(), robot.motion_pattern.translations());
+        match self {
+            Self::FrameAnchor | Self::PlatformAnchor | Self::Force | Self::CenterOfMass | Self::Gravity => translations,
+            Self::Moment => dof - translations,
+            Self::Wrench => dof,
+            Self::DrumAxis => 2,
+            Self::SwivelAxis => {
+                if robot.motion_pattern.is_planar() {
+                    1
+                } else {
+                    2
+                }
+            }
+            _ => 1,
+        }
+    }
+}
+
+impl Parameter {
+    /// Value that the robot states; `None` where it states none.
+    ///
+    /// Stiffness and compliance are one number: where the robot states one of them, both have a value.
+    pub fn get(&self, robot: &Robot) -> Option<f64> {
+        use ParameterKind as Kind;
+        let external = robot.external_wrench.as_ref();
+        match self.kind {
+            Kind::Mass => robot.platform.mass,
+            Kind::PlatformDamping => robot.platform.damping,
+            Kind::RotationalDamping => robot.platform.rotational_damping,
+            Kind::CenterOfMass => robot.platform.center_of_mass.map(|center| component(robot, &center, self.axis)),
+            Kind::Gravity => robot.gravity.map(|gravity| component(robot, &gravity, self.axis)),
+            Kind::Force | Kind::Moment => external.map(|external| self.of_wrench(robot, &external.wrench)),
+            // a wrench without the weight is not the constant wrench that identification means
+            Kind::Wrench => external
+                .filter(|external| external.includes_gravity)
+                .map(|external| self.of_wrench(robot, &external.wrench)),
+            Kind::FrameAnchor => Some(component(robot, &robot.cables[self.cable].frame_anchor, self.axis)),
+            Kind::PlatformAnchor => Some(component(robot, &robot.cables[self.cable].platform_anchor, self.axis)),
+            Kind::DrumAxis | Kind::SwivelAxis => {
+                self.axis_of(robot).map(|axis| axis.turn_about(&self.turn_direction(robot, &axis)))
+            }
+            kind => of_cable(kind, &robot.cables[self.cable]),
+        }
+    }
+
+    /// Value that the robot states, else the neutral one (scale 1, offset 0).
+    pub fn value(&self, robot: &Robot) -> f64 {
+        match (self.kind, &robot.external_wrench) {
+            (ParameterKind::Wrench, Some(external)) => self.of_wrench(robot, &external.wrench),
+            _ => self.get(robot).unwrap_or(self.kind.neutral()),
+        }
+    }
+
+    /// Writes a value into a robot; nothing else of it changes, but that stiffness, compliance and spring constant take each other's
+    /// place, and that a wrench includes the weight from then on. A groove without pitch gets no length, one without length no layers; an axis
+    /// that the robot does not have is not turned.
+    pub fn set(&self, robot: &mut Robot, value: f64) {
+        use ParameterKind as Kind;
+        let index = axis_index(robot, self.axis);
+        match self.kind {
+            Kind::Mass => robot.platform.mass = Some(value),
+            Kind::PlatformDamping => robot.platform.damping = Some(value),
+            Kind::RotationalDamping => robot.platform.rotational_damping = Some(value),
+            Kind::CenterOfMass => robot.platform.center_of_mass.get_or_insert_default()[index] = value,
+            Kind::Gravity => robot.gravity.get_or_insert_default()[index] = value,
+            Kind::Force | Kind::Moment | Kind::Wrench => self.set_wrench(robot, value),
+            Kind::FrameAnchor => robot.cables[self.cable].frame_anchor[index] = value,
+            Kind::PlatformAnchor => robot.cables[self.cable].platform_anchor[index] = value,
+            Kind::DrumAxis | Kind::SwivelAxis => self.set_turn(robot, value),
+            kind => set_of_cable(kind, &mut robot.cables[self.cable], value),
+        }
+    }
+
+    /// Parameters of a kind that a cable (0-based) has for identification: all components, but of the drum's axis the one turn by which it leans
+    /// more towards its first pulley. Lengths tell how far it leans there and nothing else of where it points.
+    pub(crate) fn identified(kind: ParameterKind, robot: &Robot, cable: usize) -> Vec<Self> {
+        let all = (0..kind.components(robot)).map(|axis| Self { cable, kind, axis });
+        let Some(towards) = robot.cables[cable].way_to_first_pulley() else {
+            return all.collect();
+        };
+        let lean = |parameter: &Self| {
+            let turned = parameter.turned_axis(robot);
+            turned.map_or(0.0, |(axis, about)| axis.by_turn_about(&about).dot(&towards).abs())
+        };
+        match kind {
+            ParameterKind::DrumAxis => all.reduce(|a, b| if lean(&b) > lean(&a) { b } else { a }).into_iter().collect(),
+            _ => all.collect(),
+        }
+    }
+
+    /// Axis that a turn belongs to.
+    fn axis_of(&self, robot: &Robot) -> Option<Axis> {
+        let cable = &robot.cables[self.cable];
+        match self.kind {
+            ParameterKind::DrumAxis => cable.winch.axis,
+            ParameterKind::SwivelAxis => cable.swivel_axis(),
+            _ => None,
+        }
+    }
+
+    /// Direction about which an axis turns.
+    fn turn_direction(&self, robot: &Robot, axis: &Axis) -> Vector3<f64> {
+        match self.kind {
+            ParameterKind::SwivelAxis if robot.motion_pattern.is_planar() => robot.plane.normal(),
+            _ => axis.directions()[self.axis],
+        }
+    }
+
+    fn set_turn(&self, robot: &mut Robot, value: f64) {
+        let Some(mut axis) = self.axis_of(robot) else { return };
+        axis.set_turn_about(&self.turn_direction(robot, &axis), value);
+        let cable = &mut robot.cables[self.cable];
+        match self.kind {
+            ParameterKind::DrumAxis => cable.winch.axis = Some(axis),
+            _ => cable.turn_swivel_axis(axis),
+        }
+    }
+
+    /// Axis that the parameter turns, and the direction about which it does; `None` for one that turns no axis of the robot.
+    pub fn turned_axis(&self, robot: &Robot) -> Option<(Axis, Vector3<f64>)> {
+        let axis = self.axis_of(robot)?;
+        Some((axis, self.turn_direction(robot, &axis)))
+    }
+
+    /// [`Parameter::set`] where the reader of robot files would accept the value whatever else the robot states; `None` for a value out of
+    /// range, for a vector or table that the robot does not state, and where other numbers decide, as between least and largest.
+    #[cfg(feature = "files")]
+    pub fn set_alone(&self, robot: &mut Robot, value: f64) -> Option<()> {
+        let is_alone = match self.kind {
+            _ if !self.kind.range().contains(value) => false,
+            ParameterKind::AxialStiffness | ParameterKind::Compliance | ParameterKind::SpringConstant => {
+                let stated = robot.cables[self.cable].stiffness.map(|stiffness| match stiffness {
+                    CableStiffness::Axial(_) => ParameterKind::AxialStiffness,
+                    CableStiffness::Compliance(_) => ParameterKind::Compliance,
+                    CableStiffness::Spring(_) => ParameterKind::SpringConstant,
+                });
+                stated.is_none_or(|stated| stated == self.kind)
+            }
+            ParameterKind::CenterOfMass | ParameterKind::Gravity | ParameterKind::Force | ParameterKind::Moment => {
+                self.get(robot).is_some()
+            }
+            // a cable states all numbers of a law or none
+            ParameterKind::Stretch(_) => self.get(robot).is_some(),
+            // a drum stands outside its first pulley
+            ParameterKind::FrameAnchor => robot.cables[self.cable].winch.position.is_none(),
+            ParameterKind::TensionMin | ParameterKind::TensionMax | ParameterKind::LengthMin => false,
+            ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
+            ParameterKind::DrumRadius | ParameterKind::DrumPitch | ParameterKind::SpoolBuildUp => false,
+            ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
+            // friction of a drum that stands is no less than that of one that turns, and a pulley turns by its radius
+            ParameterKind::CoulombFriction => robot.cables[self.cable].winch.static_friction.is_none(),
+            ParameterKind::StaticFriction | ParameterKind::StribeckSpeed | ParameterKind::PulleyInertia => false,
+            ParameterKind::PulleyRadius => robot.cables[self.cable].pulley_inertia.is_none(),
+            ParameterKind::DrumAxis | ParameterKind::SwivelAxis => false,
+            _ => true,
+        };
+        if !is_alone {
+            return None;
+        }
+        self.set(robot, value);
+        // cables from one point hold no platform
+        let first = robot.cables.first().map(|cable| cable.frame_anchor);
+        let is_apart = robot.cables.len() < 2 || robot.cables.iter().any(|cable| Some(cable.frame_anchor) != first);
+        is_apart.then_some(())
+    }
+
+    /// Values that searches may give it: radii, compliances and hidden lengths not below 0, scales, radii of drums and numbers of laws positive, turns of axes up
+    /// to half a radian about each direction.
+    pub fn bounds(&self) -> (f64, f64) {
+        match self.kind.range() {
+            _ if self.kind.is_turn() => (-LARGEST_TURN, LARGEST_TURN),
+            // strains are small
+            _ if matches!(self.kind, ParameterKind::Stretch(_)) => (1e-9, f64::INFINITY),
+            Range::NotNegative => (0.0, f64::INFINITY),
+            Range::Positive => (1e-3, f64::INFINITY),
+            Range::Real | Range::NotZero => (f64::NEG_INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// Unit of the value, empty for a ratio.
+    pub fn unit(&self, robot: &Robot) -> &'static str {
+        let is_moment = self.kind == ParameterKind::Wrench && self.axis >= robot.motion_pattern.translations();
+        if is_moment { "N·m" } else { self.kind.unit() }
+    }
+
+    /// Degree of freedom along which a force, a moment or the wrench acts.
+    pub fn degree_of_freedom(&self, robot: &Robot) -> usize {
+        match self.kind {
+            ParameterKind::Moment => robot.motion_pattern.translations() + self.axis,
+            _ => self.axis,
+        }
+    }
+
+    fn of_wrench(&self, robot: &Robot, wrench: &Wrench) -> f64 {
+        let (row, sign) = wrench_row(robot, self.degree_of_freedom(robot));
+        sign * wrench[row] + 0.0
+    }
+
+    fn set_wrench(&self, robot: &mut Robot, value: f64) {
+        let (row, sign) = wrench_row(robot, self.degree_of_freedom(robot));
+        let is_whole = self.kind == ParameterKind::Wrench;
+        let external = robot.external_wrench.get_or_insert_with(|| ExternalWrench {
+            wrench: Wrench::zeros(),
+            includes_gravity: is_whole,
+            note: is_whole.then(|| "identified".to_owned()),
+        });
+        external.wrench[row] = sign * value;
+        external.includes_gravity |= is_whole;
+    }
+}
+
+/// World coordinate of an axis of the pattern.
+fn axis_index(robot: &Robot, axis: usize) -> usize {
+    match robot.motion_pattern.is_planar() {
+        true => robot.plane.indices().get(axis).copied().unwrap_or_default(),
+        false => axis,
+    }
+}
+
+/// Component of a vector along an axis of the pattern; zero is never negative.
+fn component(robot: &Robot, vector: &Vector3<f64>, axis: usize) -> f64 {
+    vector[axis_index(robot, axis)] + 0.0
+}
+
+/// Row of a wrench for a degree of freedom, and the sense in which it counts: the plane's normal may be a negative axis.
+fn wrench_row(robot: &Robot, degree_of_freedom: usize) -> (usize, f64) {
+    let translations = robot.motion_pattern.translations();
+    match degree_of_freedom.checked_sub(translations) {
+        None => (axis_index(robot, degree_of_freedom), 1.0),
+        Some(_) if robot.motion_pattern.is_planar() => {
+            let normal = robot.plane.normal();
+            (3 + normal.iamax(), normal.sum())
+        }
+        Some(axis) => (3 + axis, 1.0),
+    }
+}
+
+/// Number of a cable that is no vector.
+fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
+    use ParameterKind as Kind;
+    match kind {
+        Kind::PulleyRadius => cable.pulley_radius(),
+        Kind::LengthOffset => cable.length_offset,
+        Kind::LengthScale => cable.length_scale,
+        Kind::DrumRadius => cable.winch.radius,
+        Kind::StartLength => cable.winch.start_length,
+        Kind::AxialStiffness => {
+            cable.axial_stiffness().or_else(|| cable.axial_compliance().map(|compliance| 1.0 / compliance))
+        }
+        Kind::HiddenLength => cable.hidden_length,
+        Kind::Compliance => cable.specific_compliance(),
+        Kind::TensionScale => cable.tension_scale,
+        Kind::TensionOffset => cable.tension_offset,
+        Kind::SpringConstant => cable.spring_constant(),
+        Kind::SeriesCompliance => cable.series_compliance,
+        Kind::LinearDensity => cable.linear_density,
+        Kind::Diameter => cable.diameter,
+        Kind::TensionMin => cable.tension_min,
+        Kind::TensionMax => cable.tension_max,
+        Kind::LengthMin => cable.length_min,
+        Kind::LengthMax => cable.length_max,
+        Kind::WrapMin => cable.pulley_wrap_min,
+        Kind::WrapMax => cable.pulley_wrap_max,
+        Kind::DrumPitch => cable.winch.pitch(),
+        Kind::StartAngle => cable.winch.start_angle,
+        Kind::GrooveLength => cable.winch.groove_length(),
+        Kind::LayerHeight => cable.winch.layer_height(),
+        Kind::GearRatio => cable.winch.gear_ratio,
+        Kind::EncoderCounts => cable.winch.encoder_counts_per_turn,
+        Kind::SpoolBuildUp => cable.winch.build_up,
+        Kind::MechanicalAdvantage => cable.winch.mechanical_advantage,
+        Kind::CableDamping => cable.damping,
+        Kind::CableDampingTime => cable.damping_time,
+        Kind::DrumInertia => cable.winch.drum_inertia,
+        Kind::RotorInertia => cable.winch.rotor_inertia,
+        Kind::CoulombFriction => cable.winch.coulomb_friction,
+        Kind::ViscousFriction => cable.winch.viscous_friction,
+        Kind::StaticFriction => cable.winch.static_friction,
+        Kind::StribeckSpeed => cable.winch.stribeck_speed,
+        Kind::PulleyFriction => cable.pulley_friction,
+        Kind::PulleyInertia => cable.pulley_inertia,
+        Kind::Stretch(number) => cable.law_numbers.get(number.entry().key).copied(),
+        Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
+        Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
+        Kind::PlatformDamping | Kind::RotationalDamping => None,
+    }
+}
+
+fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
+    use ParameterKind as Kind;
+    let number = match kind {
+        Kind::PulleyRadius => return cable.set_pulley_radius(value),
+        Kind::AxialStiffness => return cable.stiffness = Some(CableStiffness::Axial(value)),
+        Kind::Compliance => return cable.stiffness = Some(CableStiffness::Compliance(value)),
+        Kind::SpringConstant => return cable.stiffness = Some(CableStiffness::Spring(value)),
+        Kind::Stretch(number) => {
+            cable.law_numbers.insert(number.entry().key, value);
+            return;
+        }
+        Kind::LengthOffset => &mut cable.length_offset,
+        Kind::LengthScale => &mut cable.length_scale,
+        Kind::DrumRadius => &mut cable.winch.radius,
+        Kind::StartLength => &mut cable.winch.start_length,
+        Kind::HiddenLength => &mut cable.hidden_length,
+        Kind::TensionScale => &mut cable.tension_scale,
+        Kind::TensionOffset => &mut cable.tension_offset,
+        Kind::SeriesCompliance => &mut cable.series_compliance,
+        Kind::LinearDensity => &mut cable.linear_density,
+        Kind::Diameter => &mut cable.diameter,
+        Kind::TensionMin => &mut cable.tension_min,
+        Kind::TensionMax => &mut cable.tension_max,
+        Kind::LengthMin => &mut cable.length_min,
+        Kind::LengthMax => &mut cable.length_max,
+        Kind::WrapMin => &mut cable.pulley_wrap_min,
+        Kind::WrapMax => &mut cable.pulley_wrap_max,
+        Kind::DrumPitch => return cable.winch.set_pitch(value),
+        Kind::StartAngle => &mut cable.winch.start_angle,
+        Kind::GrooveLength => return cable.winch.set_groove_length(value),
+        Kind::LayerHeight => return cable.winch.set_layer_height(value),
+        Kind::GearRatio => &mut cable.winch.gear_ratio,
+        Kind::EncoderCounts => &mut cable.winch.encoder_counts_per_turn,
+        Kind::SpoolBuildUp => &mut cable.winch.build_up,
+        Kind::MechanicalAdvantage => &mut cable.winch.mechanical_advantage,
+        Kind::CableDamping => &mut cable.damping,
+        Kind::CableDampingTime => &mut cable.damping_time,
+        Kind::DrumInertia => &mut cable.winch.drum_inertia,
+        Kind::RotorInertia => &mut cable.winch.rotor_inertia,
+        Kind::CoulombFriction => &mut cable.winch.coulomb_friction,
+        Kind::ViscousFriction => &mut cable.winch.viscous_friction,
+        Kind::StaticFriction => &mut cable.winch.static_friction,
+        Kind::StribeckSpeed => &mut cable.winch.stribeck_speed,
+        Kind::PulleyFriction => &mut cable.pulley_friction,
+        Kind::PulleyInertia => &mut cable.pulley_inertia,
+        Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
+        Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
+        Kind::PlatformDamping | Kind::RotationalDamping => return,
+    };
+    *number = Some(value);
+}

@@ -1,0 +1,71 @@
+//! Decompositions of matrices of any size, bounded in their iterations; none where a number is not finite.
+//!
+//! The plain ones of nalgebra go on for ever when a number is not finite or overflows on the way. Here such matrices have no
+//! decomposition; others are scaled to entries of size one first.
+
+use cdpr_core::scalar::eigenvalue::magnitude;
+use nalgebra::{Complex, DMatrix, Dyn, SVD, Schur, SymmetricEigen};
+
+/// Far more than any finite matrix needs.
+const ITERATIONS: usize = 1000;
+
+/// Singular value decomposition; singular values descend.
+pub fn svd(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let mut decomposition = (matrix / scale).try_svd(left, right, f64::EPSILON, ITERATIONS)?;
+    decomposition.singular_values *= scale;
+    Some(decomposition)
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read.
+pub fn symmetric_eigen(matrix: DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let mut decomposition = SymmetricEigen::try_new(matrix / scale, f64::EPSILON, ITERATIONS)?;
+    decomposition.eigenvalues *= scale;
+    Some(decomposition)
+}
+
+/// Eigenvalues of a square matrix.
+pub fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    let scale = magnitude(&matrix)?;
+    if matrix.is_empty() {
+        return None;
+    }
+    let schur = Schur::try_new(matrix / scale, f64::EPSILON, ITERATIONS)?;
+    Some(schur.complex_eigenvalues().iter().map(|value| value * scale).collect())
+}
+
+/// The smallest eigenvalue of a symmetric matrix; NaN where it has none.
+pub(crate) fn smallest_eigenvalue(matrix: DMatrix<f64>) -> f64 {
+    symmetric_eigen(matrix).map_or(f64::NAN, |decomposition| decomposition.eigenvalues.min())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matrices_of_any_numbers_are_decomposed_or_refused() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut matrix = DMatrix::<f64>::identity(6, 6);
+            matrix[(3, 2)] = bad;
+            assert!(svd(matrix.clone(), true, true).is_none() && symmetric_eigen(matrix).is_none());
+        }
+        for size in [1e300, 1.0, 1e-300, 5e-324, 0.0] {
+            let matrix = DMatrix::from_fn(6, 6, |i, j| size * if i == j { 2.0 } else { 1.0 });
+            // the ones have eigenvalues 6 and five times 0, the identity adds 1
+            let values = svd(matrix.clone(), false, false).expect("is finite").singular_values;
+            let smallest = smallest_eigenvalue(matrix);
+            if size >= 1e-300 {
+                assert!((values[0] / size - 7.0).abs() < 1e-13 && (smallest / size - 1.0).abs() < 1e-13, "{size}");
+            }
+        }
+        assert!(svd(DMatrix::zeros(0, 3), true, true).is_none());
+    }
+}

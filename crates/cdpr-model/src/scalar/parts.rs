@@ -1,0 +1,43 @@
+//! Batches spread over threads.
+
+use super::LANES;
+
+/// Items of one part: enough work for a thread to be worth waking, few enough that all threads end together.
+#[cfg(feature = "parallel")]
+const PART: usize = 2048;
+
+/// Runs `work(state, first item, entries)` over all items, `per_group` entries for each eight of them, in parts on several threads
+/// where the feature `parallel` and the number of items allow; each thread has a copy of the state. What the work writes must
+/// depend on the items alone.
+pub fn over_parts<S, T>(
+    entries: &mut [T],
+    per_group: usize,
+    state: &mut S,
+    work: impl Fn(&mut S, usize, &mut [T]) + Sync,
+) where
+    S: Clone + Send + Sync,
+    T: Send,
+{
+    #[cfg(feature = "parallel")]
+    if entries.len() > PART / LANES * per_group && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let parts = entries.par_chunks_mut(PART / LANES * per_group).enumerate();
+        parts.for_each_init(|| state.clone(), |state, (part, entries)| work(state, part * PART, entries));
+        return;
+    }
+    let _ = (LANES, per_group);
+    work(state, 0, entries);
+}
+
+/// Results of `work(0)` to `work(count - 1)` in this order, computed on several threads where the feature `parallel` allows.
+#[cfg(feature = "parallel")]
+pub fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    use rayon::prelude::*;
+    (0..count).into_par_iter().map(work).collect()
+}
+
+/// Results of `work(0)` to `work(count - 1)` in this order.
+#[cfg(not(feature = "parallel"))]
+pub fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
+    (0..count).map(work).collect()
+}

@@ -1,0 +1,42 @@
+//! Entry of a controller in the table of all: word, keys, and how it is made from a scenario.
+
+use crate::controller::Controller;
+use crate::error::{PlantError, ScenarioKey};
+use crate::keys::{Kind, Stated};
+use crate::state::PlantState;
+use crate::{Plant, Winches};
+
+/// Controller that a scenario can ask for.
+pub(super) struct ControllerEntry {
+    /// Word of `kind`, meaning and keys in the table `[control]`.
+    pub(super) kind: Kind,
+    /// Winches that it can drive.
+    pub(super) winches: &'static [Winches],
+    pub(super) make: fn(&ControlSetting<'_>) -> Result<Box<dyn Controller>, PlantError>,
+}
+
+/// Table `[control]` of a scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Control {
+    /// Word of the controller.
+    pub kind: &'static str,
+    /// Values of its keys.
+    pub(crate) stated: Stated,
+}
+
+/// Ingredients of a controller.
+pub(crate) struct ControlSetting<'a> {
+    /// Machine that it drives.
+    pub(crate) plant: &'a Plant,
+    /// Machine at rest, before it is displaced.
+    pub(crate) state: &'a PlantState,
+    /// Values of its keys.
+    pub(crate) stated: &'a Stated,
+}
+
+impl ControlSetting<'_> {
+    /// A mistake at a key of the table.
+    pub(super) fn refused(&self, key: &'static str, message: String) -> PlantError {
+        PlantError::Value { key: ScenarioKey::of("control", key), message }
+    }
+}

@@ -1,0 +1,17 @@
+//! Events: what happens to a machine at an instant. One file each, and a row in one table.
+
+mod cable_break;
+mod entries;
+mod entry;
+mod happening;
+mod load_change;
+mod slip;
+mod winch_stop;
+mod wrench_change;
+
+pub use cable_break::CableBreak;
+pub use entry::EventTable;
+pub use happening::{Event, Happening, LoadChange};
+pub use slip::Slip;
+pub use winch_stop::WinchStop;
+pub use wrench_change::WrenchChange;

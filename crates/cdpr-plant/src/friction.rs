@@ -1,0 +1,69 @@
+//! Friction of a drum and of the pulley that its cable runs over.
+//!
+//! A drum that turns has the torque sign(φ̇) (T_c + (T_s − T_c) exp(−(φ̇/φ̇_s)²)) + d φ̇ (Coulomb, Stribeck, viscous), and its cable the tension
+//! f exp(∓μ β) where it pays out or reels in (Euler and Eytelwein, β the wrap angle). Sticking is a state: a drum that stands is held while its
+//! torque lies between those at which it would begin to turn.
+
+use cdpr_model::robot::Cable;
+
+/// Friction of one winch.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Friction {
+    /// T_c: dry friction of a drum that turns (N·m).
+    pub(super) coulomb: f64,
+    /// T_s: dry friction of one that stands (N·m).
+    pub(super) standing: f64,
+    /// φ̇_s: Stribeck speed (rad/s).
+    pub(super) stribeck: f64,
+    /// d: torque per speed (N·m·s/rad).
+    pub(super) viscous: f64,
+    /// μ of the pulley.
+    pub(super) pulley: f64,
+}
+
+impl Friction {
+    /// Friction that the robot file states; none where it is silent, of pulleys where the model has none.
+    pub(super) fn of(cable: &Cable, has_pulley: bool) -> Self {
+        let coulomb = cable.winch.coulomb_friction.unwrap_or(0.0);
+        Self {
+            coulomb,
+            standing: cable.winch.static_friction.unwrap_or(coulomb),
+            stribeck: cable.winch.stribeck_speed.unwrap_or(1.0),
+            viscous: cable.winch.viscous_friction.unwrap_or(0.0),
+            pulley: if has_pulley { cable.pulley_friction.unwrap_or(0.0) } else { 0.0 },
+        }
+    }
+
+    /// True where the force jumps with the direction.
+    pub(super) fn is_dry(&self) -> bool {
+        self.standing > 0.0 || self.pulley > 0.0
+    }
+
+    /// Torque that a drum of a speed (rad/s) takes, against this direction (N·m).
+    #[inline]
+    pub(super) fn torque(&self, speed: f64, direction: f64) -> f64 {
+        let dry = match self.standing > self.coulomb {
+            true => self.coulomb + (self.standing - self.coulomb) * (-(speed / self.stribeck).powi(2)).exp(),
+            false => self.coulomb,
+        };
+        self.viscous * speed + dry * direction.signum()
+    }
+
+    /// Tension at the drum over that at the outlet, of a cable that is wrapped by an angle (rad) and paid out (positive direction) or reeled in.
+    #[inline]
+    pub(super) fn passed_on(&self, wrap: f64, direction: f64) -> f64 {
+        if self.pulley == 0.0 { 1.0 } else { (-self.pulley * wrap * direction.signum()).exp() }
+    }
+
+    /// True where a drum that stands stays: under the torque of its cable as the outlet has it and that of its motor (N·m).
+    pub(super) fn holds(&self, (cable, wrap): (f64, f64), motor: f64) -> bool {
+        let out = cable * self.passed_on(wrap, 1.0) - motor;
+        let back = cable * self.passed_on(wrap, -1.0) - motor;
+        out <= self.standing && back >= -self.standing
+    }
+
+    /// Steepest fall of the torque with speed (N·m·s/rad), at φ̇_s/√2: (T_s − T_c) √(2/e)/φ̇_s.
+    pub(super) fn steepest_fall(&self) -> f64 {
+        (self.standing - self.coulomb) * (2.0 / std::f64::consts::E).sqrt() / self.stribeck
+    }
+}

@@ -1,0 +1,63 @@
+//! The log of a run as CSV: one row per record, in the columns of measurement files.
+
+use std::fmt::Write;
+
+use super::plant::Plant;
+use super::state::PlantState;
+use cdpr_model::geometry::MotionPattern;
+use cdpr_model::measurement::{pose_columns, pose_numbers, position_columns};
+use cdpr_model::model::Model;
+
+/// Columns of a log: `t_s`, the pose as measurement files state it, tensions and recorded lengths, then the twist.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LogFormat {
+    names: Vec<String>,
+}
+
+impl LogFormat {
+    /// The columns of a model's robot.
+    pub fn new(model: &Model) -> Self {
+        let (robot, cables) = (model.robot(), 1..=model.cable_count());
+        let mut names = vec!["t_s".to_owned()];
+        names.extend(pose_columns(robot));
+        names.extend(cables.clone().map(|cable| format!("tension_N_{cable}")));
+        names.extend(cables.map(|cable| format!("cable_length_m_{cable}")));
+        names.extend(position_columns(robot, "m_s").into_iter().map(|name| format!("v{name}")));
+        let turns: &[&str] = match robot.motion_pattern {
+            MotionPattern::Planar => &["omega_rad_s"],
+            MotionPattern::Spatial => &["wx_rad_s", "wy_rad_s", "wz_rad_s"],
+            _ => &[],
+        };
+        names.extend(turns.iter().map(|name| (*name).to_owned()));
+        Self { names }
+    }
+
+    /// Numbers of a row.
+    pub(super) fn column_count(&self) -> usize {
+        self.names.len()
+    }
+
+    /// The first line.
+    pub fn header(&self) -> String {
+        self.names.join(",") + "\n"
+    }
+
+    /// Adds the row of a state; numbers in the shortest form that reads back to the same bits.
+    pub fn write_row(&self, plant: &Plant, state: &PlantState, text: &mut String) {
+        let (model, twist) = (plant.model(), state.twist());
+        let robot = model.robot();
+        let mut number = |value: f64| {
+            // writing into a String cannot fail; + 0.0: the sign of zero says nothing
+            let _ = write!(text, "{},", value + 0.0);
+        };
+        number(state.time);
+        pose_numbers(robot, &state.pose).into_iter().for_each(&mut number);
+        state.cables.iter().for_each(|cable| number(cable.tension));
+        for (index, cable) in state.cables.iter().enumerate() {
+            number(model.recorded_length(index, cable.controlled_length));
+        }
+        model.twist_basis().iter().for_each(|basis| number(basis.dot(&twist)));
+        text.pop();
+        text.push('\n');
+    }
+}

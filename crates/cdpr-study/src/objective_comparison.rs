@@ -1,0 +1,92 @@
+//! Every objective's optimum, judged by all others.
+
+use serde::Serialize;
+
+use crate::accuracy::Accuracy;
+use cdpr_calibration::evaluation::{ErrorBlocks, evaluate_fitted};
+use cdpr_calibration::fit::{InputError, Settings, Status, fit};
+use cdpr_calibration::{Minimize, Objective, ObjectiveValues};
+use cdpr_model::measurement::Samples;
+use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::reading::Keyword;
+
+/// An optimum, or the model as given, with everything it is judged by.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JudgedOptimum {
+    /// Objective and cost of the optimum; `None` for the model as given.
+    #[serde(flatten)]
+    pub of: Option<OptimumOf>,
+    /// True where the search ended at an optimum.
+    pub converged: bool,
+    /// Costs of all objectives.
+    #[serde(flatten)]
+    pub values: ObjectiveValues,
+    /// Predicted poses from the recorded lengths, and modelled lengths at the measured poses.
+    pub predicted: ErrorBlocks,
+    /// The controller with these parameters on a machine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub driven: Option<Accuracy>,
+    /// Reason in words why it does not drive there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub not_driven: Option<String>,
+}
+
+/// Outcome of putting a calibrated model on a machine.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Driven {
+    /// There is no machine.
+    Nowhere,
+    /// Errors there.
+    To(Box<Accuracy>),
+    /// Reason why it does not drive.
+    Refused(String),
+}
+
+/// Objective and cost of an optimum.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct OptimumOf {
+    /// Residuals.
+    pub objective: Objective,
+    /// Cost of all samples.
+    pub minimize: Minimize,
+}
+
+/// The model as given and the optimum of every objective under every cost, each judged by all of them, and by `drive`, which puts a calibrated
+/// model on a machine where there is one.
+pub fn compare_objectives(
+    model: &Model,
+    samples: &Samples,
+    free: &FreeParameters,
+    settings: &Settings,
+    drive: &dyn Fn(&Model) -> Driven,
+) -> Result<Vec<JudgedOptimum>, InputError> {
+    let judged = |calibrated: &Model, of: Option<OptimumOf>, converged: bool| {
+        let errors = evaluate_fitted(calibrated, samples).ok()?;
+        let (driven, not_driven) = match drive(calibrated) {
+            Driven::Nowhere => (None, None),
+            Driven::To(accuracy) => (Some(*accuracy), None),
+            Driven::Refused(reason) => (None, Some(reason)),
+        };
+        Some(JudgedOptimum {
+            of,
+            converged,
+            values: ObjectiveValues::of(model, samples, &errors, settings.rotation_length),
+            predicted: errors.blocks(),
+            driven,
+            not_driven,
+        })
+    };
+    let mut all: Vec<JudgedOptimum> = judged(model, None, true).into_iter().collect();
+    for &objective in Objective::ALL {
+        if objective == Objective::Both && !objective.has_residuals(model, samples, settings) {
+            continue;
+        }
+        for &minimize in Minimize::ALL {
+            let settings = Settings { objective, minimize, ..settings.clone() };
+            let found = fit(model, samples, free, &settings)?;
+            let converged = found.status != Status::NotConverged;
+            all.extend(judged(&found.model, Some(OptimumOf { objective, minimize }), converged));
+        }
+    }
+    Ok(all)
+}

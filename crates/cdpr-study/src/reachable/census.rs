@@ -1,0 +1,82 @@
+//! Census of a grid of commanded positions, taken once for any threshold of the error.
+
+use super::{Errors, Forces, Reachable, Requirements, tension_margin};
+use cdpr_model::geometry::Pose;
+use cdpr_workspace::grid::Grid;
+use cdpr_workspace::{Point, Region};
+
+/// Errors and tension margin that emerge when the middle of one cell is commanded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Distance between commanded and emerging position (m); infinite where the platform comes to no rest, and where one in which a
+    /// slack cable breaks its limits was not looked for.
+    pub position_error: f64,
+    /// Angle between commanded and emerging orientation (rad); infinite likewise.
+    pub rotation_error: f64,
+    /// Least distance of the tensions from their limits as a share of the range; infinite without limits.
+    pub tension_margin: f64,
+    /// Largest difference between an emerging and its commanded tension (N); 0 where none are commanded, infinite as that of the position.
+    pub tension_error: f64,
+}
+
+/// All cells of a grid, slab after slab.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Census {
+    /// One entry per cell.
+    pub cells: Vec<Cell>,
+    /// The largest angle that was required (rad).
+    rotation_error_max: Option<f64>,
+    /// The largest error of a tension that was required (N).
+    tension_error_max: Option<f64>,
+}
+
+impl Census {
+    /// Commands the middle of every cell, in the first orientation of the region.
+    pub fn take(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid) -> Self {
+        let rotation = region.orientations().first().copied().unwrap_or_default();
+        let slab = |slab: usize| (0..grid.slab_points()).map(move |index| grid.point(slab, index));
+        let pose = |point: Point| Pose { position: region.position(&point), rotation };
+        let poses: Vec<Pose> = (0..grid.slabs()).flat_map(slab).map(pose).collect();
+        let &Requirements { rotation_error_max, tension_error_max, .. } = reachable.requirements();
+        // a slack cable breaks its limit: nothing else counts then
+        let only_taut = reachable.needs_all_taut();
+        let cells = reachable.driving().each_share(&poses, |poses| {
+            let cells = reachable.of_emerging(poses, only_taut, |commanded, emerging, forces| {
+                Cell::of(reachable, commanded, emerging, forces)
+            });
+            cells.into_iter().map(|cell| cell.unwrap_or(Cell::NOWHERE)).collect()
+        });
+        Self { rotation_error_max, tension_error_max, cells }
+    }
+
+    /// Which cells are reached as required, with a position error of at most this (m) in place of the required one.
+    pub fn reached(&self, position_error_max: Option<f64>) -> Vec<bool> {
+        let most = position_error_max.unwrap_or(f64::MAX);
+        let turn = self.rotation_error_max.unwrap_or(f64::MAX);
+        let missed = self.tension_error_max.unwrap_or(f64::MAX);
+        let is_accurate = |cell: &Cell| cell.position_error <= most && cell.rotation_error <= turn;
+        let is_reached = |cell: &Cell| cell.tension_margin >= 0.0 && is_accurate(cell) && cell.tension_error <= missed;
+        self.cells.iter().map(is_reached).collect()
+    }
+}
+
+impl Cell {
+    /// Cell in which the platform comes to no rest that could count.
+    const NOWHERE: Self = Self {
+        position_error: f64::INFINITY,
+        rotation_error: f64::INFINITY,
+        tension_margin: f64::INFINITY,
+        tension_error: f64::INFINITY,
+    };
+
+    fn of(reachable: &Reachable<'_>, commanded: &Pose, emerging: &Pose, forces: Forces<'_>) -> Self {
+        let limits = reachable.requirements().tensions.as_ref().zip(forces.emerging);
+        let Errors { position, rotation, tension } = Errors::of(commanded, emerging, forces);
+        Self {
+            position_error: position,
+            rotation_error: rotation,
+            tension_margin: limits.map_or(f64::INFINITY, |(limits, tensions)| tension_margin(limits, tensions).0),
+            tension_error: tension.map_or(0.0, |(error, _)| error),
+        }
+    }
+}

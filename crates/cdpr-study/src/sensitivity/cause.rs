@@ -1,0 +1,252 @@
+//! Deviations of parameters of a control model, of a machine and of how its winches were set.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize, Serializer};
+
+use cdpr_model::model::{Model, StretchEffect};
+use cdpr_model::robot::{Parameter, ParameterKind, Robot};
+
+/// Owner of a parameter: control model, machine or winches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Side {
+    /// The control model's, in the controller's file.
+    Control,
+    /// The machine's, in the hall.
+    Machine,
+    /// How the winches were set at the initial pose.
+    Winches,
+}
+
+/// A kind of what may deviate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A number of a robot; stiffness as a share of it: 0.01 makes the cable 1 % stiffer.
+    Parameter(ParameterKind),
+    /// Winch offset (m).
+    WinchOffset,
+    /// Initial tension, brought into balance with the load by the smallest change of all (N).
+    InitialTension,
+}
+
+/// Numbers of a cable that may deviate; turns of an axis about both directions, also the one of a drum's axis by which lengths do not change.
+const OF_CABLES: [ParameterKind; 13] = [
+    ParameterKind::FrameAnchor,
+    ParameterKind::PlatformAnchor,
+    ParameterKind::PulleyRadius,
+    ParameterKind::SwivelAxis,
+    ParameterKind::LengthOffset,
+    ParameterKind::LengthScale,
+    ParameterKind::DrumRadius,
+    ParameterKind::DrumPitch,
+    ParameterKind::DrumAxis,
+    ParameterKind::StartLength,
+    ParameterKind::StartAngle,
+    ParameterKind::AxialStiffness,
+    ParameterKind::HiddenLength,
+];
+
+impl Kind {
+    /// The name in results.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Parameter(kind) => kind.name(),
+            Self::WinchOffset => "winch-offset",
+            Self::InitialTension => "initial-tension",
+        }
+    }
+
+    /// Unit of a deviation, `1` for a share.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Parameter(ParameterKind::LengthScale | ParameterKind::AxialStiffness) => "1",
+            Self::Parameter(kind) => kind.unit(),
+            Self::WinchOffset => "m",
+            Self::InitialTension => "N",
+        }
+    }
+
+    /// Deviation by which an exact model is moved to and fro where it has no analytic derivative: far above rounding, far below
+    /// what bends.
+    pub(crate) fn difference_step(self) -> f64 {
+        match self.unit() {
+            "m" | "1" => 1e-5,
+            "rad" => 1e-4,
+            _ => 1e-2,
+        }
+    }
+}
+
+impl Serialize for Kind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Side {
+    /// The name in studies and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Control => "control",
+            Self::Machine => "machine",
+            Self::Winches => "winches",
+        }
+    }
+}
+
+/// One number that may deviate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ParameterDeviation {
+    /// Side of the deviation: control model, machine or winches.
+    pub side: Side,
+    /// Kind of the parameter.
+    pub kind: Kind,
+    /// Cable it belongs to, from 0; 0 for what the platform has.
+    pub cable: usize,
+    /// Component along the axes of the pattern (turns for moments), from 0; 0 for what has none.
+    pub axis: usize,
+}
+
+impl ParameterDeviation {
+    /// Name for people and files, e.g. `machine frame-anchor[1].x`.
+    pub fn name(&self, model: &Model) -> String {
+        let side = self.side.name();
+        match self.parameter() {
+            Some(parameter) => format!("{side} {}", parameter.name(model.robot())),
+            None => format!("{side} {}[{}]", self.kind, self.cable + 1),
+        }
+    }
+
+    /// The number of the robot that deviates; `None` for what the winches have.
+    pub(crate) fn parameter(&self) -> Option<Parameter> {
+        match self.kind {
+            Kind::Parameter(kind) => Some(Parameter { cable: self.cable, kind, axis: self.axis }),
+            Kind::WinchOffset | Kind::InitialTension => None,
+        }
+    }
+
+    /// The parameter of a single cable whose derivative row it has, and its change per unit of deviation at a model's values: 1 but for the
+    /// stiffness, whose compliance falls.
+    pub(super) fn cable_parameter(&self, model: &Model) -> Option<(Parameter, f64)> {
+        let parameter = self.parameter().filter(|parameter| OF_CABLES.contains(&parameter.kind))?;
+        Some(match parameter.kind {
+            ParameterKind::AxialStiffness => {
+                let compliance = Parameter { kind: ParameterKind::Compliance, ..parameter };
+                (compliance, -compliance.value(model.robot()))
+            }
+            _ => (parameter, 1.0),
+        })
+    }
+
+    /// Writes the deviation into a robot, `model` being the one without deviations; what the winches have is no robot's.
+    ///
+    /// A parameter stays within what it may be: no radius below 0, no stiffness below a thousandth.
+    pub fn deviate(&self, model: &Model, robot: &mut Robot, by: f64) {
+        let Some(parameter) = self.parameter() else { return };
+        let (least, largest) = parameter.bounds();
+        let moved = |from: &Robot| (parameter.value(from) + by).clamp(least, largest);
+        match parameter.kind {
+            ParameterKind::AxialStiffness => {
+                let compliance = Parameter { kind: ParameterKind::Compliance, ..parameter };
+                compliance.set(robot, compliance.value(robot) / f64::max(1.0 + by, 1e-3));
+            }
+            // a platform whose mass or centre is unknown has none that could deviate
+            ParameterKind::Mass | ParameterKind::CenterOfMass if parameter.get(robot).is_none() => {}
+            _ => parameter.set(robot, moved(model.robot())),
+        }
+    }
+}
+
+/// Deviations possible on one side, ordered by cable, kind and axis; those of the load on the platform last.
+pub(crate) fn causes_of(side: Side, model: &Model) -> Vec<ParameterDeviation> {
+    let mut causes = Vec::new();
+    let has_tensions = model.needs_tensions();
+    for cable in 0..model.cable_count() {
+        if side == Side::Winches {
+            let of_winch = [(Kind::WinchOffset, true), (Kind::InitialTension, has_tensions)].into_iter();
+            causes.extend(of_winch.filter(|(_, has)| *has).map(|(kind, _)| ParameterDeviation {
+                side,
+                kind,
+                cable,
+                axis: 0,
+            }));
+            continue;
+        }
+        for kind in OF_CABLES.into_iter().filter(|&kind| belongs(kind, model, cable)) {
+            causes.extend(
+                (0..kind.components(model.robot())).map(|axis| deviation(side, Parameter { cable, kind, axis })),
+            );
+        }
+    }
+    if side != Side::Winches && has_tensions {
+        let of_platform = OF_PLATFORM.into_iter().filter(|&kind| acts(kind, model));
+        let axes = |kind: ParameterKind| {
+            (0..kind.components(model.robot())).map(move |axis| Parameter { cable: 0, kind, axis })
+        };
+        causes.extend(of_platform.flat_map(axes).map(|parameter| deviation(side, parameter)));
+    }
+    causes
+}
+
+fn deviation(side: Side, Parameter { cable, kind, axis }: Parameter) -> ParameterDeviation {
+    ParameterDeviation { side, kind: Kind::Parameter(kind), cable, axis }
+}
+
+/// Numbers of the platform that may deviate.
+const OF_PLATFORM: [ParameterKind; 4] =
+    [ParameterKind::Force, ParameterKind::Moment, ParameterKind::Mass, ParameterKind::CenterOfMass];
+
+/// True for a number of the platform by which its load changes.
+fn acts(kind: ParameterKind, model: &Model) -> bool {
+    match kind {
+        ParameterKind::Mass => weighs(model),
+        ParameterKind::CenterOfMass => {
+            let can_turn = model.dof() > model.axes().len();
+            weighs(model) && can_turn && model.robot().platform.center_of_mass.is_some()
+        }
+        _ => true,
+    }
+}
+
+/// True for a platform that is a point.
+fn is_point(model: &Model) -> bool {
+    model.dof() == model.axes().len() && model.robot().cables.iter().all(|cable| cable.platform_anchor.norm() == 0.0)
+}
+
+/// True where the platform's weight is part of the load.
+fn weighs(model: &Model) -> bool {
+    let robot = model.robot();
+    let is_included = robot.external_wrench.as_ref().is_some_and(|external| external.includes_gravity);
+    !is_included && robot.platform.mass.is_some() && robot.gravity.is_some()
+}
+
+/// True for a number that a cable of a model has.
+fn belongs(kind: ParameterKind, model: &Model, cable: usize) -> bool {
+    let composition = model.composition();
+    let of_robot = &model.robot().cables[cable];
+    let is_spring = of_robot.spring_constant().is_some();
+    match kind {
+        // a point platform has no anchors to measure
+        ParameterKind::PlatformAnchor => !is_point(model),
+        ParameterKind::PulleyRadius => composition.pulley,
+        ParameterKind::SwivelAxis => composition.pulley && of_robot.pulley_swivel_axis().is_some(),
+        ParameterKind::DrumRadius | ParameterKind::DrumPitch => composition.drum,
+        ParameterKind::StartLength | ParameterKind::StartAngle => composition.drum,
+        // a guide that travels with the cable makes the axis indifferent
+        ParameterKind::DrumAxis => composition.drum && of_robot.winch.guided != Some(true),
+        ParameterKind::AxialStiffness => {
+            let compliance = Parameter { cable, kind: ParameterKind::Compliance, axis: 0 }.value(model.robot());
+            composition.stretch == StretchEffect::Linear && !is_spring && compliance > 0.0
+        }
+        ParameterKind::HiddenLength => composition.is_elastic() && !is_spring,
+        _ => true,
+    }
+}

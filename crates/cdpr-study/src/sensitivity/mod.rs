@@ -1,0 +1,203 @@
+//! How the emerging pose and its tensions follow every parameter: of the control model, of the machine, and of how the winches
+//! were set.
+//!
+//! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes what is sent (its control model, its winch offsets) or what
+//! answers (its machine); the rest is the implicit function theorem at the emerging state, dx̂ = K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p).
+//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember have
+//! the same along their whole path (`remembering`).
+
+mod along;
+mod cause;
+mod choice;
+mod command;
+mod derivatives;
+mod differences;
+mod equilibrium;
+mod kink;
+mod memories;
+mod offsets;
+mod ranking;
+mod remembering;
+mod setting;
+mod windings;
+
+use nalgebra::{DMatrix, DVector};
+
+pub(crate) use cause::causes_of;
+pub use cause::{Kind, ParameterDeviation, Side};
+pub use derivatives::{Derivatives, Differentiation};
+pub use kink::Kink;
+pub use offsets::Offsets;
+pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
+pub use setting::Setting;
+
+use cdpr_model::control::Control;
+use cdpr_model::control::InputError;
+use cdpr_model::control::Operation;
+use cdpr_model::control::OperationError;
+use cdpr_model::control::Outcome;
+use cdpr_model::control::tension_model;
+use cdpr_model::control::{CommandedPose, History};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::Load;
+use command::{Command, Commanded};
+use equilibrium::{Answer, Equilibrium};
+use memories::{Motions, Remembered};
+use windings::Windings;
+
+/// How pose and tensions follow deviations at one commanded pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseSensitivity {
+    /// Outcome without deviations.
+    pub outcome: Outcome,
+    /// The derivatives, or why there are none.
+    pub derivatives: Result<Derivatives, OperationError>,
+}
+
+/// A control model on a machine whose winches are set, with all that may deviate.
+pub struct Sensitivity<'a> {
+    control: Control<'a>,
+    machine: &'a Model,
+    /// How a machine that remembers comes to the poses, and from where.
+    history: Option<(History, Pose)>,
+    winch_offsets: Vec<f64>,
+    operation: Operation<'a>,
+    command: Command<'a>,
+    load: Option<Load>,
+    causes: Vec<ParameterDeviation>,
+    /// Of the winch offsets per cause (m).
+    offsets: Vec<DVector<f64>>,
+}
+
+impl<'a> Sensitivity<'a> {
+    /// Refuses what [`Operation::new`] does, and maps.
+    ///
+    /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
+    pub fn new(
+        control: impl Into<Control<'a>>,
+        machine: &'a Model,
+        offsets: &[f64],
+        setting: &Setting<'a>,
+    ) -> Result<Self, InputError> {
+        let reason = "with numbers that deviate, its corrections would be those of another model";
+        let control = control.into().without_map("sensitivity", reason)?;
+        let operation = Operation::new(control, machine, offsets)?;
+        let load = match operation.knows_tensions() {
+            true => Some(Load::of(machine.robot())?),
+            false => None,
+        };
+        let causes = causes(control.model, machine, setting);
+        let winch_offsets = offsets.to_vec();
+        let offsets = setting.by_causes(control.model, machine, &causes)?;
+        let command = Command::new(control)?;
+        Ok(Self { control, machine, history: None, winch_offsets, operation, command, load, causes, offsets })
+    }
+
+    /// A machine whose cables remember comes to the poses on this way from a start, as [`Operation::with_history`] says. Without it
+    /// every pose is reached at once by cables that were never loaded.
+    #[must_use]
+    pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
+        self.history = history.into().map(|history| (*history, *start));
+        self
+    }
+
+    /// Deviations, in the order of the columns of all derivatives: control model, machine, winches.
+    pub fn causes(&self) -> &[ParameterDeviation] {
+        &self.causes
+    }
+
+    fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {
+        let step = self.step(&command.pose, outcome, (self.control.model, self.machine))?;
+        let unmoved = Motions::default();
+        let (pose, tensions, _) = self.columns(&step, [&unmoved, &unmoved], &Remembered::default());
+        let tensions = outcome.tensions.is_some().then_some(tensions);
+        Ok(Derivatives { pose, tensions, differentiation: Differentiation::Exact })
+    }
+
+    /// A command and what came of it, linearized at control model and machine as their cables remember.
+    fn step<'m>(
+        &mut self,
+        command: &Pose,
+        outcome: &Outcome,
+        (control, machine): (&'m Model, &'m Model),
+    ) -> Result<Step<'m>, OperationError> {
+        let windings = Windings::at(control, machine, &outcome.sent)?;
+        let equilibrium = self.equilibrium(machine, outcome)?.ok_or(OperationError::Singular)?;
+        let of_control: Vec<ParameterDeviation> =
+            self.causes.iter().copied().filter(|cause| cause.side == Side::Control).collect();
+        let commanded = self.command.by_causes(control, command, &of_control)?;
+        Ok(Step { commanded, windings, equilibrium })
+    }
+
+    /// Changes of pose and tensions at a step by every cause, and of the memories after the motions to it.
+    fn columns(
+        &self,
+        step: &Step<'_>,
+        [control, machine]: [&Motions; 2],
+        before: &Remembered,
+    ) -> (DMatrix<f64>, DMatrix<f64>, Remembered) {
+        let (n, m, count) = (self.machine.dof(), self.machine.cable_count(), self.causes.len());
+        let (mut pose, mut tensions) = (DMatrix::zeros(n, count), DMatrix::zeros(m, count));
+        let mut after = Remembered::default();
+        for (column, (cause, offsets)) in self.causes.iter().zip(&self.offsets).enumerate() {
+            let mut sent = offsets.clone();
+            // the causes of the control model come first
+            if let Some(lengths) = step.commanded.lengths.get(column) {
+                let before = before.control.get(column).map_or(&[][..], Vec::as_slice);
+                sent += lengths;
+                control.lengths(before).iter().for_each(|lengths| sent += lengths);
+                after.control.push(control.settled(&step.commanded.tension_changes[column], before));
+            }
+            let before = before.machine.get(column).map_or(&[][..], Vec::as_slice);
+            let answer = step.answer(cause, &sent, machine.lengths(before));
+            after.machine.push(machine.settled(&answer.tensions, before));
+            pose.set_column(column, &answer.pose);
+            tensions.set_column(column, &answer.tensions);
+        }
+        (pose, tensions, after)
+    }
+
+    fn equilibrium<'m>(&self, machine: &'m Model, outcome: &Outcome) -> Result<Option<Equilibrium<'m>>, InputError> {
+        let pose = &outcome.pose;
+        if let (Some(load), Some(tensions)) = (&self.load, &outcome.tensions) {
+            return Ok(Equilibrium::elastic(machine, pose, tensions, load)?);
+        }
+        let controlled = |(cable, &length): (usize, &f64)| machine.controlled_length(cable, length);
+        let paid_out: Vec<f64> = self.operation.paid_out(&outcome.sent).map_err(InputError::Winch)?;
+        let lengths: Vec<f64> = paid_out.iter().enumerate().map(controlled).collect();
+        Ok(Equilibrium::rigid(machine, pose, &lengths)?)
+    }
+}
+
+/// A command and what came of it, linearized.
+struct Step<'m> {
+    commanded: Commanded,
+    windings: Windings<'m>,
+    equilibrium: Equilibrium<'m>,
+}
+
+impl Step<'_> {
+    /// Answer to one unit of a cause, to the change of the lengths sent (m), and to that of the machine's own lengths by the memories of its
+    /// cables, at fixed tensions (m).
+    fn answer(&self, cause: &ParameterDeviation, sent: &DVector<f64>, remembered: Option<DVector<f64>>) -> Answer {
+        let mut paid_out = self.windings.paid_out(sent);
+        paid_out[cause.cable] += self.windings.by_cause(cause);
+        remembered.iter().for_each(|lengths| paid_out -= lengths);
+        match cause.side {
+            Side::Machine => self.equilibrium.by_cause(cause, &paid_out),
+            _ => self.equilibrium.by_sent(&paid_out),
+        }
+    }
+}
+
+/// Deviations possible on control model, machine and winches, in that order.
+pub fn causes(control: &Model, machine: &Model, setting: &Setting<'_>) -> Vec<ParameterDeviation> {
+    let elastic = tension_model(setting.set_with(control), machine);
+    let mut causes = causes_of(Side::Control, control);
+    causes.extend(causes_of(Side::Machine, machine));
+    let winches = causes_of(Side::Winches, elastic.unwrap_or(machine));
+    causes
+        .extend(winches.into_iter().filter(|cause| cause.kind == Kind::WinchOffset || setting.has_computed_offsets()));
+    causes
+}

@@ -1,0 +1,187 @@
+//! How winch offsets follow what deviates: kept as they were set, or set anew.
+
+use nalgebra::DVector;
+
+use super::cause::{Kind, ParameterDeviation, Side};
+use super::choice::Choice;
+use super::command::{at_tensions, by_tensions};
+use super::offsets::Offsets;
+use super::windings::Windings;
+use cdpr_model::control::Initial;
+use cdpr_model::control::InputError;
+use cdpr_model::control::OperationError;
+use cdpr_model::control::lengths_at;
+use cdpr_model::control::{aim, initial_tensions, tension_model, winch_offsets};
+use cdpr_model::geometry::Pose;
+use cdpr_model::model::Model;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Method;
+
+/// How the winches were set.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting<'a> {
+    /// Table `[initial]` of the study.
+    pub initial: &'a Initial,
+    /// The initial pose.
+    pub pose: Pose,
+    /// The model in use when they were set, where it is not the control model.
+    pub former: Option<&'a Model>,
+    /// Effect of deviations on the offsets.
+    pub offsets: Offsets,
+}
+
+impl<'a> Setting<'a> {
+    /// The model in use when the winches were set.
+    pub(crate) fn set_with<'b>(&self, control: &'b Model) -> &'b Model
+    where
+        'a: 'b,
+    {
+        self.former.unwrap_or(control)
+    }
+
+    /// True where the offsets follow from initial tensions or geometry: neither "none" nor numbers.
+    pub(crate) fn has_computed_offsets(&self) -> bool {
+        self.initial.offset.is_none() && self.initial.offset_m.is_none()
+    }
+
+    /// Changes of the winch offsets (m) per unit of each cause.
+    pub(super) fn by_causes(
+        &self,
+        control: &'a Model,
+        machine: &'a Model,
+        causes: &[ParameterDeviation],
+    ) -> Result<Vec<DVector<f64>>, InputError> {
+        let m = machine.cable_count();
+        let at = if self.has_computed_offsets() { Some(AtInitial::new(self, control, machine)?) } else { None };
+        let one = |cause: &ParameterDeviation| match (cause.kind, &at) {
+            (Kind::WinchOffset, _) => Ok(DVector::from_fn(m, |cable, _| f64::from(u8::from(cable == cause.cable)))),
+            (Kind::InitialTension, Some(at)) => Ok(at.by_initial_tension(cause)),
+            (_, Some(at)) if self.offsets == Offsets::SetAnew => at.by_cause(cause),
+            _ => Ok(DVector::zeros(m)),
+        };
+        causes.iter().map(one).collect()
+    }
+}
+
+/// The state at which the winches were set.
+struct AtInitial<'a> {
+    setting: &'a Setting<'a>,
+    control: &'a Model,
+    machine: &'a Model,
+    set_with: &'a Model,
+    tensions: Vec<f64>,
+    /// Side whose model says which tensions are set; nothing where neither has any.
+    carries: Option<Side>,
+    /// Windings between the model in use and the machine.
+    windings: Windings<'a>,
+    /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
+    as_they_are: Option<Choice<'a>>,
+    /// The same by the study's method; nothing where it has no derivative.
+    chosen: Option<Choice<'a>>,
+    /// Metres per newton of machine and model in use.
+    stretch: [DVector<f64>; 2],
+}
+
+impl<'a> AtInitial<'a> {
+    fn new(setting: &'a Setting<'a>, control: &'a Model, machine: &'a Model) -> Result<Self, InputError> {
+        let (set_with, pose, m) = (setting.set_with(control), &setting.pose, machine.cable_count());
+        let elastic = tension_model(set_with, machine);
+        let carries = elastic.map(|elastic| if std::ptr::eq(elastic, machine) { Side::Machine } else { Side::Control });
+        let tensions = match elastic {
+            Some(elastic) => initial_tensions(setting.initial, elastic, pose)?,
+            None => vec![0.0; m],
+        };
+        let sent = lengths_at(set_with, pose, &tensions)?;
+        let offsets = winch_offsets(setting.initial, set_with, machine, pose)?;
+        let wanted: Vec<f64> = sent.iter().zip(&offsets).map(|(sent, offset)| sent + offset).collect();
+        let windings = Windings::at(set_with, machine, &wanted).map_err(|error| match error {
+            OperationError::Input(error) => error,
+            other => InputError::NotBalanced { reason: other.to_string() },
+        })?;
+        let (mut as_they_are, mut chosen) = (None, None);
+        if let Some(elastic) = elastic {
+            as_they_are = Choice::nearest(elastic, pose, &tensions, &tensions)?.ok();
+            chosen = choice(setting.initial, elastic, pose, &tensions)?;
+        }
+        let stretch = [by_tensions(machine, pose, &tensions)?, by_tensions(set_with, pose, &tensions)?];
+        Ok(Self { setting, control, machine, set_with, tensions, carries, windings, as_they_are, chosen, stretch })
+    }
+
+    /// Of the tensions of all cables to the offsets: what the machine needs, as the model in use counts it, minus what that
+    /// knows of.
+    fn by_tension_change(&self, tensions: &DVector<f64>) -> DVector<f64> {
+        let [machine, set_with] = self.stretch.each_ref().map(|stretch| stretch.component_mul(tensions));
+        self.windings.sent(&machine) - set_with
+    }
+
+    fn by_initial_tension(&self, cause: &ParameterDeviation) -> DVector<f64> {
+        match &self.as_they_are {
+            Some(choice) => self.by_tension_change(&choice.by_reference(cause.cable)),
+            None => DVector::zeros(self.tensions.len()),
+        }
+    }
+
+    fn by_cause(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, InputError> {
+        let model = match cause.side {
+            Side::Machine => self.machine,
+            Side::Control if self.setting.former.is_none() => self.set_with,
+            _ => return Ok(DVector::zeros(self.tensions.len())),
+        };
+        let tensions = match (self.carries == Some(cause.side), &self.chosen) {
+            (false, _) => DVector::zeros(self.tensions.len()),
+            (true, Some(choice)) => choice.by_cause(cause)?,
+            (true, None) => return self.by_differences(cause),
+        };
+        let own = at_tensions(model, &self.setting.pose, &self.tensions, cause)?;
+        let mut machine = DVector::zeros(self.tensions.len());
+        machine[cause.cable] -= self.windings.by_cause(cause);
+        let mut change = self.by_tension_change(&tensions);
+        match cause.side {
+            Side::Machine => machine += own,
+            _ => change -= own,
+        }
+        Ok(change + self.windings.sent(&machine))
+    }
+
+    /// Central differences, for tensions from which no derivative leads away.
+    fn by_differences(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, InputError> {
+        let step = cause.kind.difference_step();
+        let offsets = |by: f64| {
+            let deviating = |model: &Model| {
+                let mut robot = model.robot().clone();
+                cause.deviate(model, &mut robot, by);
+                Model::new(robot, model.composition())
+            };
+            let Setting { initial, pose, former, .. } = self.setting;
+            let found = match cause.side {
+                Side::Machine => winch_offsets(initial, self.set_with, &deviating(self.machine)?, pose)?,
+                _ if former.is_none() => winch_offsets(initial, &deviating(self.control)?, self.machine, pose)?,
+                _ => return Ok(DVector::zeros(self.tensions.len())),
+            };
+            Ok::<_, InputError>(DVector::from_vec(found))
+        };
+        Ok((offsets(step)? - offsets(-step)?) / (2.0 * step))
+    }
+}
+
+/// How the tensions that a study asks for follow the model; nothing where there is no derivative.
+fn choice<'a>(
+    initial: &Initial,
+    model: &'a Model,
+    pose: &Pose,
+    tensions: &[f64],
+) -> Result<Option<Choice<'a>>, InputError> {
+    let found = match (&initial.tensions_N, initial.tension_method) {
+        (Some(reference), _) => Choice::nearest(model, pose, tensions, reference)?,
+        (None, None) => return Ok(None),
+        (None, Some(Method::ClosedForm)) => {
+            let limits = aim(initial, model)?;
+            let middle: Vec<f64> = (0..model.cable_count()).map(|cable| limits.middle(cable)).collect();
+            Choice::nearest(model, pose, tensions, &middle)?
+        }
+        (None, Some(method)) => {
+            Choice::by(method, (model, pose), &Load::of(model.robot())?, &aim(initial, model)?, tensions)?
+        }
+    };
+    Ok(found.ok())
+}

@@ -1,0 +1,151 @@
+//! Deviations of an experiment: derivatives, spread, robots drawn, and tolerances that an accuracy allows.
+
+use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
+use crate::experiment::Experiment;
+use crate::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side};
+use crate::study::{AccuracyOf, Tolerances};
+use cdpr_model::control::CommandedPose;
+use cdpr_model::control::InputError;
+use cdpr_model::control::Status;
+
+/// Questions about deviations, beside the tolerances of the study.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeviationSettings {
+    /// Treatment of the winch offsets under deviations.
+    pub offsets: Offsets,
+    /// How drawn robots answer.
+    pub engine: Engine,
+    /// Robots drawn; 0 draws none.
+    pub robots: usize,
+    /// Required accuracy (m), where tolerances are wanted that it allows.
+    pub accuracy: Option<f64>,
+    /// Seed of the robots drawn.
+    pub seed: u64,
+}
+
+/// Effect of deviations at the poses of an experiment.
+#[derive(Clone, Debug)]
+pub struct Deviations {
+    /// Deviations, in the order of the columns of all derivatives.
+    pub causes: Vec<ParameterDeviation>,
+    /// Commanded poses.
+    pub commanded: Vec<CommandedPose>,
+    /// Outcome and derivatives, pose by pose.
+    pub poses: Vec<PoseSensitivity>,
+    /// Distance from the commanded position without deviations, pose by pose (m); NaN without an answer.
+    pub errors: Vec<f64>,
+    /// Spread to first order, where tolerances are given.
+    pub spread: Option<Spread>,
+    /// Robots drawn, where tolerances are given.
+    pub drawn: Option<MonteCarlo>,
+    /// Tolerances that the required accuracy allows.
+    pub allowed: Option<Allowed>,
+}
+
+impl Experiment {
+    /// Effect of deviations at commanded poses, one at least. Without any standard deviation above 0 nothing spreads, and
+    /// what an accuracy allows is told of every kind.
+    pub fn deviations(
+        &self,
+        commanded: Vec<CommandedPose>,
+        tolerances: &Tolerances,
+        settings: &DeviationSettings,
+    ) -> Result<Deviations, InputError> {
+        if commanded.is_empty() {
+            return Err(InputError::NoPoses);
+        }
+        let mut sensitivity = self.sensitivity(settings.offsets)?;
+        let poses = sensitivity.along(&commanded)?;
+        let causes = sensitivity.causes().to_vec();
+        let sigmas = sigmas(&causes, tolerances);
+        let is_given = sigmas.iter().any(|&sigma| sigma > 0.0);
+        let errors = poses.iter().zip(&commanded).map(|(at, command)| position_error(at, command)).collect();
+        let mut found = Deviations { causes, commanded, poses, errors, spread: None, drawn: None, allowed: None };
+        let translations = self.machine.robot().motion_pattern.translations();
+        if is_given {
+            let spread = Spread::of(&found.poses, &found.errors, &sigmas, tolerances.reach(), translations);
+            found.spread = Some(spread);
+            found.drawn = self.drawn(&found, &sigmas, tolerances, settings)?;
+        }
+        found.allowed = settings.accuracy.map(|accuracy| {
+            let named = |side: Side, kind: Kind| {
+                let mut own = tolerances.entries().filter(|&(_, _, _, sigma)| sigma > 0.0);
+                !is_given || own.any(|(other, of, ..)| (other, of) == (side, kind))
+            };
+            let counted = match tolerances.accuracy_of {
+                AccuracyOf::Error => found.errors.clone(),
+                AccuracyOf::Deviation => vec![0.0; found.errors.len()],
+            };
+            allowed(&found.causes, &found.poses, &counted, (accuracy, tolerances.sigmas), &named, translations)
+        });
+        Ok(found)
+    }
+
+    fn drawn(
+        &self,
+        found: &Deviations,
+        sigmas: &[f64],
+        tolerances: &Tolerances,
+        asked: &DeviationSettings,
+    ) -> Result<Option<MonteCarlo>, InputError> {
+        if asked.robots == 0 {
+            return Ok(None);
+        }
+        let settings = Settings {
+            sigmas,
+            distribution: tolerances.distribution,
+            robots: asked.robots,
+            seed: asked.seed,
+            engine: asked.engine,
+            history: self.history(),
+        };
+        let set = (&self.setting(asked.offsets), self.offsets.as_slice());
+        let nominal = (found.commanded.as_slice(), found.poses.as_slice());
+        monte_carlo((self.controller()?, &self.machine), set, &found.causes, nominal, &settings).map(Some)
+    }
+}
+
+/// Distance from the commanded position (m); NaN without an answer.
+fn position_error(at: &PoseSensitivity, command: &CommandedPose) -> f64 {
+    match at.outcome.status {
+        Status::Converged => (at.outcome.pose.position - command.pose.position).norm(),
+        _ => f64::NAN,
+    }
+}
+
+impl Deviations {
+    /// Largest estimated error of derivatives by differences, as a share of the largest derivative by a number of the same
+    /// unit at the same pose; nothing for analytic ones.
+    pub fn difference_error(&self) -> Option<f64> {
+        let mut worst = None;
+        for derivatives in self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()) {
+            let Some(errors) = derivatives.errors() else { continue };
+            for (column, cause) in self.causes.iter().enumerate() {
+                let same = (0..self.causes.len()).filter(|&other| self.causes[other].kind.unit() == cause.kind.unit());
+                let largest = same.map(|other| derivatives.pose.column(other).amax()).fold(0.0, f64::max);
+                let share = if largest > 0.0 { errors[column] / largest } else { 0.0 };
+                worst = Some(f64::max(worst.unwrap_or(0.0), share));
+            }
+        }
+        worst
+    }
+
+    /// Poses (0-based) with derivatives by differences, and why no exact ones lead there.
+    pub fn by_differences(&self) -> impl Iterator<Item = (usize, &Kink)> {
+        self.poses.iter().enumerate().filter_map(|(place, at)| match &at.derivatives.as_ref().ok()?.differentiation {
+            Differentiation::Differences { kink, .. } => Some((place, kink)),
+            Differentiation::Exact => None,
+        })
+    }
+
+    /// Remarks on standard deviations of what neither side has.
+    pub fn without_effect(&self, tolerances: &Tolerances) -> Vec<String> {
+        let has = |side, kind| self.causes.iter().any(|cause| (cause.side, cause.kind) == (side, kind));
+        let idle = tolerances.entries().filter(|&(side, kind, _, sigma)| sigma > 0.0 && !has(side, kind));
+        idle.map(|(side, _, key, _)| {
+            let side = side.name();
+            format!("[tolerances.{side}] {key} without effect: the model of this side has no such number")
+        })
+        .collect()
+    }
+}

@@ -1,0 +1,291 @@
+//! Robots drawn at random: how accurate they are.
+
+use serde::Serialize;
+
+use super::batch::{Batch, Room};
+use super::robots::{Made, Makers, draw};
+use crate::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
+use crate::study::Distribution;
+use cdpr_model::control::Control;
+use cdpr_model::control::InputError;
+use cdpr_model::control::Operation;
+use cdpr_model::control::Status;
+use cdpr_model::control::error_statistics::quantile;
+use cdpr_model::control::{CommandedPose, History};
+use cdpr_model::geometry::{Pose, Twist};
+use cdpr_model::model::Model;
+use cdpr_model::reading::keywords;
+use cdpr_model::tension::Method;
+
+/// Most answers kept at a time.
+const ANSWER_LIMIT: usize = 50_000_000;
+
+/// How the drawn robots answer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Engine {
+    /// By the exact forward problem.
+    #[default]
+    Exact,
+    /// By the derivatives.
+    Linear,
+}
+
+keywords!(Engine: Exact = "exact", Linear = "linear");
+
+/// Settings of a draw of robots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings<'a> {
+    /// Standard deviation of every cause, in its unit.
+    pub sigmas: &'a [f64],
+    /// How deviations are spread.
+    pub distribution: Distribution,
+    /// How many robots.
+    pub robots: usize,
+    /// The same seed draws the same robots on any number of threads.
+    pub seed: u64,
+    /// How they answer.
+    pub engine: Engine,
+    /// A machine that remembers comes to the poses so.
+    pub history: Option<History>,
+}
+
+/// Mean and quantiles of many numbers; NaN without any.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Quantiles {
+    /// Mean.
+    pub mean: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Half of them are smaller.
+    pub median: f64,
+    /// 95 % are smaller.
+    pub p95: f64,
+    /// 99 % are smaller.
+    pub p99: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// Statistics of the drawn robots.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MonteCarlo {
+    /// How they answer.
+    pub engine: Engine,
+    /// Robots drawn.
+    pub robots: usize,
+    /// Robots and poses without an answer, which do not count.
+    pub unanswered: usize,
+    /// Why the first of them has none.
+    pub reason: Option<String>,
+    /// Distance from the commanded position over all robots and poses (m).
+    #[serde(rename = "position_error_m")]
+    pub error: Quantiles,
+    /// Angle from the commanded orientation (rad).
+    #[serde(rename = "rotation_error_rad")]
+    pub rotation_error: Quantiles,
+    /// Distance from where the robot without deviations goes (m).
+    #[serde(rename = "deviation_m")]
+    pub deviation: Quantiles,
+    /// The mean error of a robot over the poses, over the robots (m).
+    #[serde(rename = "mean_of_robot_m")]
+    pub mean_of_robot: Quantiles,
+    /// The largest error of a robot (m).
+    #[serde(rename = "max_of_robot_m")]
+    pub max_of_robot: Quantiles,
+    /// Error pose by pose, over the robots (m).
+    #[serde(skip)]
+    pub errors: Vec<Quantiles>,
+    /// Deviation pose by pose (m).
+    #[serde(skip)]
+    pub deviations: Vec<Quantiles>,
+}
+
+/// Error, rotation error and deviation at one pose; NaN without an answer.
+type Answer = [f64; 3];
+
+/// Draws robots with deviations and lets each drive through the poses.
+///
+/// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose; `causes` belong to them. Parameters
+/// stay within what they may be: radii not below 0, stiffness above 0.
+pub fn monte_carlo<'a>(
+    (control, machine): (impl Into<Control<'a>>, &'a Model),
+    (setting, offsets): (&Setting<'_>, &[f64]),
+    causes: &[ParameterDeviation],
+    (poses, nominal): (&[CommandedPose], &[PoseSensitivity]),
+    settings: &Settings<'_>,
+) -> Result<MonteCarlo, InputError> {
+    if settings.robots.saturating_mul(poses.len()) > ANSWER_LIMIT {
+        return Err(InputError::TooManyRobots { robots: settings.robots, poses: poses.len(), limit: ANSWER_LIMIT });
+    }
+    let active: Vec<usize> = (0..causes.len()).filter(|&cause| settings.sigmas[cause] > 0.0).collect();
+    let own: Vec<ParameterDeviation> = active.iter().map(|&cause| causes[cause]).collect();
+    let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
+    let deviates = own.iter().any(|cause| cause.side == Side::Control);
+    let control = control.into();
+    let models = (control.model, machine);
+    let run = Run {
+        models,
+        tension_method: control.tension_method,
+        makers: Makers::new(models, setting, offsets, &own)?,
+        poses,
+        batch: Batch::new(models, (poses, nominal), offsets, deviates),
+        nominal,
+        active: &active,
+        sigmas: &sigmas,
+        settings,
+    };
+    Ok(summarize(&run.all(), poses.len(), settings.engine))
+}
+
+/// Everything that the robots share.
+struct Run<'a> {
+    models: (&'a Model, &'a Model),
+    tension_method: Method,
+    makers: Makers<'a>,
+    poses: &'a [CommandedPose],
+    batch: Option<Batch>,
+    nominal: &'a [PoseSensitivity],
+    active: &'a [usize],
+    sigmas: &'a [f64],
+    settings: &'a Settings<'a>,
+}
+
+/// The answers of one robot, and why the first missing one is missing.
+type Row = (Vec<Answer>, Option<String>);
+
+impl Run<'_> {
+    #[cfg(feature = "parallel")]
+    fn all(&self) -> Vec<Row> {
+        use rayon::prelude::*;
+        let robots = (0..self.settings.robots).into_par_iter();
+        robots.map_init(|| (Room::default(), Vec::new()), |room, robot| self.one(robot, room)).collect()
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    fn all(&self) -> Vec<Row> {
+        let mut room = (Room::default(), Vec::new());
+        (0..self.settings.robots).map(|robot| self.one(robot, &mut room)).collect()
+    }
+
+    fn one(&self, robot: usize, (room, deviations): &mut (Room, Vec<f64>)) -> Row {
+        draw(self.settings.seed, robot, self.sigmas, self.settings.distribution, deviations);
+        if self.settings.engine == Engine::Linear {
+            return self.linear(deviations);
+        }
+        let answers = self.makers.make(deviations).and_then(|made| {
+            let batched = match &self.batch {
+                Some(batch) => batch.answers(self.models.1, &made, room)?,
+                None => None,
+            };
+            match batched {
+                Some(poses) => Ok(self.judged(poses)),
+                None => self.one_by_one(&made),
+            }
+        });
+        answers.unwrap_or_else(|reason| (vec![[f64::NAN; 3]; self.poses.len()], Some(reason.to_string())))
+    }
+
+    fn judged(&self, poses: Vec<Option<Pose>>) -> Row {
+        let mut reason = None;
+        let answers = poses.into_iter().enumerate().map(|(place, pose)| match pose {
+            Some(pose) => self.answer(place, &pose),
+            None => {
+                reason.get_or_insert_with(|| {
+                    format!("pose {}: the machine's forward problem has no solution", place + 1)
+                });
+                [f64::NAN; 3]
+            }
+        });
+        (answers.collect(), reason)
+    }
+
+    fn one_by_one(&self, made: &Made) -> Result<Row, InputError> {
+        let control = made.control.as_ref().unwrap_or(self.models.0);
+        let machine = made.machine.as_ref().unwrap_or(self.models.1);
+        let control = Control { tension_method: self.tension_method, ..Control::from(control) };
+        let operation = Operation::new(control, machine, &made.offsets)?;
+        let mut operation = operation.with_history(self.settings.history.as_ref(), &self.makers.setting.pose);
+        let mut reason = None;
+        let answers = self.poses.iter().enumerate().map(|(place, command)| {
+            let outcome = operation.answer(command);
+            match outcome.at_rest() {
+                Ok(()) => self.answer(place, &outcome.pose),
+                Err(why) => {
+                    reason.get_or_insert_with(|| format!("pose {}: {why}", place + 1));
+                    [f64::NAN; 3]
+                }
+            }
+        });
+        Ok((answers.collect(), reason))
+    }
+
+    fn answer(&self, place: usize, pose: &Pose) -> Answer {
+        let (commanded, nominal) = (&self.poses[place].pose, &self.nominal[place].outcome);
+        let deviation = match nominal.status {
+            Status::Converged => (pose.position - nominal.pose.position).norm(),
+            _ => f64::NAN,
+        };
+        [(pose.position - commanded.position).norm(), pose.angle_to(commanded), deviation]
+    }
+
+    fn linear(&self, deviations: &[f64]) -> Row {
+        let basis = self.models.1.twist_basis();
+        let at = |place: usize| {
+            let Ok(derivatives) = &self.nominal[place].derivatives else { return [f64::NAN; 3] };
+            let mut twist = Twist::zeros();
+            for (row, direction) in basis.iter().enumerate() {
+                let along: f64 =
+                    self.active.iter().zip(deviations).map(|(&cause, by)| derivatives.pose[(row, cause)] * by).sum();
+                twist += direction * along;
+            }
+            self.answer(place, &self.nominal[place].outcome.pose.displaced(&twist))
+        };
+        ((0..self.poses.len()).map(at).collect(), None)
+    }
+}
+
+fn summarize(rows: &[Row], poses: usize, engine: Engine) -> MonteCarlo {
+    let all = |of: usize| rows.iter().flat_map(move |(answers, _)| answers.iter().map(move |answer| answer[of]));
+    let at = |of: usize| (0..poses).map(move |place| rows.iter().map(move |(answers, _)| answers[place][of]));
+    let of_robot = |of: &dyn Fn(&[f64]) -> f64| {
+        let values = |(answers, _): &Row| {
+            let errors: Vec<f64> = answers.iter().map(|answer| answer[0]).filter(|error| error.is_finite()).collect();
+            of(&errors)
+        };
+        Quantiles::of(rows.iter().map(values))
+    };
+    MonteCarlo {
+        engine,
+        robots: rows.len(),
+        unanswered: all(0).filter(|error| error.is_nan()).count(),
+        reason: rows
+            .iter()
+            .enumerate()
+            .find_map(|(robot, (_, reason))| reason.as_ref().map(|reason| format!("robot {}: {reason}", robot + 1))),
+        error: Quantiles::of(all(0)),
+        rotation_error: Quantiles::of(all(1)),
+        deviation: Quantiles::of(all(2)),
+        mean_of_robot: of_robot(&|errors| errors.iter().sum::<f64>() / errors.len() as f64),
+        max_of_robot: of_robot(&|errors| errors.iter().copied().fold(f64::NAN, f64::max)),
+        errors: at(0).map(Quantiles::of).collect(),
+        deviations: at(2).map(Quantiles::of).collect(),
+    }
+}
+
+impl Quantiles {
+    /// Of all that are finite.
+    fn of(values: impl Iterator<Item = f64>) -> Self {
+        let mut sorted: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let count = sorted.len() as f64;
+        Self {
+            mean: sorted.iter().sum::<f64>() / count,
+            rms: (sorted.iter().map(|value| value * value).sum::<f64>() / count).sqrt(),
+            median: quantile(&sorted, 0.5),
+            p95: quantile(&sorted, 0.95),
+            p99: quantile(&sorted, 0.99),
+            max: sorted.last().copied().unwrap_or(f64::NAN),
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! From measurements to calibrated models, their uncertainty, and the choice between them.
+
+#[doc(inline)]
+pub use cdpr_calibration::{
+    Analysis, Candidates, Conditioning, Coverage, DesignCriterion, Doubt, DoubtKind, ErrorBlocks, Evaluation,
+    EvaluationError, FrameEstimate, GaugeFixing, Information, Loss, Minimize, Objective, Outlier, PathSettings,
+    Penalty, PenaltyPath, Plan, PlanError, PlanSettings, PoseBand, Reduction, Resampled, SelfCalibration, Towards,
+    Verdict, conditioning, coverage, cross_validate, evaluate, evaluate_fitted, evaluate_lengths, penalty_path, plan,
+    propose_reduction, resampled, self_calibrate,
+};
+
+pub mod candidate {
+    //! Candidates of a choice.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::candidate::{Candidate, CandidateError, Ladder, defaults};
+}
+
+pub mod compensation {
+    //! Maps made of samples, and judged on others.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::compensation::{Compensated, CompensationError, compensate, evaluate_compensated};
+}
+
+pub mod fit {
+    //! One model fitted to samples.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::fit::{
+        Estimate, Fit, InputError, Minimizer, OptimalParameters, Prior, Profile, Settings, Status, fit,
+        optimal_parameters, profiles,
+    };
+}
+
+pub mod selection {
+    //! The choice between candidates.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::selection::{
+        InputError, JudgedCandidate, Judgement, Requirement, Selection, SelectionCriterion, Settings, select,
+        select_without_poses,
+    };
+}
+
+pub mod test_bench {
+    //! Laws of cables from a test bench.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::test_bench::{Record, Settings, Solution, identify};
+}

@@ -1,0 +1,90 @@
+//! Fits of machines with more than templates have: the dissertation's, pulleys and drums, cables on a test bench.
+
+use super::LAB;
+use super::fits::POSES_3R3T;
+use crate::group::Group;
+
+/// Groups.
+pub(crate) fn groups() -> Vec<Group> {
+    vec![twin(), laws(), test_bench(), demo()]
+}
+
+/// The machine of the dissertation.
+fn twin() -> Group {
+    let kinematic = "identify cablerobot-simulator-helicopter kinematic.csv --free frame-anchor";
+    let elastostatic = "identify cablerobot-simulator-helicopter elastostatic.csv --model elastic \
+                        --free frame-anchor,platform-anchor,compliance,wrench";
+    Group::new("twin")
+        .prepare("simulate {studies}/twin-kinematic-measurements.toml --out kinematic.csv")
+        .prepare("simulate {studies}/twin-elastostatic-measurements.toml --out elastostatic.csv --seed 2")
+        .call_and_read(&format!("{kinematic} --loss squared --uncertainty bands"), &["bands/pose-bands.csv"])
+        .call(&format!("{elastostatic} --prior platform-anchor=0.02 --out twin.toml"))
+        .call("evaluate twin.toml kinematic.csv --model elastic")
+        .call(elastostatic)
+}
+
+/// Pulleys and drums, whose numbers are free.
+fn laws() -> Group {
+    let study = |model: &str| {
+        format!(
+            "[control]\nrobot = \"lab.toml\"\nmodel = \"{model}\"\n[machine]\nrobot = \"machine.toml\"\nmodel = \"{model}\"\n\
+             [initial]\npose = [0, 0, 1.25, 0, 0, 0]\noffset = \"none\"\n\
+             [poses.grid]\nmin = [-0.5, -0.4, 0.9, 0, 0, 0]\nmax = [0.5, 0.4, 1.6, 0, 0, 0]\ncount = [3, 3, 3, 1, 1, 1]\n\
+             [poses.random]\ncount = 10\nrotation_rad = [0.1, 0.1, 0.1]\n\
+             [noise]\nposition_m = 0.0005\nrotation_rad = 0.0005\nlength_m = 0.0002\ntension_N = 2\n"
+        )
+    };
+    let anchors = "--free frame-anchor --prior frame-anchor=0.02";
+    Group::new("fits-of-laws")
+        .write("robot.toml", LAB)
+        .write("lab.toml", LAB)
+        .write("poses.csv", POSES_3R3T)
+        .deviate("lab.toml", "machine.toml", 0.005, 21)
+        .write("pulleys.toml", &study("pulley"))
+        .write("drums.toml", &study("pulley+drum"))
+        .write("elastic.toml", &study("pulley+elastic"))
+        .write("sag.toml", &study("elastic+catenary"))
+        .prepare("simulate pulleys.toml --out pulleys.csv --seed 1")
+        .prepare("simulate drums.toml --out drums.csv --seed 2 --motor-angles")
+        .prepare("simulate elastic.toml --out elastic.csv --seed 3")
+        .prepare("simulate sag.toml --out sag.csv --seed 4")
+        .fit_model("pulleys", "pulley", "pulleys.csv --free frame-anchor,pulley-radius --prior frame-anchor=0.01,pulley-radius=0.002")
+        .fit_model("swivels", "pulley", "pulleys.csv --free frame-anchor,swivel-axis --prior frame-anchor=0.01,swivel-axis=0.02")
+        .fit_model("drums", "pulley+drum", "drums.csv --free drum-radius,start-length --prior drum-radius=0.001")
+        .fit_model("ideal", "pulley", "drums.csv --free drum-radius,start-length --prior drum-radius=0.001")
+        .fit_model("elastic", "pulley+elastic", &format!("elastic.csv {anchors}"))
+        .fit_model("sag", "elastic+catenary", &format!("sag.csv {anchors}"))
+        .call("evaluate lab.toml elastic.csv --model pulley+hysteresis")
+        .call("evaluate lab.toml elastic.csv --model pulley+polynomial")
+        .call("select lab.toml elastic.csv --candidates 'standard:frame-anchor;pulley:frame-anchor;pulley+elastic:frame-anchor' --prior frame-anchor=0.02")
+}
+
+/// Two cycles of a stiffening cable with friction, by Bouc's and Wen's equation.
+fn record() -> String {
+    let mut text = "elongation_mm,tension_kN\n".to_owned();
+    let (mut before, mut z) = (0.0, -1.0_f64);
+    for row in 0..1204 {
+        let (cycle, place) = (row / 301, f64::from(row % 301) / 300.0);
+        let elongation: f64 = 30.0 * if cycle % 2 == 0 { place } else { 1.0 - place };
+        let step: f64 = elongation - before;
+        z = step.signum() + (z - step.signum()) * (-step.abs() / 2.0).exp();
+        before = elongation;
+        let elastic = 0.3 + 0.08 * elongation + 1.2e-4 * elongation.powi(3);
+        text += &format!("{elongation:.6},{:.9}\n", elastic + z * (0.03 + 0.05 * elastic));
+    }
+    text
+}
+
+fn test_bench() -> Group {
+    Group::new("test-bench")
+        .write("record.csv", &record())
+        .calls("test-bench record.csv --length 10 --pieces %", &["4", "6", "8"])
+        .call("test-bench record.csv --length 2")
+}
+
+fn demo() -> Group {
+    Group::new("demo")
+        .call("demo --out demo")
+        .call("demo --out other --candidates 'standard:frame-anchor;elastic:frame-anchor,compliance,wrench' --seed 3")
+        .call("export csv demo --out tables")
+}
