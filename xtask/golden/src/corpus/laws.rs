@@ -57,6 +57,6 @@ fn drums() -> Group {
 /// Effects that the file does not have.
 fn unknown() -> Group {
     Group::new("law-unknown")
-        .calls("ik planar-example --pose 0.5,4 --model %", &["pulley", "catenary", "elastic+elastic"])
+        .calls("ik planar-example --pose 0.5,4 --model %", &["pulley", "catenary", "two-piece", "elastic+elastic"])
         .call("stiffness planar-example --pose 0.5,4 --model standard")
 }

@@ -6,6 +6,7 @@ use num_dual::DualVec;
 use super::*;
 use crate::cable::outlet::bent;
 use crate::cable::span::Change;
+use crate::cable::stretch::two_piece::TwoPiece;
 use crate::scalar::{Real, Smooth, add, cross, dot, scale, sub};
 
 /// A 14 mm steel cable of 0.8 kg/m (EA 10 MN) over a pulley whose axis is not upright.
@@ -247,6 +248,43 @@ fn finite_elements_converge_with_order_two() {
     for count in [8, 16, 32, 64] {
         let order = (error(count) / error(2 * count)).log2();
         assert!((order - 2.0).abs() < 0.05, "{count} elements: {:.3e} m, order {order:.3}", error(count));
+    }
+}
+
+/// Straight and with weight, over pulleys and without, below the knee of a law of two pieces and above: what a number changes at a given tension is
+/// the slope of solved states (to 1e-6: central differences of 1e-4, and Newton's rounding over them).
+#[test]
+fn derivatives_by_the_numbers_of_a_law_are_slopes_of_solved_states() {
+    let law = |numbers: [f64; 3], kind: Kind, with_pulley: bool| {
+        let [below, above, knee] = numbers;
+        let stretch = Stretch::TwoPiece(TwoPiece { below, above, knee });
+        CableLaw { stretch, kind, ..steel(Shape::Catenary, with_pulley) }
+    };
+    let numbers = [2e6, 9e6, 3e-4];
+    let kinds = [Kind::Stretching, Kind::Sagging(Shape::Catenary), Kind::Sagging(Shape::FiniteElements(7))];
+    for (anchor, with_pulley) in anchors(12).zip([true, false].into_iter().cycle()) {
+        for (kind, tension) in kinds.into_iter().flat_map(|kind| [(kind, 300.0), (kind, 1500.0)]) {
+            let known = CableInput::OutletTension(tension);
+            let state = law(numbers, kind, with_pulley).state(anchor, known).unwrap();
+            for number in 0..3 {
+                let found = law(numbers, kind, with_pulley).by_parameter(&state, LawParameter::Stretch(number));
+                let h = 1e-4 * numbers[number];
+                let [ahead, behind] = [h, -h].map(|by| {
+                    let mut moved = numbers;
+                    moved[number] += by;
+                    law(moved, kind, with_pulley).state(anchor, known).unwrap()
+                });
+                let slope = scale(0.5 / h, sub(ahead.pull, behind.pull));
+                let length = (ahead.controlled_length - behind.controlled_length) / (2.0 * h);
+                // a share of the number moves pulls by newtons and lengths by millimetres
+                let [pull_off, length_off] = [distance(slope, found.pull), (length - found.controlled_length).abs()]
+                    .map(|off| off * numbers[number]);
+                assert!(
+                    pull_off < 1e-4 && length_off < 1e-8,
+                    "{kind:?} {tension} {number}: {pull_off:e} {length_off:e}"
+                );
+            }
+        }
     }
 }
 

@@ -11,12 +11,14 @@ mod inverse;
 mod law;
 pub mod polynomial;
 mod table;
+pub mod two_piece;
 
 pub use table::Table;
 
 use hysteresis::{Hysteresis, Memory};
 use law::{Inextensible, IsPointwise, Law, Proportional, Question, SecantCompliance, Strain, StrainByNumber, Tension};
 use polynomial::Polynomial;
+use two_piece::TwoPiece;
 
 /// The stretch of a piece of cable by its unstrained length, at a memory where it has one. Immutable, and copied without allocation:
 /// what a cable comes to remember is told by [`Stretch::memory_at`], and kept by whoever asks.
@@ -28,6 +30,8 @@ pub enum Stretch {
     Linear(f64),
     /// Tension is a polynomial of strain.
     Polynomial(Polynomial),
+    /// Tension has two slopes that meet at a strain.
+    TwoPiece(TwoPiece<f64>),
     /// Tension depends on the strains before; the memory is where they led to.
     Hysteresis(Hysteresis, Memory),
 }
@@ -61,6 +65,7 @@ impl Stretch {
             Self::Rigid => question.put(&Inextensible),
             Self::Linear(compliance) => question.put(&Proportional(*compliance)),
             Self::Polynomial(law) => question.put(law),
+            Self::TwoPiece(law) => question.put(law),
             Self::Hysteresis(law, memory) => question.put(&Remembering { law, memory }),
         }
     }

@@ -3,7 +3,7 @@
 use cdpr_core::cable::stretch::Stretch;
 
 use super::numbers::LawNumber;
-use super::{StretchError, hysteresis, linear, polynomial};
+use super::{StretchError, hysteresis, linear, polynomial, two_piece};
 use crate::robot::Cable;
 
 /// How the cables of a model stretch.
@@ -14,6 +14,8 @@ pub enum StretchEffect {
     Rigid,
     /// In proportion to the tension.
     Linear,
+    /// By two slopes that meet at a strain.
+    TwoPiece,
     /// By a polynomial tension over strain.
     Polynomial,
     /// With loading and unloading branches and a memory.
@@ -61,6 +63,20 @@ pub const LAWS: &[Law] = &[
         law: linear::law,
         count: linear::count,
         sample: linear::sample,
+    },
+    Law {
+        effect: StretchEffect::TwoPiece,
+        word: "two-piece",
+        summary: "two slopes of the tension that meet at a strain",
+        keys: &["stiffness_below_knee_EA_N", "stiffness_above_knee_EA_N", "knee_strain"],
+        hint: " with stiffness_above_knee_EA_N and knee_strain",
+        table: None,
+        numbers: &two_piece::NUMBERS,
+        remembers: false,
+        cost: "two stiffnesses and a strain per cable, and the load",
+        law: two_piece::law,
+        count: two_piece::count,
+        sample: two_piece::sample,
     },
     Law {
         effect: StretchEffect::Polynomial,

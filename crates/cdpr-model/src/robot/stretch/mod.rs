@@ -10,6 +10,7 @@ mod linear;
 mod numbers;
 mod polynomial;
 pub mod registry;
+mod two_piece;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;

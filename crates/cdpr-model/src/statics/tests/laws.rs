@@ -4,7 +4,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::*;
 use crate::geometry::{MotionPattern, Plane, Wrench};
-use crate::robot::{Cable, CableStiffness};
+use crate::model::FreeParameters;
+use crate::robot::{Cable, CableStiffness, Parameter};
 
 /// At an equilibrium of springs and weight the potential energy has a Hessian, which is symmetric.
 #[test]
@@ -175,4 +176,51 @@ fn the_gravity_term_decides_whether_a_weight_tips() {
         k.stability()
     };
     assert_eq!([judged(-0.5), judged(0.5)], [Stability::Stable, Stability::Unstable]);
+}
+
+/// The planar example on cables of two pieces, whose knee lies at 200 N.
+fn two_piece() -> Robot {
+    let mut robot = Robot::builtin("planar-example").unwrap();
+    for cable in &mut robot.cables {
+        let keys = ["stiffness_below_knee_EA_N", "stiffness_above_knee_EA_N", "knee_strain"];
+        cable.law_numbers.extend(keys.into_iter().zip([1e5, 8e5, 0.002]));
+    }
+    robot
+}
+
+/// Its numbers are parameters of models that have it, and their derivatives those of lengths at given tensions.
+#[test]
+fn its_numbers_are_free_where_the_model_has_it() {
+    let free: FreeParameters = "stiffness-below-knee,stiffness-above-knee[2],knee-strain".parse().unwrap();
+    let model = Model::new(two_piece(), "two-piece".parse().unwrap()).unwrap();
+    let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
+    assert_eq!(parameters.len(), 4 + 1 + 4);
+    let elastic = Model::new(two_piece(), Composition::ELASTIC).unwrap();
+    let refused = free.parameters(&elastic, &FreeParameters::default()).unwrap_err().to_string();
+    assert!(refused.contains("`two-piece`"), "{refused}");
+    let key = Parameter::named("cable[2].knee_strain", model.robot()).unwrap();
+    assert_eq!(key[0].name(model.robot()), "knee-strain[2]");
+
+    let pose = model.robot().home_or_middle();
+    let lengths = |model: &Model| controlled_lengths(model, &pose, &[3000.0; 4]).unwrap();
+    for parameter in &parameters {
+        let (value, cable) = (parameter.value(model.robot()), parameter.cable);
+        let with = |value: f64| lengths(&model.with_parameters(&[*parameter], &[value]).unwrap())[cable];
+        let h = 1e-5 * value;
+        let slope = (with(value + h) - with(value - h)) / (2.0 * h);
+        let state = cable_state(&model, &pose, cable, 3000.0).unwrap();
+        let (_, found) = model.by_parameter((cable, &state), parameter, &pose.rotation_matrix());
+        // lengths of 10 m have rounding of 1e-15 of them, over 2e-5 of the number
+        assert!((found - slope).abs() * value < 1e-9, "{}: {found} {slope}", parameter.name(model.robot()));
+    }
+}
+
+/// A file that states no such law does not support it, and the first key is named; it is richer than `elastic` and poorer than a polynomial.
+#[test]
+fn a_robot_without_its_keys_lacks_them_by_name() {
+    let plain = Robot::builtin("planar-example").unwrap();
+    let missing = Composition::supported(&plain).unwrap().missing;
+    let (_, reason) = missing.iter().find(|(word, _)| *word == "two-piece").unwrap();
+    assert!(reason.to_string().contains("stiffness_below_knee_EA_N"), "{reason}");
+    assert_eq!(Composition::supported(&two_piece()).unwrap().richest.to_string(), "two-piece");
 }

@@ -110,6 +110,28 @@ fn vanishes(robot: &Robot, effect: &Effect, composition: Composition, seed: u64)
     }
 }
 
+/// With two equal slopes a law of two pieces is the linear one, wherever its knee is.
+#[test]
+fn two_pieces_of_one_slope_are_the_linear_law() {
+    for seed in [1, 2, 4] {
+        let mut robot = by_unstrained_length(seed);
+        each(&mut robot, |cable| {
+            let stiffness = cable.specific_compliance().map_or(2e6, |compliance| 1.0 / compliance);
+            cable.law_numbers.insert("stiffness_below_knee_EA_N", stiffness);
+            cable.law_numbers.insert("stiffness_above_knee_EA_N", stiffness);
+        });
+        for composition in Composition::all().filter(|all| all.stretch == StretchEffect::TwoPiece) {
+            let linear = Composition { stretch: StretchEffect::Linear, ..composition };
+            let [expected, found] = [linear, composition].map(|of| Model::new(robot.clone(), of).unwrap());
+            for (pose, tensions) in random_states(&expected, 400 + seed, 2) {
+                let gap = gap(&answers(&found, &pose, &tensions), &answers(&expected, &pose, &tensions));
+                // rounding, of spans that of Newton's steps
+                assert!(gap < 1e-8, "{composition}: {gap:e}");
+            }
+        }
+    }
+}
+
 /// Loops that close on the polynomial f = c₁ε + c₂ε² (its cubic pieces hold it exactly): the loop's width takes its effect
 /// along, in values and derivatives, wherever the memory is.
 #[test]
