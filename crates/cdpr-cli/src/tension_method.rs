@@ -37,6 +37,10 @@ pub(crate) struct MethodArguments {
     #[arg(help = p_help())]
     p: f64,
 
+    /// Smoothing width of smooth: part of half the largest range by which tensions keep away from limits that they would just reach.
+    #[arg(long, value_name = "WIDTH", default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
+    smoothing: f64,
+
     /// Length by which nearest-wrench divides moments to weigh them against forces (m); by default the root mean square
     /// distance of the platform anchors from the platform origin.
     #[arg(long, value_name = "M", value_parser = finite_number, allow_hyphen_values = true)]
@@ -129,6 +133,7 @@ pub(crate) struct Wishes {
     rates: Option<Vec<f64>>,
     time_step: f64,
     p: f64,
+    smoothing: f64,
     /// 1 for forces, the moment length for moments (m).
     lengths: Vec<f64>,
 }
@@ -147,6 +152,7 @@ impl MethodArguments {
             rates,
             time_step: self.time_step,
             p: self.p,
+            smoothing: self.smoothing,
             lengths: model.twist_basis().iter().map(|twist| if is_turn(twist) { moment_length } else { 1.0 }).collect(),
         }
     }
@@ -164,6 +170,7 @@ impl Wishes {
             rates: self.rates.as_deref(),
             time_step: self.time_step,
             p: self.p,
+            smoothing: self.smoothing,
             lengths: Some(&self.lengths),
         }
     }
@@ -197,7 +204,13 @@ pub(crate) fn refused(error: &InputError) -> Failure {
 }
 
 fn option_of(what: &str) -> &'static str {
-    let options = [("previous", "--previous"), ("rate", "--rate"), ("p of", "--p"), ("time", "--time-step")];
+    let options = [
+        ("previous", "--previous"),
+        ("rate", "--rate"),
+        ("p of", "--p"),
+        ("smoothing", "--smoothing"),
+        ("time", "--time-step"),
+    ];
     let known = options.into_iter().find(|(start, _)| what.starts_with(start));
     known.map_or("--moment-length", |(_, option)| option)
 }

@@ -9,7 +9,9 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::distribute::Distribute;
-use super::{barrier, centroid, closed_form, dykstra, improved_closed_form, nearest, nearest_wrench, norm, puncture};
+use super::{
+    barrier, centroid, closed_form, dykstra, improved_closed_form, nearest, nearest_wrench, norm, puncture, smooth,
+};
 use crate::reading::{Keyword, did_you_mean};
 
 /// Entry of a method.
@@ -135,6 +137,15 @@ methods! {
         name: "barrier",
         make: |cable_count, dof| Box::new(barrier::Centre::new(cable_count, dof)),
         ..EXACT
+    }
+    Smooth {
+        summary: "a p-norm about the reference with smooth limits and, at the edge of what is feasible, a part of the load left: no kink at any load (Ueland, Sauder, Skjetne 2021)",
+        name: "smooth",
+        is_exact: false,
+        fallback: Fallback::PartOfLoad,
+        stays_near_reference: true,
+        least_p: Some(2.0),
+        make: |cable_count, dof| Box::new(smooth::Search::new(cable_count, dof)),
     }
     NearestWrench {
         summary: "those of qp; where no tensions balance the load, those within the limits that come nearest to it",

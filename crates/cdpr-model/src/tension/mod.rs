@@ -26,6 +26,7 @@ mod polytope;
 mod puncture;
 pub mod quadratic;
 mod response;
+mod smooth;
 mod solver;
 
 pub(crate) use affine::null_space;

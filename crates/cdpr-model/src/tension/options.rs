@@ -30,6 +30,9 @@ pub struct Options<'a> {
     /// The p of methods that minimize a p-norm, from [`super::Method::least_p`] to 8. The default 2 gives one answer that follows the load continuously;
     /// 1 sums the tensions up and jumps between corners of what is allowed.
     pub p: f64,
+    /// Smoothing width of `smooth`: part of half the largest range by which a tension stays away from a limit that p = 2 alone would
+    /// put it on, from 1e-4 to 1.
+    pub smoothing: f64,
     /// Divisors of the rows of the wrench where forces are weighed against moments (`nearest-wrench`): 1 for forces and a
     /// length for moments (m). By default 1 for all: 1 N·m then counts as much as 1 N.
     pub lengths: Option<&'a [f64]>,
@@ -37,7 +40,15 @@ pub struct Options<'a> {
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { reference: Reference::Middle, previous: None, rates: None, time_step: 1.0, p: 2.0, lengths: None }
+        Self {
+            reference: Reference::Middle,
+            previous: None,
+            rates: None,
+            time_step: 1.0,
+            p: 2.0,
+            smoothing: 0.1,
+            lengths: None,
+        }
     }
 }
 
@@ -81,6 +92,9 @@ impl Options<'_> {
         let refuse = |what, value, expected| Err(InputError::OptionValue { what, value, expected });
         if !(self.p >= 1.0 && self.p <= LARGEST_P) {
             return refuse("p of the p-norm", self.p, "from 1 to 8");
+        }
+        if !(self.smoothing >= 1e-4 && self.smoothing <= 1.0) {
+            return refuse("smoothing width", self.smoothing, "from 1e-4 to 1");
         }
         if !(self.time_step >= 0.0 && self.time_step.is_finite()) {
             return refuse("time step (s)", self.time_step, "finite, 0 or more");

@@ -5,12 +5,13 @@
 //!
 //! * `qp`, `nearest-wrench` where the load can be balanced, `dykstra` and `improved-closed-form`: ½ (f − f_m)², the active limits of the
 //!   answer; `closed-form` without limits; `minimum` ½ f², `maximum` ½ (f_max − f)², both with p = 2.
+//! * `smooth` with p = 2: ½ ((f − f_m)/α)² − c log (f − f_min)(f_max − f), no limit is active.
 //! * `barrier`: −log (f − f_min) − log (f_max − f), no limit is active.
 //!
 //! `puncture` follows both ends of its way and the cable that stands at its limit there, `centroid` the moving facets of the set of
 //! allowed tensions (`centroid`). A method without a derivative of its own is solved anew beside the problem (`differences`).
 //!
-//! **Where there is none.** All methods but `barrier` and `closed-form` have kinks, where a cable comes to a limit or leaves it.
+//! **Where there is none.** All methods but `barrier`, `smooth` and `closed-form` have kinks, where a cable comes to a limit or leaves it.
 //! Exactly there the derivative is that of one side.
 
 pub(super) mod centroid;
