@@ -217,7 +217,7 @@ pub mod plant {
         //! Events that happen to a machine.
 
         #[doc(inline)]
-        pub use cdpr_plant::events::{CableBreak, LoadChange, Slip, WinchStop, WrenchChange};
+        pub use cdpr_plant::events::{CableBreak, FrictionChange, LoadChange, Slip, WinchStop, WrenchChange};
     }
 
     pub mod sensors {

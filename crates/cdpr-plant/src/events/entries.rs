@@ -7,6 +7,7 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer};
 
 use super::cable_break::CABLE_BREAK;
 use super::entry::{EventEntry, EventSetting, EventTable};
+use super::friction_change::FRICTION;
 use super::happening::Event;
 use super::load_change::LOAD;
 use super::slip::SLIP;
@@ -18,7 +19,7 @@ use crate::keys::{Key, Kind, Shape, TableSeed, Word, allowed_keys, kinds_schema}
 use cdpr_model::geometry::MotionPattern;
 
 /// All events.
-const EVENTS: &[EventEntry] = &[CABLE_BREAK, WINCH_STOP, SLIP, LOAD, WRENCH];
+const EVENTS: &[EventEntry] = &[CABLE_BREAK, WINCH_STOP, SLIP, LOAD, WRENCH, FRICTION];
 
 /// Keys of every event.
 const OWN: &[Key] = &[

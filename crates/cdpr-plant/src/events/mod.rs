@@ -3,6 +3,7 @@
 mod cable_break;
 mod entries;
 mod entry;
+mod friction_change;
 mod happening;
 mod load_change;
 mod slip;
@@ -11,6 +12,7 @@ mod wrench_change;
 
 pub use cable_break::CableBreak;
 pub use entry::EventTable;
+pub use friction_change::FrictionChange;
 pub use happening::{Event, Happening, LoadChange};
 pub use slip::Slip;
 pub use winch_stop::WinchStop;
