@@ -88,7 +88,7 @@ fn path(group: &mut BenchmarkGroup<'_, WallTime>, (model, free): (&Model, &FreeP
         let question = PathSettings { penalty, ..PathSettings::default() };
         group.bench_function(format!("path of 50 penalties, {penalty}"), |bencher| {
             bencher.iter(|| {
-                let path = penalty_path(model, black_box(samples), (&found, &settings), free, &question, &[]);
+                let path = penalty_path(model, black_box(samples), &found, &settings, free, &question, &[]);
                 path.map(|path| path.points.len())
             });
         });

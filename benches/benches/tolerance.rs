@@ -88,6 +88,7 @@ fn main() {
     let mut seconds = Vec::new();
     for engine in [Engine::Exact, Engine::Linear] {
         let settings = Settings {
+            causes: &causes,
             sigmas: &sigmas,
             distribution: Distribution::Normal,
             robots: ROBOTS,
@@ -96,7 +97,7 @@ fn main() {
             history: None,
         };
         let start = Instant::now();
-        let drawn = monte_carlo((&control, &machine), (&setting, &offsets), &causes, (&poses, &nominal), &settings);
+        let drawn = monte_carlo(&control, &machine, &setting, &offsets, &poses, &nominal, &settings);
         let drawn = black_box(drawn.expect("valid input"));
         seconds.push(start.elapsed().as_secs_f64());
         assert_eq!(drawn.unanswered, 0);

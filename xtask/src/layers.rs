@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::circles::{self, graph::Graph};
 use crate::outcome::Outcome;
-use crate::sentences;
+use crate::{sentences, signatures};
 
 /// Crates whose rooms have an order, by their folders.
 const LIBRARIES: &[Library] = &[
@@ -69,6 +69,8 @@ pub(crate) fn check(root: &Path) -> Outcome {
                 Ok(text) => {
                     complaints.extend(library.into_iter().flat_map(|library| library.uses_to_the_right(inside, &text)));
                     complaints.extend(sentences::complaints(&name, &text));
+                    complaints.extend(signatures::tuples(&name, &text));
+                    complaints.extend(library.into_iter().flat_map(|_| signatures::commands(&name, &text)));
                 }
                 Err(error) => complaints.push(format!("{name}: {error}")),
             }

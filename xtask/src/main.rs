@@ -23,6 +23,7 @@ mod outcome;
 mod packages;
 mod programs;
 mod sentences;
+mod signatures;
 mod soak;
 mod steps;
 

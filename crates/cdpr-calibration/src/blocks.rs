@@ -142,7 +142,7 @@ impl Block {
     fn rows_at(&self, poses: &PoseLanes, values: &CableValues, recordings: Option<&Recordings>) -> (Vec<f64>, Columns) {
         let (residuals, mut columns) = dispatch(WriteRows { block: self, poses, values, recordings });
         for (column, &slot) in columns.iter_mut().zip(&self.slots).filter(|(_, slot)| **slot >= SLOTS) {
-            *column = further_column(slot - SLOTS, (&self.turns, values), (poses, &self.weights), recordings);
+            *column = further_column(slot - SLOTS, &self.turns, values, poses, &self.weights, recordings);
         }
         (residuals, columns)
     }

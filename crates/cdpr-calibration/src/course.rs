@@ -43,7 +43,7 @@ pub struct CourseStep {
 ///
 /// `samples` and settings are those of the fit. Outliers of a robust loss are left out of the residuals. Cables that are identified apart step side by
 /// side, of several starts each has the way from its best one.
-pub fn course(samples: &Samples, (fit, settings): (&Fit, &Settings)) -> Result<Vec<CourseStep>, InputError> {
+pub fn course(samples: &Samples, fit: &Fit, settings: &Settings) -> Result<Vec<CourseStep>, InputError> {
     let samples = fit.as_fitted(samples).subset(&fit.trusted_samples(samples.len()));
     let parameters: Vec<Parameter> = fit.parameters.iter().map(|estimate| estimate.parameter).collect();
     let mut places = fit.trail.places().to_vec();

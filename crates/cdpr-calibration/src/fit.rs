@@ -184,7 +184,7 @@ fn report(
     let estimates: Vec<Estimate> = parameters
         .iter()
         .zip(&analysis.sigmas)
-        .map(|(parameter, &sigma)| estimate(*parameter, (parameter.value(model.robot()), &calibrated), sigma, settings))
+        .map(|(parameter, &sigma)| estimate(*parameter, parameter.value(model.robot()), &calibrated, sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &optimum.stopped());
     let recorded = calibrated.with_lengths(samples)?;
@@ -241,7 +241,8 @@ pub(super) fn threshold(loss: Option<RobustLoss>) -> f64 {
 
 pub(super) fn estimate(
     parameter: Parameter,
-    (start, calibrated): (f64, &Model),
+    start: f64,
+    calibrated: &Model,
     sigma: Option<f64>,
     settings: &Settings,
 ) -> Estimate {

@@ -9,8 +9,10 @@ use cdpr_model::scalar::{Kernel, LANES, Lanes, add, constants, cross, dispatch, 
 /// Weighted column of the parameter at a place, padding included.
 pub(super) fn further_column(
     place: usize,
-    (turns, values): (&Turns, &CableValues),
-    (poses, weights): (&PoseLanes, &[f64]),
+    turns: &Turns,
+    values: &CableValues,
+    poses: &PoseLanes,
+    weights: &[f64],
     recordings: Option<&Recordings>,
 ) -> Vec<f64> {
     let zero = || vec![0.0; weights.len()];

@@ -115,7 +115,7 @@ impl Around<'_> {
         let room: Vec<Room> = self.parameters.iter().zip(values).map(room).collect();
         let around = Surroundings { room: &room, scale: self.scale };
         let (mut held, mut step) = (vec![false; values.len()], vec![0.0; values.len()]);
-        let is_cut = self.minimizer.step(equations, around, control, (&mut held, &mut step))?;
+        let is_cut = self.minimizer.step(equations, around, control, &mut held, &mut step)?;
         Some((step, is_cut))
     }
 }

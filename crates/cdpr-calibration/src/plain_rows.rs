@@ -76,7 +76,7 @@ fn even_length_rows(
 ) -> (DVector<f64>, DMatrix<f64>) {
     let poses = PoseLanes::new(samples);
     let even = Weights::even(weights.length.recip(), model.cable_count(), samples.len(), &poses);
-    length_rows(model, samples, parameters, (&poses, &even))
+    length_rows(model, samples, parameters, &poses, &even)
 }
 
 /// Lengths cable by cable, with a weight of its own for each.
@@ -84,7 +84,8 @@ pub(super) fn length_rows(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
-    (poses, weights): (&PoseLanes, &Weights),
+    poses: &PoseLanes,
+    weights: &Weights,
 ) -> (DVector<f64>, DMatrix<f64>) {
     let mut jacobian = DMatrix::zeros(samples.len() * model.cable_count(), parameters.len());
     let mut residuals = DVector::zeros(jacobian.nrows());

@@ -72,7 +72,8 @@ struct Candidate {
 pub fn propose_reduction(
     model: &Model,
     samples: &Samples,
-    (fit, settings): (&Fit, &fit::Settings),
+    fit: &Fit,
+    settings: &fit::Settings,
     free: &FreeParameters,
     path: Option<&PenaltyPath>,
     folds: &[Fold],

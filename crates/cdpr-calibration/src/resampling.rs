@@ -61,8 +61,10 @@ pub struct ResampledDeviation {
 pub fn resampled(
     given: &Model,
     samples: &Samples,
-    (fit, settings): (&Fit, &Settings),
-    (replicates, seed): (usize, u64),
+    fit: &Fit,
+    settings: &Settings,
+    replicates: usize,
+    seed: u64,
 ) -> Result<Resampled, InputError> {
     let samples = fit.as_fitted(samples).subset(&fit.trusted_samples(samples.len()));
     let course = Course::new(given, samples, fit, settings)?;

@@ -148,7 +148,7 @@ pub fn select(
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
         judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
     }
-    rating::inform((robot, samples), &mut judged, settings);
+    rating::inform(robot, samples, &mut judged, settings);
     let mut selection = recommend(judged, settings.criterion);
     let (best, recommended) = (selection.best, selection.recommended);
     selection.rating =

@@ -38,7 +38,7 @@ pub(crate) enum Failure {
     },
 }
 
-/// Options that mend what the library refuses, by the code of the error.
+/// Commands and options that mend what the library refuses, by the code of the error.
 const REMEDIES: &[(&str, &str)] = &[
     ("data::no-validation", "give --validation, a column `set`, or another --split"),
     (
@@ -47,6 +47,13 @@ const REMEDIES: &[(&str, &str)] = &[
     ),
     ("limits::missing-key", "add the key to the robot file, or give --min and --max for all cables"),
     ("load::missing-key", "add the key to the robot file, or give --wrench where the command takes it"),
+    (
+        "csv::no-poses",
+        "--merge FILE adds a tracker's log, --columns x_m=… names columns; `identify`, `evaluate` and `select` do without poses",
+    ),
+    ("csv::not-a-number", "--skip-invalid leaves such rows out"),
+    ("model::missing-key", "`cdpr place-pulleys --help` tells how pulleys come from the anchors of the point model"),
+    ("toml::missing-key", "`cdpr schema --help` tells how to list the keys of every file"),
     ("plan::priors", "state the accuracies of the sensors with --sigma"),
 ];
 
@@ -82,8 +89,7 @@ impl Failure {
     /// options for it.
     pub(crate) fn refused(what: &str, error: &dyn ErrorCode) -> Self {
         let code = error.code();
-        let remedy = REMEDIES.iter().find(|(of, _)| *of == code).map(|(_, remedy)| (*remedy).to_owned());
-        Self::Input { code, message: format!("{what}: {error}"), help: remedy }
+        Self::Input { code, message: format!("{what}: {error}"), help: remedy(code).map(str::to_owned) }
     }
 
     /// A calculation that overflowed.
@@ -169,9 +175,17 @@ impl Failure {
 }
 
 impl From<ReadError> for Failure {
-    fn from(error: ReadError) -> Self {
+    /// The help is that of the library, and the options for it.
+    fn from(mut error: ReadError) -> Self {
+        let parts = [error.help.take(), remedy(error.code).map(str::to_owned)];
+        error.help = parts.into_iter().flatten().reduce(|help, remedy| format!("{help}; {remedy}"));
         Self::File(Box::new(error))
     }
+}
+
+/// Commands and options that mend an error of the library.
+fn remedy(code: &str) -> Option<&'static str> {
+    REMEDIES.iter().find(|(of, _)| *of == code).map(|(_, remedy)| *remedy)
 }
 
 /// The system's reason without its error number.

@@ -25,7 +25,7 @@ impl Plant {
             let is_held = match commands[index] {
                 Command::Torque(torque) => {
                     let (pull, wrap) = (cable.tension * radius, state.pulls.wraps[index]);
-                    cable.drum_speed == 0.0 && state.friction[index].holds((pull, wrap), torque * drum.gear)
+                    cable.drum_speed == 0.0 && state.friction[index].holds(pull, wrap, torque * drum.gear)
                 }
                 _ => true,
             };

@@ -56,7 +56,7 @@ impl Friction {
     }
 
     /// True where a drum that stands stays: under the torque of its cable as the outlet has it and that of its motor (N·m).
-    pub(super) fn holds(&self, (cable, wrap): (f64, f64), motor: f64) -> bool {
+    pub(super) fn holds(&self, cable: f64, wrap: f64, motor: f64) -> bool {
         let out = cable * self.passed_on(wrap, 1.0) - motor;
         let back = cable * self.passed_on(wrap, -1.0) - motor;
         out <= self.standing && back >= -self.standing

@@ -35,9 +35,11 @@ pub struct Branches {
 ///
 /// A machine without history has no spread but rounding.
 pub fn branches<'a>(
-    (control, machine): (impl Into<Control<'a>>, &'a Model),
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
     offsets: &[f64],
-    (history, start): (&History, &Pose),
+    history: &History,
+    start: &Pose,
     poses: &[Pose],
     stroke: f64,
 ) -> Result<Branches, InputError> {

@@ -236,8 +236,7 @@ impl Chain {
         self.steps.push(step(title, &blocks, Some(&full)));
         let folds = Split::Blocks(PARTS).folds(&record, seed).unwrap_or_default();
         let settings = fit::Settings { loss: Loss::Squared, ..fit::Settings::default() };
-        let Some(smaller) = propose_reduction(control, &record, (&full, &settings), &both.parse()?, None, &folds)?
-        else {
+        let Some(smaller) = propose_reduction(control, &record, &full, &settings, &both.parse()?, None, &folds)? else {
             self.left_out.push("constant orientation: no smaller model predicts as well".to_owned());
             return Ok(());
         };

@@ -48,7 +48,7 @@ fn case(nominal: &Model, towards: Towards, shrink: &str) -> Result<Value, Failur
         points: 9,
         ..PathSettings::default()
     };
-    let path = penalty_path(nominal, &samples, (&found, &settings), &free, &question, &[])?;
+    let path = penalty_path(nominal, &samples, &found, &settings, &free, &question, &[])?;
     if path.points.iter().any(|point| !point.converged) {
         return Err("a point of the path has not converged".into());
     }

@@ -27,7 +27,7 @@ keywords!(DesignCriterion: D = "d", A = "a", E = "e", I = "i", Condition = "cond
 
 impl DesignCriterion {
     /// Score of a block of M, in the unit of its `worths` (m); smaller is better. Blocks join by [`DesignCriterion::joined`].
-    pub(super) fn of_block(self, block: &DMatrix<f64>, (region, worths): (&DMatrix<f64>, &[f64])) -> BlockScore {
+    pub(super) fn of_block(self, block: &DMatrix<f64>, region: &DMatrix<f64>, worths: &[f64]) -> BlockScore {
         match self {
             Self::D | Self::Factorial => BlockScore::Sum(log_det(block).map_or(f64::INFINITY, |log_det| -log_det)),
             Self::A | Self::I => BlockScore::Sum(inverse(block).map_or(f64::INFINITY, |inverse| match self {

@@ -105,7 +105,7 @@ fn best(
         if !settings.repeats && chosen.contains(&candidate) {
             continue;
         }
-        let score = information.score_with(settings.criterion, (sum, scratch), candidate);
+        let score = information.score_with(settings.criterion, sum, scratch, candidate);
         if found.is_none_or(|(least, _)| score < least) {
             found = Some((score, candidate));
         }

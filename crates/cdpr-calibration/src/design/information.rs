@@ -62,7 +62,8 @@ impl Information {
     /// Of candidates and poses measured already, with these priors.
     pub(super) fn of(
         model: &Model,
-        (samples, given): (&Samples, Option<&Samples>),
+        samples: &Samples,
+        given: Option<&Samples>,
         parameters: &[Parameter],
         settings: &Settings,
     ) -> Result<Self, PlanError> {
@@ -160,14 +161,15 @@ impl Information {
     /// Score of M; smaller is better.
     pub(super) fn score(&self, criterion: DesignCriterion, sum: &[DMatrix<f64>]) -> f64 {
         let blocks = self.blocks.iter().zip(sum);
-        criterion.joined(blocks.map(|(block, sum)| criterion.of_block(sum, (&block.region, &block.worths))))
+        criterion.joined(blocks.map(|(block, sum)| criterion.of_block(sum, &block.region, &block.worths)))
     }
 
     /// Score of M with one more candidate, in scratch memory of its size.
     pub(super) fn score_with(
         &self,
         criterion: DesignCriterion,
-        (sum, scratch): (&[DMatrix<f64>], &mut [DMatrix<f64>]),
+        sum: &[DMatrix<f64>],
+        scratch: &mut [DMatrix<f64>],
         candidate: usize,
     ) -> f64 {
         scratch.iter_mut().zip(sum).for_each(|(own, sum)| own.copy_from(sum));
@@ -234,7 +236,7 @@ fn stacked(
         true => length_weights(model, samples, &poses)?,
         false => Weights::even(1.0, model.cable_count(), count, &poses),
     };
-    let (_, jacobian) = length_rows(model, samples, parameters, (&poses, &weights));
+    let (_, jacobian) = length_rows(model, samples, parameters, &poses, &weights);
     let of_sample = |sample: usize| {
         DMatrix::from_fn(model.cable_count(), parameters.len(), |cable, k| jacobian[(cable * count + sample, k)])
     };

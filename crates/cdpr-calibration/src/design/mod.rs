@@ -86,7 +86,7 @@ pub fn plan(
         return Err(PlanError::PriorsWithoutAccuracies);
     }
     let parameters = plannable(model, free, &settings.fit.hold)?;
-    let information = Information::of(model, (samples, given), &parameters, &settings.fit)?;
+    let information = Information::of(model, samples, given, &parameters, &settings.fit)?;
     let found = exchange::search(&information, samples, settings);
     let summary = information.summary(&found.chosen);
     let grid = factorial::design(samples, count);

@@ -55,9 +55,11 @@ impl Predicted {
     /// Of exact records at poses of candidates; bands of the platform are asked at the candidates, where there are any to ask.
     pub fn of(
         model: &Model,
-        (candidates, chosen): (&Candidates, &[usize]),
+        candidates: &Candidates,
+        chosen: &[usize],
         given: Option<&Samples>,
-        (free, settings): (&FreeParameters, &Settings),
+        free: &FreeParameters,
+        settings: &Settings,
     ) -> Result<Self, fit::InputError> {
         let stated = candidates.samples.sigmas;
         let assumed = (stated == Default::default()).then_some(ASSUMED_LENGTH);

@@ -117,7 +117,7 @@ fn deviations_are_those_of_simulated_calibrations() {
     let free: FreeParameters = "frame-anchor".parse().unwrap();
     let asked = settings(25, DesignCriterion::D);
     let found = plan(&model, &candidates, None, &free, &asked).unwrap();
-    let predicted = Predicted::of(&model, (&candidates, &found.chosen), None, (&free, &asked.fit)).unwrap();
+    let predicted = Predicted::of(&model, &candidates, &found.chosen, None, &free, &asked.fit).unwrap();
     let exact = candidates.samples.subset(&found.chosen);
     let mut rng = ChaCha8Rng::seed_from_u64(7);
     let mut squares = vec![0.0; predicted.deviations.len()];

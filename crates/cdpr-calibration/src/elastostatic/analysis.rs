@@ -31,7 +31,7 @@ pub(crate) fn report(samples: &Samples, parameters: &[Parameter], optimum: Optim
         .iter()
         .zip(&analysis.sigmas)
         .map(|(parameter, &sigma)| {
-            estimate(*parameter, (parameter.value(model.robot()), &optimum.calibrated), sigma, settings)
+            estimate(*parameter, parameter.value(model.robot()), &optimum.calibrated, sigma, settings)
         })
         .collect();
     let (mut status, mut reason) = verdict(&analysis, &estimates, &optimum.stopped());

@@ -89,7 +89,7 @@ impl<'a> Problem<'a> {
         let Some(model) = self.model_at(values) else { return false };
         let Ok(load) = Load::of(model.robot()) else { return false };
         let row_model = RowModel::new(&model, load, self.parameters);
-        at.add_to(&row_model, self.samples, self.loss, (rows, equations));
+        at.add_to(&row_model, self.samples, self.loss, rows, equations);
         for (k, sigma) in self.priors() {
             let (weight, change) = (1.0 / (sigma * sigma), values[k] - self.start[k]);
             equations.add_to_cost(weight * change * change);

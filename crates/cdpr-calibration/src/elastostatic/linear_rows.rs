@@ -84,7 +84,8 @@ impl LinearRows {
         &self,
         model: &Model,
         at: At<'_>,
-        (entries, stride): (&mut [f64], usize),
+        entries: &mut [f64],
+        stride: usize,
         lengths: &mut [f64],
     ) -> Option<[f64; 6]> {
         dispatch(Write { linear: self, model, at, entries, stride, lengths })

@@ -69,7 +69,7 @@ impl Linearization {
         for ((sample, factor), weight) in linearization.factors.chunks_mut(count * count).enumerate().zip(weights) {
             model.noise(&samples.poses[sample], &tensions[sample * m..][..m], sigmas, &mut noise);
             linearization.informative_rows += noise.informative_rows();
-            noise.factor((&mut triangle, &mut columns), factor)?;
+            noise.factor(&mut triangle, &mut columns, factor)?;
             invert(factor, count, &mut scratch, weight);
         }
         Some(linearization)
@@ -113,9 +113,9 @@ impl Linearization {
             let factor = &mut self.factors[sample * count * count..][..count * count];
             let corrected = &mut self.tensions[sample * m..][..m];
             let recorded = Recorded::of(samples, sample);
-            model.noise_at((&self.poses[sample], corrected), sigmas, &mut noise, Some((recorded, &mut residual)));
+            model.noise_at(&self.poses[sample], corrected, sigmas, &mut noise, Some((recorded, &mut residual)));
             self.informative_rows += noise.informative_rows();
-            noise.factor((&mut triangle, &mut columns), factor)?;
+            noise.factor(&mut triangle, &mut columns, factor)?;
             let size = scratch.len();
             invert(factor, count, &mut scratch, &mut self.weights[sample * size..][..size]);
             // r + N (z_M − z), with the displacement in standard deviations
@@ -171,7 +171,8 @@ impl Linearization {
         model: &RowModel<'_>,
         samples: &Samples,
         loss: Option<RobustLoss>,
-        (rows, equations): (&mut SampleRows, &mut NormalEquations),
+        rows: &mut SampleRows,
+        equations: &mut NormalEquations,
     ) {
         let size = self.count * self.count.next_multiple_of(LANES);
         for (sample, weight) in self.weights.chunks(size).enumerate() {

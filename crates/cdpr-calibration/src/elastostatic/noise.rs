@@ -31,7 +31,8 @@ impl Noise {
     /// the columns of N are memory.
     pub(super) fn factor(
         &self,
-        (triangle, columns): (&mut LowerTriangle, &mut Vec<Line>),
+        triangle: &mut LowerTriangle,
+        columns: &mut Vec<Line>,
         factor: &mut [f64],
     ) -> Option<()> {
         let (count, m) = (self.by_pose.len(), self.length.len());

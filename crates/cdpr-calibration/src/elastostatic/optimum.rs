@@ -94,7 +94,7 @@ pub(crate) fn find(
     if !parameters.is_empty() {
         norms = adjust.norms(&end, &linearization, absolute)?;
         if let Some(tail) = norms.to_ask(settings.loss, end.converged()) {
-            let found = robust::minimise(tail, &adjust, (&end, &linearization, &norms))?;
+            let found = robust::minimise(tail, &adjust, &end, &linearization, &norms)?;
             if found.norms.answer(settings.loss) {
                 misfit = found.misfit;
                 (end, linearization, norms, adjust.noise) = (found.end, found.linearization, found.norms, found.noise);
@@ -210,7 +210,7 @@ fn pull(model: &Model, samples: &Samples, tensions: &[f64], sample: usize) -> Wr
     let mut sum = Wrench::zeros();
     for cable in 0..m {
         let pose = &samples.poses[sample];
-        let state = recorded_state(model, cable, (pose, &pose.rotation_rows()), tensions[sample * m + cable]);
+        let state = recorded_state(model, cable, pose, &pose.rotation_rows(), tensions[sample * m + cable]);
         sum += state.map_or_else(|| Wrench::repeat(f64::NAN), |state| state.wrench());
     }
     sum

@@ -25,7 +25,9 @@ pub(super) struct Found {
 pub(super) fn minimise(
     tail: Tail,
     squared: &Adjust<'_>,
-    (end, linearization, norms): (&End, &Linearization, &Norms),
+    end: &End,
+    linearization: &Linearization,
+    norms: &Norms,
 ) -> Result<Found, InputError> {
     let Adjust { problem, sigmas, noise } = *squared;
     let absolute = norms.is_absolute();

@@ -104,7 +104,7 @@ impl<'a> RowModel<'a> {
         let mut wrench = self.load.wrench(pose);
         for cable in 0..m {
             let length_row = (n + cable) * stride;
-            let Some(state) = recorded_state(self.model, cable, (pose, &rotation_rows), tensions[cable]) else {
+            let Some(state) = recorded_state(self.model, cable, pose, &rotation_rows, tensions[cable]) else {
                 rows.entries[length_row + residual] = f64::NAN;
                 wrench = Wrench::repeat(f64::NAN);
                 continue;
@@ -115,7 +115,7 @@ impl<'a> RowModel<'a> {
             rows.entries[length_row + residual] = expected - recorded.length_of(cable, wound.as_ref());
             for column in self.first[cable]..self.first[cable + 1] {
                 let parameter = &self.parameters[column];
-                let (wrench_change, length_change) = self.model.by_parameter((cable, &state), parameter, &rotation);
+                let (wrench_change, length_change) = self.model.by_parameter(cable, &state, parameter, &rotation);
                 self.write_wrench(&wrench_change, column, rows);
                 let by_winch = wound.as_ref().map_or(0.0, |w| self.model.by_winch_parameter(w, parameter));
                 rows.entries[length_row + column] = length_change - by_winch;
@@ -134,7 +134,7 @@ impl<'a> RowModel<'a> {
         let mut lengths = [0.0; MOST_IN_LANES];
         let lengths = lengths.get_mut(..measured.len())?;
         let stride = rows.stride;
-        let of_cables = linear.write(self.model, At { pose, tensions }, (&mut rows.entries, stride), lengths)?;
+        let of_cables = linear.write(self.model, At { pose, tensions }, &mut rows.entries, stride, lengths)?;
         let wrench = self.load.wrench(pose) + Wrench::from(of_cables);
         let residual = rows.parameter_count;
         self.write_wrench(&wrench, residual, rows);
@@ -161,13 +161,14 @@ impl<'a> RowModel<'a> {
     /// The rows' derivatives by what is measured, at a pose and recorded tensions near the measured ones, each times the
     /// standard deviation of what it is by.
     pub(super) fn noise(&self, pose: &Pose, tensions: &[f64], sigmas: &Sigmas, noise: &mut Noise) {
-        self.noise_at((pose, tensions), sigmas, noise, None);
+        self.noise_at(pose, tensions, sigmas, noise, None);
     }
 
     /// [`RowModel::noise`], and the residuals with what was recorded.
     pub(crate) fn noise_at(
         &self,
-        (pose, tensions): (&Pose, &[f64]),
+        pose: &Pose,
+        tensions: &[f64],
         sigmas: &Sigmas,
         noise: &mut Noise,
         mut residuals: Option<(Recorded<'_>, &mut [f64])>,
@@ -180,7 +181,7 @@ impl<'a> RowModel<'a> {
         // ∂(wrench)/∂\[δr; δφ\] of load and cables together
         let mut by_twist = self.load.gradient(pose);
         for (cable, &recorded) in tensions.iter().enumerate() {
-            let Some(state) = recorded_state(self.model, cable, (pose, &rotation), recorded) else {
+            let Some(state) = recorded_state(self.model, cable, pose, &rotation, recorded) else {
                 by_twist = Matrix6::repeat(f64::NAN);
                 continue;
             };
@@ -220,7 +221,8 @@ impl<'a> RowModel<'a> {
 pub(super) fn recorded_state(
     model: &Model,
     cable: usize,
-    (pose, rotation): (&Pose, &[[f64; 3]; 3]),
+    pose: &Pose,
+    rotation: &[[f64; 3]; 3],
     recorded_tension: f64,
 ) -> Option<CableState> {
     let (path, end) = model.path_at(cable, pose.position.into(), rotation);

@@ -99,7 +99,8 @@ pub(crate) fn length_residuals(model: &Model, samples: &Samples, sample: usize) 
 const AT_BOUND: f64 = 1e-9;
 
 /// True where a value lies on one of its bounds, to rounding.
-pub(super) fn is_at_bound(value: f64, start: f64, (lower, upper): (f64, f64)) -> bool {
+pub(super) fn is_at_bound(value: f64, start: f64, bounds: (f64, f64)) -> bool {
+    let (lower, upper) = bounds;
     let near = |bound: f64| bound.is_finite() && (value - bound).abs() <= AT_BOUND * bound.abs().max(start.abs());
     value <= lower || value >= upper || near(lower) || near(upper)
 }

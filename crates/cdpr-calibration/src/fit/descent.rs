@@ -32,13 +32,13 @@ pub(super) struct End {
 
 /// Calls a method of the search with room for the parameters of the block: exact for what is chosen most often.
 macro_rules! search {
-    ($block:ident, $poses:ident, $settings:ident, $method:ident($argument:expr)) => {
+    ($block:ident, $poses:ident, $settings:ident, $method:ident($($argument:expr),+)) => {
         match $block.parameters.len() {
-            3 => Search::<3>::new($block, $poses, $settings).$method($argument),
-            4 => Search::<4>::new($block, $poses, $settings).$method($argument),
-            6 => Search::<6>::new($block, $poses, $settings).$method($argument),
-            8 => Search::<8>::new($block, $poses, $settings).$method($argument),
-            _ => Search::<{ SLOTS + FURTHER }>::new($block, $poses, $settings).$method($argument),
+            3 => Search::<3>::new($block, $poses, $settings).$method($($argument),+),
+            4 => Search::<4>::new($block, $poses, $settings).$method($($argument),+),
+            6 => Search::<6>::new($block, $poses, $settings).$method($($argument),+),
+            8 => Search::<8>::new($block, $poses, $settings).$method($($argument),+),
+            _ => Search::<{ SLOTS + FURTHER }>::new($block, $poses, $settings).$method($($argument),+),
         }
     };
 }
@@ -60,8 +60,8 @@ pub(super) fn cost(block: &Block, poses: &PoseLanes, settings: &Settings, change
 }
 
 /// Writes half the weighted squares after a change of the block's start values.
-pub(super) fn write(block: &Block, poses: &PoseLanes, settings: &Settings, to: (&[f64], &mut Quadratic)) {
-    search!(block, poses, settings, write(to))
+pub(super) fn write(block: &Block, poses: &PoseLanes, settings: &Settings, change: &[f64], to: &mut Quadratic) {
+    search!(block, poses, settings, write(change, to))
 }
 
 struct Search<'a, const P: usize> {
@@ -114,7 +114,7 @@ impl<'a, const P: usize> Search<'a, P> {
         self.equations(&change).1.cost
     }
 
-    fn write(&self, (change, to): (&[f64], &mut Quadratic)) {
+    fn write(&self, change: &[f64], to: &mut Quadratic) {
         let mut own = [0.0; P];
         own[..change.len()].copy_from_slice(change);
         let (_, equations) = self.equations(&own);
@@ -184,7 +184,7 @@ impl<'a, const P: usize> Search<'a, P> {
         let count = self.count;
         let around = Surroundings { room: &room[..count], scale: &self.scale[..count] };
         let (held, taken) = (&mut [false; P][..count], &mut step[..count]);
-        let is_cut = self.settings.minimizer.step(equations, around, control, (held, taken))?;
+        let is_cut = self.settings.minimizer.step(equations, around, control, held, taken)?;
         Some((step, is_cut))
     }
 }

@@ -62,7 +62,7 @@ impl HalfSquares for FrozenCable<'_> {
     fn write(&mut self, values: &[f64], to: &mut Quadratic) -> bool {
         let change = self.change.iter_mut().zip(values.iter().zip(&self.start));
         change.for_each(|(change, (value, start))| *change = value - start);
-        descent::write(self.block, self.poses, self.settings, (&self.change, to));
+        descent::write(self.block, self.poses, self.settings, &self.change, to);
         to.value.is_finite()
     }
 }

@@ -77,7 +77,8 @@ pub struct ProfilePoint {
 pub fn profiles(
     given: &Model,
     samples: &Samples,
-    (fit, settings): (&Fit, &Settings),
+    fit: &Fit,
+    settings: &Settings,
     chosen: &[usize],
 ) -> Result<Vec<Profile>, InputError> {
     if settings.minimize != Minimize::Squares && !chosen.is_empty() {

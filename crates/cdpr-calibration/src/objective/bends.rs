@@ -18,8 +18,10 @@ impl Bends {
     /// Takes them at values where the vectors are `here`; nothing where vectors beside it do not exist. `memory` is written over.
     pub(super) fn of<V: Vectors>(
         vectors: &mut V,
-        (parameters, scale): (&[Parameter], &[f64]),
-        (values, here): (&[f64], &Stacked),
+        parameters: &[Parameter],
+        scale: &[f64],
+        values: &[f64],
+        here: &Stacked,
         samples: impl Iterator<Item = usize>,
         memory: &mut Stacked,
     ) -> Option<Self> {

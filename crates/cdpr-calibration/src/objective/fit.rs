@@ -88,7 +88,7 @@ pub(crate) fn optimum(
     progress: &dyn Fn(),
 ) -> Result<Optimum, InputError> {
     let nothing = |_: &Optimum, _: &mut ObjectiveVectors<'_>| Ok(());
-    find(model, samples, parameters, (settings, progress), nothing).map(|(optimum, ())| optimum)
+    find(model, samples, parameters, settings, progress, nothing).map(|(optimum, ())| optimum)
 }
 
 /// Finds the optimum and what is asked of it with its vectors.
@@ -96,7 +96,8 @@ pub(super) fn find<T>(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
-    (settings, progress): (&Settings, &dyn Fn()),
+    settings: &Settings,
+    progress: &dyn Fn(),
     of_optimum: impl FnOnce(&Optimum, &mut ObjectiveVectors<'_>) -> Result<T, InputError>,
 ) -> Result<(Optimum, T), InputError> {
     check(settings)?;
@@ -113,11 +114,10 @@ pub(super) fn find<T>(
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
     let absolute = are_stated(model, samples, settings);
     let units = Units { scale, unit, absolute, mean_tension };
-    let found =
-        search(&mut vectors, (&start_model, parameters), units, (settings, progress), None).and_then(|optimum| {
-            let answer = of_optimum(&optimum, &mut vectors)?;
-            Ok((optimum, answer))
-        });
+    let found = search(&mut vectors, &start_model, parameters, units, settings, progress, None).and_then(|optimum| {
+        let answer = of_optimum(&optimum, &mut vectors)?;
+        Ok((optimum, answer))
+    });
     found.map_err(|error| match vectors.unpredicted() {
         Some((sample, reason)) if error == InputError::NotFinite => {
             InputError::NoPrediction { sample: sample + 1, reason }
@@ -156,9 +156,11 @@ pub(crate) struct Units {
 /// Finds the optimum of vectors from a model's values, with a first descent `from` others where these are known to lead there.
 pub(crate) fn search(
     vectors: &mut impl Vectors,
-    (start_model, parameters): (&Model, &[Parameter]),
+    start_model: &Model,
+    parameters: &[Parameter],
     Units { scale, unit, absolute, mean_tension }: Units,
-    (settings, progress): (&Settings, &dyn Fn()),
+    settings: &Settings,
+    progress: &dyn Fn(),
     from: Option<&[f64]>,
 ) -> Result<Optimum, InputError> {
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
@@ -282,7 +284,7 @@ impl Search<'_> {
     }
 
     fn descend(&self, vectors: &mut impl Vectors, from: &[f64], patience: Option<u32>) -> End {
-        let squares = self.descend_under(Shape::Square, vectors, (from, patience));
+        let squares = self.descend_under(Shape::Square, vectors, from, patience);
         match self.settings.minimize {
             Minimize::Mean => self.follow_norms(vectors, squares),
             _ => squares,
@@ -300,7 +302,7 @@ impl Search<'_> {
                 break;
             }
             smoothing *= 0.1;
-            let next = self.descend_under(Shape::Norm(smoothing), vectors, (&end.values, None));
+            let next = self.descend_under(Shape::Norm(smoothing), vectors, &end.values, None);
             let cost = sum_of_norms(vectors, &next.values);
             let trail = end.trail.joined(Trail { costs: vec![cost], ..next.trail });
             end = End { cost, iterations: end.iterations + next.iterations, trail, ..next };
@@ -321,7 +323,8 @@ impl Search<'_> {
         &self,
         shape: Shape,
         vectors: &mut impl Vectors,
-        (from, patience): (&[f64], Option<u32>),
+        from: &[f64],
+        patience: Option<u32>,
     ) -> End {
         let ridges = self.ridges();
         vectors.restart();

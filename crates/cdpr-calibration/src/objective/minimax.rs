@@ -183,7 +183,7 @@ impl<'a, V: Vectors> Barrier<'a, V> {
     fn bend(&mut self, values: &[f64], weight: f64) {
         let Self { vectors, parameters, scale, stacked, weighted, bends, slacks, .. } = self;
         let samples = (0..slacks.len()).filter(|&sample| slacks[sample] * HOLDING < weight);
-        let found = Bends::of(*vectors, (parameters, scale), (values, stacked), samples, weighted);
+        let found = Bends::of(*vectors, parameters, scale, values, stacked, samples, weighted);
         *bends = found.unwrap_or_default();
     }
 

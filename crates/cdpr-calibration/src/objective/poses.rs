@@ -45,7 +45,7 @@ impl<'a> PoseVectors<'a> {
         let mut settings = ForwardSettings::default();
         // the measured pose is near: a residual is the model's, not a wrong minimum's
         settings.least_squares.suspicious_residual = settings.least_squares.plausible_residual;
-        let squares = PoseSquares::of(model, samples, parameters, (&metric, settings.least_squares.plausible_residual))
+        let squares = PoseSquares::of(model, samples, parameters, &metric, settings.least_squares.plausible_residual)
             .map(Box::new);
         Self {
             model,
@@ -90,7 +90,7 @@ impl<'a> PoseVectors<'a> {
             }
             self.lengths.write(sample, &controlled);
         }
-        model.forward_batch((&self.settings, false), &self.lengths, &self.guesses, state, &mut self.solutions).ok()?;
+        model.forward_batch(&self.settings, false, &self.lengths, &self.guesses, state, &mut self.solutions).ok()?;
         self.unpredicted = (0..self.samples.len()).find(|&sample| self.solutions.status(sample) != Status::Converged);
         self.unpredicted.is_none().then_some(())
     }
@@ -294,7 +294,7 @@ impl<'a> Rest<'a> {
             _ if self.cables[parameter.cable].is_slack => none,
             _ => {
                 let RestCable { state, by_tension, .. } = &self.cables[parameter.cable];
-                let (wrench, length) = self.model.by_parameter((parameter.cable, state), parameter, &self.rotation);
+                let (wrench, length) = self.model.by_parameter(parameter.cable, state, parameter, &self.rotation);
                 let own_tension = (recorded.change(self.model, parameter) - length) / by_tension.1;
                 Push { wrench: wrench + by_tension.0 * own_tension, own_tension }
             }

@@ -51,7 +51,7 @@ impl<'a> ObjectiveVectors<'a> {
                     return Err(InputError::NoAccuracies);
                 };
                 let metric = Metric::of(model, samples, settings.rotation_length)?;
-                Ok((Self::Both(UnknownPoses::new(model, samples, parameters, (metric, sigma))), None))
+                Ok((Self::Both(UnknownPoses::new(model, samples, parameters, metric, sigma)), None))
             }
             (Objective::Length, true) => {
                 let balance = Balance::new(model, samples, parameters)?;

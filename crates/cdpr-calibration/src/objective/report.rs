@@ -26,15 +26,16 @@ pub(crate) fn fit(
     progress: &dyn Fn(),
 ) -> Result<Fit, InputError> {
     let (optimum, stacked) =
-        find(model, samples, parameters, (settings, progress), |optimum, vectors| optimum.stacked(vectors))?;
-    let mut fit = report((optimum, &stacked), samples, parameters, settings);
+        find(model, samples, parameters, settings, progress, |optimum, vectors| optimum.stacked(vectors))?;
+    let mut fit = report(optimum, &stacked, samples, parameters, settings);
     fit.warnings.extend(warnings::suspicious_units(model, samples));
     Ok(fit)
 }
 
 /// The fit of an optimum in full.
 pub(crate) fn report(
-    (optimum, stacked): (Optimum, &Stacked),
+    optimum: Optimum,
+    stacked: &Stacked,
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
@@ -46,7 +47,7 @@ pub(crate) fn report(
         .iter()
         .zip(&start)
         .zip(&analysis.sigmas)
-        .map(|((parameter, &start), &sigma)| estimate(*parameter, (start, &calibrated), sigma, settings))
+        .map(|((parameter, &start), &sigma)| estimate(*parameter, start, &calibrated, sigma, settings))
         .collect();
     let (status, reason) = verdict(&analysis, &estimates, &end.stopped);
     let outliers = outliers::named(&norms, samples, |sample| length_residuals(&calibrated, samples, sample));

@@ -54,7 +54,7 @@ impl Search<'_> {
         let mut scale = norms.deviation;
         for _ in 0..RESCALINGS {
             let loss = tail.at(norms.dimension(), scale);
-            let near = self.descend_under(Shape::Robust(loss), vectors, (&end.values, None));
+            let near = self.descend_under(Shape::Robust(loss), vectors, &end.values, None);
             end = End { iterations: end.iterations + near.iterations, trail: end.trail.then(near.trail), ..near };
             norms = self::norms(vectors, &end, Some(loss), norms.is_absolute())?;
             if (norms.deviation / scale - 1.0).abs() < SAME_SCALE || !norms.are_finite() {

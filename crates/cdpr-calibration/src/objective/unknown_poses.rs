@@ -39,7 +39,8 @@ impl<'a> UnknownPoses<'a> {
         model: &'a Model,
         samples: &'a Samples,
         parameters: &'a [Parameter],
-        (metric, sigma): (Metric, f64),
+        metric: Metric,
+        sigma: f64,
     ) -> Self {
         let lengths = LengthVectors::new(model, samples, parameters, sigma);
         let at = Stacked::new(&lengths, parameters.len());

@@ -94,7 +94,7 @@ impl Question<'_> {
         let is_ridge = self.path.penalty == Penalty::Ridge;
         let ridge = parameters.iter().map(|parameter| is_ridge && self.is_penalised(parameter)).collect();
         let start = centre.clone();
-        Part::new(squares, (centre, &start), worths, self.groups(parameters), ridge, bounds)
+        Part::new(squares, centre, &start, worths, self.groups(parameters), ridge, bounds)
     }
 
     /// Follows the penalty on samples, over penalties that they tell where none are given.

@@ -86,7 +86,8 @@ pub struct PathParameter {
 pub fn penalty_path(
     model: &Model,
     samples: &Samples,
-    (fit, settings): (&Fit, &fit::Settings),
+    fit: &Fit,
+    settings: &fit::Settings,
     free: &FreeParameters,
     path: &PathSettings,
     folds: &[Fold],
@@ -102,7 +103,7 @@ pub fn penalty_path(
     };
     let question = Question { model: &model, parameters: &parameters, settings: &settings, path };
     let places = question.follow(&part, None)?;
-    let found = validated(&question, samples, (&folds, part.len()), &places)?;
+    let found = validated(&question, samples, &folds, part.len(), &places)?;
     Ok(told(&question, &places, found))
 }
 

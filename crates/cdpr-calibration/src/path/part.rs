@@ -47,7 +47,8 @@ impl<'a> Part<'a> {
     /// From values of parameters, which have no penalty where they are the centre.
     pub(super) fn new(
         squares: Box<dyn HalfSquares + 'a>,
-        (centre, start): (Vec<f64>, &[f64]),
+        centre: Vec<f64>,
+        start: &[f64],
         worths: Vec<f64>,
         groups: Vec<Group>,
         ridge: Vec<bool>,

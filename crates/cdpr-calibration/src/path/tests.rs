@@ -238,7 +238,7 @@ fn cross_validation_keeps_the_parameters_that_matter() {
     let settings = Settings::default();
     let found = fit(&model, &data, &free, &settings).unwrap();
     let folds: Vec<Fold> = Split::KFold(5).folds(&data, 1).unwrap();
-    let path = penalty_path(&model, &data, (&found, &settings), &free, &points(Penalty::Lasso), &folds).unwrap();
+    let path = penalty_path(&model, &data, &found, &settings, &free, &points(Penalty::Lasso), &folds).unwrap();
     let (best, chosen) = (path.best.unwrap(), path.chosen.unwrap());
     let error = |point: usize| path.points[point].validation.unwrap();
     assert!(chosen <= best && error(chosen) <= error(best) + path.points[best].standard_error.unwrap());
@@ -259,7 +259,7 @@ fn other_costs_have_no_path() {
     let (model, free) = (model(Composition::STANDARD), "frame-anchor".parse().unwrap());
     let found = fit(&model, &data, &free, &Settings::default()).unwrap();
     let settings = Settings { loss: Loss::Huber, ..Settings::default() };
-    let refused = penalty_path(&model, &data, (&found, &settings), &free, &PathSettings::default(), &[]).unwrap_err();
+    let refused = penalty_path(&model, &data, &found, &settings, &free, &PathSettings::default(), &[]).unwrap_err();
     assert!(refused.to_string().contains("the loss `huber`"), "{refused}");
 }
 

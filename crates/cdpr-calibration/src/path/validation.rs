@@ -25,7 +25,8 @@ pub(super) struct Validated {
 pub(super) fn validated(
     question: &Question<'_>,
     samples: &Samples,
-    (folds, followed): (&[Fold], usize),
+    folds: &[Fold],
+    followed: usize,
     places: &[Place],
 ) -> Result<Option<Validated>, InputError> {
     let mut series = vec![Vec::new(); places.len()];

@@ -47,8 +47,8 @@ fn proposed(samples: &Samples, free: &str, path: Option<&PathSettings>) -> Optio
     let settings = Settings { loss: Loss::Squared, ..Settings::default() };
     let fit = fit(&model, samples, &free, &settings).unwrap();
     let folds = Split::KFold(5).folds(samples, 1).unwrap();
-    let path = path.map(|path| penalty_path(&model, samples, (&fit, &settings), &free, path, &folds).unwrap());
-    propose_reduction(&model, samples, (&fit, &settings), &free, path.as_ref(), &folds).unwrap()
+    let path = path.map(|path| penalty_path(&model, samples, &fit, &settings, &free, path, &folds).unwrap());
+    propose_reduction(&model, samples, &fit, &settings, &free, path.as_ref(), &folds).unwrap()
 }
 
 /// Sec. 6.3: 48 → 24 parameters, b = 0 exactly, 3R3T → 3T; data held out are predicted as by the full model, which the point is on these data.

@@ -34,7 +34,7 @@ fn samples(count: usize, noise: impl Fn(usize, f64) -> f64) -> Samples {
 fn both(samples: &Samples, free: &str) -> (Fit, Resampled) {
     let settings = Settings { loss: Loss::Squared, ..Settings::default() };
     let fit = fit(&points(), samples, &free.parse().unwrap(), &settings).unwrap();
-    let found = resampled(&points(), samples, (&fit, &settings), (400, 1)).unwrap();
+    let found = resampled(&points(), samples, &fit, &settings, 400, 1).unwrap();
     (fit, found)
 }
 
@@ -104,7 +104,7 @@ fn the_least_largest_norm_has_deviations_by_the_bootstrap() {
     let samples = samples(60, |_, draw| draw);
     let settings = Settings { minimize: Minimize::Max, ..Settings::default() };
     let fit = fit(&points(), &samples, &"length-offset".parse().unwrap(), &settings).unwrap();
-    let [first, second] = [1, 2].map(|_| resampled(&points(), &samples, (&fit, &settings), (40, 1)).unwrap());
+    let [first, second] = [1, 2].map(|_| resampled(&points(), &samples, &fit, &settings, 40, 1).unwrap());
     assert_eq!(first, second);
     assert!(first.warning.is_none() && first.replicates + first.failed == 40 && first.failed < 4, "{first:?}");
     // the middle of the range of 60 normal numbers scatters by 0.3 to 0.4 of their deviation; eight cables share one bound, which leaves more room

@@ -71,7 +71,8 @@ pub fn conditioning(
     model: &Model,
     samples: &Samples,
     free: &FreeParameters,
-    (settings, scales): (&Settings, &[KindScale]),
+    settings: &Settings,
+    scales: &[KindScale],
 ) -> Result<Conditioning, InputError> {
     let question = Question::new(model, samples, free, settings)?;
     let matrix = PlainRows::of(model, &question.samples, &question.parameters, question.weights)?.jacobian;
@@ -103,7 +104,8 @@ pub fn condition_map(
     model: &Model,
     samples: &Samples,
     free: &FreeParameters,
-    (settings, scales): (&Settings, &[KindScale]),
+    settings: &Settings,
+    scales: &[KindScale],
     kinds: [ParameterKind; 2],
 ) -> Result<ConditionMap, InputError> {
     let question = Question::new(model, samples, free, settings)?;

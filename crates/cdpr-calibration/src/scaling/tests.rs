@@ -54,14 +54,14 @@ fn ideal() -> (Model, Samples) {
 fn conditions_are_those_of_the_table() {
     let (model, samples) = ideal();
     let scales = ["axial-stiffness=1", "wrench=1"].map(|text| text.parse::<KindScale>().unwrap());
-    let plain = conditioning(&model, &samples, &free(), (&settings(), &scales)).unwrap();
+    let plain = conditioning(&model, &samples, &free(), &settings(), &scales).unwrap();
     let near = |value: f64, expected: f64, digit: f64| assert!((value - expected).abs() < digit, "{value} {expected}");
     for (kind, expected) in plain.kinds.iter().zip([3.1, 1.45, 1.0]) {
         near(kind.condition, expected, 0.05);
     }
     near(plain.condition_scaled, 5.5e6, 0.05e6);
     let scales = ["axial-stiffness=1e6", "wrench=1e3"].map(|text| text.parse::<KindScale>().unwrap());
-    let scaled = conditioning(&model, &samples, &free(), (&settings(), &scales)).unwrap();
+    let scaled = conditioning(&model, &samples, &free(), &settings(), &scales).unwrap();
     near(scaled.condition_scaled, 12.6, 0.05);
     // a script's own: 8.18 with columns of one length
     near(scaled.condition_unit_columns, 8.18, 0.005);
@@ -75,11 +75,11 @@ fn conditions_are_those_of_the_table() {
 #[test]
 fn found_scales_have_the_least_condition_of_a_map() {
     let (model, samples) = ideal();
-    let found = conditioning(&model, &samples, &free(), (&settings(), &[])).unwrap();
+    let found = conditioning(&model, &samples, &free(), &settings(), &[]).unwrap();
     assert!(found.condition_scaled < 12.6, "{}", found.condition_scaled);
     assert_eq!(found.scales[0], KindScale { kind: ParameterKind::FrameAnchor, factor: 1.0 });
     let kinds = [scaled_kind("compliance").unwrap(), scaled_kind("wrench").unwrap()];
-    let map = condition_map(&model, &samples, &free(), (&settings(), &[]), kinds).unwrap();
+    let map = condition_map(&model, &samples, &free(), &settings(), &[], kinds).unwrap();
     assert_eq!(map.points.len(), 625);
     let least = map.points.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
     let most = map.points.iter().map(|point| point.1).fold(0.0, f64::max);

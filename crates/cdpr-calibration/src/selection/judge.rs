@@ -61,8 +61,7 @@ impl Problem<'_> {
             fold_sizes.push((fold.name.clone(), fold.validation.len()));
         }
         let region_errors = self.errors_on_regions(&model, candidate, reported.loss)?;
-        let held_out = (validation_samples, fold_sizes);
-        Ok(Judgement { region_errors, ..Judgement::new(reported, train, errors, held_out) })
+        Ok(Judgement { region_errors, ..Judgement::new(reported, train, errors, validation_samples, fold_sizes) })
     }
 
     fn fit_to(

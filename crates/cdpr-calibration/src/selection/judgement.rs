@@ -69,7 +69,8 @@ impl Judgement {
         fit: Fit,
         train: ErrorBlocks,
         validation_errors: Evaluation,
-        (validation_samples, fold_sizes): (Vec<usize>, Vec<(String, usize)>),
+        validation_samples: Vec<usize>,
+        fold_sizes: Vec<(String, usize)>,
     ) -> Self {
         Self {
             fit,

@@ -24,7 +24,7 @@ pub struct Rating {
 }
 
 /// Writes likelihood, information criteria and relative error of every candidate.
-pub(super) fn inform((robot, samples): (&Robot, &Samples), candidates: &mut [JudgedCandidate], settings: &Settings) {
+pub(super) fn inform(robot: &Robot, samples: &Samples, candidates: &mut [JudgedCandidate], settings: &Settings) {
     let fits: Vec<&Fit> =
         candidates.iter().filter_map(|candidate| Some(&candidate.outcome.as_ref().ok()?.fit)).collect();
     let found = likelihood::information(robot, &fits, settings.fit.loss);

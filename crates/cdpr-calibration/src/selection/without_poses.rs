@@ -95,7 +95,7 @@ impl Problem<'_> {
         let places = folds.iter().flat_map(|fold| fold.validation.iter().copied()).collect();
         let sizes = folds.iter().map(|fold| (fold.name.clone(), fold.validation.len())).collect();
         let samples = reported.samples(internal)?;
-        Ok((Judgement::new(reported.fit, train, errors, (places, sizes)), samples))
+        Ok((Judgement::new(reported.fit, train, errors, places, sizes), samples))
     }
 }
 

@@ -59,7 +59,7 @@ impl Question<'_> {
     ) -> Result<(Vec<SensorFit>, Model, Vec<Pose>), InputError> {
         let mut vectors = self.start(model, parameters, Some(near))?;
         let units = self.units(self.scale(parameters, &vectors.poses())?);
-        let optimum = search(&mut vectors, (model, parameters), units, (settings, &|| ()), None)?;
+        let optimum = search(&mut vectors, model, parameters, units, settings, &|| (), None)?;
         let calibrated = optimum.calibrated().clone();
         let end = self.rows(&calibrated, parameters, Some(&vectors.poses()))?;
         Ok((self.sensor_fits(&end), calibrated, end.poses))

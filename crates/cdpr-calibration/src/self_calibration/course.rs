@@ -15,7 +15,9 @@ impl Question<'_> {
     pub(super) fn course(
         &self,
         vectors: &mut PoseVectors<'_>,
-        (fit, parameters, worths): (&Fit, &[Parameter], &[f64]),
+        fit: &Fit,
+        parameters: &[Parameter],
+        worths: &[f64],
     ) -> Result<Vec<CourseStep>, InputError> {
         let mut places = fit.trail.places().to_vec();
         if places.is_empty() || parameters.is_empty() {

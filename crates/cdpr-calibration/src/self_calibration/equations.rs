@@ -155,7 +155,7 @@ fn of_length(cable: usize, metres: f64, (model, parameters): (&Model, &[Paramete
         | ParameterKind::SwivelAxis
             if parameter.cable == cable =>
         {
-            model.by_parameter((cable, &state), parameter, &rotation).1 / state.recording.length_scale
+            model.by_parameter(cable, &state, parameter, &rotation).1 / state.recording.length_scale
         }
         _ => 0.0,
     };

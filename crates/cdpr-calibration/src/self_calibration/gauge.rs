@@ -64,7 +64,7 @@ struct Motion {
 
 impl Gauge {
     /// Gauge at a model's values, where these are the rows.
-    pub(super) fn of(model: &Model, parameters: &[Parameter], (rows, lengths): (&Stacked, &DVector<f64>)) -> Self {
+    pub(super) fn of(model: &Model, parameters: &[Parameter], rows: &Stacked, lengths: &DVector<f64>) -> Self {
         let motions = motions(model, parameters);
         let mut seen = DMatrix::zeros(rows.jacobian.nrows(), motions.len());
         for (mut column, motion) in seen.column_iter_mut().zip(&motions) {
@@ -131,7 +131,8 @@ impl Gauge {
         self,
         model: &Model,
         parameters: &[Parameter],
-        (internal, convention): (&InternalSamples, GaugeConvention),
+        internal: &InternalSamples,
+        convention: GaugeConvention,
     ) -> GaugeFixing {
         let is_held = convention == GaugeConvention::Anchors;
         let is_point = model.robot().cables.iter().all(|cable| cable.platform_anchor == Vector3::zeros());

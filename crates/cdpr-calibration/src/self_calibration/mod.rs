@@ -77,7 +77,7 @@ pub fn self_calibrate(
     let equations = question.count_equations();
     let start = question.rows(&question.model, &question.parameters, None)?;
     let lengths = start.lengths(&question.sensing);
-    let gauge = Gauge::of(&question.model, &question.parameters, (&start.stacked, &lengths));
+    let gauge = Gauge::of(&question.model, &question.parameters, &start.stacked, &lengths);
     let kept = question.fix(&gauge)?;
     let parameters = question.parameters.len() - gauge.held.len();
     if parameters > equations + question.prior_count(&kept) {
@@ -87,9 +87,8 @@ pub fn self_calibrate(
     let Question { model: start_model, internal: data, .. } = &question;
     let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
     let worths = question.scale(&kept, &vectors.poses())?;
-    let optimum_of = (start_model, &kept[..]);
     let mut search_from = |from: Option<&[f64]>| {
-        search(&mut vectors, optimum_of, question.units(worths.clone()), (settings, progress), from)
+        search(&mut vectors, start_model, &kept, question.units(worths.clone()), settings, progress, from)
     };
     let mut optimum = search_from(None)?;
     if !optimum.end().converged()
@@ -105,8 +104,8 @@ pub fn self_calibrate(
     let sigma = question.sensing.length_sigma();
     let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, data, &end.poses)?;
-    let mut fit = report((optimum, &stacked), &found, &kept, settings);
-    let course = question.course(&mut vectors, (&fit, &kept, &worths))?;
+    let mut fit = report(optimum, &stacked, &found, &kept, settings);
+    let course = question.course(&mut vectors, &fit, &kept, &worths)?;
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
     if unsettled > 0 {
@@ -125,7 +124,7 @@ pub fn self_calibrate(
         sensors,
         equations,
         parameter_count: question.parameters.len(),
-        gauge: gauge.told(model, &question.parameters, (data, settings.gauge)),
+        gauge: gauge.told(model, &question.parameters, data, settings.gauge),
         course,
         counts_changes: data.are_changes,
         samples: found,

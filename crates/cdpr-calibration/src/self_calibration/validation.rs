@@ -74,9 +74,12 @@ impl Calibrations<'_> {
 /// Errors on the samples that each fold holds out, of models calibrated with the others and of the model as given where it has any; with one fold, of
 /// the calibration that is handed over.
 pub fn cross_validate(
-    (model, internal): (&Model, &InternalSamples),
-    (free, settings): (&FreeParameters, &Settings),
-    (folds, reported): (&[Fold], &SelfCalibration),
+    model: &Model,
+    internal: &InternalSamples,
+    free: &FreeParameters,
+    settings: &Settings,
+    folds: &[Fold],
+    reported: &SelfCalibration,
 ) -> Result<(Evaluation, Option<Evaluation>), InputError> {
     let calibrations = Calibrations { model, internal, free, settings };
     let (mut after, mut before) = (Evaluation::default(), Some(Evaluation::default()));

@@ -46,7 +46,7 @@ impl Sensing {
                 SampleVectors::Lengths(Box::new(PoselessVectors::new(model, internal, parameters, *sigma)))
             }
             Self::All(layout, weights) => {
-                SampleVectors::Sensors(Box::new(SensorVectors::new(model, internal, parameters, (layout, weights))))
+                SampleVectors::Sensors(Box::new(SensorVectors::new(model, internal, parameters, layout, weights)))
             }
         };
         PoseVectors { samples, equations, model, parameters }

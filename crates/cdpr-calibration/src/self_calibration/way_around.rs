@@ -28,7 +28,7 @@ impl Question<'_> {
         free.hold_still(gauge);
         let mut vectors = free.start(&self.model, &self.parameters, Some(near))?;
         let units = free.units(free.scale(&self.parameters, &vectors.poses())?);
-        let found = search(&mut vectors, (&self.model, &self.parameters), units, (&one, &|| ()), None)?;
+        let found = search(&mut vectors, &self.model, &self.parameters, units, &one, &|| (), None)?;
         if !found.end().converged() {
             return Ok(None);
         }
@@ -65,7 +65,7 @@ impl Question<'_> {
         let model = self.model.with_parameters(&self.parameters, values)?;
         let here = self.rows(&model, &self.parameters, Some(poses)).ok()?;
         let lengths = here.lengths(&self.sensing);
-        let moves = Gauge::of(&model, &self.parameters, (&here.stacked, &lengths)).moves;
+        let moves = Gauge::of(&model, &self.parameters, &here.stacked, &lengths).moves;
         *poses = here.poses;
         if moves.ncols() != gauge.held.len() {
             return None;

@@ -92,7 +92,7 @@ fn difference(
         ));
     }
     let found = assessment.difference(poses, &other.accepted(other.assess(poses))?);
-    let answer = DifferenceAnswer::new(study_file, (&path.display().to_string(), &other), found);
+    let answer = DifferenceAnswer::new(study_file, &path.display().to_string(), &other, found);
     if let Some(file) = &arguments.map {
         let svg = answer.map(study_file, poses).ok_or_else(|| {
             let message = "--map: no pose is reached by both controllers, so there is nothing to draw";

@@ -77,7 +77,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     let calibrated = campaign.model.robot().to_toml();
     let folder = arguments.out.display().to_string();
-    let answer = CampaignAnswer::new(&study, (campaign, poses.len()), &folder, arguments.seed);
+    let answer = CampaignAnswer::new(&study, campaign, poses.len(), &folder, arguments.seed);
     let page = answer.page(&crate::command_line(), env!("CARGO_PKG_VERSION"));
     let page = page.map_err(|error| Failure::unwritable("the page of the campaign", &error))?;
     let result = output.file(&answer, "result.json")?;

@@ -61,5 +61,5 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, found.map.to_toml().as_bytes())?;
     }
     let out = written.map(|path| path.display().to_string());
-    output.answer(&CompensationAnswer::new(&model, (arguments.data.name(), output.doubts()), found, out))
+    output.answer(&CompensationAnswer::new(&model, arguments.data.name(), output.doubts(), found, out))
 }

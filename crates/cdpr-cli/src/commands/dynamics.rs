@@ -63,21 +63,20 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let body = Body::of(robot).map_err(|error| Failure::refused("ROBOT", &error))?;
     placeholder_words(robot, &body).iter().for_each(|words| output.doubt(words));
     let inertia = Inertia::new(&model, body);
-    let moving = (&pose, &twist);
     let answer = if let Some(lengths) = &arguments.lengths {
         let plant = Plant::new(model, Winches::Ideal).map_err(|error| Failure::refused("ROBOT", &error))?;
-        DynamicsAnswer::by_lengths(&plant, moving, &load, &lengths.0)
+        DynamicsAnswer::by_lengths(&plant, &pose, &twist, &load, &lengths.0)
             .map_err(|error| Failure::refused("--lengths", &error))?
     } else {
         let wanted = twist_of(robot, "--acceleration", arguments.acceleration.as_ref())?;
-        let needed = needed_wrench(&inertia, moving, &load, &wanted);
+        let needed = needed_wrench(&inertia, &pose, &twist, &load, &wanted);
         let asked = NumberList(model.twist_basis().iter().map(|basis| -basis.dot(&needed)).collect());
         let wrench = if arguments.acceleration.is_some() { Some(&asked) } else { arguments.wrench.as_ref() };
         match tensions_of(&model, &pose, wrench, arguments.tensions.as_ref())? {
             Chosen::None { status, reason } => {
-                DynamicsAnswer::new(&model, &inertia, moving, (&wanted, &needed)).refused(status, reason)
+                DynamicsAnswer::new(&model, &inertia, &pose, &twist, &wanted, &needed).refused(status, reason)
             }
-            Chosen::Tensions(tensions) => DynamicsAnswer::by_tensions(&model, &inertia, moving, &load, tensions)
+            Chosen::Tensions(tensions) => DynamicsAnswer::by_tensions(&model, &inertia, &pose, &twist, &load, tensions)
                 .map_err(|error| refused("--tensions", &error))?,
         }
     };

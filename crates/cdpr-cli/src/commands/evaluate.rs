@@ -81,8 +81,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, errors_csv(&model, &evaluation).as_bytes())?;
     }
     let out_errors = arguments.out_errors.map(|path| path.display().to_string());
-    let data = (arguments.data.name(), &samples, output.doubts());
-    let answer = EvaluationAnswer::new(&model, data, &evaluation, out_errors);
+    let answer =
+        EvaluationAnswer::new(&model, arguments.data.name(), &samples, output.doubts(), &evaluation, out_errors);
     let answer = answer.with_compensation(map.map(|(_, file)| file), beyond);
     output.answer_accepting(&answer, arguments.trust)
 }

@@ -160,8 +160,8 @@ fn figures(
     let pairs: Vec<(&Path, &[u8])> = files.iter().map(|(path, _, content)| (&**path, content.as_bytes())).collect();
     files::write_all(&pairs)?;
     let written = files.iter().map(|(_, name, _)| (*name).to_owned()).collect();
-    let of = (arguments.result.display().to_string(), data.shown);
-    output.answer(&ExportAnswer::new(of, shown_path(&folder), (written, skipped)))
+    let result = arguments.result.display().to_string();
+    output.answer(&ExportAnswer::new(result, data.shown, shown_path(&folder), written, skipped))
 }
 
 /// The result in a folder with its tables, or that of a JSON file alone.

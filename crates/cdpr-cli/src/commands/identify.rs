@@ -44,16 +44,19 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let files = uncertainty.files(&result.fit.model);
     let (scaling, map) = scaling::find(&task, &result.fit)?;
     let mut path = path::find(&task, &result.fit, other.as_ref())?;
-    let found = (path.path.take(), path.reduction.take(), path.warning.take());
-    let (course, course_files) = arguments.course.answer((result.course.clone(), &result.fit));
-    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(found);
+    let (course, course_files) = arguments.course.answer(result.course.clone(), &result.fit);
+    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(
+        path.path.take(),
+        path.reduction.take(),
+        path.warning.take(),
+    );
     let answer = answer.with_scaling(scaling).with_course(course);
     let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report
         .as_ref()
-        .map(|_| report::page(&task, (other.as_ref(), None), answer.reason(), answer.warnings(), &answer.additions()))
+        .map(|_| report::page(&task, other.as_ref(), None, answer.reason(), answer.warnings(), &answer.additions()))
         .transpose()?;
     drop(progress);
     let calibrated_file = arguments.out.as_deref().map(|path| (path, calibrated.as_bytes()));

@@ -73,5 +73,5 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let linear = plant.linearize(&state).map_err(refused)?;
     let residual = wrench_residual(plant.model(), &pose, &tensions, plant.load());
     let residual = residual.map_err(|error| statics_failure::refused("--tensions", &error))?;
-    output.answer(&ModesAnswer::new(&plant, (&pose, residual.as_slice()), &state, &linear))
+    output.answer(&ModesAnswer::new(&plant, &pose, residual.as_slice(), &state, &linear))
 }

@@ -119,7 +119,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let found =
         plan(&model, &candidates, given.as_ref(), &arguments.free, &settings).map_err(|error| refused(&error))?;
     let predict = |chosen: &[usize], given: Option<&Samples>| {
-        Predicted::of(&model, (&candidates, chosen), given, (&arguments.free, &settings.fit))
+        Predicted::of(&model, &candidates, chosen, given, &arguments.free, &settings.fit)
     };
     // what no fit can be made of is told by the rank of the plan
     let predicted = predict(&found.chosen, given.as_ref()).ok();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr_model::model::Model;
-use cdpr_reports::reachable::{Found, Picture, ReachableAnswer, differential};
+use cdpr_reports::reachable::{Change, Found, Picture, ReachableAnswer, differential};
 use cdpr_study::reachable::{Census, Image, Reachable, image_of};
 use cdpr_study::sensitivity::{Offsets, ParameterDeviation};
 use cdpr_workspace::grid::{self, Grid};
@@ -193,7 +193,7 @@ impl Search<'_> {
             let criterion = reachable.by_linear_step();
             grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
         });
-        let found = Found::of_grid((reachable, self.region, &grid), (&census, &answers), [physical, model], thresholds);
+        let found = Found::of_grid(reachable, self.region, &grid, &census, &answers, [physical, model], thresholds);
         let found = Found { linear, ..found };
         drop(progress);
         Ok(self.explained(found))
@@ -213,8 +213,9 @@ impl Search<'_> {
         let image = image_of(reachable, self.region, &found);
         self.write_hulls(&found, image.as_ref(), arguments)?;
         let differential = change.map(|(cause, by)| {
-            let nominal = (&found, &self.bounds, &settings);
-            self.study_file.accepted(differential(self.study_file, reachable, self.region, nominal, (&cause, by)))
+            let change = Change { cause: &cause, by };
+            let moved = differential(self.study_file, reachable, self.region, &found, &self.bounds, &settings, change);
+            self.study_file.accepted(moved)
         });
         let differential = differential.transpose()?;
         let feasible = |model: &Model| -> Option<Hull> {

@@ -83,7 +83,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     log.write()?;
     recording.happened(&summary.events);
     let violations = Violation::all(&summary.violations, &robot);
-    let answer = RunAnswer::new((&simulation, &summary), &violations, &at(LOG).display().to_string());
+    let answer = RunAnswer::new(&simulation, &summary, &violations, &at(LOG).display().to_string());
     let result = output.file(&answer, "result.json")?;
     let shown =
         Shown { arguments: &arguments, simulation: &simulation, recording: &recording, violations: &violations };

@@ -56,7 +56,7 @@ fn positive_length(text: &str) -> Result<f64, Unreadable> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let name = arguments.record.display().to_string();
     let bytes = files::read(&arguments.record, Size::Table)?;
-    let reading = Record::from_csv(&bytes, &name).map_err(|error| Failure::File(Box::new(error)))?;
+    let reading = Record::from_csv(&bytes, &name)?;
     reading.notices.iter().for_each(|notice| output.remark(notice));
     let settings = Settings { pieces: arguments.pieces.into(), ..Settings::of_length(arguments.length) };
     let solution = identify(&reading.record, &settings).map_err(|error| Failure::refused(&name, &error))?;
@@ -66,6 +66,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         files::write(path, keys.as_bytes())?;
     }
     let out = arguments.out.map(|path| path.display().to_string());
-    let answer = TestBenchAnswer::new(solution, (name, reading.record.elongations.len()), keys, out);
+    let answer = TestBenchAnswer::new(solution, name, reading.record.elongations.len(), keys, out);
     output.answer_accepting(&answer, arguments.trust)
 }

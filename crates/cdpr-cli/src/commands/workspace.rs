@@ -80,7 +80,7 @@ fn find(
             let cells = refined.found.cells.as_ref();
             let found = cells.map_or(Outline::Size, |cells| Outline::Surface(cells.surface(region)));
             let Counted { grid, count, .. } = &refined.found;
-            (WorkspaceAnswer::by_grid(&asked, (grid, count), &refined.audit), found)
+            (WorkspaceAnswer::by_grid(&asked, grid, count, &refined.audit), found)
         }
         Method::Octree => {
             let _progress = Progress::spinner("following the boundary");

@@ -41,7 +41,7 @@ impl PoseSpace {
         let first = poses.first().copied().unwrap_or_else(Pose::identity);
         let count = poses.len().max(1) as f64;
         let mean: Twist = poses.iter().map(|pose| first.displacement_to(pose)).sum::<Twist>() / count;
-        let mut space = Self::of(model, (first.displaced(&mean), model.platform_radius()), Vec::new());
+        let mut space = Self::of(model, first.displaced(&mean), model.platform_radius(), Vec::new());
         let points: Vec<Vec<f64>> = poses.iter().map(|pose| space.point(pose)).collect();
         let range = |axis: usize| {
             let along = || points.iter().map(|point| point[axis]);
@@ -52,7 +52,7 @@ impl PoseSpace {
     }
 
     /// The space about a centre, with these ranges.
-    pub(super) fn of(model: &Model, (centre, lever): (Pose, f64), ranges: Vec<[f64; 2]>) -> Self {
+    pub(super) fn of(model: &Model, centre: Pose, lever: f64, ranges: Vec<[f64; 2]>) -> Self {
         Self { centre, lever, basis: model.twist_basis().to_vec(), ranges }
     }
 

@@ -49,7 +49,7 @@ impl Control<'_> {
         let mut shares = Vec::with_capacity(poses.len());
         for (place, pose) in poses.iter().enumerate() {
             let at_pose = |reason| OperationError::AtPose { pose: place + 1, reason: Box::new(reason) };
-            let modelled = controller.modelled((pose, None), &mut state).map_err(at_pose)?;
+            let modelled = controller.modelled(pose, None, &mut state).map_err(at_pose)?;
             table.lengths.extend(match controller.correction(pose) {
                 Some(correction) => {
                     let correction = correction.known().map_err(|unknown| at_pose(unknown.into()))?;
@@ -152,11 +152,12 @@ impl<'a> Controller<'a> {
     /// command in place of its own choice, where lengths depend on them.
     pub(super) fn lengths(
         &mut self,
-        command: (&Pose, Option<&[f64]>),
+        pose: &Pose,
+        tensions: Option<&[f64]>,
         state: &mut State,
     ) -> Result<Vec<f64>, OperationError> {
-        let modelled = self.modelled(command, state)?;
-        Ok(match self.correction(command.0) {
+        let modelled = self.modelled(pose, tensions, state)?;
+        Ok(match self.correction(pose) {
             Some(correction) => correction.added_to(&modelled),
             None => modelled,
         })
@@ -170,7 +171,8 @@ impl<'a> Controller<'a> {
     /// [`Controller::lengths`] of the model alone.
     fn modelled(
         &mut self,
-        (pose, tensions): (&Pose, Option<&[f64]>),
+        pose: &Pose,
+        tensions: Option<&[f64]>,
         state: &mut State,
     ) -> Result<Vec<f64>, OperationError> {
         let given = tensions.filter(|_| self.distribution.is_some());

@@ -52,8 +52,8 @@ impl<'a> Machine<'a> {
         state: &mut State,
     ) -> Option<Solutions> {
         let mut solutions = Solutions::default();
-        let settings = (&self.settings, only_taut);
-        let answered = self.model.forward_batch(settings, lengths, guesses, state, &mut solutions).is_ok();
+        let answered =
+            self.model.forward_batch(&self.settings, only_taut, lengths, guesses, state, &mut solutions).is_ok();
         (answered && self.knows_tensions()).then_some(solutions)
     }
 

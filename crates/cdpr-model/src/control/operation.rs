@@ -167,7 +167,7 @@ impl<'a> Operation<'a> {
 
     /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.
     pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
-        self.control.lengths((pose, None), &mut self.states.control)
+        self.control.lengths(pose, None, &mut self.states.control)
     }
 
     /// Controlled lengths of the machine's cables when a pose is commanded (m), or why there are none.
@@ -286,7 +286,7 @@ impl<'a> Operation<'a> {
 
     /// Lengths sent to the winches (m): φ(x) + q_off, a cable of a tension test shortened.
     fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, OperationError> {
-        let mut sent = self.control.lengths((&command.pose, command.tensions.as_deref()), &mut self.states.control)?;
+        let mut sent = self.control.lengths(&command.pose, command.tensions.as_deref(), &mut self.states.control)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);
         if let Some(test) = command.shortened {
             sent[test.cable] -= test.by;

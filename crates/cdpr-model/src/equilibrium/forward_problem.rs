@@ -120,7 +120,8 @@ impl Model {
     /// sooner than the search for the cables that hang slack.
     pub fn forward_batch(
         &self,
-        (settings, only_taut): (&ForwardSettings, bool),
+        settings: &ForwardSettings,
+        only_taut: bool,
         lengths: &LaneTable,
         guesses: &PoseBatch,
         state: &mut State,

@@ -29,7 +29,7 @@ impl Model {
         solution.cables.resize(self.cable_count(), CableCommand::NONE);
         let rotation = pose.rotation_rows();
         for (index, (command, &tension)) in solution.cables.iter_mut().zip(tensions).enumerate() {
-            match statics::cable_lengths(self, (pose, &rotation), index, tension, state.memories().get(index)) {
+            match statics::cable_lengths(self, pose, &rotation, index, tension, state.memories().get(index)) {
                 Ok(lengths) => *command = self.commanded(index, &lengths),
                 Err(failure) => {
                     *command = CableCommand::NONE;

@@ -143,9 +143,9 @@ impl CsvFile<'_> {
         let (mut notices, mut numbers) = (Vec::new(), Numbers::default());
         let (format, skipped) = self.rows(&mut notices, &mut |format, row| {
             self.numbers(format, row, &mut numbers)?;
-            if let Some(value) = self.too_far(format, row, farthest) {
+            if let Some((quantity, value)) = self.too_far(format, row, farthest) {
                 too_far.rows.push(lines.len());
-                too_far.first.get_or_insert_with(|| self.too_far_error(format, row, value));
+                too_far.first.get_or_insert_with(|| self.too_far_error(format, row, quantity, value));
             }
             lines.push(row.line);
             samples.poses.push(numbers.pose.unwrap_or_else(Pose::identity));

@@ -71,10 +71,21 @@ pub enum ModelError {
     },
 }
 
-/// Effect, key and hint of something that a cable of the file must have.
-type Need = (&'static str, &'static str, &'static str);
+/// A key that an effect needs in every cable of a file.
+#[derive(Clone, Copy)]
+pub(super) struct Need {
+    pub(super) effect: &'static str,
+    pub(super) key: &'static str,
+    /// Further words about the key where it is missing.
+    pub(super) hint: &'static str,
+}
 
-pub(super) fn require(present: bool, (effect, key, hint): Need, index: usize, cable: &Cable) -> Result<(), ModelError> {
+pub(super) fn require(
+    present: bool,
+    Need { effect, key, hint }: Need,
+    index: usize,
+    cable: &Cable,
+) -> Result<(), ModelError> {
     let name = cable.name.clone();
     if present { Ok(()) } else { Err(ModelError::MissingKey { effect, key, cable: index + 1, name, hint }) }
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::CableGroup;
 use super::composition::{Cables, Composition, StretchEffect};
-use super::error::{ModelError, require};
+use super::error::{ModelError, Need, require};
 use super::laws;
 use super::winches::winches_of;
 use crate::cable::elasticity::{Elasticity, linear_elasticity};
@@ -40,9 +40,19 @@ impl Model {
         }
         if composition.pulley {
             for (index, cable) in robot.cables.iter().enumerate() {
-                let hint = ", or use `cdpr place-pulleys` for anchors published for the point model";
-                require(cable.pulley_swivel_axis().is_some(), ("pulley", "pulley_swivel_axis", hint), index, cable)?;
-                require(cable.pulley_radius().is_some(), ("pulley", "pulley_radius_m", hint), index, cable)?;
+                let hint = ", or place pulleys by the anchors of the point model";
+                require(
+                    cable.pulley_swivel_axis().is_some(),
+                    Need { effect: "pulley", key: "pulley_swivel_axis", hint },
+                    index,
+                    cable,
+                )?;
+                require(
+                    cable.pulley_radius().is_some(),
+                    Need { effect: "pulley", key: "pulley_radius_m", hint },
+                    index,
+                    cable,
+                )?;
             }
             check_wrap_sides(&robot)?;
         }
@@ -265,17 +275,15 @@ fn check_wrap_sides(robot: &Robot) -> Result<(), ModelError> {
         return Err(ModelError::SpatialWrapSide { cable: first + 1, name: robot.cables[first].name.clone() });
     }
     let hint = ": the pulleys of a robot all swivel or none does";
-    robot
-        .cables
-        .iter()
-        .enumerate()
-        .try_for_each(|(index, cable)| require(with_side(cable), ("pulley", "pulley_wrap_side", hint), index, cable))
+    robot.cables.iter().enumerate().try_for_each(|(index, cable)| {
+        require(with_side(cable), Need { effect: "pulley", key: "pulley_wrap_side", hint }, index, cable)
+    })
 }
 
 fn elasticity_of(robot: &Robot, entry: &Law) -> Result<Vec<Elasticity<f64>>, ModelError> {
     let law = |(index, cable): (usize, &Cable)| {
         let law = linear_elasticity(cable);
-        require(law.is_some(), (entry.word, entry.keys[0], entry.hint), index, cable)?;
+        require(law.is_some(), Need { effect: entry.word, key: entry.keys[0], hint: entry.hint }, index, cable)?;
         Ok(law.unwrap_or(Elasticity::RIGID))
     };
     robot.cables.iter().enumerate().map(law).collect()

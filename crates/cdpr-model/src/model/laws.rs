@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::error::require;
+use super::error::{Need, require};
 use super::{Cables, Composition, ModelError, SpanEffect, StretchEffect};
 use crate::cable::Recording;
 use crate::cable::elasticity::Elasticity;
@@ -28,7 +28,12 @@ pub(super) fn laws(
     let law = |(index, (cable, linear)): (usize, (&Cable, &Elasticity<f64>))| {
         if composition.cables() == Cables::Sagging {
             let effect = composition.effects().last().unwrap_or("catenary");
-            require(cable.linear_density.is_some(), (effect, "linear_density_kg_per_m", ""), index, cable)?;
+            require(
+                cable.linear_density.is_some(),
+                Need { effect, key: "linear_density_kg_per_m", hint: "" },
+                index,
+                cable,
+            )?;
         }
         let stretch = stretch(composition, index, cable)?;
         Ok(CableLaw {
@@ -87,6 +92,6 @@ fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stre
     let Some(law) = composition.stretch.law() else { return Ok(Stretch::Rigid) };
     let refused = |reason| ModelError::Stretch { cable: index + 1, name: cable.name.clone(), reason };
     let stretch = law.of(cable).map_err(refused)?;
-    require(stretch.is_some(), (law.word, law.keys[0], law.hint), index, cable)?;
+    require(stretch.is_some(), Need { effect: law.word, key: law.keys[0], hint: law.hint }, index, cable)?;
     Ok(stretch.unwrap_or(Stretch::Rigid))
 }

@@ -61,7 +61,8 @@ impl Model {
     #[inline]
     pub fn by_parameter(
         &self,
-        (cable, state): (usize, &CableState),
+        cable: usize,
+        state: &CableState,
         parameter: &Parameter,
         rotation: &Matrix3<f64>,
     ) -> (Wrench, f64) {

@@ -343,7 +343,7 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
                 let pose = tilted_pose();
                 let end = model.cable_end(0, pose.position.into(), &pose.rotation_rows());
                 let state = model.law(0).state(end, CableInput::OutletTension(0.0)).unwrap();
-                model.by_parameter((0, &state), &parameter, &pose.rotation_matrix()).1
+                model.by_parameter(0, &state, &parameter, &pose.rotation_matrix()).1
             }
             other => unreachable!("{other} is not free here"),
         };

@@ -189,7 +189,7 @@ impl<'a> TomlDocument<'a> {
             }
             Some((missing, _)) if message.starts_with("missing field") => {
                 at_span("toml::missing-key", format!("the key `{missing}` is missing here"))
-                    .with_help(format!("add `{missing} = …` to this table; `cdpr schema` tells the keys of every file"))
+                    .with_help(format!("add `{missing} = …` to this table"))
             }
             _ => {
                 let error = at_span("toml::wrong-type", in_plain_words(message));

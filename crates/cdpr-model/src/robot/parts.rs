@@ -4,7 +4,7 @@ use super::Axis;
 
 /// Pulley at the frame.
 ///
-/// Files may state a radius without an axis (`cdpr place-pulleys` finds the place) or an axis without a radius; no effect reads either.
+/// Files may state a radius without an axis (the place can be found from the anchor of the point model) or an axis without a radius; no effect reads either.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pulley {
     /// Pulley of a known size and place.

@@ -69,7 +69,8 @@ impl Minimizer {
         system: &impl NormalSystem,
         around: Surroundings<'_>,
         control: &Control<f64>,
-        (held, step): (&mut [bool], &mut [f64]),
+        held: &mut [bool],
+        step: &mut [f64],
     ) -> Option<bool> {
         let gradient = |k: usize| system.gradient(k);
         match self {

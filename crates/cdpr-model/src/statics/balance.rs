@@ -107,7 +107,7 @@ pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Resul
         let (path, _) = model.checked_path(index, pose.position.into(), &rotation)?;
         match model.law(index).closed_length(path.length, tension) {
             Some(length) if length > 0.0 => Ok(length),
-            _ => cable_lengths(model, (pose, &rotation), index, tension, None).map(|lengths| lengths.controlled_length),
+            _ => cable_lengths(model, pose, &rotation, index, tension, None).map(|lengths| lengths.controlled_length),
         }
     };
     tensions.iter().enumerate().map(length).collect()

@@ -45,13 +45,14 @@ pub fn unit_spring_state(
 /// never loaded: the exact inverse of the cable law (eq. 2.37, 2.41). The rows of the pose's rotation are shared by all cables.
 pub fn cable_lengths(
     model: &Model,
-    (pose, rotation): (&Pose, &[[f64; 3]; 3]),
+    pose: &Pose,
+    rotation: &[[f64; 3]; 3],
     index: usize,
     tension: f64,
     memory: Option<&Memory>,
 ) -> Result<CableLengths, StaticsError> {
     let (path, end) = model.checked_path(index, pose.position.into(), rotation)?;
     let input = |tension| model.measured_tension(index, tension);
-    let lengths = model.law(index).lengths_on(&path, &end, (tension, input), memory);
+    let lengths = model.law(index).lengths_on(&path, &end, tension, input, memory);
     lengths.map_err(|reason| StaticsError::of_cable(index, path.length, reason))
 }

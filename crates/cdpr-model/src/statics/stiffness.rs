@@ -188,5 +188,5 @@ fn cure(model: &Model, index: usize) -> String {
         return format!("cable \"{name}\" has the compliance 0 in the robot file, give it an axial_stiffness_EA_N");
     }
     composition.stretch = StretchEffect::Linear;
-    format!("the model `{}` knows rigid cables only, use `--model {composition}`", model.composition())
+    format!("the model `{}` knows rigid cables only, use the model `{composition}`", model.composition())
 }

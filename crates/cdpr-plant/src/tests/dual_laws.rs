@@ -23,7 +23,8 @@ pub(super) type Dual = DualVec<f64, Const<COUNT>>;
 /// Tension of a cable on the platform by its law, its direction there, and how much more it has at the outlet.
 pub(super) fn law_of(
     model: &Model,
-    (cable, motion): (usize, &CableMotion),
+    cable: usize,
+    motion: &CableMotion,
     anchor: [Dual; 3],
     unstrained: Dual,
 ) -> (Dual, [Dual; 3], Dual) {

@@ -87,7 +87,7 @@ impl Twin<'_> {
         let arm = turned(&self.state.pose, constants(rate, model.robot().cables[cable].platform_anchor));
         let (velocity, omega) = self.twist();
         let anchor = add(vector(self.state.pose.position.into(), POSE), arm);
-        let (law, direction, weight) = law_of(model, (cable, motion), anchor, length + motion.slip);
+        let (law, direction, weight) = law_of(model, cable, motion, anchor, length + motion.slip);
         let grows = -dot(direction, add(velocity, cross(omega, arm))) - rate;
         let sum = law + grows * self.damping(cable);
         let pulls = !motion.is_broken && sum.re > 0.0;

@@ -44,7 +44,7 @@ struct Nominal {
 
 impl CampaignAnswer {
     /// The answer for an experiment over so many poses, in a folder.
-    pub fn new(experiment: &Experiment, (campaign, candidates): (Campaign, usize), out: &str, seed: u64) -> Self {
+    pub fn new(experiment: &Experiment, campaign: Campaign, candidates: usize, out: &str, seed: u64) -> Self {
         let mut answer = Self {
             status: campaign.status,
             reason: String::new(),

@@ -64,7 +64,7 @@ impl MapRegion {
 
 impl CompensationAnswer {
     /// The answer for a model on data of a name and with doubts about them, with the file that was written.
-    pub fn new(model: &Model, (data, doubts): (String, Warnings), found: Compensated, out: Option<String>) -> Self {
+    pub fn new(model: &Model, data: String, doubts: Warnings, found: Compensated, out: Option<String>) -> Self {
         let Compensated { map, judged, helps, reason } = found;
         let facts = map.facts();
         let mut warnings = doubts.list();

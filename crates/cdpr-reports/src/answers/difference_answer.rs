@@ -27,7 +27,7 @@ pub struct DifferenceAnswer {
 
 impl DifferenceAnswer {
     /// The answer for an experiment and another one by its name.
-    pub fn new(experiment: &Experiment, (name, other): (&str, &Experiment), difference: Difference) -> Self {
+    pub fn new(experiment: &Experiment, name: &str, other: &Experiment, difference: Difference) -> Self {
         Self {
             against: name.to_owned(),
             other_control: control_title(other),

@@ -67,8 +67,10 @@ impl DynamicsAnswer {
     pub fn new(
         model: &Model,
         inertia: &Inertia,
-        (pose, twist): (&Pose, &Twist),
-        (acceleration, cables): (&Twist, &Wrench),
+        pose: &Pose,
+        twist: &Twist,
+        acceleration: &Twist,
+        cables: &Wrench,
     ) -> Self {
         let robot = model.robot();
         let rates = |twist: &Twist| model.twist_basis().iter().map(|basis| basis.dot(twist) + 0.0).collect();
@@ -94,21 +96,22 @@ impl DynamicsAnswer {
     pub fn by_tensions(
         model: &Model,
         inertia: &Inertia,
-        moving: (&Pose, &Twist),
+        pose: &Pose,
+        twist: &Twist,
         load: &Load,
         tensions: Vec<f64>,
     ) -> Result<Self, StaticsError> {
-        let (pose, twist) = moving;
         let cables = -balanced_wrench(model, pose, &tensions)?;
         let acceleration = inertia.acceleration(model, pose, twist, &(cables + load.wrench(pose)));
-        let answer = Self::new(model, inertia, moving, (&acceleration, &cables));
+        let answer = Self::new(model, inertia, pose, twist, &acceleration, &cables);
         Ok(Self { tensions: Some(tensions), ..answer })
     }
 
     /// Forward dynamics: what cables make of it whose winches hold these lengths (m).
     pub fn by_lengths(
         plant: &Plant,
-        (pose, twist): (&Pose, &Twist),
+        pose: &Pose,
+        twist: &Twist,
         load: &Load,
         lengths: &[f64],
     ) -> Result<Self, PlantError> {
@@ -116,8 +119,8 @@ impl DynamicsAnswer {
         state.set_twist(twist);
         plant.observe(&mut state)?;
         let acceleration = plant.acceleration(&state, &(load.wrench(pose) - plant.load().wrench(pose)));
-        let cables = needed_wrench(&state.inertia, (pose, twist), load, &acceleration);
-        let answer = Self::new(plant.model(), &state.inertia, (pose, twist), (&acceleration, &cables));
+        let cables = needed_wrench(&state.inertia, pose, twist, load, &acceleration);
+        let answer = Self::new(plant.model(), &state.inertia, pose, twist, &acceleration, &cables);
         let tensions = state.cables.iter().map(|cable| cable.tension).collect();
         Ok(Self { tensions: Some(tensions), assumptions: plant.assumptions().cloned().collect(), ..answer })
     }
@@ -135,7 +138,7 @@ impl DynamicsAnswer {
 }
 
 /// Wrench of the cables that an acceleration takes under a load: M \[v̇; ω̇\] + n − w.
-pub fn needed_wrench(inertia: &Inertia, (pose, twist): (&Pose, &Twist), load: &Load, acceleration: &Twist) -> Wrench {
+pub fn needed_wrench(inertia: &Inertia, pose: &Pose, twist: &Twist, load: &Load, acceleration: &Twist) -> Wrench {
     inertia.wrench_of_acceleration(pose, twist, acceleration) - load.wrench(pose)
 }
 

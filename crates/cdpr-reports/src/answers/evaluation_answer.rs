@@ -99,7 +99,9 @@ impl EvaluationAnswer {
     /// Errors on samples of data of a name and with doubts about them, with the name of the file that has them sample by sample.
     pub fn new(
         model: &Model,
-        (data, samples, doubts): (String, &Samples, Warnings),
+        data: String,
+        samples: &Samples,
+        doubts: Warnings,
         evaluation: &Evaluation,
         out_errors: Option<String>,
     ) -> Self {

@@ -103,9 +103,11 @@ pub struct SkippedFigure {
 impl ExportAnswer {
     /// Files of a result about a candidate, written to a folder, and those that were not.
     pub fn new(
-        (result, candidate): (String, Option<String>),
+        result: String,
+        candidate: Option<String>,
         out: String,
-        (files, skipped): (Vec<String>, Vec<SkippedFigure>),
+        files: Vec<String>,
+        skipped: Vec<SkippedFigure>,
     ) -> Self {
         let reason = files.is_empty().then(|| {
             let why: Vec<String> = skipped.iter().map(|one| format!("{}: {}", one.figure, one.reason)).collect();

@@ -175,7 +175,9 @@ impl IdentificationAnswer {
     #[must_use]
     pub fn with_path(
         mut self,
-        (path, reduction, warning): (Option<PathAnswer>, Option<ReductionAnswer>, Option<String>),
+        path: Option<PathAnswer>,
+        reduction: Option<ReductionAnswer>,
+        warning: Option<String>,
     ) -> Self {
         self.warnings.remarks.extend(warning);
         Self { path, reduction, ..self }

@@ -84,7 +84,7 @@ pub(super) fn rows(matrix: &DMatrix<f64>) -> Rows {
 
 impl ModesAnswer {
     /// Modes of a machine at a pose, whose tensions leave a residual wrench in the degrees of freedom (N, N·m).
-    pub fn new(plant: &Plant, (pose, residual): (&Pose, &[f64]), state: &PlantState, linear: &Linearization) -> Self {
+    pub fn new(plant: &Plant, pose: &Pose, residual: &[f64], state: &PlantState, linear: &Linearization) -> Self {
         let model: &Model = plant.model();
         let modes = linear.modes().unwrap_or_default();
         let (status, reason) = verdict(&modes, linear.indifferent_stiffness);

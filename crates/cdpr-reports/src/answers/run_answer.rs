@@ -106,7 +106,7 @@ struct SlackAnswer {
 
 impl RunAnswer {
     /// Answer of a simulation that has run, with the broken limits of its summary in words; `log` is the file with its rows.
-    pub fn new((simulation, summary): (&Simulation, &Summary), violations: &[Violation], log: &str) -> Self {
+    pub fn new(simulation: &Simulation, summary: &Summary, violations: &[Violation], log: &str) -> Self {
         let (model, state) = (simulation.plant.model(), &simulation.state);
         let (status, reason) = match &summary.end {
             End::Completed => ("completed", broken(violations).map(|limits| format!("limits are broken: {limits}"))),

@@ -67,8 +67,10 @@ impl SelfCalibrationAnswer {
     /// Of a calibration of a model's parameters, named, from data of a name; names of the files that are written.
     pub fn new(
         found: SelfCalibration,
-        (model, free): (&Model, String),
-        (data, of_data): (String, &Warnings),
+        model: &Model,
+        free: String,
+        data: String,
+        of_data: &Warnings,
         [out, out_poses]: [Option<String>; 2],
     ) -> Self {
         let warnings = found.fit.own_warnings(&found.distrust(), of_data);

@@ -69,7 +69,7 @@ pub struct TestBenchAnswer {
 
 impl TestBenchAnswer {
     /// Laws from a record of a name with so many samples; their keys, and the name of the file that these were written to.
-    pub fn new(solution: Solution, (record, samples): (String, usize), keys: String, out: Option<String>) -> Self {
+    pub fn new(solution: Solution, record: String, samples: usize, keys: String, out: Option<String>) -> Self {
         let warnings = Warnings { doubts: solution.doubts(), remarks: Vec::new() };
         let verdict = Verdict::of_fit(&warnings.doubts);
         let range = solution.tensions[1] - solution.tensions[0];

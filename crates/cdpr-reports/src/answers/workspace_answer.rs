@@ -182,7 +182,7 @@ impl WorkspaceAnswer {
     }
 
     /// Cells of a grid that hold.
-    pub fn by_grid(asked: &Asked<'_>, (grid, count): (&Grid, &Count), audit: &Audit) -> Self {
+    pub fn by_grid(asked: &Asked<'_>, grid: &Grid, count: &Count, audit: &Audit) -> Self {
         let (outcome, dimension) = (count.outcome(grid), asked.region.dimension());
         let cell = [0, 1, 2].map(|axis| asked.bounds.extent(axis) / grid.counts()[axis] as f64);
         let answer = Self {

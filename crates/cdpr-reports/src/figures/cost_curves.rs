@@ -51,7 +51,7 @@ impl CostCurves {
         let end = |curve: &'_ CostCurve| curve.points.last().map(|point| y.place(point.1));
         let ends = self.curves.iter().filter_map(|curve| Some((curve.name.as_str(), end(curve)?)));
         let right = all().map(|point| x.place(point.0)).fold(LEFT, f64::max);
-        end_names::draw(&mut drawing, right, (TOP, BOTTOM), ends.collect());
+        end_names::draw(&mut drawing, right, TOP, BOTTOM, ends.collect());
         Some(drawing.finish())
     }
 }

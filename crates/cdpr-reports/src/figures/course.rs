@@ -96,6 +96,6 @@ impl CoursePanel {
         ends.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         ends.truncate(NAMED);
         let ends = ends.into_iter().filter(|(name, value)| !name.is_empty() && *value != 0.0);
-        end_names::draw(drawing, right, (top, bottom), ends.map(|(name, value)| (name, y.place(value))).collect());
+        end_names::draw(drawing, right, top, bottom, ends.map(|(name, value)| (name, y.place(value))).collect());
     }
 }

@@ -58,7 +58,7 @@ impl DifferenceMap {
         let mut frames: Vec<(f64, Frame)> = Vec::new();
         for _ in 0..count {
             let left = frames.last().map_or(LEFT, |(_, frame)| frame.right + GAP);
-            frames.push((left, Frame::new([horizontal, vertical], (left, top), most)));
+            frames.push((left, Frame::new([horizontal, vertical], left, top, most)));
         }
         let (right, bottom) = frames.last().map(|(_, frame)| (frame.right, frame.bottom))?;
         let widest = LEFT + title_width(&self.title);

@@ -6,7 +6,7 @@ use super::drawing::{Anchor, Drawing};
 const LINE: f64 = 14.0;
 
 /// Names with the heights at which their curves end at `right`, between top and bottom.
-pub(super) fn draw(drawing: &mut Drawing, right: f64, (top, bottom): (f64, f64), mut ends: Vec<(&str, f64)>) {
+pub(super) fn draw(drawing: &mut Drawing, right: f64, top: f64, bottom: f64, mut ends: Vec<(&str, f64)>) {
     ends.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut heights: Vec<f64> = ends.iter().map(|end| end.1.max(top)).collect();
     for k in 1..heights.len() {

@@ -16,7 +16,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// Around these ranges with some margin, from a corner and at most so large (pixels).
-    pub(super) fn new(ranges: [(f64, f64); 2], (left, top): (f64, f64), most: (f64, f64)) -> Self {
+    pub(super) fn new(ranges: [(f64, f64); 2], left: f64, top: f64, most: (f64, f64)) -> Self {
         let [horizontal, vertical] = ranges.map(|(low, high)| {
             let margin = 0.04 * (high - low).max(1e-3);
             (low - margin, high + margin)

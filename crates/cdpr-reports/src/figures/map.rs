@@ -48,7 +48,7 @@ impl Map {
         let ranges = [0, 1].map(|axis| finite_range(places().map(|at| at[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
         let top = TOP + LINE * self.title.len() as f64;
-        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
+        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], LEFT, top, SIZE);
         let widest = LEFT + title_width(&self.title);
         let mut drawing = Drawing::new((right + 130.0).max(widest), bottom + 46.0, &self.colour_label);
         if !self.arrows.is_empty() {

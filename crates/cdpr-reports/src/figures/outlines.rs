@@ -74,7 +74,7 @@ impl Outlines {
         let ranges = [0, 1].map(|axis| finite_range(points().map(|point| point[axis])));
         let [Some(horizontal), Some(vertical)] = ranges else { return None };
         let top = 14.0 + LINE * self.title.len() as f64;
-        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], (LEFT, top), SIZE);
+        let Frame { x, y, right, bottom } = Frame::new([horizontal, vertical], LEFT, top, SIZE);
         let legend = top + LINE * (self.outlines.len() + 3) as f64;
         let widest = LEFT + title_width(&self.title);
         let size = ((right + LEGEND.0 + LEGEND.1).max(widest), (bottom + 46.0).max(legend));

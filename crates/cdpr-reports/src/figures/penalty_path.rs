@@ -110,7 +110,7 @@ impl PathCurves {
         ends.truncate(NAMED);
         ends.retain(|(_, change)| *change != 0.0);
         let ends = ends.into_iter().map(|(name, change)| (name, y.place(change))).collect();
-        end_names::draw(drawing, LEFT + WIDTH, (TOP, TOP + HEIGHTS[0]), ends);
+        end_names::draw(drawing, LEFT + WIDTH, TOP, TOP + HEIGHTS[0], ends);
     }
 
     fn legend(&self, drawing: &mut Drawing, kinds: &[&str]) {

@@ -90,7 +90,7 @@ impl Timeline<'_> {
             ends.extend(points.last().map(|end| (name.as_str(), end.1)));
             drawing.polyline(&format!("over-time cable-{}", 1 + look % CABLES.len()), &points, false);
         }
-        end_names::draw(drawing, RIGHT, (top, bottom), ends);
+        end_names::draw(drawing, RIGHT, top, bottom, ends);
     }
 }
 

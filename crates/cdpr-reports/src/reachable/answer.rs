@@ -51,8 +51,11 @@ pub struct Found {
 impl Found {
     /// Findings in the cells of a grid: those that are reached, also with each of these largest errors (m), and the wrench-feasible ones of machine and control model.
     pub fn of_grid(
-        (reachable, region, grid): (&Reachable<'_>, &Region<'_>, &Grid),
-        (census, answers): (&Census, &[bool]),
+        reachable: &Reachable<'_>,
+        region: &Region<'_>,
+        grid: &Grid,
+        census: &Census,
+        answers: &[bool],
         [physical, model]: [Option<grid::Outcome>; 2],
         thresholds: &[f64],
     ) -> Self {

@@ -33,14 +33,26 @@ pub struct Differential {
     pub anew: Option<Hull>,
 }
 
+/// A parameter and how much it changes, in its unit.
+#[derive(Clone, Copy, Debug)]
+pub struct Change<'a> {
+    /// The parameter.
+    pub cause: &'a ParameterDeviation,
+    /// By how much.
+    pub by: f64,
+}
+
 /// The hull of a changed robot, to first order and anew.
 pub fn differential(
     experiment: &Experiment,
     reachable: &Reachable<'_>,
     region: &Region<'_>,
-    (nominal, bounds, settings): (&Hull, &Bounds, &hull::Settings),
-    (cause, change): (&ParameterDeviation, f64),
+    nominal: &Hull,
+    bounds: &Bounds,
+    settings: &hull::Settings,
+    change: Change<'_>,
 ) -> Result<Differential, InputError> {
+    let Change { cause, by: change } = change;
     let motion = differential_hull(reachable, region, nominal, cause)?;
     let varied = Varied::new(reachable, cause, change)?;
     let criterion = varied.reachable()?;

@@ -6,5 +6,5 @@ mod picture;
 mod words;
 
 pub use answer::{AtBounds, Found, ReachableAnswer};
-pub use differential::{Differential, differential};
+pub use differential::{Change, Differential, differential};
 pub use picture::Picture;

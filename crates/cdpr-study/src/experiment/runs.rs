@@ -83,7 +83,6 @@ impl Experiment {
         let Some(history) = self.history() else { return Ok(None) };
         let every = poses.len().div_ceil(BRANCHED).max(1);
         let poses: Vec<Pose> = poses.iter().step_by(every).map(|command| command.pose).collect();
-        let models = (self.controller()?, &self.machine);
-        branches(models, &self.offsets, (&history, &self.start), &poses, stroke).map(Some)
+        branches(self.controller()?, &self.machine, &self.offsets, &history, &self.start, &poses, stroke).map(Some)
     }
 }

@@ -38,7 +38,8 @@ impl<'a> Choice<'a> {
     /// Tensions that a method has chosen within limits, or why they do not follow changes.
     pub(super) fn by(
         method: Method,
-        (model, pose): (&'a Model, &Pose),
+        model: &'a Model,
+        pose: &Pose,
         load: &Load,
         limits: &Limits,
         tensions: &[f64],
@@ -93,7 +94,7 @@ impl<'a> Choice<'a> {
         let mut column = DVector::zeros(wrench.len());
         if let Some((parameter, unit)) = cause.cable_parameter(self.model) {
             let rotation = self.pose.rotation_matrix();
-            let of = |state: &CableState| self.model.by_parameter((cause.cable, state), &parameter, &rotation).0;
+            let of = |state: &CableState| self.model.by_parameter(cause.cable, state, &parameter, &rotation).0;
             let state = cable_state(self.model, &self.pose, cause.cable, self.tensions[cause.cable])?;
             column = self.slope_by_tension(cause.cable, of)? * unit;
             wrench += in_pattern(self.model, &of(&state)) * unit;

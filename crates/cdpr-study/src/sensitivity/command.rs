@@ -57,8 +57,8 @@ impl<'a> Command<'a> {
             return Ok(Commanded { lengths: lengths.collect::<Result<_, _>>()?, tension_changes: unchanged });
         };
         let Control { model: choosing, tension_method, .. } = self.control;
-        let choice = Choice::by(tension_method, (choosing, pose), load, limits, &tensions)?
-            .map_err(OperationError::NotSmooth)?;
+        let choice =
+            Choice::by(tension_method, choosing, pose, load, limits, &tensions)?.map_err(OperationError::NotSmooth)?;
         let stretch = by_tensions(model, pose, &tensions)?;
         let mut commanded = Commanded { tension_changes: Vec::new(), lengths: Vec::new() };
         for cause in causes {
@@ -81,7 +81,7 @@ pub(super) fn at_tensions(
     let mut change = DVector::zeros(model.cable_count());
     if let Some((parameter, unit)) = cause.cable_parameter(model) {
         let state = cable_state(model, pose, cause.cable, tensions[cause.cable])?;
-        let (_, length) = model.by_parameter((cause.cable, &state), &parameter, &pose.rotation_matrix());
+        let (_, length) = model.by_parameter(cause.cable, &state, &parameter, &pose.rotation_matrix());
         change[cause.cable] = length * unit;
     }
     Ok(change)

@@ -135,8 +135,8 @@ impl<'a> Equilibrium<'a> {
     /// Change of the wrench at a fixed state, and of the length of the cause's cable.
     fn deviation(&self, cause: &ParameterDeviation) -> (Wrench, f64) {
         if let Some((parameter, change)) = cause.cable_parameter(self.model) {
-            let state = (cause.cable, &self.cables[cause.cable]);
-            let (wrench, length) = self.model.by_parameter(state, &parameter, &self.pose.rotation_matrix());
+            let (cable, rotation) = (cause.cable, self.pose.rotation_matrix());
+            let (wrench, length) = self.model.by_parameter(cable, &self.cables[cable], &parameter, &rotation);
             return (wrench * change, length * change);
         }
         match self.has_load {

@@ -105,7 +105,7 @@ pub(super) struct Remembered {
 
 impl Remembered {
     /// Cables that were never loaded, whatever deviates.
-    pub(super) fn nothing((control, control_causes): (&Model, usize), (machine, causes): (&Model, usize)) -> Self {
+    pub(super) fn nothing(control: &Model, control_causes: usize, machine: &Model, causes: usize) -> Self {
         Self { control: vec![unchanged(control); control_causes], machine: vec![unchanged(machine); causes] }
     }
 

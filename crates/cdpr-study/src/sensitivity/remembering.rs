@@ -79,7 +79,7 @@ impl<'s, 'a> Companion<'s, 'a> {
     fn new(sensitivity: &'s mut Sensitivity<'a>) -> Self {
         let (control, machine, causes) = (sensitivity.control.model, sensitivity.machine, sensitivity.causes());
         let of_control = causes.iter().filter(|cause| cause.side == Side::Control).count();
-        let unloaded = Remembered::nothing((control, of_control), (machine, causes.len()));
+        let unloaded = Remembered::nothing(control, of_control, machine, causes.len());
         Self { sensitivity, start: Ok(unloaded.clone()), here: Ok(unloaded.clone()), unloaded }
     }
 

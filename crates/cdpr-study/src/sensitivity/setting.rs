@@ -180,7 +180,7 @@ fn choice<'a>(
             Choice::nearest(model, pose, tensions, &middle)?
         }
         (None, Some(method)) => {
-            Choice::by(method, (model, pose), &Load::of(model.robot())?, &aim(initial, model)?, tensions)?
+            Choice::by(method, model, pose, &Load::of(model.robot())?, &aim(initial, model)?, tensions)?
         }
     };
     Ok(found.ok())

@@ -47,7 +47,8 @@ pub fn allowed(
     causes: &[ParameterDeviation],
     poses: &[PoseSensitivity],
     errors: &[f64],
-    (accuracy, coverage): (f64, f64),
+    accuracy: f64,
+    coverage: f64,
     is_named: &dyn Fn(Side, Kind) -> bool,
     translations: usize,
 ) -> Allowed {

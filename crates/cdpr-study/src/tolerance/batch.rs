@@ -31,8 +31,10 @@ impl Batch {
     /// `None` where the lengths of a deviating control model depend on tensions, for drums and shortened cables, for machines whose
     /// cables are not straight and linear, and where a pose is not answered without deviations: these are asked pose by pose.
     pub(super) fn new(
-        (control, machine): (&Model, &Model),
-        (poses, nominal): (&[CommandedPose], &[PoseSensitivity]),
+        control: &Model,
+        machine: &Model,
+        poses: &[CommandedPose],
+        nominal: &[PoseSensitivity],
         offsets: &[f64],
         deviates: bool,
     ) -> Option<Self> {
@@ -82,7 +84,8 @@ impl Batch {
         }
         let settings = ForwardSettings::default();
         match machine.forward_batch(
-            (&settings, false),
+            &settings,
+            false,
             controlled,
             &self.guesses,
             &mut State::at_home(machine),

@@ -76,7 +76,7 @@ impl Experiment {
                 AccuracyOf::Error => found.errors.clone(),
                 AccuracyOf::Deviation => vec![0.0; found.errors.len()],
             };
-            allowed(&found.causes, &found.poses, &counted, (accuracy, tolerances.sigmas), &named, translations)
+            allowed(&found.causes, &found.poses, &counted, accuracy, tolerances.sigmas, &named, translations)
         });
         Ok(found)
     }
@@ -92,6 +92,7 @@ impl Experiment {
             return Ok(None);
         }
         let settings = Settings {
+            causes: &found.causes,
             sigmas,
             distribution: tolerances.distribution,
             robots: asked.robots,
@@ -99,9 +100,9 @@ impl Experiment {
             engine: asked.engine,
             history: self.history(),
         };
-        let set = (&self.setting(asked.offsets), self.offsets.as_slice());
-        let nominal = (found.commanded.as_slice(), found.poses.as_slice());
-        monte_carlo((self.controller()?, &self.machine), set, &found.causes, nominal, &settings).map(Some)
+        let (control, setting) = (self.controller()?, self.setting(asked.offsets));
+        monte_carlo(control, &self.machine, &setting, &self.offsets, &found.commanded, &found.poses, &settings)
+            .map(Some)
     }
 }
 

@@ -36,6 +36,8 @@ keywords!(Engine: Exact = "exact", Linear = "linear");
 /// Settings of a draw of robots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<'a> {
+    /// Parameters that deviate: those of the derivatives of the nominal robot, in their order.
+    pub causes: &'a [ParameterDeviation],
     /// Standard deviation of every cause, in its unit.
     pub sigmas: &'a [f64],
     /// How deviations are spread.
@@ -106,18 +108,21 @@ type Answer = [f64; 3];
 
 /// Draws robots with deviations and lets each drive through the poses.
 ///
-/// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose; `causes` belong to them. Parameters
+/// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose. Parameters
 /// stay within what they may be: radii not below 0, stiffness above 0.
 pub fn monte_carlo<'a>(
-    (control, machine): (impl Into<Control<'a>>, &'a Model),
-    (setting, offsets): (&Setting<'_>, &[f64]),
-    causes: &[ParameterDeviation],
-    (poses, nominal): (&[CommandedPose], &[PoseSensitivity]),
+    control: impl Into<Control<'a>>,
+    machine: &'a Model,
+    setting: &Setting<'_>,
+    offsets: &[f64],
+    poses: &[CommandedPose],
+    nominal: &[PoseSensitivity],
     settings: &Settings<'_>,
 ) -> Result<MonteCarlo, InputError> {
     if settings.robots.saturating_mul(poses.len()) > ANSWER_LIMIT {
         return Err(InputError::TooManyRobots { robots: settings.robots, poses: poses.len(), limit: ANSWER_LIMIT });
     }
+    let causes = settings.causes;
     let active: Vec<usize> = (0..causes.len()).filter(|&cause| settings.sigmas[cause] > 0.0).collect();
     let own: Vec<ParameterDeviation> = active.iter().map(|&cause| causes[cause]).collect();
     let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
@@ -127,9 +132,9 @@ pub fn monte_carlo<'a>(
     let run = Run {
         models,
         tension_method: control.tension_method,
-        makers: Makers::new(models, setting, offsets, &own)?,
+        makers: Makers::new(models.0, models.1, setting, offsets, &own)?,
         poses,
-        batch: Batch::new(models, (poses, nominal), offsets, deviates),
+        batch: Batch::new(models.0, models.1, poses, nominal, offsets, deviates),
         nominal,
         active: &active,
         sigmas: &sigmas,

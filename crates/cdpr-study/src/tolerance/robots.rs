@@ -51,7 +51,8 @@ pub(super) struct Made {
 
 impl<'a> Makers<'a> {
     pub(super) fn new(
-        (control, machine): (&'a Model, &'a Model),
+        control: &'a Model,
+        machine: &'a Model,
         setting: &'a Setting<'a>,
         offsets: &'a [f64],
         causes: &'a [ParameterDeviation],

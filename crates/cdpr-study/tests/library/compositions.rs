@@ -236,7 +236,7 @@ fn machines_with_hysteresis_come_to_a_pose_on_a_way() {
     let history = History { reach: Reach::FromInitial, sub_steps: 5 };
     let spread = |machine: &Model, stroke: f64| {
         let poses = [near, far];
-        let found = branches((&control, machine), &offsets, (&history, &start), &poses, stroke).expect("one robot");
+        let found = branches(&control, machine, &offsets, &history, &start, &poses, stroke).expect("one robot");
         assert_eq!((found.samples, found.ways), (2, 7));
         found
     };

@@ -23,7 +23,7 @@ fn followed_on(samples: &Samples, composition: Composition, free: &str, settings
     let settings = Settings { keeps_course: true, ..settings.clone() };
     let model = Model::new(builtin("cablerobot-simulator-helicopter"), composition).unwrap();
     let fit = fit(&model, samples, &free.parse().unwrap(), &settings).unwrap();
-    let steps = course(samples, (&fit, &settings)).unwrap();
+    let steps = course(samples, &fit, &settings).unwrap();
     let values = |of: &dyn Fn(usize) -> f64| (0..fit.parameters.len()).map(of).collect::<Vec<f64>>();
     assert_eq!(steps.first().unwrap().values, values(&|k| fit.parameters[k].start));
     assert_eq!(steps.last().unwrap().values, values(&|k| fit.parameters[k].value));
@@ -71,7 +71,7 @@ fn sixty_two_parameters_take_five_to_eight_steps() {
     assert!(last.force_rms.unwrap() < first.force_rms.unwrap());
     assert!(last.moment_rms.unwrap() < first.moment_rms.unwrap());
     let free: FreeParameters = ELASTIC.parse().unwrap();
-    let condition = conditioning(&fit.model, &twin(), &free, (&settings, &[])).unwrap();
+    let condition = conditioning(&fit.model, &twin(), &free, &settings, &[]).unwrap();
     // the same columns of one length, before their rows are reflected or after: rounding times the condition
     assert!((last.condition / condition.condition - 1.0).abs() < 1e-9);
     assert!((last.condition_scaled / condition.condition_unit_columns - 1.0).abs() < 1e-12);
@@ -84,7 +84,7 @@ fn a_fit_that_keeps_its_course_is_the_same_and_one_that_does_not_has_none() {
     let (kept, _) = followed(Composition::ELASTIC, ELASTIC, &with_prior());
     let plain = fit(&model, &twin(), &ELASTIC.parse().unwrap(), &with_prior()).unwrap();
     assert_eq!((&plain.parameters, &plain.history), (&kept.parameters, &kept.history));
-    assert!(course(&twin(), (&plain, &with_prior())).unwrap().is_empty());
+    assert!(course(&twin(), &plain, &with_prior()).unwrap().is_empty());
 }
 
 /// Robust losses, other starts, other costs and other objectives have their way too; predicted poses tell their own error.

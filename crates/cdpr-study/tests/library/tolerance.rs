@@ -80,14 +80,15 @@ impl Subject {
     }
 
     fn draw(&self, sigmas: &[f64], robots: usize, engine: Engine, offsets: Offsets) -> MonteCarlo {
-        let settings = Settings { sigmas, distribution: Distribution::Normal, robots, seed: 5, engine, history: None };
+        let distribution = Distribution::Normal;
+        let settings = Settings { causes: &self.causes, sigmas, distribution, robots, seed: 5, engine, history: None };
         self.draw_with(&settings, offsets)
     }
 
     fn draw_with(&self, settings: &Settings<'_>, offsets: Offsets) -> MonteCarlo {
         let setting = Setting { initial: &self.initial, pose: self.home, former: None, offsets };
-        let (models, poses) = ((&self.control, &self.machine), (&self.commanded[..], &self.nominal[..]));
-        monte_carlo(models, (&setting, &self.offsets), &self.causes, poses, settings).unwrap()
+        let (control, machine) = (&self.control, &self.machine);
+        monte_carlo(control, machine, &setting, &self.offsets, &self.commanded, &self.nominal, settings).unwrap()
     }
 }
 
@@ -99,8 +100,15 @@ fn linear_robots_spread_as_their_derivatives_say() {
     ] {
         let sigmas = subject.sigmas(1e-5);
         let spread = Spread::of(&subject.nominal, &subject.errors(), &sigmas, 2.0, subject.translations());
-        let settings =
-            Settings { sigmas: &sigmas, distribution, robots: 20_000, seed: 1, engine: Engine::Linear, history: None };
+        let settings = Settings {
+            causes: &subject.causes,
+            sigmas: &sigmas,
+            distribution,
+            robots: 20_000,
+            seed: 1,
+            engine: Engine::Linear,
+            history: None,
+        };
         let drawn = subject.draw_with(&settings, Offsets::Kept);
         for (found, expected) in drawn.deviations.iter().zip(&spread.deviation) {
             // the relative error of a root mean square of 20 000 squares, √(2/20 000)/2 or less, four times
@@ -165,7 +173,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
     let (errors, translations) = (subject.errors(), subject.translations());
     let (accuracy, coverage) = (0.3, 2.0);
     let is_named = |side: Side, kind: Kind| side == Side::Machine && kind != Kind::Parameter(ParameterKind::Force);
-    let found = allowed(&subject.causes, &subject.nominal, &errors, (accuracy, coverage), &is_named, translations);
+    let found = allowed(&subject.causes, &subject.nominal, &errors, accuracy, coverage, &is_named, translations);
     let left = |sigma: &dyn Fn(&ParameterDeviation) -> f64, is_worst: bool| {
         let sigmas: Vec<f64> = subject.causes.iter().map(sigma).collect();
         let spread = Spread::of(&subject.nominal, &errors, &sigmas, 1.0, translations);
@@ -195,7 +203,7 @@ fn allowed_tolerances_use_up_the_accuracy_at_the_worst_pose_and_nowhere_more() {
 fn no_tolerance_helps_where_the_error_is_larger_than_the_accuracy() {
     let subject = Subject::planar();
     let errors = subject.errors();
-    let found = allowed(&subject.causes, &subject.nominal, &errors, (0.01, 2.0), &|_, _| true, 2);
+    let found = allowed(&subject.causes, &subject.nominal, &errors, 0.01, 2.0, &|_, _| true, 2);
     let worst = errors.iter().copied().fold(0.0, f64::max);
     assert!(found.kinds.is_empty() && (found.budget - (0.01 - worst)).abs() < 1e-15);
     assert_eq!(errors[found.worst_pose], worst);
@@ -207,6 +215,7 @@ fn drawn_robots_stay_within_the_worst_case() {
     let subject = Subject::planar();
     let sigmas = subject.sigmas(1e-5);
     let settings = Settings {
+        causes: &subject.causes,
         sigmas: &sigmas,
         distribution: Distribution::Uniform,
         robots: 2000,

@@ -34,7 +34,7 @@ impl<'a> CableInterference<'a> {
     pub(crate) fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
-        let diameters = per_cable(robot, (NAME, "diameter_m"), diameter, |cable| cable.diameter)?;
+        let diameters = per_cable(robot, NAME, "diameter_m", diameter, |cable| cable.diameter)?;
         for &diameter in &diameters {
             not_negative(NAME, "diameter", diameter, "it is a finite length of 0 or more (m)")?;
         }

@@ -21,7 +21,8 @@ pub(super) fn named(robot: &Robot, cable: usize) -> String {
 /// A number of every cable: the same for all where one is given, else that of the file.
 pub(super) fn per_cable(
     robot: &Robot,
-    (criterion, key): (&'static str, &'static str),
+    criterion: &'static str,
+    key: &'static str,
     given: Option<f64>,
     of: impl Fn(&Cable) -> Option<f64>,
 ) -> Result<Vec<f64>, WorkspaceError> {
@@ -49,7 +50,7 @@ pub(super) fn limits(
     for end in [0, 1] {
         // without any limit the larger one is asked for
         if known[end] || (end == 1 && !known[0]) {
-            let numbers = per_cable(robot, (criterion, keys[end]), given[end], of[end])?;
+            let numbers = per_cable(robot, criterion, keys[end], given[end], of[end])?;
             limits.iter_mut().zip(numbers).for_each(|(limits, number)| limits[end] = number);
         }
     }

@@ -49,7 +49,7 @@ impl<'a> CableObstacles<'a> {
         if robot.obstacles.is_empty() {
             return Err(missing_obstacles(NAME, robot, "add a table for each box or strut that cables may not touch"));
         }
-        let diameters = per_cable(robot, (NAME, "diameter_m"), diameter, |cable| cable.diameter)?;
+        let diameters = per_cable(robot, NAME, "diameter_m", diameter, |cable| cable.diameter)?;
         let mut pairs = Vec::new();
         for (cable, diameter) in diameters.into_iter().enumerate() {
             let radius = 0.5 * not_negative(NAME, "diameter", diameter, "it is a finite length of 0 or more (m)")?;

@@ -30,12 +30,12 @@ pub(in crate::fit) fn fit(
     let freed = freed(free, &settings.hold);
     let free = free.without_recording(&RecordingParameter::FRAMES);
     let start = start::start(model, samples, &freed)?;
-    let mut found = find(model, samples, (&free, &freed), start, &AT_OPTIMUM, settings)?;
+    let mut found = find(model, samples, &free, &freed, start, &AT_OPTIMUM, settings)?;
     let mut fit = plain(&found.frames.apply(samples), &free)?;
     if fit.clock_offset.is_some() {
         // frames of poses that were late are those of the motion's mean
         let on_one_clock = fit.as_fitted(samples);
-        found = find(model, &on_one_clock, (&free, &freed), found.frames, &AT_OPTIMUM, settings)?;
+        found = find(model, &on_one_clock, &free, &freed, found.frames, &AT_OPTIMUM, settings)?;
         fit = plain(&found.frames.apply(samples), &free)?;
     }
     uncertainty::complete(&mut fit, &found, &freed, settings);
@@ -69,5 +69,5 @@ pub fn frame_warning(given: &Robot, fit: &Fit, samples: &Samples, settings: &Set
     }
     let (frames, words) = frames_that_fit(given, samples, &settings.hold)?;
     let names: Vec<&str> = frames.into_iter().map(RecordingParameter::name).collect();
-    Some(format!("{words}: add `{}` to --free, or mend the poses", names.join(",")))
+    Some(format!("{words}: let `{}` be free as well, or mend the poses", names.join(",")))
 }

@@ -84,7 +84,7 @@ fn leaving_winches() -> (FreeParameters, Settings) {
 fn in_frames(model: &Model, samples: &Samples, freed: &[RecordingParameter]) -> Option<Frames> {
     let (free, settings) = leaving_winches();
     let start = start::start(model, samples, freed).ok()?;
-    find(model, samples, (&free, freed), start, &ROUGHLY, &settings).ok().map(|found| found.frames)
+    find(model, samples, &free, freed, start, &ROUGHLY, &settings).ok().map(|found| found.frames)
 }
 
 /// Median of the samples' residuals (root of the mean square over the cables, m).

@@ -39,7 +39,8 @@ pub(super) struct Found {
 pub(super) fn find(
     model: &Model,
     samples: &Samples,
-    (free, freed): (&FreeParameters, &[RecordingParameter]),
+    free: &FreeParameters,
+    freed: &[RecordingParameter],
     start: Frames,
     end: &End,
     settings: &Settings,

@@ -15,7 +15,7 @@ fn samples(count: usize, seed: u64) -> Samples {
 fn profiled(samples: &Samples, free: &str, settings: &Settings, place: usize) -> (Fit, Profile) {
     let free: FreeParameters = free.parse().unwrap();
     let fit = fit(&points(), samples, &free, settings).unwrap();
-    let mut found = profiles(&points(), samples, (&fit, settings), &[place]).unwrap();
+    let mut found = profiles(&points(), samples, &fit, settings, &[place]).unwrap();
     (fit, found.remove(0))
 }
 
@@ -79,7 +79,7 @@ fn an_interval_that_meets_a_bound_is_open_there() {
     let fit = fit(&given, &samples, &"pulley-radius".parse().unwrap(), &Settings::default()).unwrap();
     let place = (0..8).max_by(|&a, &b| fit.parameters[a].value.total_cmp(&fit.parameters[b].value)).unwrap();
     let sigma = fit.parameters[place].sigma.unwrap();
-    let profile = profiles(&given, &samples, (&fit, &Settings::default()), &[place]).unwrap().remove(0);
+    let profile = profiles(&given, &samples, &fit, &Settings::default(), &[place]).unwrap().remove(0);
     assert_eq!(profile.interval[0].is_none(), fit.parameters[place].value < 1.9 * sigma, "{profile:?}");
     assert!(profile.points.iter().all(|point| profile.value + point.shift >= 0.0));
 }
@@ -106,7 +106,7 @@ fn costs_that_are_no_squares_have_no_profile() {
     let samples = samples(20, 5);
     let settings = Settings { minimize: Minimize::Max, ..Settings::default() };
     let fit = fit(&points(), &samples, &"length-offset".parse().unwrap(), &settings).unwrap();
-    let refused = profiles(&points(), &samples, (&fit, &settings), &[0]);
+    let refused = profiles(&points(), &samples, &fit, &settings, &[0]);
     assert_eq!(refused, Err(InputError::ProfileCost { minimize: Minimize::Max }));
     assert_eq!(fit.without_deviation(), 8);
     let home = points().robot().home_or_middle();

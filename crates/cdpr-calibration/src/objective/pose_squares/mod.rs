@@ -61,7 +61,8 @@ impl PoseSquares {
         model: &Model,
         samples: &Samples,
         parameters: &[Parameter],
-        (metric, plausible): (&Metric, f64),
+        metric: &Metric,
+        plausible: f64,
     ) -> Option<Self> {
         let is_plain = !model.needs_tensions() && model.dof() == 6 && (7..=MOST_CABLES).contains(&model.cable_count());
         if !is_plain || samples.is_empty() || samples.motor_angles.is_some() {

@@ -75,7 +75,7 @@ fn squares_have_the_same_bits_on_every_unit() {
         let (model, samples, parameters) = problem(composition, free);
         let metric = Metric::of(&model, &samples, None).unwrap();
         let on = |unit| {
-            let mut squares = PoseSquares::of(&model, &samples, &parameters, (&metric, 0.1)).unwrap();
+            let mut squares = PoseSquares::of(&model, &samples, &parameters, &metric, 0.1).unwrap();
             let mut equations = DenseEquations::new(parameters.len());
             let mut bits = Vec::new();
             for values in course(&model, &parameters) {
@@ -100,7 +100,7 @@ fn what_is_not_plain_is_left_to_vectors() {
     let turn = cdpr_model::geometry::Twist::new(0.0, 0.0, 0.0, 0.0, 0.35, 0.0);
     samples.poses[3] = samples.poses[3].displaced(&turn);
     let metric = Metric::of(&model, &samples, None).unwrap();
-    let mut squares = PoseSquares::of(&model, &samples, &parameters, (&metric, 0.1)).unwrap();
+    let mut squares = PoseSquares::of(&model, &samples, &parameters, &metric, 0.1).unwrap();
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
     let mut equations = DenseEquations::new(values.len());
     assert!(!squares.write(&values, &mut equations) && squares.values.is_none());
@@ -109,5 +109,5 @@ fn what_is_not_plain_is_left_to_vectors() {
     let mut stacked = Stacked::new(&vectors, values.len());
     assert!(!vectors.write_squares(&values, &mut equations) && vectors.write(&values, &mut stacked));
     samples.motor_angles = Some(samples.lengths.clone());
-    assert!(PoseSquares::of(&model, &samples, &parameters, (&metric, 0.1)).is_none());
+    assert!(PoseSquares::of(&model, &samples, &parameters, &metric, 0.1).is_none());
 }

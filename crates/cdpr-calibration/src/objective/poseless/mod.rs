@@ -182,10 +182,10 @@ impl<'a> PoselessVectors<'a> {
         let m = model.cable_count();
         let directions = &self.directions[sample];
         let (first, origin) = (sample * m, self.samples * m);
-        let pose = (&self.poses[sample], &self.poses[sample].rotation_rows());
+        let (pose, rotation) = (&self.poses[sample], self.poses[sample].rotation_rows());
         for cable in 0..m {
             stacked.residuals[first + cable] = self.residual(sample, cable);
-            let row = Length::of(model, cable, pose, self.per_length).row(directions);
+            let row = Length::of(model, cable, pose, &rotation, self.per_length).row(directions);
             (0..directions.len()).for_each(|k| self.by_pose[(cable, k)] = row[k]);
         }
         orthonormalise(&mut self.by_pose, directions.len());

@@ -101,7 +101,7 @@ impl Search<'_> {
         let turns = directions.map(|twist| twist.fixed_rows::<3>(3) != Vector3::zeros());
         let rotation = pose.rotation_rows();
         for (cable, recorded) in self.recorded.iter().enumerate() {
-            let length = Length::of(self.model, cable, (pose, &rotation), self.per_length);
+            let length = Length::of(self.model, cable, pose, &rotation, self.per_length);
             let residual = self.per_length * (length.recorded - recorded);
             let (mut velocities, mut row) = ([Vector3::zeros(); N], [0.0; N]);
             for (i, twist) in directions.iter().enumerate() {
@@ -171,7 +171,7 @@ pub(super) struct Length {
 }
 
 impl Length {
-    pub(super) fn of(model: &Model, cable: usize, (pose, rotation): (&Pose, &[[f64; 3]; 3]), per_length: f64) -> Self {
+    pub(super) fn of(model: &Model, cable: usize, pose: &Pose, rotation: &[[f64; 3]; 3], per_length: f64) -> Self {
         let (path, end) = model.path_at(cable, pose.position.into(), rotation);
         let recorded = model.recorded_length(cable, path.length);
         let factor = per_length * (model.recorded_length(cable, 1.0) - model.recorded_length(cable, 0.0));

@@ -114,7 +114,8 @@ impl<'a> SensorVectors<'a> {
         model: &'a Model,
         internal: &'a InternalSamples,
         parameters: &'a [Parameter],
-        (layout, weights): (&Layout, &Weights),
+        layout: &Layout,
+        weights: &Weights,
     ) -> Self {
         let home = model.robot().home_or_middle();
         // what is measured with an accuracy is searched, too

@@ -76,7 +76,7 @@ impl SampleSensors<'_> {
         let (model, directions) = (rows.model, &self.directions[sample]);
         let recorded = Recorded::of(&self.internal.samples, sample);
         let (mut plain, mut noise) = (vec![0.0; n + m], Noise::new(model));
-        rows.noise_at((&at.pose, &at.tensions), &UNITS, &mut noise, Some((recorded, &mut plain)));
+        rows.noise_at(&at.pose, &at.tensions, &UNITS, &mut noise, Some((recorded, &mut plain)));
         let size = self.layout.size();
         let mut all = Rows { residuals: DVector::zeros(size), by_latent: DMatrix::zeros(size, self.unknowns(sample)) };
         let places = places(model, directions);

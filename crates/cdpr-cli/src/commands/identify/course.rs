@@ -30,10 +30,7 @@ impl CourseArguments {
     }
 
     /// Answer and files of what the options ask for.
-    pub(super) fn answer(
-        &self,
-        (course, fit): (Vec<CourseStep>, &Fit),
-    ) -> (Option<CourseAnswer>, Vec<(PathBuf, Vec<u8>)>) {
+    pub(super) fn answer(&self, course: Vec<CourseStep>, fit: &Fit) -> (Option<CourseAnswer>, Vec<(PathBuf, Vec<u8>)>) {
         let Some(answer) = CourseAnswer::new(course, fit.parameters.clone()) else {
             return (None, Vec::new());
         };

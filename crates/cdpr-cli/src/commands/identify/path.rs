@@ -41,9 +41,8 @@ pub(super) fn find(task: &Task<'_>, fit: &Fit, other: Option<&Samples>) -> Resul
         Err(failure) => return Err(failure),
     };
     let path = options.follow(task, fit, &division, &mut found)?;
-    let of_fit = (fit, &task.settings());
-    let (samples, free) = (&division.samples, &task.arguments.free);
-    let proposal = propose_reduction(task.model, samples, of_fit, free, path.as_ref(), &division.folds);
+    let (samples, free, settings) = (&division.samples, &task.arguments.free, task.settings());
+    let proposal = propose_reduction(task.model, samples, fit, &settings, free, path.as_ref(), &division.folds);
     let proposal = proposal.map_err(|error| Failure::refused(&task.arguments.data.name(), &error))?;
     match (&proposal, &options.out_reduced) {
         (None, Some(path)) => found.warning = Some(nothing_smaller(path)),
@@ -88,8 +87,8 @@ impl PathArguments {
         let Some(penalty) = self.path else { return Ok(None) };
         let settings =
             PathSettings { penalty, towards: self.towards, shrink: self.shrink.clone(), ..PathSettings::default() };
-        let (of_fit, free) = ((fit, &task.settings()), &task.arguments.free);
-        let path = penalty_path(task.model, &division.samples, of_fit, free, &settings, &division.folds)
+        let (of_fit, free) = (task.settings(), &task.arguments.free);
+        let path = penalty_path(task.model, &division.samples, fit, &of_fit, free, &settings, &division.folds)
             .map_err(|error| Failure::refused(&task.arguments.data.name(), &error))?;
         let out = self.out_path.as_ref().map(|path| path.display().to_string());
         let answer = PathAnswer::new(&path, &settings, division.words.clone(), out);

@@ -15,7 +15,8 @@ use cdpr_reports::report::{Addition, Purpose, Report, render};
 /// poses are not measured.
 pub(super) fn page(
     task: &Task<'_>,
-    (other, internal): (Option<&Samples>, Option<&InternalSamples>),
+    other: Option<&Samples>,
+    internal: Option<&InternalSamples>,
     reason: &str,
     warnings: &Warnings,
     additions: &[Addition],

@@ -26,13 +26,12 @@ pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<Found, Failure> {
         names.iter().map(|text| text.parse()).collect::<Result<_, InputError>>().map_err(of_option)?;
     let samples = fit.as_fitted(task.samples);
     let (free, settings) = (&task.arguments.free, task.settings());
-    let question = (&settings, &scales[..]);
-    let found = conditioning(&fit.model, &samples, free, question).map_err(refused)?;
+    let found = conditioning(&fit.model, &samples, free, &settings, &scales).map_err(refused)?;
     let answer = ScalingAnswer::new(found, is_auto);
     let Some([kinds, file]) = map.as_deref() else { return Ok((Some(answer), None)) };
     let pair = kinds.split_once(',').ok_or_else(|| of_option(InputError::ScaleSyntax { text: kinds.clone() }))?;
     let kinds = [scaled_kind(pair.0).map_err(of_option)?, scaled_kind(pair.1).map_err(of_option)?];
-    let map = condition_map(&fit.model, &samples, free, question, kinds).map_err(of_option)?;
+    let map = condition_map(&fit.model, &samples, free, &settings, &scales, kinds).map_err(of_option)?;
     let figure = answer.map(&map).map(|figure| (PathBuf::from(file), figure.file().into_bytes()));
     Ok((Some(answer), figure))
 }

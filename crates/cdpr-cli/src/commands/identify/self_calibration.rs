@@ -82,7 +82,7 @@ fn cross_validated(
     (folds, found): (&[Fold], &SelfCalibration),
 ) -> Result<Option<PoselessJudgement>, Failure> {
     let Some(split) = arguments.split else { return Ok(None) };
-    let (after, before) = cross_validate((model, samples), (&arguments.free, &arguments.settings()), (folds, found))
+    let (after, before) = cross_validate(model, samples, &arguments.free, &arguments.settings(), folds, found)
         .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     Ok(Some(PoselessJudgement::of_parts(split, after.blocks(), before.map(|errors| errors.blocks()))))
 }
@@ -112,12 +112,12 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     let validation = by_file.transpose()?.or(cross_validated(arguments, (model, &samples), (&folds, &found))?);
     let calibrated = found.fit.model.robot().clone();
     let poses = found.samples.to_csv(model.robot());
-    let (course, mut files) = arguments.course.answer((found.course.clone(), &found.fit));
+    let (course, mut files) = arguments.course.answer(found.course.clone(), &found.fit);
     let found_samples = found.samples.clone();
     let (out, out_poses) = (&arguments.out, &arguments.out_poses);
     let names = [out, out_poses].map(|path| path.as_ref().map(|path| path.display().to_string()));
     let answer =
-        SelfCalibrationAnswer::new(found, (model, arguments.free.to_string()), (name.clone(), &output.doubts()), names);
+        SelfCalibrationAnswer::new(found, model, arguments.free.to_string(), name.clone(), &output.doubts(), names);
     let answer = answer.with_judgements(validation, comparison).with_course(course);
     let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
     if let Some(path) = &arguments.report {
@@ -126,7 +126,7 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
         let samples = if folds.is_empty() { &found_samples } else { &samples.samples };
         let task = Task { model, samples, arguments, drive: None, progress: &progress };
         let other = other.as_ref().map(|other| &other.samples);
-        let page = report::page(&task, (other, Some(&all)), answer.reason(), answer.warnings(), &answer.additions())?;
+        let page = report::page(&task, other, Some(&all), answer.reason(), answer.warnings(), &answer.additions())?;
         files.push((path.clone(), page.into_bytes()));
     }
     drop(progress);

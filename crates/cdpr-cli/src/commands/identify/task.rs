@@ -63,7 +63,7 @@ impl Task<'_> {
         let train_on_one_clock = fit.as_fitted(samples).subset(&trusted);
         let train = fit.in_robot_frame(samples).subset(&trusted);
         let frame_warning = frame_warning(self.model.robot(), &fit, samples, &self.settings());
-        let course = course(samples, (&fit, &self.settings()))
+        let course = course(samples, &fit, &self.settings())
             .map_err(|error| Failure::refused(&self.arguments.data.name(), &error))?;
         Ok(Identification { fit, samples: samples.len(), frame_warning, train, train_on_one_clock, validation, course })
     }

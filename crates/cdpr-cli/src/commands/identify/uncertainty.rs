@@ -63,9 +63,9 @@ pub(super) fn find(task: &Task<'_>, fit: &Fit) -> Result<UncertaintyAnswer, Fail
     let refused = |error: cdpr_calibration::fit::InputError| Failure::refused(&task.arguments.data.name(), &error);
     let (settings, samples) = (task.settings(), task.samples);
     let chosen = options.chosen(fit)?;
-    let profiles = profiles(task.model, samples, (fit, &settings), &chosen).map_err(refused)?;
-    let replicates = options.bootstrap.map(|count| (count as usize, task.arguments.seed));
-    let bootstrap = replicates.map(|replicates| resampled(task.model, samples, (fit, &settings), replicates));
+    let profiles = profiles(task.model, samples, fit, &settings, &chosen).map_err(refused)?;
+    let resample = |count| resampled(task.model, samples, fit, &settings, count as usize, task.arguments.seed);
+    let bootstrap = options.bootstrap.map(resample);
     let poses = options.uncertainty.as_ref().map_or_else(Vec::new, |_| grid(&fit.model, &fit.as_fitted(samples)));
     let bands = fit.pose_bands(&poses).map_err(|error| Failure::refused(&task.model.robot().name, &error))?;
     let bands = poses.into_iter().zip(bands).collect();

@@ -42,7 +42,8 @@ impl CableLaw {
         &self,
         path: &CablePath<f64>,
         end: &CableEnd<f64>,
-        (tension, input): (f64, impl FnOnce(f64) -> CableInput),
+        tension: f64,
+        input: impl FnOnce(f64) -> CableInput,
         memory: Option<&Memory>,
     ) -> Result<CableLengths, CableStateError> {
         let of_path = |controlled_length: f64| CableLengths {

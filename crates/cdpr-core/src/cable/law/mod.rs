@@ -116,7 +116,7 @@ impl CableLaw {
     ) -> Result<CableState, CableStateError> {
         match self.kind {
             Kind::Rigid | Kind::Linear(..) | Kind::Stretching => self.straight_state(path, end, input),
-            Kind::Sagging(shape) => self.sagging_state((shape, path), end, input, guess),
+            Kind::Sagging(shape) => self.sagging_state(shape, path, end, input, guess),
         }
     }
 

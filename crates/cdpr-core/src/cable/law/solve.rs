@@ -42,7 +42,8 @@ impl CableLaw {
     /// The law of a cable with weight, solved.
     pub(super) fn sagging_state(
         &self,
-        (shape, path): (Shape, &CablePath<f64>),
+        shape: Shape,
+        path: &CablePath<f64>,
         end: &CableEnd<f64>,
         known: CableInput,
         guess: Option<State<f64>>,

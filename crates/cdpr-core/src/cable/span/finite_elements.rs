@@ -47,7 +47,7 @@ pub(super) fn with_derivatives<const N: usize>(
         let factor = factor(dot(tau, tau).sqrt(), stretch);
         vector = add(vector, scale(factor.0 * state.length * node.weight, tau));
         for (derivative, change) in derivatives.iter_mut().zip(changes) {
-            *derivative = add(*derivative, node_derivative(state, weight, &node, change, factor));
+            *derivative = add(*derivative, node_derivative(state, weight, &node, change, factor.0, factor.1));
         }
     }
     (vector, derivatives)

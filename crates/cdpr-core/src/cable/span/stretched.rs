@@ -59,7 +59,7 @@ pub(super) fn along_chord_derivative(
     nodes(stretch).iter().fold([0.0; 3], |sum, node| {
         let tau = at(state.force, state.length, weight, node);
         let (e, slope) = stretch.secant_compliance(dot(tau, tau).sqrt());
-        add(sum, node_derivative(state, weight, node, change, (e, slope)))
+        add(sum, node_derivative(state, weight, node, change, e, slope))
     })
 }
 
@@ -84,7 +84,8 @@ pub(super) fn node_derivative(
     weight: [f64; 3],
     node: &Node,
     change: &Change,
-    (value, slope): (f64, f64),
+    value: f64,
+    slope: f64,
 ) -> [f64; 3] {
     let length = state.length;
     let tau = at(state.force, length, weight, node);

@@ -65,6 +65,14 @@ enum Failure {
 /// Forward problem of straight elastic cables, by whose pose other cables are sought.
 pub(super) type SolveStraight = fn(&Model, &[f64], &Load, &Pose, &Settings) -> Result<Solution, InputError>;
 
+/// Model, load and settings of a forward problem.
+pub(super) struct Question<'a> {
+    pub(super) model: &'a Model,
+    pub(super) load: &'a Load,
+    pub(super) settings: &'a Settings,
+    pub(super) solve_straight: SolveStraight,
+}
+
 /// Forward problem of one search: lengths (m), load, and scales of the residual (m).
 struct Problem<'a> {
     model: &'a Model,
@@ -168,11 +176,12 @@ impl Composed {
     /// Pose and tensions for controlled lengths (m).
     pub(super) fn solve(
         &mut self,
-        (model, load, settings, solve_straight): (&Model, &Load, &Settings, SolveStraight),
+        question: Question<'_>,
         lengths: &[f64],
         guess: &Pose,
         solution: &mut Solution,
     ) -> Result<(), InputError> {
+        let Question { model, load, settings, solve_straight } = question;
         let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
         let radius = model.platform_radius();
         let problem = Problem { model, load, settings, solve_straight, lengths, radius, mean_length };

@@ -151,7 +151,8 @@ impl<'a> Solver<'a> {
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
         if let Scratch { composed: Some(composed), solution, .. } = &mut self.scratch {
-            let question = (self.model, &self.load, &self.settings, solve as composed::SolveStraight);
+            let (model, load, settings, solve_straight) = (self.model, &self.load, &self.settings, solve as _);
+            let question = composed::Question { model, load, settings, solve_straight };
             composed.solve(question, controlled_lengths, guess, solution)?;
         } else {
             self.search(controlled_lengths, guess);

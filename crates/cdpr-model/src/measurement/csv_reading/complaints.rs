@@ -77,12 +77,10 @@ impl CsvFile<'_> {
         if positions.iter().any(|name| header_mistakes::probably_meant(name, &unclaimed).is_some()) {
             return Ok(());
         }
-        let message =
-            "the file has no poses, and measured ones are needed here; `identify`, `evaluate` and `select` do without";
+        let message = "the file has no poses, and measured ones are needed here";
         let help = format!(
-            "give the tracker's log with --merge FILE, or say which columns are the pose with --columns {}=…; \
-             robot \"{}\" needs {}",
-            positions.join("=…,"),
+            "add the poses of a tracker's log, or say which columns are {}; robot \"{}\" needs {}",
+            positions.join(", "),
             self.robot.name,
             self.needed_columns()
         );

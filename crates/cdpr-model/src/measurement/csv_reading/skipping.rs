@@ -39,7 +39,6 @@ impl Skipped {
         };
         let reasons: Vec<String> = self.rows.values().map(reason).collect();
         let count = self.count();
-        (count > 0)
-            .then(|| format!("{file_name}: {count} of {of} rows are left out (--skip-invalid): {}", reasons.join("; ")))
+        (count > 0).then(|| format!("{file_name}: {count} of {of} rows are left out: {}", reasons.join("; ")))
     }
 }

@@ -80,12 +80,7 @@ impl CsvFile<'_> {
     }
 
     /// The error for such a value.
-    pub(super) fn too_far_error(
-        &self,
-        format: &Format,
-        row: &Row<'_>,
-        (quantity, value): (Quantity, f64),
-    ) -> ReadError {
+    pub(super) fn too_far_error(&self, format: &Format, row: &Row<'_>, quantity: Quantity, value: f64) -> ReadError {
         let index = format.columns.get(&quantity).map_or(0, |column| column.0);
         let column = String::from_utf8_lossy(&row.header[index]).trim().to_owned();
         let message = format!("column `{column}`: {value} m is more than 50 times the size of the robot");
@@ -104,9 +99,9 @@ impl CsvFile<'_> {
         match self.parsed(format, written.trim()) {
             Ok(value) if value.is_finite() && value.abs() <= MAGNITUDE_LIMIT => Ok(value * factor),
             Ok(value) => Err(error(format!("column `{column}`: {value} is not a number to calculate with"))
-                .with_help("remove the row, or leave it out with --skip-invalid")),
+                .with_help("remove the row, or have rows with mistakes left out")),
             Err(_) if written.trim().is_empty() => Err(error(format!("column `{column}` is empty here"))
-                .with_help("remove the row, or leave it out with --skip-invalid")),
+                .with_help("remove the row, or have rows with mistakes left out")),
             Err(_) => Err(error(format!("column `{column}`: `{}` is not a number", shortened(&written)))
                 .with_help(self.help_for_text(&written, row, format.decimals))),
         }

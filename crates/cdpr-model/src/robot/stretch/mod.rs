@@ -28,7 +28,7 @@ const SHARE_TOLERANCE: f64 = 1e-6;
 
 /// Loading and unloading branch of a cable, as cubic pieces between knots, and how tension goes from one to the other.
 ///
-/// Strain 0 is where the cable has no tension. `cdpr test-bench` writes this table from a record.
+/// Strain 0 is where the cable has no tension. A record of a test bench determines this table.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
@@ -200,9 +200,7 @@ impl StretchError {
             Self::Turns { largest: None, .. } => {
                 "state tension_max_N if the cable is not used so far, or fit the record with fewer terms"
             }
-            Self::Turns { .. } => {
-                "fit the record with fewer terms, or over all tensions up to tension_max_N (`cdpr test-bench` does both)"
-            }
+            Self::Turns { .. } => "fit the record with fewer terms, or over all tensions up to tension_max_N",
             Self::NotFinite { .. } => "write a number",
             Self::Count { .. } | Self::Entries { .. } => "complete the list, or shorten the other one",
             Self::Incomplete { .. } => "state all numbers of the law, or none of them",

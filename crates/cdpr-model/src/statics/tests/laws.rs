@@ -209,7 +209,7 @@ fn its_numbers_are_free_where_the_model_has_it() {
         let h = 1e-5 * value;
         let slope = (with(value + h) - with(value - h)) / (2.0 * h);
         let state = cable_state(&model, &pose, cable, 3000.0).unwrap();
-        let (_, found) = model.by_parameter((cable, &state), parameter, &pose.rotation_matrix());
+        let (_, found) = model.by_parameter(cable, &state, parameter, &pose.rotation_matrix());
         // lengths of 10 m have rounding of 1e-15 of them, over 2e-5 of the number
         assert!((found - slope).abs() * value < 1e-9, "{}: {found} {slope}", parameter.name(model.robot()));
     }
