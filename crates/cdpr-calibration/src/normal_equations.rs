@@ -9,7 +9,7 @@ pub(super) type Columns = Vec<Vec<f64>>;
 const EXACT: usize = 8;
 
 /// Number of parameters where there is room for P: P itself where that is exact.
-#[inline(always)]
+#[inline]
 pub(super) fn exact<const P: usize>(count: usize) -> usize {
     if P <= EXACT { P } else { count }
 }

@@ -137,7 +137,7 @@ struct Sample<'a> {
 }
 
 impl Sample<'_> {
-    #[inline(always)]
+    #[inline]
     fn block(&self, row: usize, block: usize) -> &[f64; LANES] {
         &self.entries[row * self.row_blocks + block]
     }

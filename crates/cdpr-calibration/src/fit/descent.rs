@@ -198,7 +198,7 @@ impl<const P: usize> NormalSystem for NormalEquations<P> {
         self.matrix[i.max(j)][i.min(j)]
     }
 
-    #[inline(always)]
+    #[inline]
     fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()> {
         let mut matrix = self.matrix;
         let mut right = self.gradient.map(|x| -x);

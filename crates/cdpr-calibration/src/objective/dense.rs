@@ -32,7 +32,7 @@ impl NormalSystem for DenseEquations {
         self.hessian[(i, j)]
     }
 
-    #[inline(always)]
+    #[inline]
     fn column(&self, j: usize) -> impl Fn(usize) -> f64 {
         let column = &self.hessian.as_slice()[j * self.gradient.len()..][..self.gradient.len()];
         move |i| column[i]

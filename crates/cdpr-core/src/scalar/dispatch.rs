@@ -48,7 +48,7 @@ impl Unit {
     }
 
     #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
-    #[inline(always)]
+    #[inline]
     fn is_allowed(self) -> bool {
         WIDEST.load(Ordering::Relaxed) >= self as u8
     }

@@ -4,17 +4,17 @@ use super::angle;
 use super::real::Real;
 
 impl Real for f64 {
-    #[inline(always)]
+    #[inline]
     fn constant(self, x: f64) -> Self {
         x
     }
 
-    #[inline(always)]
+    #[inline]
     fn sqrt(self) -> Self {
         num_traits::Float::sqrt(self)
     }
 
-    #[inline(always)]
+    #[inline]
     fn full_angle(self, x: Self) -> Self {
         angle::full_angle(self, x)
     }

@@ -50,37 +50,37 @@ pub trait Select: Real {
 impl Select for f64 {
     type Mask = bool;
 
-    #[inline(always)]
+    #[inline]
     fn is_less(self, other: Self) -> bool {
         self < other
     }
 
-    #[inline(always)]
+    #[inline]
     fn select(self, mask: bool, otherwise: Self) -> Self {
         if mask { self } else { otherwise }
     }
 
-    #[inline(always)]
+    #[inline]
     fn any(self, mask: bool) -> bool {
         mask
     }
 
-    #[inline(always)]
+    #[inline]
     fn both(self, a: bool, b: bool) -> bool {
         a && b
     }
 
-    #[inline(always)]
+    #[inline]
     fn either(self, a: bool, b: bool) -> bool {
         a || b
     }
 
-    #[inline(always)]
+    #[inline]
     fn without(self, a: bool, b: bool) -> bool {
         a && !b
     }
 
-    #[inline(always)]
+    #[inline]
     fn abs(self) -> Self {
         self.abs()
     }

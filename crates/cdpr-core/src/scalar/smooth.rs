@@ -15,12 +15,12 @@ pub trait Smooth: Real {
 }
 
 impl Smooth for f64 {
-    #[inline(always)]
+    #[inline]
     fn value(self) -> f64 {
         self
     }
 
-    #[inline(always)]
+    #[inline]
     fn chain(self, value: f64, _derivative: f64) -> Self {
         value
     }

@@ -7,7 +7,7 @@ pub type Room = (f64, f64);
 ///
 /// An unknown on a bound that the gradient pushes outwards stays there; one whose step would leave it is held too. Other bounds are
 /// met by [`clamped`] or [`stopped`].
-#[inline(always)]
+#[inline]
 pub fn bounded_step(
     gradient: impl Fn(usize) -> f64,
     room: &[Room],
@@ -31,7 +31,7 @@ pub fn bounded_step(
 }
 
 /// Ends each unknown at the bound that it meets: far, but no descent to first order.
-#[inline(always)]
+#[inline]
 pub fn clamped(room: &[Room], step: &mut [f64]) {
     for k in 0..step.len() {
         step[k] = step[k].clamp(room[k].0.min(0.0), room[k].1.max(0.0));

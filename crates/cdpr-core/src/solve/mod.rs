@@ -41,7 +41,7 @@ pub trait Problem {
     fn accept(&mut self, helps: Mask<Self>, contraction: Self::Number);
 
     /// Whether the last step is taken though nobody tries it: the search may then end a step earlier.
-    #[inline(always)]
+    #[inline]
     fn takes_last_step(&self) -> bool {
         false
     }
@@ -167,7 +167,7 @@ impl<N: Select> End<N> {
 
 impl End<f64> {
     /// Reason of the end.
-    #[inline(always)]
+    #[inline]
     pub fn stop(&self) -> Stop {
         [Stop::IterationLimit, Stop::Stationary, Stop::Stalled, Stop::Singular, Stop::Degenerate][self.stop as usize]
     }

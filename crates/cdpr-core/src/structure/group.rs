@@ -78,7 +78,7 @@ fn load<L: Lanes>(l: L, vectors: &[[f64; LANES]; 3]) -> [L; 3] {
     [l.load(&vectors[0]), l.load(&vectors[1]), l.load(&vectors[2])]
 }
 
-#[inline(always)]
+#[inline]
 fn entry(vectors: &[[f64; LANES]; 3], lane: usize) -> [f64; 3] {
     [vectors[0][lane], vectors[1][lane], vectors[2][lane]]
 }

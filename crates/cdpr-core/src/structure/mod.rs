@@ -138,7 +138,7 @@ impl Kernel for Pulls<'_> {
 }
 
 /// The first of eight numbers, as many as there is room for.
-#[inline(always)]
+#[inline]
 fn write(numbers: &[f64; LANES], target: &mut [f64]) {
     match <&mut [f64; LANES]>::try_from(&mut *target) {
         Ok(all) => *all = *numbers,

@@ -45,7 +45,7 @@ impl<T: Select> Measure<T> {
 }
 
 /// Twist of a step in the model's degrees of freedom.
-#[inline(always)]
+#[inline]
 pub(super) fn twist_of<const N: usize>(model: &Model, amounts: &[f64; N]) -> [f64; 6] {
     let mut twist = [0.0; 6];
     if N == 6 {
@@ -74,7 +74,7 @@ pub fn turned<T: Real>(pose: [T; POSE_ROWS], twist: &[T; 6]) -> [T; POSE_ROWS] {
 }
 
 /// [`turned`] for one pose.
-#[inline(always)]
+#[inline]
 pub(super) fn displaced<const N: usize>(model: &Model, pose: &Pose, amounts: &[f64; N]) -> Pose {
     Pose::from_numbers(turned(pose.numbers(), &twist_of(model, amounts)))
 }

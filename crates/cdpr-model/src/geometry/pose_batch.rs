@@ -81,7 +81,7 @@ impl PoseBatch {
 }
 
 /// Up to eight poses side by side; places without one get copies of the last.
-#[inline(always)]
+#[inline]
 pub fn transpose(poses: &[Pose], rows: &mut [Line]) {
     for lane in 0..LANES {
         let Some(pose) = poses.get(lane).or(poses.last()) else { continue };

@@ -144,7 +144,7 @@ impl Model {
     }
 
     /// End of one cable (0-based) on a platform given by position and rotation rows.
-    #[inline(always)]
+    #[inline]
     pub fn cable_end(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> CableEnd<f64> {
         CableEnd::at(position, rotation, self.robot.cables[cable].platform_anchor.into())
     }

@@ -29,7 +29,7 @@ impl LowerTriangle {
     }
 
     /// Sets every entry to that of a symmetric matrix, whose columns tell the entry of a row.
-    #[inline(always)]
+    #[inline]
     pub fn fill<C: Fn(usize) -> f64>(&mut self, columns: impl Fn(usize) -> C) {
         let (count, groups) = (self.count, self.groups());
         for (column, lines) in self.lines.chunks_exact_mut(groups).enumerate() {

@@ -106,13 +106,13 @@ impl LaneTable {
     }
 
     /// The rows of one group of eight items.
-    #[inline(always)]
+    #[inline]
     pub fn group(&self, group: usize) -> &[Line] {
         &self.lines[group * self.rows..(group + 1) * self.rows]
     }
 
     /// The rows of one group of eight items, to be written.
-    #[inline(always)]
+    #[inline]
     pub fn group_mut(&mut self, group: usize) -> &mut [Line] {
         &mut self.lines[group * self.rows..(group + 1) * self.rows]
     }

@@ -163,7 +163,7 @@ impl Reflection {
     }
 
     /// Sets its own column to where it leaves it but for rounding.
-    #[inline(always)]
+    #[inline]
     fn clear(&self, own: &mut [[f64; LANES]], joining: &mut [[f64; LANES]], column: usize) {
         let (block, lane) = (column / LANES, column % LANES);
         own[block][lane] = self.diagonal;

@@ -31,7 +31,7 @@ pub trait NormalSystem {
     fn entry(&self, i: usize, j: usize) -> f64;
 
     /// The same by one parameter and any other.
-    #[inline(always)]
+    #[inline]
     fn column(&self, j: usize) -> impl Fn(usize) -> f64 {
         move |i| self.entry(i, j)
     }
@@ -63,7 +63,7 @@ impl Minimizer {
 
     /// Its step within the bounds; whether a region or a bound cut it, and nothing where the equations do not determine it. `held` is
     /// scratch memory.
-    #[inline(always)]
+    #[inline]
     pub fn step(
         self,
         system: &impl NormalSystem,

@@ -26,7 +26,7 @@ pub struct CableLengths {
 
 impl CableLaw {
     /// q_θ of a cable of geometric length q (m) with a tension (N), where a closed form tells it, whatever its sign.
-    #[inline(always)]
+    #[inline]
     pub fn closed_length(&self, q: f64, tension: f64) -> Option<f64> {
         match &self.kind {
             Kind::Rigid => Some(q),
@@ -37,7 +37,7 @@ impl CableLaw {
 
     /// Lengths with a tension (N; NaN where it is unknown), from a memory or never loaded. Compiled into its callers: closed forms compute
     /// nothing but what is asked.
-    #[inline(always)]
+    #[inline]
     pub fn lengths_on(
         &self,
         path: &CablePath<f64>,

@@ -69,7 +69,7 @@ impl CableLaw {
     }
 
     /// How end and controlled length move along a change of state or weight that moves the span by this.
-    #[inline(always)]
+    #[inline]
     pub(super) fn moved(&self, frame: &FrameEnd, change: &Change, span: [f64; 3]) -> Moved {
         let FrameEnd { tension, direction: t, ratio, .. } = *frame;
         let d_tension = dot(t, change.force);

@@ -31,7 +31,7 @@ pub struct Outlet<T> {
 
 /// C and β for a cable that leaves with the direction t = cos β z_A + sin β x_A (unit vector, from the outlet on): the pulley
 /// swivels until t lies in its plane. C = D + r_p (1 − cos β) x_A + r_p sin β z_A. Along the axis the result is NaN.
-#[inline(always)]
+#[inline]
 pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
     let one = pulley.radius.constant(1.0);
     let axis = pulley.swivel_axis;
@@ -51,7 +51,7 @@ pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
 
 impl Outlet<f64> {
     /// Changes of C and β when the direction changes by δt (perpendicular to t).
-    #[inline(always)]
+    #[inline]
     pub fn derivative(&self, pulley: &Pulley<f64>, change: [f64; 3]) -> ([f64; 3], f64) {
         let (axis, radial) = (pulley.swivel_axis, self.radial);
         let side = cross(axis, radial);
@@ -63,7 +63,7 @@ impl Outlet<f64> {
     }
 
     /// ∂C/∂r_p and ∂(r_p β)/∂r_p at a fixed direction.
-    #[inline(always)]
+    #[inline]
     pub fn by_radius(&self, pulley: &Pulley<f64>) -> ([f64; 3], f64) {
         let contact = add(scale(1.0 - self.cosine, self.radial), scale(self.sine, pulley.swivel_axis));
         (contact, self.wrap_angle)

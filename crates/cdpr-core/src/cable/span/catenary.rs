@@ -27,7 +27,7 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
 }
 
 /// S and its derivatives along changes of state and weight, with everything they share computed once.
-#[inline(always)]
+#[inline]
 pub(super) fn with_derivatives<const N: usize>(
     state: &State<f64>,
     weight: [f64; 3],
@@ -59,7 +59,7 @@ struct Hanging<'a> {
 
 impl Hanging<'_> {
     /// Derivative of the part without stretch.
-    #[inline(always)]
+    #[inline]
     fn derivative(&self, change: &Change) -> [f64; 3] {
         let (force, length, weight) = (self.state.force, self.state.length, self.weight);
         let Parts { ratio, across, sum, .. } = self.parts;
@@ -102,7 +102,7 @@ struct Parts<T> {
 }
 
 impl<T: Smooth> Parts<T> {
-    #[inline(always)]
+    #[inline]
     fn new(force: [T; 3], length: T, weight: [T; 3]) -> Self {
         let end = sub(force, scale(length, weight));
         let (start_tension, end_tension) = (dot(force, force).sqrt(), dot(end, end).sqrt());

@@ -33,7 +33,7 @@ pub(super) fn nodes(stretch: &Stretch) -> &'static [Node] {
 }
 
 /// ∫ ε(|τ|) τ/|τ| ds, what stretch adds to a span.
-#[inline(always)]
+#[inline]
 pub(super) fn along_chord<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
     let zero = [length.constant(0.0); 3];
     if stretch.is_rigid() {
@@ -78,7 +78,7 @@ pub(super) fn by_number(
 }
 
 /// Derivative of w L c(|τ|) τ for c with this value and slope.
-#[inline(always)]
+#[inline]
 pub(super) fn node_derivative(
     state: &State<f64>,
     weight: [f64; 3],
@@ -97,13 +97,13 @@ pub(super) fn node_derivative(
 }
 
 /// τ at a node.
-#[inline(always)]
+#[inline]
 pub(super) fn at<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], node: &Node) -> [T; 3] {
     sub(force, scale(length * length.constant(node.at), weight))
 }
 
 /// ε(T)/T at a force.
-#[inline(always)]
+#[inline]
 fn secant<T: Smooth>(tau: [T; 3], stretch: &Stretch) -> T {
     let tension = dot(tau, tau).sqrt();
     let (value, slope) = stretch.secant_compliance(tension.value());

@@ -139,7 +139,7 @@ impl Hysteresis {
     ///
     /// The derivative has steps where a stop comes to rest and where the motion turns; there it is the one towards more
     /// strain.
-    #[inline(always)]
+    #[inline]
     pub fn tension<T: Select>(&self, strain: T, memory: &Memory) -> (T, T) {
         let branches = self.branches(strain);
         let (state, state_slope) = self.state(strain, memory);
@@ -148,7 +148,7 @@ impl Hysteresis {
     }
 
     /// Strain ε at which a tension (N) is reached from the memory, and ∂ε/∂f (1/N): the exact inverse of [`Hysteresis::tension`].
-    #[inline(always)]
+    #[inline]
     pub fn strain<T: Select>(&self, tension: T, memory: &Memory) -> (T, T) {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));
         let at_zero = tension.constant(1.0 / self.pieces[0].middle[1]);
@@ -182,7 +182,7 @@ impl Hysteresis {
     }
 
     /// S and ∂S/∂ε.
-    #[inline(always)]
+    #[inline]
     fn state<T: Select>(&self, strain: T, memory: &Memory) -> (T, T) {
         let (zero, one) = (strain.constant(0.0), strain.constant(1.0));
         let moved = strain - strain.constant(memory.strain);
@@ -197,7 +197,7 @@ impl Hysteresis {
         (state, slope)
     }
 
-    #[inline(always)]
+    #[inline]
     fn branches<T: Select>(&self, strain: T) -> Branches<T> {
         let (zero, one) = (strain.constant(0.0), strain.constant(1.0));
         let inside = strain.max(zero).min(strain.constant(self.end));
@@ -231,7 +231,7 @@ impl Hysteresis {
 }
 
 impl Piece {
-    #[inline(always)]
+    #[inline]
     fn at<T: Select>(&self, strain: T) -> Branches<T> {
         let x = strain - strain.constant(self.start);
         let (middle, middle_slope) = cubic(&self.middle, x);
@@ -241,7 +241,7 @@ impl Piece {
 }
 
 /// Value and slope of c₀ + c₁ x + c₂ x² + c₃ x³.
-#[inline(always)]
+#[inline]
 fn cubic<T: Select>(coefficients: &[f64; 4], x: T) -> (T, T) {
     let [c0, c1, c2, c3] = coefficients.map(|c| x.constant(c));
     let two = x.constant(2.0);

@@ -12,7 +12,7 @@ const STEPS: usize = 100;
 ///
 /// Newton's iteration that halves where it would leave the bracket, until a step is below `smallest` as a share of the
 /// strain, and one step more; `start` > 0 is any strain of the right size.
-#[inline(always)]
+#[inline]
 pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, smallest: f64, law: impl Fn(T) -> (T, T)) -> (T, T) {
     let mut lower = target.constant(0.0);
     let mut upper = target.constant(start);

@@ -18,7 +18,7 @@ pub(super) trait Law {
     fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)>;
 
     /// ε(T)/T (1/N) and its derivative.
-    #[inline(always)]
+    #[inline]
     fn secant_compliance(&self, tension: f64) -> (f64, f64) {
         if tension < TINY_TENSION {
             return (self.strain(0.0).1, 0.0);
@@ -29,7 +29,7 @@ pub(super) trait Law {
     }
 
     /// ∂ε/∂p at fixed tension by one of its numbers, counted from 0; 0 for a number that it does not have.
-    #[inline(always)]
+    #[inline]
     fn strain_by_number(&self, _tension: f64, _number: usize) -> f64 {
         0.0
     }
@@ -48,7 +48,7 @@ pub(super) struct Strain(pub(super) f64);
 impl Question for Strain {
     type Answer = (f64, f64);
 
-    #[inline(always)]
+    #[inline]
     fn put<L: Law>(self, law: &L) -> (f64, f64) {
         law.strain(self.0)
     }
@@ -60,7 +60,7 @@ pub(super) struct Tension<'m>(pub(super) f64, pub(super) Option<&'m Memory>);
 impl Question for Tension<'_> {
     type Answer = Option<(f64, f64)>;
 
-    #[inline(always)]
+    #[inline]
     fn put<L: Law>(self, law: &L) -> Option<(f64, f64)> {
         law.tension(self.0, self.1)
     }
@@ -72,7 +72,7 @@ pub(super) struct SecantCompliance(pub(super) f64);
 impl Question for SecantCompliance {
     type Answer = (f64, f64);
 
-    #[inline(always)]
+    #[inline]
     fn put<L: Law>(self, law: &L) -> (f64, f64) {
         law.secant_compliance(self.0)
     }
@@ -84,7 +84,7 @@ pub(super) struct StrainByNumber(pub(super) f64, pub(super) usize);
 impl Question for StrainByNumber {
     type Answer = f64;
 
-    #[inline(always)]
+    #[inline]
     fn put<L: Law>(self, law: &L) -> f64 {
         law.strain_by_number(self.0, self.1)
     }
@@ -96,7 +96,7 @@ pub(super) struct IsPointwise;
 impl Question for IsPointwise {
     type Answer = bool;
 
-    #[inline(always)]
+    #[inline]
     fn put<L: Law>(self, _: &L) -> bool {
         L::IS_POINTWISE
     }
@@ -108,17 +108,17 @@ pub(super) struct Inextensible;
 impl Law for Inextensible {
     const IS_POINTWISE: bool = false;
 
-    #[inline(always)]
+    #[inline]
     fn strain(&self, _: f64) -> (f64, f64) {
         (0.0, 0.0)
     }
 
-    #[inline(always)]
+    #[inline]
     fn tension(&self, _: f64, _: Option<&Memory>) -> Option<(f64, f64)> {
         None
     }
 
-    #[inline(always)]
+    #[inline]
     fn secant_compliance(&self, _: f64) -> (f64, f64) {
         (0.0, 0.0)
     }
@@ -130,17 +130,17 @@ pub(super) struct Proportional(pub(super) f64);
 impl Law for Proportional {
     const IS_POINTWISE: bool = false;
 
-    #[inline(always)]
+    #[inline]
     fn strain(&self, tension: f64) -> (f64, f64) {
         (self.0 * tension, self.0)
     }
 
-    #[inline(always)]
+    #[inline]
     fn tension(&self, strain: f64, _: Option<&Memory>) -> Option<(f64, f64)> {
         (self.0 != 0.0).then(|| (strain / self.0, 1.0 / self.0))
     }
 
-    #[inline(always)]
+    #[inline]
     fn secant_compliance(&self, _: f64) -> (f64, f64) {
         (self.0, 0.0)
     }

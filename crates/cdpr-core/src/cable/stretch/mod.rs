@@ -46,12 +46,12 @@ impl Law for Remembering<'_> {
     // one strain for a piece of cable, since it has one memory
     const IS_POINTWISE: bool = false;
 
-    #[inline(always)]
+    #[inline]
     fn strain(&self, tension: f64) -> (f64, f64) {
         self.law.strain(tension, self.memory)
     }
 
-    #[inline(always)]
+    #[inline]
     fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
         Some(self.law.tension(strain, memory.unwrap_or(self.memory)))
     }
@@ -59,7 +59,7 @@ impl Law for Remembering<'_> {
 
 impl Stretch {
     /// Answer of the law to a question: the one place that names every law.
-    #[inline(always)]
+    #[inline]
     fn answer<Q: Question>(&self, question: Q) -> Q::Answer {
         match self {
             Self::Rigid => question.put(&Inextensible),
@@ -83,7 +83,7 @@ impl Stretch {
     }
 
     /// ε(T) and ∂ε/∂T (1/N).
-    #[inline(always)]
+    #[inline]
     pub fn strain(&self, tension: f64) -> (f64, f64) {
         self.answer(Strain(tension))
     }
@@ -95,7 +95,7 @@ impl Stretch {
     }
 
     /// ε(T)/T (1/N) and its derivative.
-    #[inline(always)]
+    #[inline]
     pub fn secant_compliance(&self, tension: f64) -> (f64, f64) {
         self.answer(SecantCompliance(tension))
     }

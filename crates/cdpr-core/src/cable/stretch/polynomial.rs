@@ -37,7 +37,7 @@ impl Polynomial {
     }
 
     /// Tension f (N) at a strain and the stiffness ∂f/∂ε (N).
-    #[inline(always)]
+    #[inline]
     pub fn tension<T: Select>(&self, strain: T) -> (T, T) {
         let zero = strain.constant(0.0);
         let inside = strain.max(zero).min(strain.constant(self.end));
@@ -52,7 +52,7 @@ impl Polynomial {
     }
 
     /// Strain ε at a tension (N) and the compliance ∂ε/∂f (1/N): the exact inverse of [`Polynomial::tension`].
-    #[inline(always)]
+    #[inline]
     pub fn strain<T: Select>(&self, tension: T) -> (T, T) {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));
         let Some(&stiffness) = self.coefficients.first() else { return (zero, zero) };
@@ -69,12 +69,12 @@ impl Polynomial {
 impl Law for Polynomial {
     const IS_POINTWISE: bool = true;
 
-    #[inline(always)]
+    #[inline]
     fn strain(&self, tension: f64) -> (f64, f64) {
         self.strain(tension)
     }
 
-    #[inline(always)]
+    #[inline]
     fn tension(&self, strain: f64, _: Option<&Memory>) -> Option<(f64, f64)> {
         Some(self.tension(strain))
     }

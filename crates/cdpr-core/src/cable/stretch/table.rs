@@ -18,7 +18,7 @@ pub enum Table<T: 'static> {
 impl<T> Deref for Table<T> {
     type Target = [T];
 
-    #[inline(always)]
+    #[inline]
     fn deref(&self) -> &[T] {
         match self {
             Self::Constant(entries) => entries,

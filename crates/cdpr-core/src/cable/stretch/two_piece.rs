@@ -19,7 +19,7 @@ pub struct TwoPiece<T> {
 
 impl<T: Select> TwoPiece<T> {
     /// Tension f (N) at a strain and the stiffness ∂f/∂ε (N); below strain 0 as below the knee.
-    #[inline(always)]
+    #[inline]
     pub fn tension(&self, strain: T) -> (T, T) {
         let Self { below, above, knee } = *self;
         let is_above = knee.is_less(strain);
@@ -28,7 +28,7 @@ impl<T: Select> TwoPiece<T> {
     }
 
     /// Strain ε at a tension (N) and the compliance ∂ε/∂f (1/N): the exact inverse of [`TwoPiece::tension`].
-    #[inline(always)]
+    #[inline]
     pub fn strain(&self, tension: T) -> (T, T) {
         let Self { below, above, knee } = *self;
         let (one, of_knee) = (tension.constant(1.0), below * knee);
@@ -41,17 +41,17 @@ impl<T: Select> TwoPiece<T> {
 impl Law for TwoPiece<f64> {
     const IS_POINTWISE: bool = true;
 
-    #[inline(always)]
+    #[inline]
     fn strain(&self, tension: f64) -> (f64, f64) {
         self.strain(tension)
     }
 
-    #[inline(always)]
+    #[inline]
     fn tension(&self, strain: f64, _: Option<&Memory>) -> Option<(f64, f64)> {
         Some(self.tension(strain))
     }
 
-    #[inline(always)]
+    #[inline]
     fn strain_by_number(&self, tension: f64, number: usize) -> f64 {
         let Self { below, above, knee } = *self;
         let beyond = tension - below * knee;

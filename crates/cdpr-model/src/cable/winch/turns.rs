@@ -56,13 +56,13 @@ pub(crate) struct PaidOut<T> {
 
 impl<T: Real> Turns<T> {
     /// Cable that one radian unwinds, h = √(r² + c²) (m/rad).
-    #[inline(always)]
+    #[inline]
     pub(crate) fn wound_per_radian(&self) -> T {
         (self.radius * self.radius + self.travel * self.travel).sqrt()
     }
 
     /// Length paid out beyond the first pulley by a turn from φ = 0 (m), negative where cable is reeled in.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn paid_out(&self, turn: T) -> T {
         let wound = self.wound_per_radian() * turn;
         let Some(pulley) = self.pulley else { return wound - self.build_up * quarter_square(turn) };
@@ -73,7 +73,7 @@ impl<T: Real> Turns<T> {
     }
 
     /// [`Turns::paid_out`] with its derivatives.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn gradient(&self, turn: T) -> PaidOut<T> {
         let (r, c, h) = (self.radius, self.travel, self.wound_per_radian());
         let zero = r.constant(0.0);
@@ -106,7 +106,7 @@ impl<T: Real> Turns<T> {
     ///
     /// s = h φ − K with K = Δ − s(0), squared, is r² φ² − 2 (h K + w c) φ − Δ (2 s(0) − Δ) = 0; the root with s ≥ 0 is the
     /// larger one, and its discriminant (c K + h w)² + r² t² is a sum of squares. One Newton step takes out its rounding.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn turn(&self, paid_out: T) -> T {
         let h = self.wound_per_radian();
         let Some(pulley) = self.pulley else {
@@ -126,14 +126,14 @@ impl<T: Real> Turns<T> {
 }
 
 /// φ²/4.
-#[inline(always)]
+#[inline]
 fn quarter_square<T: Real>(turn: T) -> T {
     turn * turn * turn.constant(0.25)
 }
 
 impl<T: Real> FirstPulley<T> {
     /// s = √(d² − r² + z²) for a contact point at the place z along the axis.
-    #[inline(always)]
+    #[inline]
     fn free_length(&self, radius: T, z: T) -> T {
         (self.distance_squared - radius * radius + z * z).sqrt()
     }

@@ -100,7 +100,7 @@ fn products<L: Lanes>(rows: &[L; 6]) -> [[f64; 6]; 6] {
     products
 }
 
-#[inline(always)]
+#[inline]
 fn plus(a: [f64; 6], b: [f64; 6]) -> [f64; 6] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]]
 }

@@ -94,7 +94,7 @@ impl Problem<'_> {
     }
 
     /// Adds forces, weight and constant moment; weight acts in R c and turns with the platform.
-    #[inline(always)]
+    #[inline]
     fn add_load(&self, balance: &mut Balance, position: [f64; 3], rotation: &[[f64; 3]; 3]) {
         let load = &self.load;
         let c = [

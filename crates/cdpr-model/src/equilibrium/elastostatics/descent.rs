@@ -115,7 +115,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
     type Number = f64;
 
     /// Newton's step, damped by a share of the cables' stiffness.
-    #[inline(always)]
+    #[inline]
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
         let Self { problem, points, here, .. } = &*self;
         let point = &points[*here];
@@ -136,13 +136,13 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
         Step::whole(size, is_regular)
     }
 
-    #[inline(always)]
+    #[inline]
     fn evaluate(&mut self, _: f64, is_last: bool) -> Trial<f64> {
         self.write_trial(!is_last);
         Trial::new(1.0, self.is_better())
     }
 
-    #[inline(always)]
+    #[inline]
     fn accept(&mut self, helps: bool, _: f64) {
         if helps {
             self.pose = self.trial;
@@ -163,7 +163,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
 }
 
 impl Problem<'_> {
-    #[inline(always)]
+    #[inline]
     fn measure(&self) -> Measure<f64> {
         let translations = self.model.axes().len();
         Measure { translations, mean_length: self.mean_length, platform_radius: self.platform_radius }
@@ -172,7 +172,7 @@ impl Problem<'_> {
 
 impl<L: Lanes, const N: usize> Descent<'_, L, N> {
     /// The balance at the trial; the stiffness of an end is that before its last step, over which it hardly changes.
-    #[inline(always)]
+    #[inline]
     fn write_trial(&mut self, with_stiffness: bool) {
         let Tensions { trial, trial_lengths, .. } = &mut *self.tensions;
         let (lanes, problem, pose) = (self.lanes, self.problem, &self.trial);
@@ -206,13 +206,13 @@ impl<L: Lanes, const N: usize> Descent<'_, L, N> {
     }
 
     /// Factor that makes an entry a length: 1 for translations, the platform radius (m) for rotations.
-    #[inline(always)]
+    #[inline]
     fn radius(&self, entry: usize) -> f64 {
         if entry < self.problem.model.axes().len() { 1.0 } else { self.problem.platform_radius }
     }
 
     /// Square of a wrench, moments divided by the platform radius (N²).
-    #[inline(always)]
+    #[inline]
     fn size_of(&self, wrench: &[f64; N]) -> f64 {
         let mut sum = 0.0;
         for k in 0..N {
@@ -223,7 +223,7 @@ impl<L: Lanes, const N: usize> Descent<'_, L, N> {
     }
 
     /// A step counts when energy falls, or when the residual wrench is halved: near the end, where rounding hides energies.
-    #[inline(always)]
+    #[inline]
     fn is_better(&self) -> bool {
         let (point, next) = (&self.points[self.here], &self.points[1 - self.here]);
         let residual = self.size_of(&next.right);

@@ -57,7 +57,7 @@ impl Problem<'_> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn measure(&self) -> Measure<f64> {
         let translations = self.model.axes().len();
         Measure { translations, mean_length: self.mean_length, platform_radius: self.platform_radius }
@@ -130,7 +130,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
     type Number = f64;
 
     /// A damped Gauss–Newton step, with the curvature of the residuals where steps are slow.
-    #[inline(always)]
+    #[inline]
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
         let Self { problem, normal, .. } = &*self;
         let mut matrix = if self.slow { normal.with(&problem.curvature(&self.pose)) } else { normal.matrix };
@@ -146,7 +146,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
         Step::whole(size, pivot_ratio.is_some())
     }
 
-    #[inline(always)]
+    #[inline]
     fn evaluate(&mut self, _: f64, is_last: bool) -> Trial<f64> {
         let Self { lanes, problem, trial, .. } = self;
         let residuals = &mut self.residuals.trial;
@@ -164,7 +164,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
         Trial::new(1.0, helps)
     }
 
-    #[inline(always)]
+    #[inline]
     fn accept(&mut self, helps: bool, contraction: f64) {
         self.slow = !helps || (contraction.is_finite() && contraction > SLOW_CONTRACTION);
         if helps {

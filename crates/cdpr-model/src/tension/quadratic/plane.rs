@@ -109,7 +109,7 @@ fn tensions<L: Lanes>(lanes: L, [first, second, solution]: &[L; 3], lambda: Pair
 }
 
 /// Choices without branches: which limit it is cannot be foreseen.
-#[inline(always)]
+#[inline]
 fn most_missed(below: &Block, above: &Block, tolerance: f64) -> Option<Bound> {
     let (mut worst, mut worst_cable) = (tolerance, LANES);
     for cable in 0..LANES {
@@ -122,7 +122,7 @@ fn most_missed(below: &Block, above: &Block, tolerance: f64) -> Option<Bound> {
 }
 
 impl<'a> State<'a> {
-    #[inline(always)]
+    #[inline]
     fn new(columns: [&'a Block; 2], start: Pair) -> Self {
         Self {
             columns,
@@ -137,12 +137,12 @@ impl<'a> State<'a> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn normal(&self, bound: Bound) -> Pair {
         [bound.sign * self.columns[0][bound.cable], bound.sign * self.columns[1][bound.cable]]
     }
 
-    #[inline(always)]
+    #[inline]
     fn push(&mut self, bound: Bound, normal: Pair, multiplier: f64) {
         self.bounds[self.count] = bound;
         self.normals[self.count] = normal;
@@ -150,7 +150,7 @@ impl<'a> State<'a> {
         self.count += 1;
     }
 
-    #[inline(always)]
+    #[inline]
     fn remove(&mut self, index: usize) {
         if index == 0 {
             self.bounds[0] = self.bounds[1];
@@ -161,7 +161,7 @@ impl<'a> State<'a> {
     }
 
     /// The part of a normal that active limits leave free, and their weights in the rest of it.
-    #[inline(always)]
+    #[inline]
     fn free(&mut self, normal: Pair) -> Pair {
         match self.count {
             0 => normal,
@@ -226,7 +226,7 @@ impl<'a> State<'a> {
     }
 
     /// Starts from limits that were active before, less those that push the wrong way; `nearest` is the point without limits.
-    #[inline(always)]
+    #[inline]
     fn resume(&mut self, known: &[Bound], nearest: &Block, limits: &Limits) {
         for &bound in known.iter().take(2) {
             let normal = self.normal(bound);
@@ -248,7 +248,7 @@ impl<'a> State<'a> {
     }
 
     /// The nearest point that meets the active limits, and their multipliers.
-    #[inline(always)]
+    #[inline]
     fn meet_all(&mut self, nearest: &Block, limits: &Limits) {
         let missed = |bound: Bound| bound.missed(nearest[bound.cable], limits);
         let way = match self.count {
@@ -271,7 +271,7 @@ impl<'a> State<'a> {
         self.lambda = [self.start[0] + way[0], self.start[1] + way[1]];
     }
 
-    #[inline(always)]
+    #[inline]
     fn are_met(&self, point: &Block, limits: &Limits, tolerance: f64) -> bool {
         self.bounds[..self.count].iter().all(|bound| bound.missed(point[bound.cable], limits).abs() <= tolerance)
     }
