@@ -201,8 +201,9 @@ impl Solver {
             let has_full_rank = self.balance.rank() == self.dof;
             certificate.complete(structure_matrix, wrench, limits, has_full_rank);
         }
+        let are_finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
         let is_sound = match status {
-            Status::Feasible => tensions.iter().chain(wrench_residual.iter()).all(|number| number.is_finite()),
+            Status::Feasible => are_finite(tensions) && are_finite(wrench_residual),
             Status::Infeasible => certificate.holds(),
             Status::Undecided => true,
         };
