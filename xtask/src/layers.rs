@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::circles::{self, graph::Graph};
 use crate::outcome::Outcome;
-use crate::{sentences, signatures};
+use crate::{inlining, sentences, signatures};
 
 /// Crates whose rooms have an order, by their folders.
 const LIBRARIES: &[Library] = &[
@@ -48,13 +48,14 @@ const CRATES: &[(&str, &[&str])] = &[
 ];
 
 /// Complains of every use to the right, of rooms that are not listed, of circles of files, of text as an error, of doc lines that do
-/// not say what a thing is, and of crates that depend the wrong way.
+/// not say what a thing is, of inlining that is forced without a reason, and of crates that depend the wrong way.
 pub(crate) fn check(root: &Path) -> Outcome {
     let folders = crate_folders(root);
     let mut complaints = circles::lost(&folders);
     let lost = LIBRARIES.iter().filter(|library| !folders.iter().any(|folder| folder == library.folder));
     complaints
         .extend(lost.map(|library| format!("{}: this crate of xtask/src/layers.rs is not there", library.folder)));
+    let mut inlined = inlining::Seen::default();
     for folder in &folders {
         let source = root.join(folder).join("src");
         let files = rust_files(&source);
@@ -71,6 +72,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
                     complaints.extend(sentences::complaints(&name, &text));
                     complaints.extend(signatures::tuples(&name, &text));
                     complaints.extend(library.into_iter().flat_map(|_| signatures::commands(&name, &text)));
+                    complaints.extend(inlined.complaints(&name, &text));
                 }
                 Err(error) => complaints.push(format!("{name}: {error}")),
             }
@@ -78,6 +80,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
         let manifest = std::fs::read_to_string(root.join(folder).join("Cargo.toml")).unwrap_or_default();
         complaints.extend(dependencies_to_the_right(folder.trim_start_matches("crates/"), &manifest));
     }
+    complaints.extend(inlined.unused());
     Outcome::of(complaints)
 }
 

@@ -13,6 +13,7 @@ mod format;
 mod generated;
 mod golden;
 mod ground;
+mod inlining;
 mod instruction_counts;
 mod instructions;
 mod interface;
