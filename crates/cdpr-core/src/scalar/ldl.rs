@@ -1,6 +1,6 @@
 //! LDLᵀ factorisation of small symmetric matrices, unrolled by the compiler: 3×3 and 6×6 normal equations.
 
-use super::Lanes;
+use super::{Lanes, Real};
 
 /// Solves `matrix · x = right` in place for a symmetric positive definite matrix (lower triangle read, destroyed).
 ///
@@ -40,17 +40,7 @@ pub fn solve_leading<const N: usize>(n: usize, matrix: &mut [[f64; N]; N], right
             matrix[row][column] = entry * inverse_pivot[column];
         }
     }
-    for row in 0..n {
-        for k in 0..row {
-            right[row] -= matrix[row][k] * right[k];
-        }
-    }
-    for row in (0..n).rev() {
-        right[row] *= inverse_pivot[row];
-        for k in row + 1..n {
-            right[row] -= matrix[k][row] * right[k];
-        }
-    }
+    substitute(n, matrix, &inverse_pivot, right);
     Some(smallest)
 }
 
@@ -62,7 +52,7 @@ const REGULAR: f64 = 1e-11;
 #[inline(always)]
 pub fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
     let (is_regular, inverse_pivot) = factorize_in_lanes(n, matrix);
-    substitute_in_lanes(n, matrix, &inverse_pivot, right);
+    substitute(n, matrix, &inverse_pivot, right);
     is_regular
 }
 
@@ -95,14 +85,9 @@ pub fn factorize_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; 
     (is_regular, inverse_pivot)
 }
 
-/// Solves eight systems in place with the factors of [`factorize_in_lanes`].
+/// Solves in place with the factors of [`factorize_in_lanes`], or with those of one matrix: eight systems or one.
 #[inline(always)]
-pub fn substitute_in_lanes<L: Lanes, const N: usize>(
-    n: usize,
-    factor: &[[L; N]; N],
-    inverse_pivot: &[L; N],
-    right: &mut [L; N],
-) {
+pub fn substitute<T: Real, const N: usize>(n: usize, factor: &[[T; N]; N], inverse_pivot: &[T; N], right: &mut [T; N]) {
     for row in 0..n {
         for k in 0..row {
             right[row] = right[row] - factor[row][k] * right[k];

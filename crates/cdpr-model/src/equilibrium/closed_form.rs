@@ -7,11 +7,11 @@
 mod normal;
 mod single_pose;
 
-use normal::Normal;
+use normal::{Normal, moved};
 pub(super) use single_pose::{Found, OnePose};
 
 use super::feasibility::balance::Balance;
-use super::feasibility::factors::Rows;
+use super::feasibility::factors::{Rows, product};
 use crate::geometry::PoseBatch;
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, over_parts};
@@ -118,34 +118,24 @@ fn normal_of<L: Lanes>(rows: &Rows<L>, dof: usize) -> Normal<L> {
     let mut products = [[rows[0][0].constant(0.0); 6]; 6];
     for i in 0..6 {
         for j in 0..i {
-            products[i][j] = product(&rows[i], &rows[j]);
+            products[i][j] = product::<L, 0>(&rows[i], &rows[j]);
         }
         if i < dof {
-            products[i][i] = product(&rows[i], &rows[i]);
+            products[i][i] = product::<L, 0>(&rows[i], &rows[i]);
         }
     }
     Normal::of(products, dof)
-}
-
-/// Scalar product over cables, in pairs of pairs: a short chain of sums.
-#[inline(always)]
-fn product<L: Lanes>(a: &[L; LANES], b: &[L; LANES]) -> L {
-    let mut terms = [a[0]; LANES];
-    for cable in 0..LANES {
-        terms[cable] = a[cable] * b[cable];
-    }
-    let [a, b, c, d, e, f, g, h] = terms;
-    ((a + b) + (c + d)) + ((e + f) + (g + h))
 }
 
 /// f ← f − A x.
 #[inline(always)]
 fn move_along<L: Lanes>(tensions: &mut [L; LANES], rows: &Rows<L>, x: [L; 6]) {
     for cable in 0..LANES {
-        let first = rows[0][cable] * x[0] + rows[1][cable] * x[1];
-        let middle = rows[2][cable] * x[2] + rows[3][cable] * x[3];
-        let last = rows[4][cable] * x[4] + rows[5][cable] * x[5];
-        tensions[cable] = tensions[cable] - ((first + middle) + last);
+        let mut column = x;
+        for k in 0..6 {
+            column[k] = rows[k][cable];
+        }
+        tensions[cable] = moved(tensions[cable], column, x);
     }
 }
 
@@ -153,7 +143,7 @@ fn move_along<L: Lanes>(tensions: &mut [L; LANES], rows: &Rows<L>, x: [L; 6]) {
 #[inline(always)]
 fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut residual: [L; 6]) -> [L; 6] {
     for k in 0..6 {
-        residual[k] = residual[k] + product(&rows[k], tensions);
+        residual[k] = residual[k] + product::<L, 0>(&rows[k], tensions);
     }
     residual
 }

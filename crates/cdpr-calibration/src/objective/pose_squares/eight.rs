@@ -168,7 +168,7 @@ impl<L: Lanes> Eight<L> {
     /// Steps of the platforms with wrenches on them.
     #[inline(always)]
     fn solve(&self, right: &mut [L; 6]) {
-        ldl::substitute_in_lanes(6, &self.factor, &self.inverse_pivot, right);
+        ldl::substitute(6, &self.factor, &self.inverse_pivot, right);
     }
 
     /// Sums over the cables at the poses, and with `KEEP` the cables themselves.

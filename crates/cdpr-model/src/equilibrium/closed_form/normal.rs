@@ -1,7 +1,7 @@
 //! The products AᵀA of the rows of a structure matrix as L D Lᵀ, for one pose or for poses in lanes.
 
 use crate::equilibrium::feasibility::factors::INDEPENDENT;
-use crate::scalar::Select;
+use crate::scalar::{Real, Select};
 
 /// AᵀA = L D Lᵀ. Rows that a robot lacks are zeros with 1 on the diagonal, so that all sizes are the compiler's.
 pub(super) struct Normal<T> {
@@ -61,4 +61,13 @@ impl<T: Select> Normal<T> {
         }
         x
     }
+}
+
+/// f − A x, of one cable.
+#[inline(always)]
+pub(super) fn moved<T: Real>(f: T, column: [T; 6], x: [T; 6]) -> T {
+    let first = column[0] * x[0] + column[1] * x[1];
+    let middle = column[2] * x[2] + column[3] * x[3];
+    let last = column[4] * x[4] + column[5] * x[5];
+    f - ((first + middle) + last)
 }

@@ -1,6 +1,6 @@
 //! The closed form at one pose, a cable per lane: structure matrix, products and tensions without leaving the registers.
 
-use super::normal::Normal;
+use super::normal::{Normal, moved};
 use crate::cable::wrench::wrench;
 use crate::geometry::Twist;
 use crate::model::{CableGroup, in_pattern};
@@ -108,8 +108,9 @@ fn plus(a: [f64; 6], b: [f64; 6]) -> [f64; 6] {
 /// f − A x.
 #[inline(always)]
 fn move_along<L: Lanes>(f: L, rows: &[L; 6], x: [f64; 6]) -> L {
-    let first = rows[0] * f.constant(x[0]) + rows[1] * f.constant(x[1]);
-    let middle = rows[2] * f.constant(x[2]) + rows[3] * f.constant(x[3]);
-    let last = rows[4] * f.constant(x[4]) + rows[5] * f.constant(x[5]);
-    f - ((first + middle) + last)
+    let mut factors = *rows;
+    for k in 0..6 {
+        factors[k] = f.constant(x[k]);
+    }
+    moved(f, *rows, factors)
 }

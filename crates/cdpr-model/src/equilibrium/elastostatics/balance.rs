@@ -1,10 +1,10 @@
 //! Residual wrench, stiffness and energy at one pose, cables in lanes.
 
-use super::problem::Problem;
+use super::problem::{LoadParts, Problem};
 use super::springs::Springs;
 use crate::cable::wrench::{moment_columns, turned_row, wrench};
 use crate::geometry::Pose;
-use crate::scalar::{Kernel, LANES, Lanes, Real, Select, cross, dot, scale};
+use crate::scalar::{Kernel, LANES, Lanes, Real, Select, dot, scale};
 
 /// Forces and their derivatives at one pose.
 #[derive(Clone, Copy, Debug)]
@@ -64,13 +64,17 @@ impl Kernel for AtPose<'_> {
                 }
             }
         }
-        let (residual, stiffness) = unpack(&totals);
-        let mut balance = Balance { residual, stiffness, energy: totals[0] };
+        let (mut residual, mut stiffness) = unpack(&totals);
         if !with_stiffness {
-            balance.stiffness = [[0.0; 6]; 6];
+            stiffness = [[0.0; 6]; 6];
         }
-        problem.add_load(&mut balance, position, &rotation);
-        balance
+        let LoadParts { constant, weight, .. } = problem.load;
+        let center = problem.load.add_to(&mut residual, &mut stiffness, &rotation);
+        let mut energy = totals[0];
+        for k in 0..3 {
+            energy -= constant[k] * position[k] + weight[k] * (position[k] + center[k]);
+        }
+        Balance { residual, stiffness, energy }
     }
 }
 
@@ -78,45 +82,15 @@ impl Problem<'_> {
     #[inline(always)]
     fn pull<L: Lanes>(&self, length: L, by_length: L, springs: &Springs) -> Pull<L> {
         let lanes = length;
-        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let zero = lanes.constant(0.0);
         let floor = lanes.constant(self.floor);
         let at_rest = lanes.load(&springs.stiffness);
         let stretch = (length - lanes.load(&springs.rest_length)).max(floor);
         let taut = floor.is_less(stretch);
+        let pull = Pull::without_energy(at_rest, by_length, stretch);
         let force_at_rest = at_rest * stretch;
-        let strain = by_length * force_at_rest;
-        let softer = one / (one + strain);
-        Pull {
-            tension: force_at_rest * softer,
-            stiffness: (at_rest * softer * softer).select(taut, zero),
-            energy: force_at_rest * stretch * energy_share(lanes, strain),
-        }
-    }
-
-    /// Adds forces, weight and constant moment; weight acts in R c and turns with the platform.
-    #[inline]
-    fn add_load(&self, balance: &mut Balance, position: [f64; 3], rotation: &[[f64; 3]; 3]) {
-        let load = &self.load;
-        let c = [
-            dot(rotation[0], load.center_of_mass),
-            dot(rotation[1], load.center_of_mass),
-            dot(rotation[2], load.center_of_mass),
-        ];
-        let g = load.weight;
-        let moment = cross(c, g);
-        for k in 0..3 {
-            balance.residual[k] += load.constant[k] + g[k];
-            balance.residual[3 + k] += load.constant[3 + k] + moment[k];
-            balance.energy -= load.constant[k] * position[k] + g[k] * (position[k] + c[k]);
-        }
-        // symmetric part of ∂w/∂ω = c gᵀ − (g · c) I
-        let product = dot(g, c);
-        for i in 0..3 {
-            for j in 0..=i {
-                balance.stiffness[3 + i][3 + j] -= 0.5 * (c[i] * g[j] + c[j] * g[i]);
-            }
-            balance.stiffness[3 + i][3 + i] += product;
-        }
+        let share = energy_share(lanes, by_length * force_at_rest);
+        Pull { stiffness: pull.stiffness.select(taut, zero), energy: force_at_rest * stretch * share, ..pull }
     }
 }
 
@@ -161,6 +135,18 @@ pub(super) struct Pull<L> {
     /// ∂f/∂q; 0 where slack.
     pub(super) stiffness: L,
     pub(super) energy: L,
+}
+
+impl<L: Real> Pull<L> {
+    /// Of a stretch e (m) of linear cables with the stiffness k₀ at rest: f = k₀ e/(1 + κ_q k₀ e), taut or pushing like a bar; the energy is left at zero.
+    #[inline(always)]
+    pub(super) fn without_energy(at_rest: L, by_length: L, stretch: L) -> Self {
+        let one = stretch.constant(1.0);
+        let force_at_rest = at_rest * stretch;
+        let softer = one / (one + by_length * force_at_rest);
+        let (tension, stiffness) = (force_at_rest * softer, at_rest * softer * softer);
+        Self { tension, stiffness, energy: stretch.constant(0.0) }
+    }
 }
 
 /// Fills in the terms of the wrench f \[u; b × u\].

@@ -1,7 +1,7 @@
 //! One descent of the energy from one start, by damped Newton steps.
 
 use super::balance::{AtPose, Balance};
-use super::problem::Problem;
+use super::problem::{Problem, squared};
 use super::unsymmetric;
 use crate::equilibrium::pose_step::{Measure, displaced, twist_of};
 use crate::geometry::Pose;
@@ -128,7 +128,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
         let pivot = ldl::solve(&mut matrix, &mut amounts);
         let is_regular = pivot.is_some_and(|pivot| pivot > 1e-13 || damping > 0.0);
         if N == 6 && damping == 0.0 && problem.has_moment && is_regular {
-            amounts = unsymmetric::solve(&point.matrix, &point.right, &problem.load.constant);
+            amounts = unsymmetric::solve(N, &point.matrix, &point.right, &problem.load.constant);
         }
         let size = problem.measure().shorten(&mut amounts);
         self.trial = displaced(problem.model, &self.pose, &amounts);
@@ -211,15 +211,9 @@ impl<L: Lanes, const N: usize> Descent<'_, L, N> {
         if entry < self.problem.model.axes().len() { 1.0 } else { self.problem.platform_radius }
     }
 
-    /// Square of a wrench, moments divided by the platform radius (N²).
-    #[inline]
+    /// [`squared`] of a wrench in the robot's degrees of freedom.
     fn size_of(&self, wrench: &[f64; N]) -> f64 {
-        let mut sum = 0.0;
-        for k in 0..N {
-            let entry = wrench[k] / self.radius(k);
-            sum += entry * entry;
-        }
-        sum
+        squared(wrench, self.problem.model.axes().len(), self.problem.platform_radius)
     }
 
     /// A step counts when energy falls, or when the residual wrench is halved: near the end, where rounding hides energies.

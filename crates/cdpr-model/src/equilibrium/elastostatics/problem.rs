@@ -3,6 +3,7 @@
 use super::settings::Settings;
 use super::springs::Springs;
 use crate::model::Model;
+use crate::scalar::{Real, constants, cross, dot};
 use crate::statics::Load;
 
 /// The load in plain arrays, for the kernel.
@@ -22,6 +23,48 @@ impl LoadParts {
             center_of_mass: (*center_of_mass).into(),
         }
     }
+
+    /// Adds forces, weight and constant moment to a residual wrench and the lower triangle of its stiffness, for one pose or for poses in
+    /// lanes. Weight acts in R c and turns with the platform: the answer is R c (m).
+    #[inline(always)]
+    pub(super) fn add_to<T: Real>(
+        &self,
+        residual: &mut [T; 6],
+        stiffness: &mut [[T; 6]; 6],
+        rotation: &[[T; 3]; 3],
+    ) -> [T; 3] {
+        let l = rotation[0][0];
+        let center = constants(l, self.center_of_mass);
+        let c = [dot(rotation[0], center), dot(rotation[1], center), dot(rotation[2], center)];
+        let g = constants(l, self.weight);
+        let moment = cross(c, g);
+        for k in 0..3 {
+            residual[k] = residual[k] + (l.constant(self.constant[k]) + g[k]);
+            residual[3 + k] = residual[3 + k] + (l.constant(self.constant[3 + k]) + moment[k]);
+        }
+        // symmetric part of ∂w/∂ω = c gᵀ − (g · c) I
+        let product = dot(g, c);
+        for i in 0..3 {
+            for j in 0..=i {
+                let half = l.constant(0.5) * (c[i] * g[j] + c[j] * g[i]);
+                stiffness[3 + i][3 + j] = stiffness[3 + i][3 + j] - half;
+            }
+            stiffness[3 + i][3 + i] = stiffness[3 + i][3 + i] + product;
+        }
+        c
+    }
+}
+
+/// Square of a wrench, moments divided by the platform radius (N²).
+#[inline(always)]
+pub(super) fn squared<T: Real, const N: usize>(wrench: &[T; N], translations: usize, platform_radius: f64) -> T {
+    let by_radius = wrench[0].constant(1.0 / platform_radius);
+    let mut sum = wrench[0].constant(0.0);
+    for k in 0..N {
+        let entry = if k < translations { wrench[k] } else { wrench[k] * by_radius };
+        sum = sum + entry * entry;
+    }
+    sum
 }
 
 /// A model with lengths to obey and a load to carry.

@@ -118,7 +118,7 @@ impl<L: Lanes> Reflections<'_, L> {
 
 /// Scalar product from column K on, in pairs of pairs: a short chain of sums.
 #[inline(always)]
-fn product<L: Lanes, const K: usize>(a: &[L; LANES], b: &[L; LANES]) -> L {
+pub(in crate::equilibrium) fn product<L: Lanes, const K: usize>(a: &[L; LANES], b: &[L; LANES]) -> L {
     let mut pairs = [a[0]; LANES / 2];
     for (pair, sum) in pairs.iter_mut().enumerate() {
         let (first, second) = (2 * pair, 2 * pair + 1);

@@ -4,7 +4,7 @@ use super::Settings;
 use crate::equilibrium::pose_step::{Measure, displaced};
 use crate::geometry::Pose;
 use crate::model::Model;
-use crate::scalar::{Kernel, LANES, Lanes, constants, cross, dispatch_narrow, dot, ldl};
+use crate::scalar::{Kernel, LANES, Lanes, Real, Select, constants, cross, dispatch_narrow, dot, ldl};
 pub(super) use crate::solve::Stop;
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 
@@ -158,10 +158,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
             }
             false => lanes.apart(AtPose { problem, pose: trial, residuals, normal: Some(&mut self.next) }),
         };
-        // rounding of the cost: equal costs near the optimum must not look like a failure
-        let rounding = 1e-29 * problem.mean_length * problem.mean_length;
-        let helps = self.next.cost.is_finite() && self.next.cost <= self.normal.cost * (1.0 + 1e-12) + rounding;
-        Trial::new(1.0, helps)
+        Trial::new(1.0, is_no_higher(self.next.cost, self.normal.cost, rounding_of(problem.mean_length)))
     }
 
     #[inline]
@@ -175,6 +172,19 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
             }
         }
     }
+}
+
+/// Share of a sum of squared residuals that is left to rounding (m²).
+#[inline(always)]
+pub(super) fn rounding_of<T: Real>(mean_length: T) -> T {
+    mean_length.constant(1e-29) * mean_length * mean_length
+}
+
+/// Whether a cost is finite and no higher than the one before, but for rounding: equal costs near the optimum must not look like a failure.
+#[inline(always)]
+pub(super) fn is_no_higher<T: Select>(cost: T, before: T, rounding: T) -> T::Mask {
+    let most = before * cost.constant(1.0 + 1e-12) + rounding;
+    cost.without(cost.is_less(cost.constant(f64::INFINITY)), most.is_less(cost))
 }
 
 /// Sum of squared residuals at a pose, one pass over the cables, eight at a time; with the normal equations unless the

@@ -1,14 +1,14 @@
 //! Eight plain descents of the energy side by side, with the bits of the single one.
 
-use super::unsymmetric::unsymmetric;
 use super::{ITERATIONS, RMS, STATUS, TENSIONS};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, force_terms, stiffness_terms, unpack};
+use crate::equilibrium::elastostatics::problem::squared;
 use crate::equilibrium::elastostatics::search::ROUNDING;
-use crate::equilibrium::elastostatics::{LoadParts, Settings, Status};
+use crate::equilibrium::elastostatics::{LoadParts, Settings, Status, unsymmetric};
 use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean_length, sum};
 use crate::geometry::{POSE_ROWS, in_lanes};
 use crate::model::Model;
-use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, constants, cross, dispatch_on, dot, ldl};
+use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, dispatch_on, ldl};
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// Eight problems of a robot with six degrees of freedom and six to eight linearly elastic cables.
@@ -137,7 +137,7 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
         let is_regular = ldl::solve_in_lanes(descents.model.dof(), &mut matrix, &mut amounts);
         let moment = &descents.load.constant;
         if moment[3..].iter().any(|&moment| moment != 0.0) {
-            amounts = unsymmetric(descents.model.dof(), &self.point.stiffness, &self.point.residual, moment);
+            amounts = unsymmetric::solve(descents.model.dof(), &self.point.stiffness, &self.point.residual, moment);
         }
         let size = self.measure.shorten(&mut amounts);
         self.trial = displaced_lines(l, &self.pose, &amounts);
@@ -151,7 +151,7 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
         let next = descents.evaluate(l, trial, springs, (trial_tensions, terms), !is_last);
         let stiffness = if is_last { self.point.stiffness } else { next.stiffness };
         self.point = Point { stiffness, ..next };
-        self.trial_squared = descents.squared(&next.residual);
+        self.trial_squared = squared(&next.residual, 3, descents.platform_radius);
         let is_cut = self.trial_squared.is_less(l.constant(CUT) * self.residual_squared);
         Trial::new(l, l.without(is_cut, l.constant(0.0).is_less(next.needs_scalar)))
     }
@@ -188,18 +188,6 @@ impl Descents<'_> {
         (springs, sum)
     }
 
-    /// Size of a wrench squared, moments divided by the platform radius.
-    #[inline(always)]
-    fn squared<L: Lanes>(&self, wrench: &[L; 6]) -> L {
-        let by_radius = wrench[0].constant(1.0 / self.platform_radius);
-        let mut sum = wrench[0].constant(0.0);
-        for k in 0..6 {
-            let entry = if k < 3 { wrench[k] } else { wrench[k] * by_radius };
-            sum = sum + entry * entry;
-        }
-        sum
-    }
-
     /// Residual, tensions and, where it is asked for, stiffness; `terms` are the cables' shares, which stay zeros where there is
     /// no cable.
     #[inline(always)]
@@ -211,16 +199,15 @@ impl Descents<'_> {
         (tensions, terms): (&mut [Line; LANES], &mut [[L; TERMS]; LANES]),
         with_stiffness: bool,
     ) -> Point<L> {
-        let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
+        let zero = lanes.constant(0.0);
         let (position, rotation) = in_lanes(lanes, pose);
         let mut needs_scalar = zero;
         for (cable, length) in self.lengths.iter().enumerate() {
             let found = self.model.groups()[0].path_in_lanes(cable, position, &rotation);
             let (u, moment_arm) = (found.path.direction, found.moment_arm);
-            let force_at_rest = springs[cable] * (found.path.length - lanes.load(&length.0));
-            let softer = one / (one + lanes.constant(self.model.elasticity(cable).by_length) * force_at_rest);
-            let stiffness = springs[cable] * softer * softer;
-            let pull = Pull { tension: force_at_rest * softer, stiffness, energy: zero };
+            let by_length = lanes.constant(self.model.elasticity(cable).by_length);
+            let stretch = found.path.length - lanes.load(&length.0);
+            let pull = Pull::without_energy(springs[cable], by_length, stretch);
             pull.tension.store(&mut tensions[cable].0);
             force_terms(&mut terms[cable], u, moment_arm, pull.tension);
             if with_stiffness {
@@ -236,31 +223,9 @@ impl Descents<'_> {
             }
             totals[term] = sum(cables);
         }
-        let (residual, stiffness) = unpack(&totals);
-        let mut point = Point { residual, stiffness, needs_scalar };
-        self.add_load(&mut point, &rotation);
-        point
-    }
-
-    #[inline(always)]
-    fn add_load<L: Lanes>(&self, point: &mut Point<L>, rotation: &[[L; 3]; 3]) {
-        let (load, l) = (&self.load, point.needs_scalar);
-        let center = constants(l, load.center_of_mass);
-        let c = [dot(rotation[0], center), dot(rotation[1], center), dot(rotation[2], center)];
-        let g = constants(l, load.weight);
-        let moment = cross(c, g);
-        for k in 0..3 {
-            point.residual[k] = point.residual[k] + (l.constant(load.constant[k]) + g[k]);
-            point.residual[3 + k] = point.residual[3 + k] + (l.constant(load.constant[3 + k]) + moment[k]);
-        }
-        let product = dot(g, c);
-        for i in 0..3 {
-            for j in 0..=i {
-                let half = l.constant(0.5) * (c[i] * g[j] + c[j] * g[i]);
-                point.stiffness[3 + i][3 + j] = point.stiffness[3 + i][3 + j] - half;
-            }
-            point.stiffness[3 + i][3 + i] = point.stiffness[3 + i][3 + i] + product;
-        }
+        let (mut residual, mut stiffness) = unpack(&totals);
+        self.load.add_to(&mut residual, &mut stiffness, &rotation);
+        Point { residual, stiffness, needs_scalar }
     }
 
     /// Writes the solutions and tells what they are.

@@ -8,7 +8,6 @@
 mod descent;
 #[cfg(test)]
 mod tests;
-mod unsymmetric;
 
 use descent::{Descents, Ending};
 

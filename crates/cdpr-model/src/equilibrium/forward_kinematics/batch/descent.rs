@@ -1,7 +1,7 @@
 //! Eight plain descents side by side, with the bits of the single one.
 
 use super::{ITERATIONS, RMS, STATUS};
-use crate::equilibrium::forward_kinematics::descent::SLOW_CONTRACTION;
+use crate::equilibrium::forward_kinematics::descent::{SLOW_CONTRACTION, is_no_higher, rounding_of};
 use crate::equilibrium::forward_kinematics::{Settings, Status};
 use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean_length, product};
 use crate::geometry::{POSE_ROWS, in_lanes};
@@ -69,7 +69,7 @@ impl Kernel for Descents<'_> {
             model: self.model,
             lengths: self.lengths,
             measure: Measure { translations: 3, mean_length, platform_radius: lanes.constant(self.platform_radius) },
-            rounding: lanes.constant(1e-29) * mean_length * mean_length,
+            rounding: rounding_of(mean_length),
             pose: start,
             trial: start,
             cost: lanes.constant(f64::INFINITY),
@@ -104,11 +104,8 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
     fn evaluate(&mut self, _: L, is_last: bool) -> Trial<L> {
         let l = self.lanes;
         self.normal = self.equations(!is_last);
-        let (cost, infinite) = (self.normal.cost, l.constant(f64::INFINITY));
-        let most = self.cost * l.constant(1.0 + 1e-12) + self.rounding;
         let has_paths = self.normal.needs_scalar.is_less(l.constant(0.5));
-        let helps = l.both(l.without(cost.is_less(infinite), most.is_less(cost)), has_paths);
-        Trial::new(l, helps)
+        Trial::new(l, l.both(is_no_higher(self.normal.cost, self.cost, self.rounding), has_paths))
     }
 
     #[inline(always)]
