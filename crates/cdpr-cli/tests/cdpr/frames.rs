@@ -45,7 +45,8 @@ fn doubts(answer: &str) -> Vec<&str> {
 /// True for an answer that doubts poses that need the frame of a tracker, before it distrusts what came of them.
 fn needs_frame(answer: &str) -> bool {
     let doubts = doubts(answer);
-    let place = doubts.iter().position(|doubt| doubt.starts_with("frames: ") && doubt.contains("let `tracker-frame` be free"));
+    let place =
+        doubts.iter().position(|doubt| doubt.starts_with("frames: ") && doubt.contains("let `tracker-frame` be free"));
     let distrust = doubts.iter().position(|doubt| doubt.starts_with("not to be trusted"));
     place.is_some_and(|place| distrust.is_none_or(|distrust| place < distrust))
 }
