@@ -30,7 +30,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
 /// optimisation themselves, in half of the time.
 const TESTS: [&[&str]; 2] = [
     &["test", "--release", "-p", "cdpr-cli", "-p", "instructions", "--test", "*"],
-    &["test", "--release", "-p", "cdpr-cli", "-p", "cdpr-reports", "--bins", "--lib", "--config", UNOPTIMISED],
+    &["test", "--release", "-p", "cdpr-cli", "-p", "cdpr-reports", "--lib", "--config", UNOPTIMISED],
 ];
 
 const UNOPTIMISED: &str = "profile.release.package.cdpr-cli.opt-level=0";

@@ -156,8 +156,8 @@ fn documentation_tests(root: &Path) -> Outcome {
 }
 
 /// Libraries with examples in their documentation.
-const DOCUMENTED: [&str; 7] =
-    ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr"];
+const DOCUMENTED: [&str; 8] =
+    ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-cli", "cdpr"];
 
 /// Steps that need what is fetched ahead.
 const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];

@@ -1,7 +1,7 @@
 //! Answers of commands, and how they are written.
 
 use std::cell::RefCell;
-use std::io::{self, Write};
+use std::io;
 use std::process::ExitCode;
 
 use cdpr_calibration::selection::Warnings;
@@ -9,8 +9,10 @@ use cdpr_calibration::{Doubt, DoubtKind};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
+use crate::console::Console;
+use crate::diagnostics;
 use crate::failure::Failure;
-use crate::{console, diagnostics};
+use crate::stream::Stream;
 use cdpr_reports::answers::Envelope;
 
 pub(crate) use cdpr_reports::answers::Answer;
@@ -26,8 +28,7 @@ pub(crate) enum Format {
 
 impl Format {
     /// The format that a command line asks for which could not be parsed.
-    pub(crate) fn asked_for(arguments: impl Iterator<Item = String>) -> Self {
-        let words: Vec<String> = arguments.collect();
+    pub(crate) fn asked_for(words: &[String]) -> Self {
         let json = words.iter().any(|word| word == "--format=json")
             || words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
         if json { Self::Json } else { Self::Text }
@@ -43,8 +44,11 @@ pub(crate) struct TrustArguments {
 }
 
 /// Output of a command: its answer and remarks.
-pub(crate) struct Output {
+pub(crate) struct Output<'a> {
     format: Format,
+    console: Console,
+    out: RefCell<&'a mut dyn Stream>,
+    err: RefCell<&'a mut dyn Stream>,
     /// Name of the robot that is asked about.
     robot: RefCell<Option<String>>,
     /// Remarks told so far that are not part of the answer.
@@ -53,9 +57,23 @@ pub(crate) struct Output {
     doubts: RefCell<Vec<String>>,
 }
 
-impl Output {
-    pub(crate) fn new(format: Format) -> Self {
-        Self { format, robot: RefCell::default(), remarks: RefCell::default(), doubts: RefCell::default() }
+impl<'a> Output<'a> {
+    /// Output to streams: `out` for answers, `err` for all else.
+    pub(crate) fn new(format: Format, console: Console, out: &'a mut dyn Stream, err: &'a mut dyn Stream) -> Self {
+        Self {
+            format,
+            console,
+            out: RefCell::new(out),
+            err: RefCell::new(err),
+            robot: RefCell::default(),
+            remarks: RefCell::default(),
+            doubts: RefCell::default(),
+        }
+    }
+
+    /// True if signs of life are wanted, and somebody sees them.
+    pub(crate) fn shows_progress(&self) -> bool {
+        !self.console.quiet && self.err.borrow().is_terminal()
     }
 
     /// Names the robot that the command asks about, for answers without a key `robot`.
@@ -63,7 +81,7 @@ impl Output {
         *self.robot.borrow_mut() = Some(robot.to_owned());
     }
 
-    /// Writes the answer to stdout and tells the exit code.
+    /// Writes the answer and tells the exit code.
     pub(crate) fn answer(&self, answer: &impl Answer) -> Result<ExitCode, Failure> {
         self.answer_accepting(answer, TrustArguments::default())
     }
@@ -71,18 +89,25 @@ impl Output {
     /// The same where a user may overrule an answer that is not to be trusted.
     pub(crate) fn answer_accepting(&self, answer: &impl Answer, trust: TrustArguments) -> Result<ExitCode, Failure> {
         let text = match self.format {
-            Format::Text => answer.words(console::answer_width()),
+            Format::Text => answer.words(self.out.borrow().width()),
             Format::Json => self.json(answer, status(answer))?,
         };
-        to_stdout(&text)?;
+        self.write(&text)?;
         let is_accepted = trust.accept_untrusted && answer.may_be_accepted();
         Ok(ExitCode::from(u8::from(answer.is_negative() && !is_accepted)))
     }
 
     /// Tells something that is not part of the answer, on stderr and among the warnings of a JSON answer.
     pub(crate) fn remark(&self, text: &str) {
-        diagnostics::remark(text);
+        self.tell(text);
         self.remarks.borrow_mut().push(text.to_owned());
+    }
+
+    /// Tells something on stderr alone, unless quiet is asked for.
+    pub(crate) fn tell(&self, text: &str) {
+        if !self.console.quiet {
+            self.complain(|has_colour| diagnostics::remark(text, has_colour));
+        }
     }
 
     /// Tells a reason to doubt the answer, which the answer repeats before all else.
@@ -111,7 +136,7 @@ impl Output {
 
     /// Tells the failure on stderr, and as an object on stdout when JSON was asked for.
     pub(crate) fn fail(&self, failure: &Failure) -> ExitCode {
-        diagnostics::failure(failure);
+        self.complain(|has_colour| diagnostics::failure(failure, has_colour));
         self.mirror(failure)
     }
 
@@ -121,7 +146,7 @@ impl Output {
             && let Ok(text) = self.json(&failure.object(), "error")
         {
             // the exit code already tells that something failed
-            let _ = to_stdout(&text);
+            let _ = self.write(&text);
         }
         ExitCode::from(failure.exit_code())
     }
@@ -131,6 +156,24 @@ impl Output {
         let (robot, remarks) = (self.robot.borrow(), self.remarks.borrow());
         let envelope = Envelope { robot: robot.as_deref(), remarks: &remarks, status: status(answer) };
         envelope.file(answer).map_err(|error| Failure::unwritable(name, &error))
+    }
+
+    fn write(&self, text: &str) -> Result<(), Failure> {
+        let mut out = self.out.borrow_mut();
+        let end = if text.ends_with('\n') { "" } else { "\n" };
+        match write!(out, "{text}{end}").and_then(|()| out.flush()) {
+            // the reader, `head` for one, has seen enough
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            Err(error) => Err(Failure::io("write to", "stdout", &error)),
+            Ok(()) => Ok(()),
+        }
+    }
+
+    fn complain(&self, text: impl FnOnce(bool) -> String) {
+        let mut err = self.err.borrow_mut();
+        let text = text(self.console.has_colour(&**err));
+        // when stderr is gone there is nobody to tell
+        let _ = err.write_all(text.as_bytes()).and_then(|()| err.flush());
     }
 
     fn json(&self, value: &impl Serialize, status: &str) -> Result<String, Failure> {
@@ -143,15 +186,4 @@ impl Output {
 /// The status of an answer that has no words of its own for it.
 fn status(answer: &impl Answer) -> &'static str {
     if answer.is_negative() { "negative" } else { "done" }
-}
-
-fn to_stdout(text: &str) -> Result<(), Failure> {
-    let mut stdout = io::stdout().lock();
-    let end = if text.ends_with('\n') { "" } else { "\n" };
-    match write!(stdout, "{text}{end}").and_then(|()| stdout.flush()) {
-        // the reader, `head` for one, has seen enough
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        Err(error) => Err(Failure::io("write to", "stdout", &error)),
-        Ok(()) => Ok(()),
-    }
 }

@@ -1,10 +1,10 @@
-//! How the owner of the terminal wants to be talked to: colour, width, quiet.
+//! How the owner of the terminal wants to be talked to: colour, quiet.
 
 use std::env;
-use std::io::{self, IsTerminal};
-use std::sync::OnceLock;
 
 use clap::ValueEnum;
+
+use crate::stream::Stream;
 
 /// When escape sequences for colour are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -18,7 +18,7 @@ pub(crate) enum ColorChoice {
     Never,
 }
 
-/// Choices that hold for the whole run.
+/// Wishes of a run about what is written besides the answer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Console {
     /// When to colour.
@@ -27,36 +27,15 @@ pub(crate) struct Console {
     pub(crate) quiet: bool,
 }
 
-static CONSOLE: OnceLock<Console> = OnceLock::new();
-
-/// Settles what holds for the rest of the run; the first call counts.
-pub(crate) fn settle(console: Console) {
-    CONSOLE.get_or_init(|| console);
-}
-
-/// True when remarks and progress are not wanted.
-pub(crate) fn is_quiet() -> bool {
-    CONSOLE.get().is_some_and(|console| console.quiet)
-}
-
-/// True when this stream takes colour.
-pub(crate) fn has_colour(stream: &impl IsTerminal) -> bool {
-    let choice = CONSOLE.get().copied().unwrap_or_default().color;
-    coloured(choice, stream.is_terminal(), |name| env::var(name).ok())
-}
-
-/// Characters in a line of the terminal that answers go to; nothing where they go to a file or a pipe.
-pub(crate) fn answer_width() -> Option<usize> {
-    let stdout = io::stdout();
-    if !stdout.is_terminal() {
-        return None;
+impl Console {
+    /// True when this stream takes colour.
+    pub(crate) fn has_colour(self, stream: &dyn Stream) -> bool {
+        coloured(self.color, stream.is_terminal(), |name| env::var(name).ok())
     }
-    terminal_size::terminal_size_of(stdout).map(|(width, _)| usize::from(width.0)).filter(|width| *width > 0)
 }
 
 /// The choice of a command line that could not be parsed.
-pub(crate) fn color_asked_for(arguments: impl Iterator<Item = String>) -> ColorChoice {
-    let words: Vec<String> = arguments.collect();
+pub(crate) fn color_asked_for(words: &[String]) -> ColorChoice {
     let given = |choice: &str| {
         words.iter().any(|word| word.strip_prefix("--color=") == Some(choice))
             || words.windows(2).any(|pair| pair[0] == "--color" && pair[1] == choice)
@@ -116,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_broken_command_line_still_tells_its_wish_for_colour() {
-        let asked = |line: &str| color_asked_for(line.split_whitespace().map(str::to_owned));
+        let asked = |line: &str| color_asked_for(&line.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
         assert_eq!(asked("cdpr nonsense --color=always"), ColorChoice::Always);
         assert_eq!(asked("cdpr --color never nonsense"), ColorChoice::Never);
         assert_eq!(asked("cdpr nonsense always"), ColorChoice::Auto);

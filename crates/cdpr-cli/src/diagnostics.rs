@@ -1,12 +1,9 @@
 //! How failures and remarks look on stderr: the message, the place, the line of the file with carets, the cure.
 
-use std::io::{self, Write};
-
 use cdpr_model::reading::{Place, ReadError};
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::console;
 use crate::failure::Failure;
 
 /// Most characters of a source line that are shown: what leaves room for the margin in a usual terminal.
@@ -27,28 +24,20 @@ impl Colours {
     const NONE: Self = Self { error: "", remark: "", place: "", reset: "" };
     const ANSI: Self = Self { error: "\x1b[1;31m", remark: "\x1b[1;33m", place: "\x1b[1;34m", reset: "\x1b[0m" };
 
-    fn of_stderr() -> Self {
-        if console::has_colour(&io::stderr()) { Self::ANSI } else { Self::NONE }
+    fn of(has_colour: bool) -> Self {
+        if has_colour { Self::ANSI } else { Self::NONE }
     }
 }
 
-/// Tells a failure.
-pub(crate) fn failure(failure: &Failure) {
-    write(&failure_text(failure, &Colours::of_stderr()));
+/// A failure as people read it.
+pub(crate) fn failure(failure: &Failure, has_colour: bool) -> String {
+    failure_text(failure, &Colours::of(has_colour))
 }
 
-/// Tells something that does not stop the command, unless quiet is asked for.
-pub(crate) fn remark(text: &str) {
-    if console::is_quiet() {
-        return;
-    }
-    let Colours { remark, reset, .. } = Colours::of_stderr();
-    write(&format!("{remark}note{reset}: {text}\n"));
-}
-
-fn write(text: &str) {
-    // when stderr is gone there is nobody to tell
-    let _ = io::stderr().lock().write_all(text.as_bytes());
+/// Something that does not stop the command, as people read it.
+pub(crate) fn remark(text: &str, has_colour: bool) -> String {
+    let Colours { remark, reset, .. } = Colours::of(has_colour);
+    format!("{remark}note{reset}: {text}\n")
 }
 
 fn failure_text(failure: &Failure, colours: &Colours) -> String {

@@ -8,8 +8,6 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
-use crate::console;
-
 /// Exit code that a shell gives to commands that SIGINT ended: 128 + 2.
 const INTERRUPTED: i32 = 130;
 
@@ -24,7 +22,7 @@ fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
 /// From now on SIGINT, SIGTERM and SIGHUP (Ctrl-C on other systems) remove temporary files and end the run.
 ///
 /// Whoever started the program with one of them ignored, as `nohup` does, keeps it so.
-pub(crate) fn watch() {
+pub fn watch() {
     // without a handler the system ends the run; targets are whole all the same
     let _ = ctrlc::try_set_handler(|| {
         let pending = pending();
@@ -33,13 +31,18 @@ pub(crate) fn watch() {
             let _ = fs::remove_file(path);
         }
         let mut stderr = io::stderr();
-        if stderr.is_terminal() && !console::is_quiet() {
+        if stderr.is_terminal() && !is_quiet() {
             // over the line of progress, if there is one
             let _ = writeln!(stderr, "\r\x1b[Kinterrupted; no file is left half-written");
         }
         // the lock is held until the end: no other temporary file can appear
         process::exit(INTERRUPTED);
     });
+}
+
+/// True if the words of the process ask for nothing but the answer.
+fn is_quiet() -> bool {
+    std::env::args_os().any(|word| word == "--quiet" || word == "-q")
 }
 
 /// Makes a temporary file that goes with an interruption.

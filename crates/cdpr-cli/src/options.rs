@@ -3,14 +3,17 @@
 use std::num::{NonZero, NonZeroU16};
 
 use clap::Args;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::answer::Format;
-use crate::console::{self, ColorChoice, Console};
-use crate::diagnostics;
+use crate::answer::{Format, Output};
+use crate::console::{ColorChoice, Console};
 use crate::failure::Failure;
 
 /// Threads that any machine can start.
 const MOST_THREADS: usize = 64;
+
+/// Stack of a thread that a command runs on (bytes), as much as systems give to the first one.
+const STACK: usize = 8 << 20;
 
 /// How the run talks and how much of the computer it takes.
 #[derive(Debug, Args)]
@@ -37,18 +40,22 @@ pub(crate) struct GlobalOptions {
 }
 
 impl GlobalOptions {
-    /// Settles colour, quiet and threads for the rest of the run.
-    pub(crate) fn settle(&self) -> Result<(), Failure> {
-        console::settle(Console { color: self.color, quiet: self.quiet });
-        let Some(threads) = self.threads else { return Ok(()) };
+    /// Wishes about what is written besides the answer.
+    pub(crate) fn console(&self) -> Console {
+        Console { color: self.color, quiet: self.quiet }
+    }
+
+    /// The threads to calculate with; `None` if they are left to the process.
+    pub(crate) fn pool(&self, output: &Output<'_>) -> Result<Option<ThreadPool>, Failure> {
+        let Some(threads) = self.threads else { return Ok(None) };
         let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
         let started = usize::from(threads.get()).min(processors.max(MOST_THREADS));
         if started < usize::from(threads.get()) {
-            diagnostics::remark(&format!(
+            output.tell(&format!(
                 "--threads {threads}: {started} are started; there are {processors} processors, and more threads would only wait for them"
             ));
         }
-        rayon::ThreadPoolBuilder::new().num_threads(started).build_global().map_err(|error| {
+        ThreadPoolBuilder::new().num_threads(started).stack_size(STACK).build().map(Some).map_err(|error| {
             Failure::input(
                 "usage::threads",
                 format!("--threads {threads}: {error}"),

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::console;
+use crate::session;
 
 /// How long work may take before anything is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -47,7 +47,7 @@ impl Progress {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.set_message(message.to_owned());
-        if console::is_quiet() {
+        if !session::shows_progress() {
             return Self { bar, done: None, waiting: None };
         }
         let (done, is_done) = mpsc::channel::<()>();

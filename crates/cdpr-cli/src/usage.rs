@@ -1,8 +1,6 @@
 //! Command lines that cannot be understood, and the help that was asked for.
 
-use std::env;
 use std::error::Error;
-use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
 use cdpr_calibration::candidate::CandidateError;
@@ -16,18 +14,18 @@ use clap::error::ErrorKind;
 use crate::answer::{Format, Output};
 use crate::console::{self, Console};
 use crate::failure::Failure;
+use crate::stream::Stream;
 
 /// Help and version are answers; anything else that stops the parser is a usage error.
-pub(crate) fn exit(error: &clap::Error) -> ExitCode {
-    let color = console::color_asked_for(env::args());
-    console::settle(Console { color, quiet: false });
+pub(crate) fn exit(error: &clap::Error, words: &[String], out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
+    let console = Console { color: console::color_asked_for(words), quiet: false };
     if !error.use_stderr() {
-        write(io::stdout(), error);
+        write(out, console, error);
         return ExitCode::SUCCESS;
     }
-    write(io::stderr(), error);
+    write(err, console, error);
     let failure = Failure::usage(code(error), first_paragraph(&error.to_string()));
-    Output::new(Format::asked_for(env::args())).mirror(&failure)
+    Output::new(Format::asked_for(words), console, out, err).mirror(&failure)
 }
 
 /// The library's code where the library refused a value, else one for the kind of mistake.
@@ -61,9 +59,9 @@ fn code_of_value(error: &(dyn Error + 'static)) -> Option<&'static str> {
         .or_else(|| of::<fit::InputError>(error))
 }
 
-fn write(mut stream: impl Write + IsTerminal, error: &clap::Error) {
+fn write(stream: &mut dyn Stream, console: Console, error: &clap::Error) {
     let styled = error.render();
-    let text = if console::has_colour(&stream) { styled.ansi().to_string() } else { styled.to_string() };
+    let text = if console.has_colour(stream) { styled.ansi().to_string() } else { styled.to_string() };
     let text = if error.use_stderr() { text.replacen("error:", &format!("error[{}]:", code(error)), 1) } else { text };
     // when the stream is gone there is nobody to tell
     let _ = stream.write_all(text.as_bytes());

@@ -58,7 +58,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let _own = files::OwnFolder::make(out)?;
     let names = ["result.json", "result.csv", "report.html"];
     let answer = BenchmarkAnswer::new(found, names.map(str::to_owned).to_vec());
-    let page = answer.page(&crate::command_line(), env!("CARGO_PKG_VERSION"));
+    let page = answer.page(&crate::session::command_line(), env!("CARGO_PKG_VERSION"));
     let page = page.map_err(|error| Failure::unwritable("the page of the benchmark", &error))?;
     let (json, csv) = (output.file(&answer, "result.json")?, answer.csv());
     let at = |name: &str| out.join(name);

@@ -78,7 +78,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let calibrated = campaign.model.robot().to_toml();
     let folder = arguments.out.display().to_string();
     let answer = CampaignAnswer::new(&study, campaign, poses.len(), &folder, arguments.seed);
-    let page = answer.page(&crate::command_line(), env!("CARGO_PKG_VERSION"));
+    let page = answer.page(&crate::session::command_line(), env!("CARGO_PKG_VERSION"));
     let page = page.map_err(|error| Failure::unwritable("the page of the campaign", &error))?;
     let result = output.file(&answer, "result.json")?;
     let at = |name: &str| arguments.out.join(name);

@@ -66,7 +66,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let name = arguments.report.as_ref().map(|path| path.display().to_string());
     let answer = ChainAnswer::new(&study_file, chain, &region, arguments.seed).with_report(name);
     if let Some(path) = &arguments.report {
-        let page = answer.page(&crate::command_line(), env!("CARGO_PKG_VERSION"));
+        let page = answer.page(&crate::session::command_line(), env!("CARGO_PKG_VERSION"));
         let page = page.map_err(|error| Failure::unwritable("the page of the chain", &error))?;
         files::write(path, page.as_bytes())?;
     }

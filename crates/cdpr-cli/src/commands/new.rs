@@ -11,7 +11,8 @@ use serde::Serialize;
 
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
-use crate::{files, quoted};
+use crate::files;
+use crate::session::quoted;
 use cdpr_reports::table::Table;
 use material::{EmbeddedFile, Example, Template};
 

@@ -197,7 +197,7 @@ impl Shown<'_> {
             reason: answer.reason(),
             facts: &facts,
             warnings: answer.warnings(),
-            command: &crate::command_line(),
+            command: &crate::session::command_line(),
             version: env!("CARGO_PKG_VERSION"),
         };
         page.render().map_err(|error| Failure::unwritable("the page of the run", &error))

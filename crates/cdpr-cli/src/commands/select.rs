@@ -10,7 +10,7 @@ use cdpr_model::robot::Robot;
 use clap::Args;
 
 use crate::answer::{Output, TrustArguments};
-use crate::command_line;
+use crate::session::command_line;
 use cdpr_reports::NamedFile;
 use cdpr_reports::comparison::{ComparisonData, DataDivision};
 

@@ -81,7 +81,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
         version: env!("CARGO_PKG_VERSION"),
-        command: crate::command_line(),
+        command: crate::session::command_line(),
         seed: arguments.seed,
         study: arguments.study.display().to_string(),
         study_sha256: Sha256::digest(&bytes).iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}")),
@@ -110,7 +110,7 @@ fn page(
         name: &name,
         found,
         warnings: &warnings,
-        command: &crate::command_line(),
+        command: &crate::session::command_line(),
         seed: arguments.seed,
         version: env!("CARGO_PKG_VERSION"),
     });

@@ -20,9 +20,10 @@ use question::Question;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::files;
 use crate::meshes::{check_mesh_file, write_mesh};
 use crate::progress::Progress;
-use crate::{command_line, files};
+use crate::session::command_line;
 use cdpr_reports::answers::WorkspaceAnswer;
 use cdpr_reports::workspace_page::{FoundWorkspace, Outline};
 

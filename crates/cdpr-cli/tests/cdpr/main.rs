@@ -56,6 +56,7 @@ mod workspace;
 mod workspace_page;
 
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use assert_cmd::Command;
 use serde_json::Value;
@@ -69,7 +70,11 @@ struct Run {
 
 /// Runs `cdpr` with arguments separated by spaces.
 fn cdpr(arguments: &str) -> Run {
-    run(Command::cargo_bin("cdpr").unwrap().args(arguments.split_whitespace()))
+    let words = ["cdpr"].into_iter().chain(arguments.split_whitespace());
+    let (mut stdout, mut stderr) = (Vec::new(), Vec::new());
+    let exit = cdpr_cli::run(words.map(Into::into), &mut stdout, &mut stderr);
+    let exit_code = (0..=u8::MAX).find(|&code| ExitCode::from(code) == exit).unwrap().into();
+    Run { exit_code, stdout: String::from_utf8(stdout).unwrap(), stderr: String::from_utf8(stderr).unwrap() }
 }
 
 /// Folder of the repository.

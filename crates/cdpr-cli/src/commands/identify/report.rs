@@ -6,8 +6,8 @@ use cdpr_model::measurement::{Fold, InternalSamples, Samples};
 use cdpr_model::model::FreeParameters;
 
 use super::task::Task;
-use crate::command_line;
 use crate::failure::Failure;
+use crate::session::command_line;
 use cdpr_reports::comparison::DataDivision;
 use cdpr_reports::report::{Addition, Purpose, Report, render};
 

@@ -1,0 +1,116 @@
+//! The `cdpr` command as a library: [`run`] takes the words of a command line and writes to streams of the caller.
+//!
+//! Several runs may go on side by side in one process, each with streams of its own. Files are read and written as their paths say,
+//! from the working folder of the process.
+
+mod answer;
+mod commands;
+mod compensation_option;
+mod console;
+mod diagnostics;
+mod explanations;
+mod failure;
+mod files;
+mod inputs;
+mod interruption;
+mod keyword;
+mod measurements;
+mod meshes;
+mod numbers;
+mod options;
+mod progress;
+mod scenario_file;
+mod selecting;
+mod sensitivities;
+mod session;
+mod statics_failure;
+mod stream;
+mod study_file;
+mod tension_choice;
+mod tension_method;
+mod usage;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use answer::Output;
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
+use commands::Command;
+use options::GlobalOptions;
+use session::Session;
+
+pub use interruption::watch as watch_for_interruptions;
+pub use stream::Stream;
+
+/// Calibration and model selection for cable-driven parallel robots.
+///
+/// Numbers go in and out in SI units (m, rad, N). Answers go to stdout, everything else to stderr. Exit codes: 0 done,
+/// 1 the answer is negative, 2 wrong usage or input, 3 numerical failure, 4 a file cannot be read or written,
+/// 130 interrupted (Ctrl-C; no file is left half-written).
+#[derive(Debug, Parser)]
+#[command(name = "cdpr", version, propagate_version = false, after_help = EXAMPLES)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+
+    #[command(flatten)]
+    options: GlobalOptions,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  cdpr robots
+  cdpr new suspended-camera --out my-robot
+  cdpr ik planar-example --pose 0.5,4
+  cdpr identify robot.toml samples.csv --free length-offset --out calibrated.toml
+  cdpr identify --help";
+
+/// Runs a command line, of which the first word is the name of the program. The answer goes to `out`, remarks and failures to `err`.
+///
+/// Returns the exit code: 0 if the answer is positive, 1 if it is negative, 2 for wrong usage or input, 3 for a numerical failure, 4
+/// for a file that cannot be read or written.
+///
+/// ```
+/// # use std::process::ExitCode;
+/// let (mut out, mut err) = (Vec::new(), Vec::new());
+/// let words = ["cdpr", "ik", "planar-example", "--pose", "0.5,4", "--format", "json"];
+/// let exit = cdpr_cli::run(words.map(Into::into), &mut out, &mut err);
+/// assert_eq!(exit, ExitCode::SUCCESS);
+/// assert!(String::from_utf8(out).unwrap().contains("\"lengths_m\""));
+/// ```
+pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let words: Vec<String> = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let matches = CommandLine::command().try_get_matches_from(&arguments);
+    let parsed = matches.and_then(|matches| Ok((CommandLine::from_arg_matches(&matches)?, matches)));
+    let (CommandLine { command, options }, matches) = match parsed {
+        Ok(parsed) => parsed,
+        Err(error) => return usage::exit(&error, &words, out, err),
+    };
+    let mut output = Output::new(options.format, options.console(), out, err);
+    let session = Session { words, shows_progress: output.shows_progress() };
+    let exit = options.pool(&output).and_then(|pool| {
+        let work = || {
+            session::enter(session);
+            command.run(&mut output)
+        };
+        match pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    });
+    exit.unwrap_or_else(|failure| match robot_argument(&matches) {
+        Some(argument) => {
+            if let Ok(robot) = inputs::read_robot(argument) {
+                output.about(&robot.name);
+            }
+            output.fail(&failure.with_value("ROBOT", argument))
+        }
+        None => output.fail(&failure),
+    })
+}
+
+/// `ROBOT` as it was given, a file or a name, of a command that takes one.
+fn robot_argument(matches: &ArgMatches) -> Option<&String> {
+    matches.subcommand().and_then(|(_, own)| own.try_get_one::<String>("robot").ok().flatten())
+}

@@ -1,0 +1,47 @@
+//! One run of a command line, as the code far from its output needs it: the words that were given, and whether progress is shown.
+//!
+//! Kept by the thread that the command runs on, so that runs side by side do not meet.
+
+use std::cell::RefCell;
+
+use crate::options;
+
+/// Words and wishes of a run.
+#[derive(Debug, Default)]
+pub(crate) struct Session {
+    /// Words of the command line after the name of the program.
+    pub(crate) words: Vec<String>,
+    /// True if signs of life are wanted, and somebody sees them.
+    pub(crate) shows_progress: bool,
+}
+
+thread_local! {
+    static SESSION: RefCell<Session> = RefCell::default();
+}
+
+/// Begins a run on this thread; it ends where the next one begins.
+pub(crate) fn enter(session: Session) {
+    SESSION.set(session);
+}
+
+/// True if signs of life are wanted, and somebody sees them.
+pub(crate) fn shows_progress() -> bool {
+    SESSION.with_borrow(|session| session.shows_progress)
+}
+
+/// The command as it was given, quoted for a shell, without the options that do not touch the result.
+pub(crate) fn command_line() -> String {
+    SESSION.with_borrow(|session| {
+        let words = options::that_matter(&session.words);
+        ["cdpr".to_owned()].into_iter().chain(words.iter().map(|word| quoted(word))).collect::<Vec<_>>().join(" ")
+    })
+}
+
+/// A word as a shell takes it for one.
+pub(crate) fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./=,:".contains(c);
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
